@@ -222,6 +222,20 @@ def test_inverses_are_right_or_refused(precision, functions):
     assert refused > 3
 
 
+@each_precision
+def test_size_refuses_no_inverse(precision, functions):
+    """Determinants that under- and overflow are no reason."""
+    info = np.finfo(precision.numpy_type)
+    for exponent in range(1 - info.maxexp, info.maxexp - 2, 5):
+        R = np.ldexp(np.array([[0.0, 2, 0], [0, 0, -1], [1, 0, 0]]), exponent)
+        found = np.ascontiguousarray(R.T, precision.numpy_type)
+        assert call(functions, "invert", precision, found, returned=ctypes.c_int) == 0
+        assert np.array_equal(R @ found.T, np.eye(3))
+    for x in (0, np.inf, np.nan):
+        found = numbers(precision, np.diag([1, x, 1]))
+        assert call(functions, "invert", precision, found, returned=ctypes.c_int) == -3
+
+
 def exact_determinant(R: np.ndarray) -> Fraction:
     a, b, c = exact(R)
     return a @ np.cross(b, c)
@@ -246,22 +260,47 @@ def test_any_axis_turns(precision, functions):
 # numbers
 
 
-@each_precision
-@pytest.mark.parametrize("name, turn_", [("degrees", 360.0), ("radians", 2 * PI)])
-def test_whole_turns_are_taken_away(name, turn_, precision, functions):
-    rng = np.random.default_rng(1)
+def angles_around(precision: Precision, turn_: float) -> list[np.floating]:
+    """Of every size; whole turns and next to them."""
+    rng, info = np.random.default_rng(1), np.finfo(precision.numpy_type)
     real = np.dtype(precision.numpy_type).type
-    whole = Fraction(float(real(turn_)))
-    largest = Fraction(float(np.nextafter(real(turn_), real(0))))
-    angles = [*rng.uniform(-1000, 1000, 200), *(turn_ * np.arange(-3, 4)), -1e-20, 1e-20, -0.0,
-              1e15, -1e15, *rng.normal(size=50) * 1e8]
-    for angle in map(real, angles):
-        found = call(functions, name, precision, angle, returned=float)
-        truth = Fraction(float(angle)) % whole
-        assert 0 <= found <= float(largest) and not np.signbit(found)
-        wanted = real(truth.numerator / truth.denominator) if truth <= largest else real(0)
-        assert abs(Fraction(found) - truth) <= Fraction(float(np.spacing(wanted))) / 2 or \
-            truth > largest and found == 0
+    turns = [real(turn_ * n) for n in (-1000, -3, -2, -1, 0, 1, 2, 3, 17, 1000, 2**20)]
+    return [*rng.uniform(-1000, 1000, 200).astype(real), *turns,
+            *(np.nextafter(x, real(to)) for x in turns for to in (-np.inf, np.inf)),
+            *map(real, (-1e-20, 1e-20, -0.0, 1e5, 1e15, -1e15)),
+            *(rng.choice((-1, 1), 300) * 2.0**rng.uniform(0, 60, 300)).astype(real),
+            info.max, -info.max]
+
+
+@each_precision
+def test_degrees_are_exact(precision, functions):
+    """But for one rounding of negative ones."""
+    real = np.dtype(precision.numpy_type).type
+    for angle in angles_around(precision, 360):
+        found = call(functions, "degrees", precision, angle, returned=float)
+        truth = Fraction(float(angle)) % 360
+        assert 0 <= found < 360 and not np.signbit(found)
+        half = Fraction(float(np.spacing(real(truth.numerator / truth.denominator)))) / 2
+        near = truth - 360 if found == 0 and truth > 359 else truth
+        assert abs(Fraction(found) - near) <= (0 if angle >= 0 else half)
+
+
+@each_precision
+def test_whole_turns_are_taken_away(precision, functions):
+    """As the comment says, of the number 2 π itself."""
+    real = np.dtype(precision.numpy_type).type
+    off, growth = {"double": (1.2e-15, 2e-32), "single": (8e-7, 7e-15)}[precision.name]
+    header = (INCLUDE / "ksl/trig.h").read_text()
+    assert f"off by {off:g} + {growth:g} |angle|".replace("e-0", "e-") in header
+    with mp.workdps(400):
+        turn_ = 2 * mp.pi
+        for angle in angles_around(precision, 2 * PI):
+            found = call(functions, "radians", precision, angle, returned=float)
+            assert 0 <= found < turn_ and not np.signbit(found)
+            error = mp.mpf(found) - mp.mpf(float(angle))
+            error -= turn_ * mp.nint(error / turn_)
+            assert abs(error) <= off + growth * abs(float(angle)), (angle, float(error))
+            assert found == angle or not 0 <= angle < real(2 * PI)
 
 
 @each_precision

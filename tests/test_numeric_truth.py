@@ -139,6 +139,11 @@ def rows(operation: Operation, precision: Precision) -> list[Row]:
         spoiled[np.arange(len(A)), places, places] = -1
         singular = np.array([singular_at(k, M) for k, M in zip(places, definite, strict=True)])
         groups = [(x, *others) for x in (A, definite, spoiled, singular)]
+    if operation.name == "mat3x3_inverse":  # of every size
+        info = np.finfo(precision.numpy_type)
+        exponents = np.linspace(info.minexp, info.maxexp - 3, 20).astype(int)[:, None, None]
+        (matrices,) = inputs_of(operation, precision, 240)
+        groups.append((np.ldexp(matrices[:20], exponents),))  # the ordinary ones
     sizes = np.cumsum([a.quantity.size for a in operation.inputs])
     units = np.vstack([np.zeros(sizes[-1]), np.eye(sizes[-1])])
     groups += [np.split(size * units, sizes[:-1], axis=1) for size in (1, 2.0**-70)]

@@ -32,9 +32,10 @@ _Do, _M = Argument("Do", SE3), Argument("M", MAT6X6)
 _angle, _k = Argument("angle", SCALAR), Argument("k", SCALAR, FRACTION)
 
 
-def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=(), family=FAMILY):
+def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=(), family=FAMILY,
+        rounding=""):
     return Operation(name, family, statement, inputs, outputs, formula, derivation,
-                     normwise=normwise)
+                     normwise=normwise, rounding=rounding)
 
 
 # Rotations.  `sign` is 1 for left Jacobians, -1 for right ones: J_r(v) = J_l(-v).
@@ -111,7 +112,8 @@ _ROTATIONS = (
           partial(_bound_jacobian_inverse, sign), (Normwise("R", 6),))
       for side, sign in (("left", 1), ("right", -1))),
     _op("mat3x3_from_axis_angle",
-        "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1",
+        "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with "
+        "another R is no rotation",
         (_axis, _angle), (_R,), lambda a, t: _matrix(a, sp.sin(t), 1 - sp.cos(t)), _bound_turn,
         (Normwise("R", 9),), "mat3x3"),
     _op("axis_angle_from_mat3x3", f"angle and axis of the rotation R; {ANGLE}", (_R,),
@@ -216,22 +218,33 @@ def _bound_interpolated(let: Let, D1: sp.Matrix, D2: sp.Matrix, k: sp.Expr) -> s
     return compose(D1, let("step", _bound_move(prefixed(let, "exp"), s)))
 
 
+FAR = ("2e306", "5e36")  # double, single
+"""1/64 of the largest number, 1/17 being needed: interpolation takes the screw by 2 |t| in length
+to π/2 times that, and of it the moment about the axis, by up to π."""
+_FAR = f"is above {FAR[0]}, in single precision {FAR[1]}"
+_OF_VELOCITY = f"Sums on the way may overflow where |v| {_FAR}."
+
 _DISPLACEMENTS = (
     _op("SE3_exp", "D = exp s = [exp ω~ | J_l(ω) v]", (_s,), (_D,), _move, _bound_move,
-        (Normwise("R", 6, per_angle=200), Normwise("t", 14, ("s.lin",), 200))),
+        (Normwise("R", 6, per_angle=200), Normwise("t", 14, ("s.lin",), 200)),
+        rounding=f"Sums on the way may overflow where |v|, or |ω| |v|, {_FAR}."),
     _op("SE3_log", "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R", (_D,), (_so,),
-        _screw_of, _bound_screw_of, (Normwise("lin", 18), Normwise("ang", 8))),
+        _screw_of, _bound_screw_of, (Normwise("lin", 18), Normwise("ang", 8)),
+        rounding=f"Sums on the way may overflow where |t| {_FAR}."),
     *(_op(f"SE3_{side}Jacobian", f"M = J_{side[0]}(s) = Σ ({'-' * (sign < 0)}[ad](s))^k / (k+1)!",
           (_small_s,), (_M,), partial(_motion_jacobian, sign),
           partial(_bound_motion_jacobian, sign),
-          (Normwise("M", 20),)) for side, sign in (("left", 1), ("right", -1))),
+          (Normwise("M", 20),), rounding=_OF_VELOCITY)
+      for side, sign in (("left", 1), ("right", -1))),
     *(_op(f"SE3_{side}JacobianInverse", f"M = J_{side[0]}(s)^-1; singular where |ω| is a multiple "
           "of 2π but 0", (_small_s,), (_M,), partial(_motion_jacobian_inverse, sign),
-          partial(_bound_motion_jacobian_inverse, sign), (Normwise("M", 14),))
+          partial(_bound_motion_jacobian_inverse, sign), (Normwise("M", 14),),
+          rounding=_OF_VELOCITY)
       for side, sign in (("left", 1), ("right", -1))),
     _op("SE3_interpolated", "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 "
         "at k = 1", (_D1, _D2, _k), (_Do,), _interpolated, _bound_interpolated,
-        (Normwise("R", 20), Normwise("t", 45, ("D1.t", "D2.t")))),
+        (Normwise("R", 20), Normwise("t", 45, ("D1.t", "D2.t"))),
+        rounding=f"Sums on the way may overflow where |t| of D1 or D2 {_FAR}."),
 )
 
 OPERATIONS = (*_ROTATIONS, *_DISPLACEMENTS)

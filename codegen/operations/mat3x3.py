@@ -4,9 +4,10 @@ import sympy as sp
 
 from coscrew_codegen.algebra import I3, skew
 from coscrew_codegen.operations import eigen, euler, special
-from coscrew_codegen.operations.norm import (Let, divided, l2, nonzero, prefixed,
-                                             safe_normalized)
-from coscrew_codegen.operations.operation import DEPENDENT, INDISTINCT, SPOILED, Operation
+from coscrew_codegen.operations.norm import (Let, divided, l2, largest_size, nonzero, prefixed,
+                                             safe_normalized, stepwise_power)
+from coscrew_codegen.operations.operation import (DEPENDENT, INDISTINCT, SPOILED, STEPS,
+                                                  Operation, scaled)
 from coscrew_codegen.quantity import DC, MAT3X3, SCALAR, VEC3, Argument
 
 FAMILY = "mat3x3"
@@ -39,20 +40,43 @@ def _bound_about(let: Let, axis: sp.Matrix, dc: sp.Matrix) -> sp.Matrix:
 
 
 def _inverse(let: Let, R: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
-    """det R and adj R / det R.  What det R is off by is less than 4 u times the sum of its terms'
-    sizes; below twice that nothing tells it from zero."""
-    columns = [R[:, j] for j in range(3)]
+    """det R and adj R / det R, from A = s R, s a power of two such that A's largest entry, a, is
+    between 1 and 2^40 (double 2^300).  What det A is off by is less than 4 u times the sum of its
+    terms' sizes; below twice that nothing tells it from zero.  Underflow adds 2^-147 a^3 (2^-1072
+    a^3) at most, far below u det A where that is not below 2^-96 a^3 (2^-760 a^3)."""
+    largest = largest_size(let, "R", tuple(R))
+    s = stepwise_power(let, "s", largest)
+    A = let("A", R.applyfunc(lambda x: scaled(x, s)))
+    columns = [A[:, j] for j in range(3)]
     cofactors = [let(f"n{j}", columns[(j + 1) % 3].cross(columns[(j + 2) % 3])) for j in range(3)]
     det = let("d", columns[0].dot(cofactors[0]))
     a, b, c = (let(f"size{j}", column.applyfunc(sp.Abs)) for j, column in enumerate(columns))
     permanent = let("permanent", sum(a[i] * (b[(i + 1) % 3] * c[(i + 2) % 3]
                                              + b[(i + 2) % 3] * c[(i + 1) % 3]) for i in range(3)))
-    least = let("least", INDISTINCT * permanent + SPOILED)
+    top = let("top", scaled(largest, s))
+    least = let("least", INDISTINCT * permanent + let("spoiled", scaled(top, SPOILED)) * top * top)
     regular = sp.Eq(let("regular", sp.Piecewise((1, least < sp.Abs(det)), (0, True))), 1)
     divisor = let("divisor", sp.Piecewise((det, regular), (1, True)))
-    inverse = sp.Matrix.hstack(*cofactors).T / divisor
-    return sp.Piecewise((det, regular), (0, True)), inverse.applyfunc(
+    quotients = let("quotient", sp.Matrix.hstack(*cofactors).T / divisor)
+    inverse = let("inverse", quotients.applyfunc(lambda x: scaled(x, s)))
+    return sp.Piecewise((_unscaled(let, det, largest), regular), (0, True)), inverse.applyfunc(
         lambda x: sp.Piecewise((x, regular), (sp.nan, True)))
+
+
+def _unscaled(let: Let, det: sp.Expr, largest: sp.Expr) -> sp.Expr:
+    """det / s^3, s the power of two for this largest entry; infinite, if at all, in the last step.
+    Of matrices with s below 1 / step it is infinite whenever they are regular."""
+    first, second, third = STEPS
+    infinite = sp.Piecewise((-third, det < 0), (third, True))
+    once = let("once", scaled(let("start", sp.Piecewise((det, largest < second), (infinite, True))),
+                              _where(let, "r2", largest < 1 / first, 1 / third)))
+    twice = let("twice", scaled(once, _where(let, "r3", largest < 1 / second, 1 / third)))
+    last = sp.Piecewise((1 / third, largest < 1), (1, largest < first), (third, True))
+    return let("det_R", scaled(twice, let("r", last)))
+
+
+def _where(let: Let, name: str, condition: sp.Basic, power: sp.Expr) -> sp.Expr:
+    return let(name, sp.Piecewise((power, condition), (1, True)))
 
 
 def _orthonormal_rows(let: Let, R: sp.Matrix) -> sp.Matrix:
@@ -95,17 +119,20 @@ OPERATIONS = (
     _op("mat3x3_transposed", "Ro = R^T, the inverse of a rotation", (_R,), (_Ro,), lambda R: R.T),
     _op("mat3x3_determinant", "det R", (_R,), (_det,), lambda R: R.det(),
         lambda let, R: R[:, 0].dot(let("n", R[:, 1].cross(R[:, 2])))),
-    _op("mat3x3_inverse", "Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told "
-        "from 0 (|det R| <= 8 u times the sum of its terms' sizes), and Ro = NaN", (_R,),
+    _op("mat3x3_inverse", "Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where "
+        "it under- or overflows; 0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p "
+        "+ 1e-29 m^3 (double 1e-229 m^3), p the sum of its terms' sizes, m that of the largest "
+        "entry", (_R,),
         (_det, _Ro), lambda R: (R.det(), _entries(special.inverse, R)), _inverse,
-        rounding="Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p "
-        "the sums of the sizes of the terms of the cofactor and of det R; barring over- and "
-        "underflow."),
+        rounding="Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the "
+        "sum of the sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that is "
+        "more; barring over- and underflow of Ro_ij itself."),
     _op("mat3x3_normalize", f"self = {_GRAM_SCHMIDT}", (_self,), (_self,),
         lambda R: _entries(special.orthonormal_rows, R), _orthonormal_rows, rounding=_ROWS),
     _op("mat3x3_normalized", f"Ro = {_GRAM_SCHMIDT}", (_R,), (_Ro,),
         lambda R: _entries(special.orthonormal_rows, R), _orthonormal_rows, rounding=_ROWS),
-    _op("mat3x3_setFromAxisDC", "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, "
-        "dc = (sin θ, cos θ)", (_axis, _dc), (_R,), _about, _bound_about, ("R", "axis", "dc")),
+    _op("mat3x3_setFromAxisDC", "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 "
+        "(else R is no rotation), dc = (sin θ, cos θ)", (_axis, _dc), (_R,), _about, _bound_about,
+        ("R", "axis", "dc")),
     *euler.OPERATIONS, *eigen.OPERATIONS,
 )

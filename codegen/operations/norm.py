@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 import sympy as sp
 
 from coscrew_codegen.operations.operation import (ENLARGING, LARGE, MODEST, NORM_THRESHOLD,
-                                                  RAISING, REDUCING, TINY, scaled)
+                                                  RAISING, REDUCING, STEPS, TINY, scaled)
 
 Let = Callable[[str, sp.Expr | sp.Matrix], sp.Expr | sp.Matrix]
 
@@ -46,16 +46,32 @@ def divided(x: sp.Matrix, n: sp.Expr) -> sp.Matrix:
     return x.applyfunc(lambda component: component / n)
 
 
-def power_of_two(let: Let, name: str, x: Sequence[sp.Expr], reduced: bool = False) -> sp.Expr:
-    """A power of two s such that s x is of the size that norms and quotients by them want; s >= 1
-    of what is `reduced` already."""
+def largest_size(let: Let, name: str, x: Sequence[sp.Expr]) -> sp.Expr:
+    """The largest |component|."""
     largest, *sizes = let(f"{name}_size", sp.Matrix(x).applyfunc(sp.Abs))
     for number, size in enumerate(sizes, start=1):
         largest = let(f"{name}_largest{number}",
                       sp.Piecewise((size, largest < size), (largest, True)))
+    return largest
+
+
+def power_of_two(let: Let, name: str, x: Sequence[sp.Expr], reduced: bool = False) -> sp.Expr:
+    """A power of two s such that s x is of the size that norms and quotients by them want; s >= 1
+    of what is `reduced` already."""
+    largest = largest_size(let, name, x)
     large = () if reduced else ((REDUCING, LARGE < largest),)
     return let(name, sp.Piecewise((RAISING, largest < TINY), (ENLARGING, largest < MODEST), *large,
                                   (sp.Integer(1), True)))
+
+
+def stepwise_power(let: Let, name: str, largest: sp.Expr) -> sp.Expr:
+    """A power of two s with 1 <= s largest < 2^40 (double 2^300); less only where `largest` is
+    below 2^-120 (2^-900)."""
+    first, second, third = STEPS
+    return let(name, sp.Piecewise(
+        (third, largest < 1 / second), (second, largest < 1 / first), (first, largest < 1),
+        (sp.Integer(1), largest < first), (1 / first, largest < second),
+        (1 / second, largest < third), (1 / third, True)))
 
 
 def inverse_power(let: Let, name: str, s: sp.Expr, reduced: bool = False) -> sp.Expr:

@@ -29,8 +29,13 @@ REGULAR = sp.Symbol("regular", positive=True)
 # 16 u: vectors of length 1 that leave less than this beside others depend on them to rounding.
 DEPENDENT = sp.Symbol("dependent", positive=True)
 
-# 8 u, and the least size of terms that no underflow has spoiled: what a determinant is held to.
+# 8 u, and the part of the largest entry's third power that no underflow spoils: what a determinant
+# is held to.
 INDISTINCT, SPOILED = sp.symbols("indistinct spoiled", positive=True)
+
+# Steps between powers of two that bring a matrix' largest entry between 1 and the first, so that
+# products of three entries do not overflow, and underflow only where they do not matter.
+STEPS = sp.symbols("step step2 step3", positive=True)
 
 PER_PRECISION: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {
     NORM_THRESHOLD: (sp.Rational(1, 10**9), sp.Rational(1, 10**6)),
@@ -43,7 +48,9 @@ PER_PRECISION: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {
     REGULAR: (1 - sp.Rational(50, 2**53), 1 - sp.Rational(50, 2**24)),
     DEPENDENT: (sp.Rational(16, 2**53), sp.Rational(16, 2**24)),
     INDISTINCT: (sp.Rational(8, 2**53), sp.Rational(8, 2**24)),
-    SPOILED: (sp.Rational(1, 2**960), sp.Rational(1, 2**96)),
+    SPOILED: (sp.Rational(1, 2**760), sp.Rational(1, 2**96)),
+    **{step: (sp.Integer(2**(300 * n)), sp.Integer(2**(40 * n)))
+       for n, step in enumerate(STEPS, 1)},
     GRID: (sp.Integer(2**28), sp.Integer(2**13)),
 }
 """The constants that differ between double and single precision."""
@@ -112,8 +119,7 @@ class Operation:
 
     @property
     def tested_bounds(self) -> str:
-        """`normwise` in words, with what inputs it is for, or what else there is; empty where there
-        is nothing."""
+        """`normwise` in words, with what inputs it is for, and what else there is, if anything."""
         if not self.normwise:
             return self.rounding
         parts = ", ".join(bound.in_words for bound in self.normwise)
@@ -121,7 +127,9 @@ class Operation:
         also = f", or of {' or '.join(beside)} if that is larger" if beside else ""
         where = [a.domain_in_words for a in self.inputs if a.domain_in_words]
         given = f" for {' and '.join(where)}" if where else ""
-        return f"Error <= {parts} of its largest component{also}{given}; searched, not proved."
+        besides = f"  {self.rounding}" if self.rounding else ""
+        return (f"Error <= {parts} of its largest component{also}{given}; searched, not proved."
+                f"{besides}")
 
     def truth(self) -> tuple[sp.Expr, ...]:
         """`formula` on the inputs' symbols: every component of every output, row by row."""

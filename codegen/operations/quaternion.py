@@ -139,7 +139,8 @@ _CONVERSIONS = (
     _op("quaternion_from_mat3x3", "qo with R(qo) = R and w >= 0; of an R that is not quite a "
         "rotation, off by as much as R", (_R,), (_qo,),
         lambda R: vector(special.quaternion_of, 4, *R), _of_matrix, (Normwise("qo", 6),)),
-    _op("quaternion_from_axis_angle", "qo = (axis sin angle/2; cos angle/2); axis of length 1",
+    _op("quaternion_from_axis_angle", "qo = (axis sin angle/2; cos angle/2); axis of length 1: "
+        "with another |qo| is not 1, and its rotation is by another angle",
         (_axis, _angle), (_qo,), lambda a, angle: _of_axis_angle(unnamed, a, angle),
         _of_axis_angle, (Normwise("qo", 3),)),
     _op("axis_angle_from_quaternion", f"angle = 2 atan2(|v|, |w|), axis = ±v / |v|; {ANGLE}; any "

@@ -120,18 +120,20 @@ def _operations(matrix: Quantity, right: Quantity, left: Quantity) -> tuple[Oper
 
     op = partial(Operation, family=FAMILY)
     return (
-        op(name=f"{matrix.name}_ldl", statement="L, D with L D L^T = A: unit lower triangular L, D "
-           "on its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is "
-           "not positive definite, and L means nothing", inputs=(A,), outputs=(pivot, L),
+        op(name=f"{matrix.name}_ldl", statement="L, D with L D L^T = A, of which the lower "
+           "triangle is read: unit lower triangular L, D on its diagonal; returns the smallest "
+           "pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means "
+           "nothing", inputs=(A,), outputs=(pivot, L),
            formula=ldl, derivation=bound_ldl,
            rounding=f"|L D L^T - A|_ij <= {FACTOR[n]} u sqrt(a_ii a_jj) where the pivot is "
            "positive, barring over- and underflow."),
         op(name=f"{matrix.name}_ldl_solve", statement=f"x = A^-1 b, L of {matrix.name}_ldl with a "
            "positive pivot", inputs=(L, b), outputs=(x,), formula=partial(by_factor, unnamed),
            derivation=by_factor, rounding=_backward("of A = L D L^T")),
-        op(name=f"{matrix.name}_solve", statement="x = A^-1 b with one step of refinement; returns "
-           "the smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u "
-           "diag A is not positive definite), it is not positive, and x not a number",
+        op(name=f"{matrix.name}_solve", statement="x = A^-1 b with one step of refinement, A "
+           "symmetric, its lower triangle is read; returns the smallest pivot d_i / a_ii: where A "
+           "is singular to rounding or indefinite (A - 50 u diag A is not positive definite), it "
+           "is not positive, and x not a number",
            inputs=(A, b), outputs=(pivot, x), formula=solved, derivation=_solve,
            rounding=_backward("of A")),
     )

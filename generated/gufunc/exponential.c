@@ -1276,42 +1276,48 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "(6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.\n"
     "80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (6 +\n"
     "θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is larger for |ω\n"
-    "of s| <= 1e13, in single precision 1e5; searched, not proved.\n",
+    "of s| <= 1e13, in single precision 1e5; searched, not proved.  Sums on the way may overflow\n"
+    "where |v|, or |ω| |v|, is above 2e306, in single precision 5e36.\n",
    1, 1, SE3_exp_loops},
   {"SE3_log", "(3,4)->(6)",
     "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.\n"
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.  Error <=\n"
-    "lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved.\n",
+    "lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved.  Sums\n"
+    "on the way may overflow where |t| is above 2e306, in single precision 5e36.\n",
    1, 1, SE3_log_loops},
   {"SE3_leftJacobian", "(6)->(6,6)",
     "M = J_l(s) = Σ ([ad](s))^k / (k+1)!.\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
     "121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.  Error <= M:\n"
-    "20 u of its largest component for |ω of s| <= π; searched, not proved.\n",
+    "20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may\n"
+    "overflow where |v| is above 2e306, in single precision 5e36.\n",
    1, 1, SE3_leftJacobian_loops},
   {"SE3_rightJacobian", "(6)->(6,6)",
     "M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
     "121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.  Error <=\n"
-    "M: 20 u of its largest component for |ω of s| <= π; searched, not proved.\n",
+    "M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way\n"
+    "may overflow where |v| is above 2e306, in single precision 5e36.\n",
    1, 1, SE3_rightJacobian_loops},
   {"SE3_leftJacobianInverse", "(6)->(6,6)",
     "M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
     "93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:\n"
-    "14 u of its largest component for |ω of s| <= π; searched, not proved.\n",
+    "14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may\n"
+    "overflow where |v| is above 2e306, in single precision 5e36.\n",
    1, 1, SE3_leftJacobianInverse_loops},
   {"SE3_rightJacobianInverse", "(6)->(6,6)",
     "M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
     "93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:\n"
-    "14 u of its largest component for |ω of s| <= π; searched, not proved.\n",
+    "14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may\n"
+    "overflow where |v| is above 2e306, in single precision 5e36.\n",
    1, 1, SE3_rightJacobianInverse_loops},
   {"SE3_interpolated", "(3,4),(3,4),()->(3,4)",
     "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.\n"
@@ -1319,7 +1325,8 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "(3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.\n"
     "208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42\n"
     "select.  Error <= R: 20 u, t: 45 u of its largest component, or of D1.t or D2.t if that is\n"
-    "larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.\n",
+    "larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on\n"
+    "the way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36.\n",
    3, 1, SE3_interpolated_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

@@ -1452,13 +1452,15 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "formula; barring over- and underflow.\n",
    1, 1, mat3x3_determinant_loops},
   {"mat3x3_inverse", "(3,3)->(),(3,3)",
-    "Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8\n"
-    "u times the sum of its terms' sizes), and Ro = NaN.\n"
+    "Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or\n"
+    "overflows; 0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3\n"
+    "(double 1e-229 m^3), p the sum of its terms' sizes, m that of the largest entry.\n"
     "\n"
     "(3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.\n"
-    "31 mul, 17 add, 9 div, 10 abs, 1 less, 1 equal, 12 select.  Ro_ij is off by 2 u m_ji / |det\n"
-    "R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of the sizes of the terms of the\n"
-    "cofactor and of det R; barring over- and underflow.\n",
+    "56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.  Ro_ij is off by 2 u m_ji\n"
+    "/ |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the sizes of the cofactor's\n"
+    "terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow of\n"
+    "Ro_ij itself.\n",
    1, 2, mat3x3_inverse_loops},
   {"mat3x3_normalize", "(3,3)->(3,3)",
     "self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its\n"
@@ -1477,7 +1479,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "perpendicular, and of length 1, but for 8 u; searched, not proved.\n",
    1, 1, mat3x3_normalized_loops},
   {"mat3x3_setFromAxisDC", "(3),(2)->(3,3)",
-    "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).\n"
+    "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc\n"
+    "= (sin θ, cos θ).\n"
     "\n"
     "(3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.\n"
     "12 mul, 10 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded\n"
@@ -1521,7 +1524,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "before| <= 28 u max |A| for orthonormal V; searched, not proved.\n",
    2, 2, mat3x3_jacobi_loops},
   {"mat3x3_from_axis_angle", "(3),()->(3,3)",
-    "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.\n"
+    "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with another R is no\n"
+    "rotation.\n"
     "\n"
     "(3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.\n"
     "15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 9 u of its largest component\n"

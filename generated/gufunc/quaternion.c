@@ -4819,7 +4819,8 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "component for R a rotation; searched, not proved.\n",
    1, 1, quaternion_from_mat3x3_loops},
   {"quaternion_from_axis_angle", "(3),()->(4)",
-    "qo = (axis sin angle/2; cos angle/2); axis of length 1.\n"
+    "qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its\n"
+    "rotation is by another angle.\n"
     "\n"
     "(3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.\n"
     "4 mul, 1 sin, 1 cos.  Error <= qo: 3 u of its largest component for |axis| = 1; searched,\n"

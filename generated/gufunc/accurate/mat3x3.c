@@ -721,14 +721,15 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "the expanded formula; barring over- and underflow.\n",
    1, 1, mat3x3_determinant_loops},
   {"mat3x3_inverse", "(3,3)->(),(3,3)",
-    "Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8\n"
-    "u times the sum of its terms' sizes), and Ro = NaN.\n"
+    "Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or\n"
+    "overflows; 0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3\n"
+    "(double 1e-229 m^3), p the sum of its terms' sizes, m that of the largest entry.\n"
     "\n"
     "(3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.\n"
-    "56 mul, 194 add, 9 product error, 31 product rest, 18 div, 1 neg, 10 abs, 2 less, 11 equal,\n"
-    "34 select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p\n"
-    "the sums of the sizes of the terms of the cofactor and of det R; barring over- and\n"
-    "underflow.\n",
+    "106 mul, 290 add, 10 product error, 32 product rest, 22 div, 2 neg, 19 abs, 17 less, 23\n"
+    "equal, 67 select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most,\n"
+    "m_ji the sum of the sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that\n"
+    "is more; barring over- and underflow of Ro_ij itself.\n",
    1, 2, mat3x3_inverse_loops},
   {"mat3x3_normalize", "(3,3)->(3,3)",
     "self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its\n"
@@ -749,7 +750,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "proved.\n",
    1, 1, mat3x3_normalized_loops},
   {"mat3x3_setFromAxisDC", "(3),(2)->(3,3)",
-    "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).\n"
+    "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc\n"
+    "= (sin θ, cos θ).\n"
     "\n"
     "(3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.\n"
     "21 mul, 66 add, 3 product error, 15 product rest.  Error <= u |result| + 14 u^2 S, S the sum\n"

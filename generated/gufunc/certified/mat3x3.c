@@ -195,8 +195,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "13 mul, 14 add, 9 abs.\n",
    1, 2, mat3x3_determinant_loops},
   {"mat3x3_setFromAxisDC", "(3),(2)->(3,3),(3,3)",
-    "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ);\n"
-    "|error of R| <= R_bound unless inf or NaN.\n"
+    "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc\n"
+    "= (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.\n"
     "\n"
     "(3),(2)->(3,3),(3,3).  axis: vector; dc: (sin θ, cos θ); R, R_bound: rotation or other 3×3\n"
     "matrix.\n"

@@ -224,14 +224,15 @@ def mat3x3_determinant(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> 
     """
 
 def mat3x3_inverse(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
-    """Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8
-    u times the sum of its terms' sizes), and Ro = NaN.
+    """Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or
+    overflows; 0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3
+    (double 1e-229 m^3), p the sum of its terms' sizes, m that of the largest entry.
 
     (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
-    56 mul, 194 add, 9 product error, 31 product rest, 18 div, 1 neg, 10 abs, 2 less, 11 equal,
-    34 select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p
-    the sums of the sizes of the terms of the cofactor and of det R; barring over- and
-    underflow.
+    106 mul, 290 add, 10 product error, 32 product rest, 22 div, 2 neg, 19 abs, 17 less, 23
+    equal, 67 select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most,
+    m_ji the sum of the sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that
+    is more; barring over- and underflow of Ro_ij itself.
     """
 
 def mat3x3_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -255,7 +256,8 @@ def mat3x3_normalized(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
     """
 
 def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
-    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc
+    = (sin θ, cos θ).
 
     (3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.
     21 mul, 66 add, 3 product error, 15 product rest.  Error <= u |result| + 14 u^2 S, S the sum
@@ -1665,8 +1667,9 @@ def mat3x3_orthonormalized(R: ArrayLike, out: NDArray[np.floating] | None = ...)
     """
 
 def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
-    """L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest
-    pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+    """L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on
+    its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not
+    positive definite, and L means nothing.
 
     (3,3)->(),(3,3).  A, L: rotation or other 3×3 matrix; pivot: number.
     16 mul, 96 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.  |L D
@@ -1683,9 +1686,9 @@ def mat3x3_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.floating] | Non
     """
 
 def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
-    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
-    positive, and x not a number.
+    """x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
+    smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
+    not positive definite), it is not positive, and x not a number.
 
     (3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.
     96 mul, 398 add, 16 product error, 31 product rest, 30 div, 11 less, 5 equal, 38 select.
@@ -1694,8 +1697,9 @@ def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.floating] | N
     """
 
 def mat6x6_ldl(A: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
-    """L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest
-    pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+    """L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on
+    its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not
+    positive definite, and L means nothing.
 
     (6,6)->(),(6,6).  A, L: 6×6 operator; pivot: number.
     121 mul, 512 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.
@@ -1714,9 +1718,9 @@ def mat6x6_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.floating] | Non
     """
 
 def mat6x6_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
-    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
-    positive, and x not a number.
+    """x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
+    smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
+    not positive definite), it is not positive, and x not a number.
 
     (6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw
     (v in m/s; ω in rad/s).

@@ -311,13 +311,15 @@ def mat3x3_determinant(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> N
     """
 
 def mat3x3_inverse(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8
-    u times the sum of its terms' sizes), and Ro = NaN.
+    """Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or
+    overflows; 0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3
+    (double 1e-229 m^3), p the sum of its terms' sizes, m that of the largest entry.
 
     (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
-    31 mul, 17 add, 9 div, 10 abs, 1 less, 1 equal, 12 select.  Ro_ij is off by 2 u m_ji / |det
-    R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of the sizes of the terms of the
-    cofactor and of det R; barring over- and underflow.
+    56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.  Ro_ij is off by 2 u m_ji
+    / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the sizes of the cofactor's
+    terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow of
+    Ro_ij itself.
     """
 
 def mat3x3_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -339,7 +341,8 @@ def mat3x3_normalized(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> ND
     """
 
 def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc
+    = (sin θ, cos θ).
 
     (3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.
     12 mul, 10 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
@@ -2005,7 +2008,8 @@ def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) 
     """
 
 def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """qo = (axis sin angle/2; cos angle/2); axis of length 1.
+    """qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
+    rotation is by another angle.
 
     (3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
     4 mul, 1 sin, 1 cos.  Error <= qo: 3 u of its largest component for |axis| = 1; searched,
@@ -2102,7 +2106,8 @@ def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.float64] | None = ...
     """
 
 def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
+    """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with another R is no
+    rotation.
 
     (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
     15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 9 u of its largest component
@@ -2140,7 +2145,8 @@ def SE3_exp(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.f
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
     80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (6 +
     θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is larger for |ω
-    of s| <= 1e13, in single precision 1e5; searched, not proved.
+    of s| <= 1e13, in single precision 1e5; searched, not proved.  Sums on the way may overflow
+    where |v|, or |ω| |v|, is above 2e306, in single precision 5e36.
     """
 
 def SE3_log(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -2148,7 +2154,8 @@ def SE3_log(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.f
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
     50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.  Error <=
-    lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved.
+    lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved.  Sums
+    on the way may overflow where |t| is above 2e306, in single precision 5e36.
     """
 
 def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -2156,7 +2163,8 @@ def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDA
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.  Error <= M:
-    20 u of its largest component for |ω of s| <= π; searched, not proved.
+    20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may
+    overflow where |v| is above 2e306, in single precision 5e36.
     """
 
 def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -2164,7 +2172,8 @@ def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> ND
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.  Error <=
-    M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
+    M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way
+    may overflow where |v| is above 2e306, in single precision 5e36.
     """
 
 def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -2172,7 +2181,8 @@ def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.float64] | None = ...)
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    14 u of its largest component for |ω of s| <= π; searched, not proved.
+    14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may
+    overflow where |v| is above 2e306, in single precision 5e36.
     """
 
 def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -2180,7 +2190,8 @@ def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.float64] | None = ...
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    14 u of its largest component for |ω of s| <= π; searched, not proved.
+    14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may
+    overflow where |v| is above 2e306, in single precision 5e36.
     """
 
 def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -2189,12 +2200,14 @@ def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
     208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
     select.  Error <= R: 20 u, t: 45 u of its largest component, or of D1.t or D2.t if that is
-    larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.
+    larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on
+    the way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36.
     """
 
 def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest
-    pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+    """L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on
+    its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not
+    positive definite, and L means nothing.
 
     (3,3)->(),(3,3).  A, L: rotation or other 3×3 matrix; pivot: number.
     4 mul, 4 add, 6 div, 6 less, 9 select.  |L D L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the
@@ -2210,9 +2223,9 @@ def mat3x3_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.float64] | None
     """
 
 def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
-    positive, and x not a number.
+    """x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
+    smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
+    not positive definite), it is not positive, and x not a number.
 
     (3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.
     32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.  Backward error, of A: |b - A x|_i <= 4
@@ -2220,8 +2233,9 @@ def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float64] | No
     """
 
 def mat6x6_ldl(A: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest
-    pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+    """L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on
+    its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not
+    positive definite, and L means nothing.
 
     (6,6)->(),(6,6).  A, L: 6×6 operator; pivot: number.
     35 mul, 35 add, 21 div, 15 less, 21 select.  |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where
@@ -2238,9 +2252,9 @@ def mat6x6_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.float64] | None
     """
 
 def mat6x6_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
-    positive, and x not a number.
+    """x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
+    smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
+    not positive definite), it is not positive, and x not a number.
 
     (6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw
     (v in m/s; ω in rad/s).

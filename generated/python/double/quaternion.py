@@ -958,7 +958,8 @@ def quaternion_from_mat3x3(R):
 
 @kernel("(3),()->(4)")
 def quaternion_from_axis_angle(axis, angle):
-    """qo = (axis sin angle/2; cos angle/2); axis of length 1.
+    """qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
+    rotation is by another angle.
 
     (3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
     4 mul, 1 sin, 1 cos.  Error <= qo: 3 u of its largest component for |axis| = 1; searched,

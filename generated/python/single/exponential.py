@@ -747,7 +747,8 @@ def SE3_exp(s):
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
     80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (6 +
     θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is larger for |ω
-    of s| <= 1e13, in single precision 1e5; searched, not proved.
+    of s| <= 1e13, in single precision 1e5; searched, not proved.  Sums on the way may overflow
+    where |v|, or |ω| |v|, is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -899,7 +900,8 @@ def SE3_log(D):
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
     50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.  Error <=
-    lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved.
+    lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved.  Sums
+    on the way may overflow where |t| is above 2e306, in single precision 5e36.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     p_0 = D_21 - D_12
@@ -1015,7 +1017,8 @@ def SE3_leftJacobian(s):
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.  Error <= M:
-    20 u of its largest component for |ω of s| <= π; searched, not proved.
+    20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may
+    overflow where |v| is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -1224,7 +1227,8 @@ def SE3_rightJacobian(s):
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.  Error <=
-    M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
+    M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way
+    may overflow where |v| is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -1433,7 +1437,8 @@ def SE3_leftJacobianInverse(s):
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    14 u of its largest component for |ω of s| <= π; searched, not proved.
+    14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may
+    overflow where |v| is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -1602,7 +1607,8 @@ def SE3_rightJacobianInverse(s):
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    14 u of its largest component for |ω of s| <= π; searched, not proved.
+    14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may
+    overflow where |v| is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -1772,7 +1778,8 @@ def SE3_interpolated(D1, D2, k):
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
     208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
     select.  Error <= R: 20 u, t: 45 u of its largest component, or of D1.t or D2.t if that is
-    larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.
+    larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on
+    the way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36.
     """
     D1_00, D1_01, D1_02, D1_03, D1_10, D1_11, D1_12, D1_13, D1_20, D1_21, D1_22, D1_23 = D1
     D2_00, D2_01, D2_02, D2_03, D2_10, D2_11, D2_12, D2_13, D2_20, D2_21, D2_22, D2_23 = D2

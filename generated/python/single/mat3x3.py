@@ -98,50 +98,112 @@ def mat3x3_determinant(R):
 
 @kernel("(3,3)->(),(3,3)")
 def mat3x3_inverse(R):
-    """Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8
-    u times the sum of its terms' sizes), and Ro = NaN.
+    """Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or
+    overflows; 0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3
+    (double 1e-229 m^3), p the sum of its terms' sizes, m that of the largest entry.
 
     (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
-    31 mul, 17 add, 9 div, 10 abs, 1 less, 1 equal, 12 select.  Ro_ij is off by 2 u m_ji / |det
-    R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of the sizes of the terms of the
-    cofactor and of det R; barring over- and underflow.
+    56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.  Ro_ij is off by 2 u m_ji
+    / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the sizes of the cofactor's
+    terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow of
+    Ro_ij itself.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
-    n0_0 = R_11 * R_22 - R_12 * R_21
-    n0_1 = R_02 * R_21 - R_01 * R_22
-    n0_2 = R_01 * R_12 - R_02 * R_11
-    n1_0 = R_12 * R_20 - R_10 * R_22
-    n1_1 = R_00 * R_22 - R_02 * R_20
-    n1_2 = R_02 * R_10 - R_00 * R_12
-    n2_0 = R_10 * R_21 - R_11 * R_20
-    n2_1 = R_01 * R_20 - R_00 * R_21
-    n2_2 = R_00 * R_11 - R_01 * R_10
-    d = R_00 * n0_0 + R_10 * n0_1 + R_20 * n0_2
-    size0_0 = absolute(R_00)
-    size0_1 = absolute(R_10)
-    size0_2 = absolute(R_20)
-    size1_0 = absolute(R_01)
-    size1_1 = absolute(R_11)
-    size1_2 = absolute(R_21)
-    size2_0 = absolute(R_02)
-    size2_1 = absolute(R_12)
-    size2_2 = absolute(R_22)
+    R_size_0 = absolute(R_00)
+    R_size_1 = absolute(R_01)
+    R_size_2 = absolute(R_02)
+    R_size_3 = absolute(R_10)
+    R_size_4 = absolute(R_11)
+    R_size_5 = absolute(R_12)
+    R_size_6 = absolute(R_20)
+    R_size_7 = absolute(R_21)
+    R_size_8 = absolute(R_22)
+    R_largest1 = where(R_size_0 < R_size_1, R_size_1, R_size_0)
+    R_largest2 = where(R_largest1 < R_size_2, R_size_2, R_largest1)
+    R_largest3 = where(R_largest2 < R_size_3, R_size_3, R_largest2)
+    R_largest4 = where(R_largest3 < R_size_4, R_size_4, R_largest3)
+    R_largest5 = where(R_largest4 < R_size_5, R_size_5, R_largest4)
+    R_largest6 = where(R_largest5 < R_size_6, R_size_6, R_largest5)
+    R_largest7 = where(R_largest6 < R_size_7, R_size_7, R_largest6)
+    R_largest8 = where(R_largest7 < R_size_8, R_size_8, R_largest7)
+    s_b = where(R_largest8 < 1.329228e+36, float32(8.271806e-25), float32(7.523164e-37))
+    s_d = where(R_largest8 < 1.2089258e+24, 9.094947e-13, s_b)
+    s_f = where(R_largest8 < 1099511627776, 1, s_d)
+    s_h = where(R_largest8 < 1, 1099511627776, s_f)
+    s_j = where(R_largest8 < 9.094947e-13, 1.2089258e+24, s_h)
+    s = where(R_largest8 < 8.271806e-25, 1.329228e+36, s_j)
+    A_0 = R_00 * s
+    A_1 = R_01 * s
+    A_2 = R_02 * s
+    A_3 = R_10 * s
+    A_4 = R_11 * s
+    A_5 = R_12 * s
+    A_6 = R_20 * s
+    A_7 = R_21 * s
+    A_8 = R_22 * s
+    n0_0 = A_4 * A_8 - A_5 * A_7
+    n0_1 = A_2 * A_7 - A_1 * A_8
+    n0_2 = A_1 * A_5 - A_2 * A_4
+    n1_0 = A_5 * A_6 - A_3 * A_8
+    n1_1 = A_0 * A_8 - A_2 * A_6
+    n1_2 = A_2 * A_3 - A_0 * A_5
+    n2_0 = A_3 * A_7 - A_4 * A_6
+    n2_1 = A_1 * A_6 - A_0 * A_7
+    n2_2 = A_0 * A_4 - A_1 * A_3
+    d = A_0 * n0_0 + A_3 * n0_1 + A_6 * n0_2
+    size0_0 = absolute(A_0)
+    size0_1 = absolute(A_3)
+    size0_2 = absolute(A_6)
+    size1_0 = absolute(A_1)
+    size1_1 = absolute(A_4)
+    size1_2 = absolute(A_7)
+    size2_0 = absolute(A_2)
+    size2_1 = absolute(A_5)
+    size2_2 = absolute(A_8)
     permanent_d = size0_0 * (size1_1 * size2_2 + size1_2 * size2_1)
     permanent_i = permanent_d + size0_1 * (size1_0 * size2_2 + size1_2 * size2_0)
     permanent = permanent_i + size0_2 * (size1_0 * size2_1 + size1_1 * size2_0)
-    least = permanent * 4.7683716e-07 + 1.2621775e-29
+    top = R_largest8 * s
+    spoiled = top * 1.2621775e-29
+    least = permanent * 4.7683716e-07 + spoiled * (top * top)
     regular = where(least < absolute(d), float32(1), float32(0))
     divisor = where(regular == 1, d, 1)
-    det = where(regular == 1, d, 0)
-    Ro_00 = where(regular == 1, n0_0 / divisor, nan)
-    Ro_01 = where(regular == 1, n0_1 / divisor, nan)
-    Ro_02 = where(regular == 1, n0_2 / divisor, nan)
-    Ro_10 = where(regular == 1, n1_0 / divisor, nan)
-    Ro_11 = where(regular == 1, n1_1 / divisor, nan)
-    Ro_12 = where(regular == 1, n1_2 / divisor, nan)
-    Ro_20 = where(regular == 1, n2_0 / divisor, nan)
-    Ro_21 = where(regular == 1, n2_1 / divisor, nan)
-    Ro_22 = where(regular == 1, n2_2 / divisor, nan)
+    quotient_0 = n0_0 / divisor
+    quotient_1 = n0_1 / divisor
+    quotient_2 = n0_2 / divisor
+    quotient_3 = n1_0 / divisor
+    quotient_4 = n1_1 / divisor
+    quotient_5 = n1_2 / divisor
+    quotient_6 = n2_0 / divisor
+    quotient_7 = n2_1 / divisor
+    quotient_8 = n2_2 / divisor
+    inverse_0 = quotient_0 * s
+    inverse_1 = quotient_1 * s
+    inverse_2 = quotient_2 * s
+    inverse_3 = quotient_3 * s
+    inverse_4 = quotient_4 * s
+    inverse_5 = quotient_5 * s
+    inverse_6 = quotient_6 * s
+    inverse_7 = quotient_7 * s
+    inverse_8 = quotient_8 * s
+    start = where(R_largest8 < 1.2089258e+24, d, where(d < 0, -1.329228e+36, 1.329228e+36))
+    r2 = where(R_largest8 < 9.094947e-13, float32(7.523164e-37), float32(1))
+    once = start * r2
+    r3 = where(R_largest8 < 8.271806e-25, float32(7.523164e-37), float32(1))
+    twice = once * r3
+    r_a = where(R_largest8 < 1099511627776, float32(1), float32(1.329228e+36))
+    r = where(R_largest8 < 1, 7.523164e-37, r_a)
+    det_R = twice * r
+    det = where(regular == 1, det_R, 0)
+    Ro_00 = where(regular == 1, inverse_0, nan)
+    Ro_01 = where(regular == 1, inverse_1, nan)
+    Ro_02 = where(regular == 1, inverse_2, nan)
+    Ro_10 = where(regular == 1, inverse_3, nan)
+    Ro_11 = where(regular == 1, inverse_4, nan)
+    Ro_12 = where(regular == 1, inverse_5, nan)
+    Ro_20 = where(regular == 1, inverse_6, nan)
+    Ro_21 = where(regular == 1, inverse_7, nan)
+    Ro_22 = where(regular == 1, inverse_8, nan)
     return (det, Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22)
 
 
@@ -382,7 +444,8 @@ def mat3x3_normalized(R):
 
 @kernel("(3),(2)->(3,3)")
 def mat3x3_setFromAxisDC(axis, dc):
-    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc
+    = (sin θ, cos θ).
 
     (3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.
     12 mul, 10 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
@@ -556,7 +619,8 @@ def mat3x3_jacobi(A, V):
 
 @kernel("(3),()->(3,3)")
 def mat3x3_from_axis_angle(axis, angle):
-    """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
+    """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with another R is no
+    rotation.
 
     (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
     15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 9 u of its largest component

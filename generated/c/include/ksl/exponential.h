@@ -772,7 +772,8 @@ static inline void ksl_mat3x3_orthonormalized(const ksl_mat3x3_t *R, ksl_mat3x3_
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.
    Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is
-     larger for |ω of s| <= 1e13, in single precision 1e5; searched, not proved. */
+     larger for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Sums on the way
+     may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -908,7 +909,8 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.
-   Error <= lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved. */
+   Error <= lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved.
+     Sums on the way may overflow where |t| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double p_0 = D->m21 - D->m12;
   const double p_1 = D->m02 - D->m20;
@@ -1018,7 +1020,8 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.
-   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved. */
+   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
+     the way may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -1246,7 +1249,8 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.
-   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved. */
+   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
+     the way may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -1474,7 +1478,8 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
-   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
+     the way may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -1678,7 +1683,8 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
-   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
+     the way may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -1884,7 +1890,8 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
      select.
    Error <= R: 20 u, t: 45 u of its largest component, or of D1.t or D2.t if that is larger for
-     D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved. */
+     D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on the way may
+     overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2, const double k,
     ksl_SE3_t *Do) {
   const double apart_0 = D2->m03 - D1->m03;
@@ -2984,7 +2991,8 @@ static inline void ksl_mat3x3f_orthonormalized(const ksl_mat3x3f_t *R, ksl_mat3x
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.
    Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is
-     larger for |ω of s| <= 1e13, in single precision 1e5; searched, not proved. */
+     larger for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Sums on the way
+     may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -3120,7 +3128,8 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.
-   Error <= lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved. */
+   Error <= lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved.
+     Sums on the way may overflow where |t| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float p_0 = D->m21 - D->m12;
   const float p_1 = D->m02 - D->m20;
@@ -3228,7 +3237,8 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.
-   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved. */
+   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
+     the way may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -3453,7 +3463,8 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.
-   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved. */
+   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
+     the way may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -3678,7 +3689,8 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
-   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
+     the way may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -3881,7 +3893,8 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
-   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved. */
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
+     the way may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -4086,7 +4099,8 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
      select.
    Error <= R: 20 u, t: 45 u of its largest component, or of D1.t or D2.t if that is larger for
-     D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved. */
+     D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on the way may
+     overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     const float k, ksl_SE3f_t *Do) {
   const float apart_0 = D2->m03 - D1->m03;

@@ -205,42 +205,67 @@ static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
   return det;
 }
 
-/* Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8 u
-     times the sum of its terms' sizes), and Ro = NaN.
+/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows;
+     0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3 (double 1e-229
+     m^3), p the sum of its terms' sizes, m that of the largest entry.
    R, Ro: rotation or other 3×3 matrix.
-   31 mul, 17 add, 9 div, 10 abs, 1 less, 1 equal, 12 select.
-   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of
-     the sizes of the terms of the cofactor and of det R; barring over- and underflow. */
+   56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.
+   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the
+     sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring
+     over- and underflow of Ro_ij itself. */
 static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
-  const double n0_0a = KSL_MUL(R->m11, R->m22), n0_0b = KSL_MUL(R->m12, R->m21),
-      n0_0 = n0_0a - n0_0b;
-  const double n0_1a = KSL_MUL(R->m02, R->m21), n0_1b = KSL_MUL(R->m01, R->m22),
-      n0_1 = n0_1a - n0_1b;
-  const double n0_2a = KSL_MUL(R->m01, R->m12), n0_2b = KSL_MUL(R->m02, R->m11),
-      n0_2 = n0_2a - n0_2b;
-  const double n1_0a = KSL_MUL(R->m12, R->m20), n1_0b = KSL_MUL(R->m10, R->m22),
-      n1_0 = n1_0a - n1_0b;
-  const double n1_1a = KSL_MUL(R->m00, R->m22), n1_1b = KSL_MUL(R->m02, R->m20),
-      n1_1 = n1_1a - n1_1b;
-  const double n1_2a = KSL_MUL(R->m02, R->m10), n1_2b = KSL_MUL(R->m00, R->m12),
-      n1_2 = n1_2a - n1_2b;
-  const double n2_0a = KSL_MUL(R->m10, R->m21), n2_0b = KSL_MUL(R->m11, R->m20),
-      n2_0 = n2_0a - n2_0b;
-  const double n2_1a = KSL_MUL(R->m01, R->m20), n2_1b = KSL_MUL(R->m00, R->m21),
-      n2_1 = n2_1a - n2_1b;
-  const double n2_2a = KSL_MUL(R->m00, R->m11), n2_2b = KSL_MUL(R->m01, R->m10),
-      n2_2 = n2_2a - n2_2b;
-  const double d_a = KSL_MUL(R->m00, n0_0), d_b = KSL_MUL(R->m10, n0_1), d_c = d_a + d_b,
-      d_d = KSL_MUL(R->m20, n0_2), d = d_c + d_d;
-  const double size0_0 = fabs(R->m00);
-  const double size0_1 = fabs(R->m10);
-  const double size0_2 = fabs(R->m20);
-  const double size1_0 = fabs(R->m01);
-  const double size1_1 = fabs(R->m11);
-  const double size1_2 = fabs(R->m21);
-  const double size2_0 = fabs(R->m02);
-  const double size2_1 = fabs(R->m12);
-  const double size2_2 = fabs(R->m22);
+  const double R_size_0 = fabs(R->m00);
+  const double R_size_1 = fabs(R->m01);
+  const double R_size_2 = fabs(R->m02);
+  const double R_size_3 = fabs(R->m10);
+  const double R_size_4 = fabs(R->m11);
+  const double R_size_5 = fabs(R->m12);
+  const double R_size_6 = fabs(R->m20);
+  const double R_size_7 = fabs(R->m21);
+  const double R_size_8 = fabs(R->m22);
+  const double R_largest1 = R_size_0 < R_size_1 ? R_size_1 : R_size_0;
+  const double R_largest2 = R_largest1 < R_size_2 ? R_size_2 : R_largest1;
+  const double R_largest3 = R_largest2 < R_size_3 ? R_size_3 : R_largest2;
+  const double R_largest4 = R_largest3 < R_size_4 ? R_size_4 : R_largest3;
+  const double R_largest5 = R_largest4 < R_size_5 ? R_size_5 : R_largest4;
+  const double R_largest6 = R_largest5 < R_size_6 ? R_size_6 : R_largest5;
+  const double R_largest7 = R_largest6 < R_size_7 ? R_size_7 : R_largest6;
+  const double R_largest8 = R_largest7 < R_size_8 ? R_size_8 : R_largest7;
+  const double s_b = R_largest8 < 8.452712498170644e+270 ? 2.409919865102884e-181 : 1.1830521861667747e-271,
+      s_d = R_largest8 < 4.149515568880993e+180 ? 4.909093465297727e-91 : s_b,
+      s_f = R_largest8 < 2.037035976334486e+90 ? 1.0 : s_d,
+      s_h = R_largest8 < 1.0 ? 2.037035976334486e+90 : s_f,
+      s_j = R_largest8 < 4.909093465297727e-91 ? 4.149515568880993e+180 : s_h,
+      s = R_largest8 < 2.409919865102884e-181 ? 8.452712498170644e+270 : s_j;
+  const double A_0 = KSL_MUL(R->m00, s);
+  const double A_1 = KSL_MUL(R->m01, s);
+  const double A_2 = KSL_MUL(R->m02, s);
+  const double A_3 = KSL_MUL(R->m10, s);
+  const double A_4 = KSL_MUL(R->m11, s);
+  const double A_5 = KSL_MUL(R->m12, s);
+  const double A_6 = KSL_MUL(R->m20, s);
+  const double A_7 = KSL_MUL(R->m21, s);
+  const double A_8 = KSL_MUL(R->m22, s);
+  const double n0_0a = KSL_MUL(A_4, A_8), n0_0b = KSL_MUL(A_5, A_7), n0_0 = n0_0a - n0_0b;
+  const double n0_1a = KSL_MUL(A_2, A_7), n0_1b = KSL_MUL(A_1, A_8), n0_1 = n0_1a - n0_1b;
+  const double n0_2a = KSL_MUL(A_1, A_5), n0_2b = KSL_MUL(A_2, A_4), n0_2 = n0_2a - n0_2b;
+  const double n1_0a = KSL_MUL(A_5, A_6), n1_0b = KSL_MUL(A_3, A_8), n1_0 = n1_0a - n1_0b;
+  const double n1_1a = KSL_MUL(A_0, A_8), n1_1b = KSL_MUL(A_2, A_6), n1_1 = n1_1a - n1_1b;
+  const double n1_2a = KSL_MUL(A_2, A_3), n1_2b = KSL_MUL(A_0, A_5), n1_2 = n1_2a - n1_2b;
+  const double n2_0a = KSL_MUL(A_3, A_7), n2_0b = KSL_MUL(A_4, A_6), n2_0 = n2_0a - n2_0b;
+  const double n2_1a = KSL_MUL(A_1, A_6), n2_1b = KSL_MUL(A_0, A_7), n2_1 = n2_1a - n2_1b;
+  const double n2_2a = KSL_MUL(A_0, A_4), n2_2b = KSL_MUL(A_1, A_3), n2_2 = n2_2a - n2_2b;
+  const double d_a = KSL_MUL(A_0, n0_0), d_b = KSL_MUL(A_3, n0_1), d_c = d_a + d_b,
+      d_d = KSL_MUL(A_6, n0_2), d = d_c + d_d;
+  const double size0_0 = fabs(A_0);
+  const double size0_1 = fabs(A_3);
+  const double size0_2 = fabs(A_6);
+  const double size1_0 = fabs(A_1);
+  const double size1_1 = fabs(A_4);
+  const double size1_2 = fabs(A_7);
+  const double size2_0 = fabs(A_2);
+  const double size2_1 = fabs(A_5);
+  const double size2_2 = fabs(A_8);
   const double permanent_a = KSL_MUL(size1_1, size2_2), permanent_b = KSL_MUL(size1_2, size2_1),
       permanent_c = permanent_a + permanent_b, permanent_d = KSL_MUL(size0_0, permanent_c),
       permanent_e = KSL_MUL(size1_0, size2_2), permanent_f = KSL_MUL(size1_2, size2_0),
@@ -248,20 +273,50 @@ static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro)
       permanent_i = permanent_d + permanent_h, permanent_j = KSL_MUL(size1_0, size2_1),
       permanent_k = KSL_MUL(size1_1, size2_0), permanent_l = permanent_j + permanent_k,
       permanent_m = KSL_MUL(size0_2, permanent_l), permanent = permanent_i + permanent_m;
-  const double least_a = KSL_MUL(permanent, 8.881784197001252e-16),
-      least = least_a + 1.0261342003245941e-289;
+  const double top = KSL_MUL(R_largest8, s);
+  const double spoiled = KSL_MUL(top, 1.6489340850168661e-229);
+  const double least_a = KSL_MUL(permanent, 8.881784197001252e-16), least_b = KSL_MUL(top, top),
+      least_c = KSL_MUL(spoiled, least_b), least = least_a + least_c;
   const double regular_a = fabs(d), regular = least < regular_a ? 1.0 : 0.0;
   const double divisor = regular == 1.0 ? d : 1.0;
-  const double det = regular == 1.0 ? d : 0.0;
-  const double Ro_00a = n0_0 / divisor, Ro_00 = regular == 1.0 ? Ro_00a : (double)NAN;
-  const double Ro_01a = n0_1 / divisor, Ro_01 = regular == 1.0 ? Ro_01a : (double)NAN;
-  const double Ro_02a = n0_2 / divisor, Ro_02 = regular == 1.0 ? Ro_02a : (double)NAN;
-  const double Ro_10a = n1_0 / divisor, Ro_10 = regular == 1.0 ? Ro_10a : (double)NAN;
-  const double Ro_11a = n1_1 / divisor, Ro_11 = regular == 1.0 ? Ro_11a : (double)NAN;
-  const double Ro_12a = n1_2 / divisor, Ro_12 = regular == 1.0 ? Ro_12a : (double)NAN;
-  const double Ro_20a = n2_0 / divisor, Ro_20 = regular == 1.0 ? Ro_20a : (double)NAN;
-  const double Ro_21a = n2_1 / divisor, Ro_21 = regular == 1.0 ? Ro_21a : (double)NAN;
-  const double Ro_22a = n2_2 / divisor, Ro_22 = regular == 1.0 ? Ro_22a : (double)NAN;
+  const double quotient_0 = n0_0 / divisor;
+  const double quotient_1 = n0_1 / divisor;
+  const double quotient_2 = n0_2 / divisor;
+  const double quotient_3 = n1_0 / divisor;
+  const double quotient_4 = n1_1 / divisor;
+  const double quotient_5 = n1_2 / divisor;
+  const double quotient_6 = n2_0 / divisor;
+  const double quotient_7 = n2_1 / divisor;
+  const double quotient_8 = n2_2 / divisor;
+  const double inverse_0 = KSL_MUL(quotient_0, s);
+  const double inverse_1 = KSL_MUL(quotient_1, s);
+  const double inverse_2 = KSL_MUL(quotient_2, s);
+  const double inverse_3 = KSL_MUL(quotient_3, s);
+  const double inverse_4 = KSL_MUL(quotient_4, s);
+  const double inverse_5 = KSL_MUL(quotient_5, s);
+  const double inverse_6 = KSL_MUL(quotient_6, s);
+  const double inverse_7 = KSL_MUL(quotient_7, s);
+  const double inverse_8 = KSL_MUL(quotient_8, s);
+  const double start_a = -8.452712498170644e+270,
+      start_c = d < 0.0 ? start_a : 8.452712498170644e+270,
+      start = R_largest8 < 4.149515568880993e+180 ? d : start_c;
+  const double r2 = R_largest8 < 4.909093465297727e-91 ? 1.1830521861667747e-271 : 1.0;
+  const double once = KSL_MUL(start, r2);
+  const double r3 = R_largest8 < 2.409919865102884e-181 ? 1.1830521861667747e-271 : 1.0;
+  const double twice = KSL_MUL(once, r3);
+  const double r_a = R_largest8 < 2.037035976334486e+90 ? 1.0 : 8.452712498170644e+270,
+      r = R_largest8 < 1.0 ? 1.1830521861667747e-271 : r_a;
+  const double det_R = KSL_MUL(twice, r);
+  const double det = regular == 1.0 ? det_R : 0.0;
+  const double Ro_00 = regular == 1.0 ? inverse_0 : (double)NAN;
+  const double Ro_01 = regular == 1.0 ? inverse_1 : (double)NAN;
+  const double Ro_02 = regular == 1.0 ? inverse_2 : (double)NAN;
+  const double Ro_10 = regular == 1.0 ? inverse_3 : (double)NAN;
+  const double Ro_11 = regular == 1.0 ? inverse_4 : (double)NAN;
+  const double Ro_12 = regular == 1.0 ? inverse_5 : (double)NAN;
+  const double Ro_20 = regular == 1.0 ? inverse_6 : (double)NAN;
+  const double Ro_21 = regular == 1.0 ? inverse_7 : (double)NAN;
+  const double Ro_22 = regular == 1.0 ? inverse_8 : (double)NAN;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -542,7 +597,8 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
   Ro->m22 = Ro_22;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
+     (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    12 mul, 10 add.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -756,7 +812,8 @@ static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
   V->m22 = vp_2;
 }
 
-/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with another R is no
+     rotation.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
    Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
@@ -1064,42 +1121,67 @@ static inline float ksl_mat3x3f_determinant(const ksl_mat3x3f_t *R) {
   return det;
 }
 
-/* Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8 u
-     times the sum of its terms' sizes), and Ro = NaN.
+/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows;
+     0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3 (double 1e-229
+     m^3), p the sum of its terms' sizes, m that of the largest entry.
    R, Ro: rotation or other 3×3 matrix.
-   31 mul, 17 add, 9 div, 10 abs, 1 less, 1 equal, 12 select.
-   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of
-     the sizes of the terms of the cofactor and of det R; barring over- and underflow. */
+   56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.
+   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the
+     sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring
+     over- and underflow of Ro_ij itself. */
 static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
-  const float n0_0a = KSL_MULF(R->m11, R->m22), n0_0b = KSL_MULF(R->m12, R->m21),
-      n0_0 = n0_0a - n0_0b;
-  const float n0_1a = KSL_MULF(R->m02, R->m21), n0_1b = KSL_MULF(R->m01, R->m22),
-      n0_1 = n0_1a - n0_1b;
-  const float n0_2a = KSL_MULF(R->m01, R->m12), n0_2b = KSL_MULF(R->m02, R->m11),
-      n0_2 = n0_2a - n0_2b;
-  const float n1_0a = KSL_MULF(R->m12, R->m20), n1_0b = KSL_MULF(R->m10, R->m22),
-      n1_0 = n1_0a - n1_0b;
-  const float n1_1a = KSL_MULF(R->m00, R->m22), n1_1b = KSL_MULF(R->m02, R->m20),
-      n1_1 = n1_1a - n1_1b;
-  const float n1_2a = KSL_MULF(R->m02, R->m10), n1_2b = KSL_MULF(R->m00, R->m12),
-      n1_2 = n1_2a - n1_2b;
-  const float n2_0a = KSL_MULF(R->m10, R->m21), n2_0b = KSL_MULF(R->m11, R->m20),
-      n2_0 = n2_0a - n2_0b;
-  const float n2_1a = KSL_MULF(R->m01, R->m20), n2_1b = KSL_MULF(R->m00, R->m21),
-      n2_1 = n2_1a - n2_1b;
-  const float n2_2a = KSL_MULF(R->m00, R->m11), n2_2b = KSL_MULF(R->m01, R->m10),
-      n2_2 = n2_2a - n2_2b;
-  const float d_a = KSL_MULF(R->m00, n0_0), d_b = KSL_MULF(R->m10, n0_1), d_c = d_a + d_b,
-      d_d = KSL_MULF(R->m20, n0_2), d = d_c + d_d;
-  const float size0_0 = fabsf(R->m00);
-  const float size0_1 = fabsf(R->m10);
-  const float size0_2 = fabsf(R->m20);
-  const float size1_0 = fabsf(R->m01);
-  const float size1_1 = fabsf(R->m11);
-  const float size1_2 = fabsf(R->m21);
-  const float size2_0 = fabsf(R->m02);
-  const float size2_1 = fabsf(R->m12);
-  const float size2_2 = fabsf(R->m22);
+  const float R_size_0 = fabsf(R->m00);
+  const float R_size_1 = fabsf(R->m01);
+  const float R_size_2 = fabsf(R->m02);
+  const float R_size_3 = fabsf(R->m10);
+  const float R_size_4 = fabsf(R->m11);
+  const float R_size_5 = fabsf(R->m12);
+  const float R_size_6 = fabsf(R->m20);
+  const float R_size_7 = fabsf(R->m21);
+  const float R_size_8 = fabsf(R->m22);
+  const float R_largest1 = R_size_0 < R_size_1 ? R_size_1 : R_size_0;
+  const float R_largest2 = R_largest1 < R_size_2 ? R_size_2 : R_largest1;
+  const float R_largest3 = R_largest2 < R_size_3 ? R_size_3 : R_largest2;
+  const float R_largest4 = R_largest3 < R_size_4 ? R_size_4 : R_largest3;
+  const float R_largest5 = R_largest4 < R_size_5 ? R_size_5 : R_largest4;
+  const float R_largest6 = R_largest5 < R_size_6 ? R_size_6 : R_largest5;
+  const float R_largest7 = R_largest6 < R_size_7 ? R_size_7 : R_largest6;
+  const float R_largest8 = R_largest7 < R_size_8 ? R_size_8 : R_largest7;
+  const float s_b = R_largest8 < 1.329228e+36f ? 8.271806e-25f : 7.523164e-37f,
+      s_d = R_largest8 < 1.2089258e+24f ? 9.094947e-13f : s_b,
+      s_f = R_largest8 < 1.0995116e+12f ? 1.0f : s_d,
+      s_h = R_largest8 < 1.0f ? 1.0995116e+12f : s_f,
+      s_j = R_largest8 < 9.094947e-13f ? 1.2089258e+24f : s_h,
+      s = R_largest8 < 8.271806e-25f ? 1.329228e+36f : s_j;
+  const float A_0 = KSL_MULF(R->m00, s);
+  const float A_1 = KSL_MULF(R->m01, s);
+  const float A_2 = KSL_MULF(R->m02, s);
+  const float A_3 = KSL_MULF(R->m10, s);
+  const float A_4 = KSL_MULF(R->m11, s);
+  const float A_5 = KSL_MULF(R->m12, s);
+  const float A_6 = KSL_MULF(R->m20, s);
+  const float A_7 = KSL_MULF(R->m21, s);
+  const float A_8 = KSL_MULF(R->m22, s);
+  const float n0_0a = KSL_MULF(A_4, A_8), n0_0b = KSL_MULF(A_5, A_7), n0_0 = n0_0a - n0_0b;
+  const float n0_1a = KSL_MULF(A_2, A_7), n0_1b = KSL_MULF(A_1, A_8), n0_1 = n0_1a - n0_1b;
+  const float n0_2a = KSL_MULF(A_1, A_5), n0_2b = KSL_MULF(A_2, A_4), n0_2 = n0_2a - n0_2b;
+  const float n1_0a = KSL_MULF(A_5, A_6), n1_0b = KSL_MULF(A_3, A_8), n1_0 = n1_0a - n1_0b;
+  const float n1_1a = KSL_MULF(A_0, A_8), n1_1b = KSL_MULF(A_2, A_6), n1_1 = n1_1a - n1_1b;
+  const float n1_2a = KSL_MULF(A_2, A_3), n1_2b = KSL_MULF(A_0, A_5), n1_2 = n1_2a - n1_2b;
+  const float n2_0a = KSL_MULF(A_3, A_7), n2_0b = KSL_MULF(A_4, A_6), n2_0 = n2_0a - n2_0b;
+  const float n2_1a = KSL_MULF(A_1, A_6), n2_1b = KSL_MULF(A_0, A_7), n2_1 = n2_1a - n2_1b;
+  const float n2_2a = KSL_MULF(A_0, A_4), n2_2b = KSL_MULF(A_1, A_3), n2_2 = n2_2a - n2_2b;
+  const float d_a = KSL_MULF(A_0, n0_0), d_b = KSL_MULF(A_3, n0_1), d_c = d_a + d_b,
+      d_d = KSL_MULF(A_6, n0_2), d = d_c + d_d;
+  const float size0_0 = fabsf(A_0);
+  const float size0_1 = fabsf(A_3);
+  const float size0_2 = fabsf(A_6);
+  const float size1_0 = fabsf(A_1);
+  const float size1_1 = fabsf(A_4);
+  const float size1_2 = fabsf(A_7);
+  const float size2_0 = fabsf(A_2);
+  const float size2_1 = fabsf(A_5);
+  const float size2_2 = fabsf(A_8);
   const float permanent_a = KSL_MULF(size1_1, size2_2), permanent_b = KSL_MULF(size1_2, size2_1),
       permanent_c = permanent_a + permanent_b, permanent_d = KSL_MULF(size0_0, permanent_c),
       permanent_e = KSL_MULF(size1_0, size2_2), permanent_f = KSL_MULF(size1_2, size2_0),
@@ -1107,19 +1189,49 @@ static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *R
       permanent_i = permanent_d + permanent_h, permanent_j = KSL_MULF(size1_0, size2_1),
       permanent_k = KSL_MULF(size1_1, size2_0), permanent_l = permanent_j + permanent_k,
       permanent_m = KSL_MULF(size0_2, permanent_l), permanent = permanent_i + permanent_m;
-  const float least_a = KSL_MULF(permanent, 4.7683716e-07f), least = least_a + 1.2621775e-29f;
+  const float top = KSL_MULF(R_largest8, s);
+  const float spoiled = KSL_MULF(top, 1.2621775e-29f);
+  const float least_a = KSL_MULF(permanent, 4.7683716e-07f), least_b = KSL_MULF(top, top),
+      least_c = KSL_MULF(spoiled, least_b), least = least_a + least_c;
   const float regular_a = fabsf(d), regular = least < regular_a ? 1.0f : 0.0f;
   const float divisor = regular == 1.0f ? d : 1.0f;
-  const float det = regular == 1.0f ? d : 0.0f;
-  const float Ro_00a = n0_0 / divisor, Ro_00 = regular == 1.0f ? Ro_00a : (float)NAN;
-  const float Ro_01a = n0_1 / divisor, Ro_01 = regular == 1.0f ? Ro_01a : (float)NAN;
-  const float Ro_02a = n0_2 / divisor, Ro_02 = regular == 1.0f ? Ro_02a : (float)NAN;
-  const float Ro_10a = n1_0 / divisor, Ro_10 = regular == 1.0f ? Ro_10a : (float)NAN;
-  const float Ro_11a = n1_1 / divisor, Ro_11 = regular == 1.0f ? Ro_11a : (float)NAN;
-  const float Ro_12a = n1_2 / divisor, Ro_12 = regular == 1.0f ? Ro_12a : (float)NAN;
-  const float Ro_20a = n2_0 / divisor, Ro_20 = regular == 1.0f ? Ro_20a : (float)NAN;
-  const float Ro_21a = n2_1 / divisor, Ro_21 = regular == 1.0f ? Ro_21a : (float)NAN;
-  const float Ro_22a = n2_2 / divisor, Ro_22 = regular == 1.0f ? Ro_22a : (float)NAN;
+  const float quotient_0 = n0_0 / divisor;
+  const float quotient_1 = n0_1 / divisor;
+  const float quotient_2 = n0_2 / divisor;
+  const float quotient_3 = n1_0 / divisor;
+  const float quotient_4 = n1_1 / divisor;
+  const float quotient_5 = n1_2 / divisor;
+  const float quotient_6 = n2_0 / divisor;
+  const float quotient_7 = n2_1 / divisor;
+  const float quotient_8 = n2_2 / divisor;
+  const float inverse_0 = KSL_MULF(quotient_0, s);
+  const float inverse_1 = KSL_MULF(quotient_1, s);
+  const float inverse_2 = KSL_MULF(quotient_2, s);
+  const float inverse_3 = KSL_MULF(quotient_3, s);
+  const float inverse_4 = KSL_MULF(quotient_4, s);
+  const float inverse_5 = KSL_MULF(quotient_5, s);
+  const float inverse_6 = KSL_MULF(quotient_6, s);
+  const float inverse_7 = KSL_MULF(quotient_7, s);
+  const float inverse_8 = KSL_MULF(quotient_8, s);
+  const float start_a = -1.329228e+36f, start_c = d < 0.0f ? start_a : 1.329228e+36f,
+      start = R_largest8 < 1.2089258e+24f ? d : start_c;
+  const float r2 = R_largest8 < 9.094947e-13f ? 7.523164e-37f : 1.0f;
+  const float once = KSL_MULF(start, r2);
+  const float r3 = R_largest8 < 8.271806e-25f ? 7.523164e-37f : 1.0f;
+  const float twice = KSL_MULF(once, r3);
+  const float r_a = R_largest8 < 1.0995116e+12f ? 1.0f : 1.329228e+36f,
+      r = R_largest8 < 1.0f ? 7.523164e-37f : r_a;
+  const float det_R = KSL_MULF(twice, r);
+  const float det = regular == 1.0f ? det_R : 0.0f;
+  const float Ro_00 = regular == 1.0f ? inverse_0 : (float)NAN;
+  const float Ro_01 = regular == 1.0f ? inverse_1 : (float)NAN;
+  const float Ro_02 = regular == 1.0f ? inverse_2 : (float)NAN;
+  const float Ro_10 = regular == 1.0f ? inverse_3 : (float)NAN;
+  const float Ro_11 = regular == 1.0f ? inverse_4 : (float)NAN;
+  const float Ro_12 = regular == 1.0f ? inverse_5 : (float)NAN;
+  const float Ro_20 = regular == 1.0f ? inverse_6 : (float)NAN;
+  const float Ro_21 = regular == 1.0f ? inverse_7 : (float)NAN;
+  const float Ro_22 = regular == 1.0f ? inverse_8 : (float)NAN;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -1400,7 +1512,8 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
   Ro->m22 = Ro_22;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
+     (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    12 mul, 10 add.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -1614,7 +1727,8 @@ static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
   V->m22 = vp_2;
 }
 
-/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1.
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with another R is no
+     rotation.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
    Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
@@ -1756,15 +1870,18 @@ static inline ksl_mat3x3f_t *ksl_mat3x3f_alloc(int n) {
 /* What KSL declares beside formulas. */
 
 
-/* self = self^-1; returns 0, or -3 where self is singular to rounding, and then NaN. */
+/* self = self^-1; returns 0, or -3 where self is singular to rounding, and then NaN.  A determinant
+   that is 0 does not tell, for it may have underflowed. */
 static inline int ksl_mat3x3_invert(ksl_mat3x3_t *R) {
-  return ksl_mat3x3_inverse(R, R) != 0 ? 0 : -3;
+  ksl_mat3x3_inverse(R, R);
+  return R->m00 == R->m00 ? 0 : -3;
 }
 
 /* ro = ri^-1; returns 0, or -3 where ri is singular to rounding, and ro NaN. */
 static inline int ksl_mat3x3_inverted(
     const ksl_mat3x3_t *ri, ksl_mat3x3_t *ro) {
-  return ksl_mat3x3_inverse(ri, ro) != 0 ? 0 : -3;
+  ksl_mat3x3_inverse(ri, ro);
+  return ro->m00 == ro->m00 ? 0 : -3;
 }
 
 /* Axis and angle of the rotation r, as ksl_axis_angle_from_mat3x3 has them. */
@@ -1805,15 +1922,18 @@ static inline void ksl_mat3x3_pca(ksl_mat3x3_t *A, ksl_mat3x3_t *v) {
   }
 }
 
-/* self = self^-1; returns 0, or -3 where self is singular to rounding, and then NaN. */
+/* self = self^-1; returns 0, or -3 where self is singular to rounding, and then NaN.  A determinant
+   that is 0 does not tell, for it may have underflowed. */
 static inline int ksl_mat3x3f_invert(ksl_mat3x3f_t *R) {
-  return ksl_mat3x3f_inverse(R, R) != 0 ? 0 : -3;
+  ksl_mat3x3f_inverse(R, R);
+  return R->m00 == R->m00 ? 0 : -3;
 }
 
 /* ro = ri^-1; returns 0, or -3 where ri is singular to rounding, and ro NaN. */
 static inline int ksl_mat3x3f_inverted(
     const ksl_mat3x3f_t *ri, ksl_mat3x3f_t *ro) {
-  return ksl_mat3x3f_inverse(ri, ro) != 0 ? 0 : -3;
+  ksl_mat3x3f_inverse(ri, ro);
+  return ro->m00 == ro->m00 ? 0 : -3;
 }
 
 /* Axis and angle of the rotation r, as ksl_axis_angle_from_mat3x3f has them. */

@@ -45,78 +45,112 @@ static inline double ksl_mat3x3_determinant_accurate(const ksl_mat3x3_t *R) {
   return det_rounded;
 }
 
-/* Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8 u
-     times the sum of its terms' sizes), and Ro = NaN.
+/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows;
+     0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3 (double 1e-229
+     m^3), p the sum of its terms' sizes, m that of the largest entry.
    R, Ro: rotation or other 3×3 matrix.
-   56 mul, 194 add, 9 product error, 31 product rest, 18 div, 1 neg, 10 abs, 2 less, 11 equal, 34
-     select.
-   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of
-     the sizes of the terms of the cofactor and of det R; barring over- and underflow. */
+   106 mul, 290 add, 10 product error, 32 product rest, 22 div, 2 neg, 19 abs, 17 less, 23 equal,
+     67 select.
+   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the
+     sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring
+     over- and underflow of Ro_ij itself. */
 static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
-  const double n0_0a = KSL_MUL(R->m11, R->m22), n0_0b = KSL_MUL(R->m12, R->m21),
-      n0_0 = n0_0a - n0_0b, n0_0_right = n0_0a - n0_0, n0_0_left = n0_0 + n0_0_right,
-      n0_0_left_rest = ksl_product_rest(R->m11, R->m22, n0_0a, n0_0_left),
-      n0_0_right_rest = ksl_product_rest(R->m12, R->m21, n0_0b, n0_0_right),
+  const double R_size_0 = fabs(R->m00);
+  const double R_size_1 = fabs(R->m01);
+  const double R_size_2 = fabs(R->m02);
+  const double R_size_3 = fabs(R->m10);
+  const double R_size_4 = fabs(R->m11);
+  const double R_size_5 = fabs(R->m12);
+  const double R_size_6 = fabs(R->m20);
+  const double R_size_7 = fabs(R->m21);
+  const double R_size_8 = fabs(R->m22);
+  const double R_largest1 = R_size_0 < R_size_1 ? R_size_1 : R_size_0;
+  const double R_largest2 = R_largest1 < R_size_2 ? R_size_2 : R_largest1;
+  const double R_largest3 = R_largest2 < R_size_3 ? R_size_3 : R_largest2;
+  const double R_largest4 = R_largest3 < R_size_4 ? R_size_4 : R_largest3;
+  const double R_largest5 = R_largest4 < R_size_5 ? R_size_5 : R_largest4;
+  const double R_largest6 = R_largest5 < R_size_6 ? R_size_6 : R_largest5;
+  const double R_largest7 = R_largest6 < R_size_7 ? R_size_7 : R_largest6;
+  const double R_largest8 = R_largest7 < R_size_8 ? R_size_8 : R_largest7;
+  const double s_b = R_largest8 < 8.452712498170644e+270 ? 2.409919865102884e-181 : 1.1830521861667747e-271,
+      s_d = R_largest8 < 4.149515568880993e+180 ? 4.909093465297727e-91 : s_b,
+      s_f = R_largest8 < 2.037035976334486e+90 ? 1.0 : s_d,
+      s_h = R_largest8 < 1.0 ? 2.037035976334486e+90 : s_f,
+      s_j = R_largest8 < 4.909093465297727e-91 ? 4.149515568880993e+180 : s_h,
+      s = R_largest8 < 2.409919865102884e-181 ? 8.452712498170644e+270 : s_j;
+  const double A_0 = KSL_MUL(R->m00, s);
+  const double A_1 = KSL_MUL(R->m01, s);
+  const double A_2 = KSL_MUL(R->m02, s);
+  const double A_3 = KSL_MUL(R->m10, s);
+  const double A_4 = KSL_MUL(R->m11, s);
+  const double A_5 = KSL_MUL(R->m12, s);
+  const double A_6 = KSL_MUL(R->m20, s);
+  const double A_7 = KSL_MUL(R->m21, s);
+  const double A_8 = KSL_MUL(R->m22, s);
+  const double n0_0a = KSL_MUL(A_4, A_8), n0_0b = KSL_MUL(A_5, A_7), n0_0 = n0_0a - n0_0b,
+      n0_0_right = n0_0a - n0_0, n0_0_left = n0_0 + n0_0_right,
+      n0_0_left_rest = ksl_product_rest(A_4, A_8, n0_0a, n0_0_left),
+      n0_0_right_rest = ksl_product_rest(A_5, A_7, n0_0b, n0_0_right),
       n0_0_lo = n0_0_left_rest - n0_0_right_rest;
-  const double n0_1a = KSL_MUL(R->m02, R->m21), n0_1b = KSL_MUL(R->m01, R->m22),
-      n0_1 = n0_1a - n0_1b, n0_1_right = n0_1a - n0_1, n0_1_left = n0_1 + n0_1_right,
-      n0_1_left_rest = ksl_product_rest(R->m02, R->m21, n0_1a, n0_1_left),
-      n0_1_right_rest = ksl_product_rest(R->m01, R->m22, n0_1b, n0_1_right),
+  const double n0_1a = KSL_MUL(A_2, A_7), n0_1b = KSL_MUL(A_1, A_8), n0_1 = n0_1a - n0_1b,
+      n0_1_right = n0_1a - n0_1, n0_1_left = n0_1 + n0_1_right,
+      n0_1_left_rest = ksl_product_rest(A_2, A_7, n0_1a, n0_1_left),
+      n0_1_right_rest = ksl_product_rest(A_1, A_8, n0_1b, n0_1_right),
       n0_1_lo = n0_1_left_rest - n0_1_right_rest;
-  const double n0_2a = KSL_MUL(R->m01, R->m12), n0_2b = KSL_MUL(R->m02, R->m11),
-      n0_2 = n0_2a - n0_2b, n0_2_right = n0_2a - n0_2, n0_2_left = n0_2 + n0_2_right,
-      n0_2_left_rest = ksl_product_rest(R->m01, R->m12, n0_2a, n0_2_left),
-      n0_2_right_rest = ksl_product_rest(R->m02, R->m11, n0_2b, n0_2_right),
+  const double n0_2a = KSL_MUL(A_1, A_5), n0_2b = KSL_MUL(A_2, A_4), n0_2 = n0_2a - n0_2b,
+      n0_2_right = n0_2a - n0_2, n0_2_left = n0_2 + n0_2_right,
+      n0_2_left_rest = ksl_product_rest(A_1, A_5, n0_2a, n0_2_left),
+      n0_2_right_rest = ksl_product_rest(A_2, A_4, n0_2b, n0_2_right),
       n0_2_lo = n0_2_left_rest - n0_2_right_rest;
-  const double n1_0a = KSL_MUL(R->m12, R->m20), n1_0b = KSL_MUL(R->m10, R->m22),
-      n1_0 = n1_0a - n1_0b, n1_0_right = n1_0a - n1_0, n1_0_left = n1_0 + n1_0_right,
-      n1_0_left_rest = ksl_product_rest(R->m12, R->m20, n1_0a, n1_0_left),
-      n1_0_right_rest = ksl_product_rest(R->m10, R->m22, n1_0b, n1_0_right),
+  const double n1_0a = KSL_MUL(A_5, A_6), n1_0b = KSL_MUL(A_3, A_8), n1_0 = n1_0a - n1_0b,
+      n1_0_right = n1_0a - n1_0, n1_0_left = n1_0 + n1_0_right,
+      n1_0_left_rest = ksl_product_rest(A_5, A_6, n1_0a, n1_0_left),
+      n1_0_right_rest = ksl_product_rest(A_3, A_8, n1_0b, n1_0_right),
       n1_0_lo = n1_0_left_rest - n1_0_right_rest;
-  const double n1_1a = KSL_MUL(R->m00, R->m22), n1_1b = KSL_MUL(R->m02, R->m20),
-      n1_1 = n1_1a - n1_1b, n1_1_right = n1_1a - n1_1, n1_1_left = n1_1 + n1_1_right,
-      n1_1_left_rest = ksl_product_rest(R->m00, R->m22, n1_1a, n1_1_left),
-      n1_1_right_rest = ksl_product_rest(R->m02, R->m20, n1_1b, n1_1_right),
+  const double n1_1a = KSL_MUL(A_0, A_8), n1_1b = KSL_MUL(A_2, A_6), n1_1 = n1_1a - n1_1b,
+      n1_1_right = n1_1a - n1_1, n1_1_left = n1_1 + n1_1_right,
+      n1_1_left_rest = ksl_product_rest(A_0, A_8, n1_1a, n1_1_left),
+      n1_1_right_rest = ksl_product_rest(A_2, A_6, n1_1b, n1_1_right),
       n1_1_lo = n1_1_left_rest - n1_1_right_rest;
-  const double n1_2a = KSL_MUL(R->m02, R->m10), n1_2b = KSL_MUL(R->m00, R->m12),
-      n1_2 = n1_2a - n1_2b, n1_2_right = n1_2a - n1_2, n1_2_left = n1_2 + n1_2_right,
-      n1_2_left_rest = ksl_product_rest(R->m02, R->m10, n1_2a, n1_2_left),
-      n1_2_right_rest = ksl_product_rest(R->m00, R->m12, n1_2b, n1_2_right),
+  const double n1_2a = KSL_MUL(A_2, A_3), n1_2b = KSL_MUL(A_0, A_5), n1_2 = n1_2a - n1_2b,
+      n1_2_right = n1_2a - n1_2, n1_2_left = n1_2 + n1_2_right,
+      n1_2_left_rest = ksl_product_rest(A_2, A_3, n1_2a, n1_2_left),
+      n1_2_right_rest = ksl_product_rest(A_0, A_5, n1_2b, n1_2_right),
       n1_2_lo = n1_2_left_rest - n1_2_right_rest;
-  const double n2_0a = KSL_MUL(R->m10, R->m21), n2_0b = KSL_MUL(R->m11, R->m20),
-      n2_0 = n2_0a - n2_0b, n2_0_right = n2_0a - n2_0, n2_0_left = n2_0 + n2_0_right,
-      n2_0_left_rest = ksl_product_rest(R->m10, R->m21, n2_0a, n2_0_left),
-      n2_0_right_rest = ksl_product_rest(R->m11, R->m20, n2_0b, n2_0_right),
+  const double n2_0a = KSL_MUL(A_3, A_7), n2_0b = KSL_MUL(A_4, A_6), n2_0 = n2_0a - n2_0b,
+      n2_0_right = n2_0a - n2_0, n2_0_left = n2_0 + n2_0_right,
+      n2_0_left_rest = ksl_product_rest(A_3, A_7, n2_0a, n2_0_left),
+      n2_0_right_rest = ksl_product_rest(A_4, A_6, n2_0b, n2_0_right),
       n2_0_lo = n2_0_left_rest - n2_0_right_rest;
-  const double n2_1a = KSL_MUL(R->m01, R->m20), n2_1b = KSL_MUL(R->m00, R->m21),
-      n2_1 = n2_1a - n2_1b, n2_1_right = n2_1a - n2_1, n2_1_left = n2_1 + n2_1_right,
-      n2_1_left_rest = ksl_product_rest(R->m01, R->m20, n2_1a, n2_1_left),
-      n2_1_right_rest = ksl_product_rest(R->m00, R->m21, n2_1b, n2_1_right),
+  const double n2_1a = KSL_MUL(A_1, A_6), n2_1b = KSL_MUL(A_0, A_7), n2_1 = n2_1a - n2_1b,
+      n2_1_right = n2_1a - n2_1, n2_1_left = n2_1 + n2_1_right,
+      n2_1_left_rest = ksl_product_rest(A_1, A_6, n2_1a, n2_1_left),
+      n2_1_right_rest = ksl_product_rest(A_0, A_7, n2_1b, n2_1_right),
       n2_1_lo = n2_1_left_rest - n2_1_right_rest;
-  const double n2_2a = KSL_MUL(R->m00, R->m11), n2_2b = KSL_MUL(R->m01, R->m10),
-      n2_2 = n2_2a - n2_2b, n2_2_right = n2_2a - n2_2, n2_2_left = n2_2 + n2_2_right,
-      n2_2_left_rest = ksl_product_rest(R->m00, R->m11, n2_2a, n2_2_left),
-      n2_2_right_rest = ksl_product_rest(R->m01, R->m10, n2_2b, n2_2_right),
+  const double n2_2a = KSL_MUL(A_0, A_4), n2_2b = KSL_MUL(A_1, A_3), n2_2 = n2_2a - n2_2b,
+      n2_2_right = n2_2a - n2_2, n2_2_left = n2_2 + n2_2_right,
+      n2_2_left_rest = ksl_product_rest(A_0, A_4, n2_2a, n2_2_left),
+      n2_2_right_rest = ksl_product_rest(A_1, A_3, n2_2b, n2_2_right),
       n2_2_lo = n2_2_left_rest - n2_2_right_rest;
-  const double d_a = KSL_MUL(R->m00, n0_0), d_a_cross2 = KSL_MUL(R->m00, n0_0_lo),
-      d_b = KSL_MUL(R->m10, n0_1), d_b_cross2 = KSL_MUL(R->m10, n0_1_lo), d_c = d_a + d_b,
+  const double d_a = KSL_MUL(A_0, n0_0), d_a_cross2 = KSL_MUL(A_0, n0_0_lo),
+      d_b = KSL_MUL(A_3, n0_1), d_b_cross2 = KSL_MUL(A_3, n0_1_lo), d_c = d_a + d_b,
       d_c_right = d_c - d_a, d_c_left = d_c - d_c_right,
-      d_c_left_rest = ksl_product_rest(R->m00, n0_0, d_a, d_c_left),
-      d_c_right_rest = ksl_product_rest(R->m10, n0_1, d_b, d_c_right),
+      d_c_left_rest = ksl_product_rest(A_0, n0_0, d_a, d_c_left),
+      d_c_right_rest = ksl_product_rest(A_3, n0_1, d_b, d_c_right),
       d_c_cross = d_a_cross2 + d_b_cross2, d_c_lo1 = d_c_left_rest + d_c_right_rest,
-      d_c_lo = d_c_lo1 + d_c_cross, d_d = KSL_MUL(R->m20, n0_2),
-      d_d_cross2 = KSL_MUL(R->m20, n0_2_lo), d = d_c + d_d, d_right = d - d_c, d_left = d - d_right,
-      d_left_rest = d_c - d_left, d_right_rest = ksl_product_rest(R->m20, n0_2, d_d, d_right),
-      d_lo1 = d_left_rest + d_right_rest, d_lo2 = d_lo1 + d_d_cross2, d_lo = d_lo2 + d_c_lo;
-  const double size0_0 = fabs(R->m00);
-  const double size0_1 = fabs(R->m10);
-  const double size0_2 = fabs(R->m20);
-  const double size1_0 = fabs(R->m01);
-  const double size1_1 = fabs(R->m11);
-  const double size1_2 = fabs(R->m21);
-  const double size2_0 = fabs(R->m02);
-  const double size2_1 = fabs(R->m12);
-  const double size2_2 = fabs(R->m22);
+      d_c_lo = d_c_lo1 + d_c_cross, d_d = KSL_MUL(A_6, n0_2), d_d_cross2 = KSL_MUL(A_6, n0_2_lo),
+      d = d_c + d_d, d_right = d - d_c, d_left = d - d_right, d_left_rest = d_c - d_left,
+      d_right_rest = ksl_product_rest(A_6, n0_2, d_d, d_right), d_lo1 = d_left_rest + d_right_rest,
+      d_lo2 = d_lo1 + d_d_cross2, d_lo = d_lo2 + d_c_lo;
+  const double size0_0 = fabs(A_0);
+  const double size0_1 = fabs(A_3);
+  const double size0_2 = fabs(A_6);
+  const double size1_0 = fabs(A_1);
+  const double size1_1 = fabs(A_4);
+  const double size1_2 = fabs(A_7);
+  const double size2_0 = fabs(A_2);
+  const double size2_1 = fabs(A_5);
+  const double size2_2 = fabs(A_8);
   const double permanent_a = KSL_MUL(size1_1, size2_2), permanent_b = KSL_MUL(size1_2, size2_1),
       permanent_c = permanent_a + permanent_b, permanent_c_right = permanent_c - permanent_a,
       permanent_c_left = permanent_c - permanent_c_right,
@@ -154,13 +188,17 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       permanent_lo1 = permanent_left_rest + permanent_right_rest,
       permanent_lo2 = permanent_lo1 + permanent_m_cross2,
       permanent_lo = permanent_lo2 + permanent_i_lo;
+  const double top = KSL_MUL(R_largest8, s);
+  const double spoiled = KSL_MUL(top, 1.6489340850168661e-229);
   const double least_a = KSL_MUL(permanent, 8.881784197001252e-16),
-      least_a_cross1 = KSL_MUL(permanent_lo, 8.881784197001252e-16),
-      least = least_a + 1.0261342003245941e-289, least_right = least - least_a,
-      least_left = least - least_right,
+      least_a_cross1 = KSL_MUL(permanent_lo, 8.881784197001252e-16), least_b = KSL_MUL(top, top),
+      least_b_lo = ksl_product_error(top, top, least_b), least_c = KSL_MUL(spoiled, least_b),
+      least_c_cross2 = KSL_MUL(spoiled, least_b_lo), least = least_a + least_c,
+      least_right = least - least_a, least_left = least - least_right,
       least_left_rest = ksl_product_rest(permanent, 8.881784197001252e-16, least_a, least_left),
-      least_right_rest = 1.0261342003245941e-289 - least_right,
-      least_lo1 = least_left_rest + least_right_rest, least_lo = least_lo1 + least_a_cross1;
+      least_right_rest = ksl_product_rest(spoiled, least_b, least_c, least_right),
+      least_cross = least_a_cross1 + least_c_cross2, least_lo1 = least_left_rest + least_right_rest,
+      least_lo = least_lo1 + least_cross;
   const double regular_a_of_d = d + d_lo, regular_a_of_d_right = regular_a_of_d - d,
       regular_a_of_d_left = regular_a_of_d - regular_a_of_d_right,
       regular_a_of_d_left_rest = d - regular_a_of_d_left,
@@ -172,149 +210,309 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       regular = regular_b_of_least < regular_b_of_regular_a ? 1.0 : 0.0;
   const double divisor = regular == 1.0 ? regular_a_of_d : 1.0,
       divisor_lo = regular == 1.0 ? regular_a_of_d_lo : 0.0;
-  const double det = regular == 1.0 ? regular_a_of_d : 0.0,
-      det_lo = regular == 1.0 ? regular_a_of_d_lo : 0.0;
-  const double Ro_00a_of_n0_0 = n0_0 + n0_0_lo, Ro_00a_of_n0_0_right = Ro_00a_of_n0_0 - n0_0,
-      Ro_00a_of_n0_0_left = Ro_00a_of_n0_0 - Ro_00a_of_n0_0_right,
-      Ro_00a_of_n0_0_left_rest = n0_0 - Ro_00a_of_n0_0_left,
-      Ro_00a_of_n0_0_right_rest = n0_0_lo - Ro_00a_of_n0_0_right,
-      Ro_00a_of_n0_0_lo = Ro_00a_of_n0_0_left_rest + Ro_00a_of_n0_0_right_rest,
-      Ro_00a_of_divisor = divisor + divisor_lo,
-      Ro_00a_of_divisor_right = Ro_00a_of_divisor - divisor,
-      Ro_00a_of_divisor_left = Ro_00a_of_divisor - Ro_00a_of_divisor_right,
-      Ro_00a_of_divisor_left_rest = divisor - Ro_00a_of_divisor_left,
-      Ro_00a_of_divisor_right_rest = divisor_lo - Ro_00a_of_divisor_right,
-      Ro_00a_of_divisor_lo = Ro_00a_of_divisor_left_rest + Ro_00a_of_divisor_right_rest,
-      Ro_00a = Ro_00a_of_n0_0 / Ro_00a_of_divisor,
-      Ro_00a_product = KSL_MUL(Ro_00a, Ro_00a_of_divisor),
-      Ro_00a_product_error = ksl_product_error(Ro_00a, Ro_00a_of_divisor, Ro_00a_product),
-      Ro_00a_rest = Ro_00a_of_n0_0 - Ro_00a_product,
-      Ro_00a_exact = Ro_00a_rest - Ro_00a_product_error,
-      Ro_00a_numerator = Ro_00a_exact + Ro_00a_of_n0_0_lo,
-      Ro_00a_cross = KSL_MUL(Ro_00a, Ro_00a_of_divisor_lo),
-      Ro_00a_residual = Ro_00a_numerator - Ro_00a_cross,
-      Ro_00a_lo = Ro_00a_residual / Ro_00a_of_divisor,
-      Ro_00 = regular == 1.0 ? Ro_00a : (double)NAN, Ro_00_lo = regular == 1.0 ? Ro_00a_lo : 0.0;
-  const double Ro_01a_of_n0_1 = n0_1 + n0_1_lo, Ro_01a_of_n0_1_right = Ro_01a_of_n0_1 - n0_1,
-      Ro_01a_of_n0_1_left = Ro_01a_of_n0_1 - Ro_01a_of_n0_1_right,
-      Ro_01a_of_n0_1_left_rest = n0_1 - Ro_01a_of_n0_1_left,
-      Ro_01a_of_n0_1_right_rest = n0_1_lo - Ro_01a_of_n0_1_right,
-      Ro_01a_of_n0_1_lo = Ro_01a_of_n0_1_left_rest + Ro_01a_of_n0_1_right_rest,
-      Ro_01a = Ro_01a_of_n0_1 / Ro_00a_of_divisor,
-      Ro_01a_product = KSL_MUL(Ro_01a, Ro_00a_of_divisor),
-      Ro_01a_product_error = ksl_product_error(Ro_01a, Ro_00a_of_divisor, Ro_01a_product),
-      Ro_01a_rest = Ro_01a_of_n0_1 - Ro_01a_product,
-      Ro_01a_exact = Ro_01a_rest - Ro_01a_product_error,
-      Ro_01a_numerator = Ro_01a_exact + Ro_01a_of_n0_1_lo,
-      Ro_01a_cross = KSL_MUL(Ro_01a, Ro_00a_of_divisor_lo),
-      Ro_01a_residual = Ro_01a_numerator - Ro_01a_cross,
-      Ro_01a_lo = Ro_01a_residual / Ro_00a_of_divisor,
-      Ro_01 = regular == 1.0 ? Ro_01a : (double)NAN, Ro_01_lo = regular == 1.0 ? Ro_01a_lo : 0.0;
-  const double Ro_02a_of_n0_2 = n0_2 + n0_2_lo, Ro_02a_of_n0_2_right = Ro_02a_of_n0_2 - n0_2,
-      Ro_02a_of_n0_2_left = Ro_02a_of_n0_2 - Ro_02a_of_n0_2_right,
-      Ro_02a_of_n0_2_left_rest = n0_2 - Ro_02a_of_n0_2_left,
-      Ro_02a_of_n0_2_right_rest = n0_2_lo - Ro_02a_of_n0_2_right,
-      Ro_02a_of_n0_2_lo = Ro_02a_of_n0_2_left_rest + Ro_02a_of_n0_2_right_rest,
-      Ro_02a = Ro_02a_of_n0_2 / Ro_00a_of_divisor,
-      Ro_02a_product = KSL_MUL(Ro_02a, Ro_00a_of_divisor),
-      Ro_02a_product_error = ksl_product_error(Ro_02a, Ro_00a_of_divisor, Ro_02a_product),
-      Ro_02a_rest = Ro_02a_of_n0_2 - Ro_02a_product,
-      Ro_02a_exact = Ro_02a_rest - Ro_02a_product_error,
-      Ro_02a_numerator = Ro_02a_exact + Ro_02a_of_n0_2_lo,
-      Ro_02a_cross = KSL_MUL(Ro_02a, Ro_00a_of_divisor_lo),
-      Ro_02a_residual = Ro_02a_numerator - Ro_02a_cross,
-      Ro_02a_lo = Ro_02a_residual / Ro_00a_of_divisor,
-      Ro_02 = regular == 1.0 ? Ro_02a : (double)NAN, Ro_02_lo = regular == 1.0 ? Ro_02a_lo : 0.0;
-  const double Ro_10a_of_n1_0 = n1_0 + n1_0_lo, Ro_10a_of_n1_0_right = Ro_10a_of_n1_0 - n1_0,
-      Ro_10a_of_n1_0_left = Ro_10a_of_n1_0 - Ro_10a_of_n1_0_right,
-      Ro_10a_of_n1_0_left_rest = n1_0 - Ro_10a_of_n1_0_left,
-      Ro_10a_of_n1_0_right_rest = n1_0_lo - Ro_10a_of_n1_0_right,
-      Ro_10a_of_n1_0_lo = Ro_10a_of_n1_0_left_rest + Ro_10a_of_n1_0_right_rest,
-      Ro_10a = Ro_10a_of_n1_0 / Ro_00a_of_divisor,
-      Ro_10a_product = KSL_MUL(Ro_10a, Ro_00a_of_divisor),
-      Ro_10a_product_error = ksl_product_error(Ro_10a, Ro_00a_of_divisor, Ro_10a_product),
-      Ro_10a_rest = Ro_10a_of_n1_0 - Ro_10a_product,
-      Ro_10a_exact = Ro_10a_rest - Ro_10a_product_error,
-      Ro_10a_numerator = Ro_10a_exact + Ro_10a_of_n1_0_lo,
-      Ro_10a_cross = KSL_MUL(Ro_10a, Ro_00a_of_divisor_lo),
-      Ro_10a_residual = Ro_10a_numerator - Ro_10a_cross,
-      Ro_10a_lo = Ro_10a_residual / Ro_00a_of_divisor,
-      Ro_10 = regular == 1.0 ? Ro_10a : (double)NAN, Ro_10_lo = regular == 1.0 ? Ro_10a_lo : 0.0;
-  const double Ro_11a_of_n1_1 = n1_1 + n1_1_lo, Ro_11a_of_n1_1_right = Ro_11a_of_n1_1 - n1_1,
-      Ro_11a_of_n1_1_left = Ro_11a_of_n1_1 - Ro_11a_of_n1_1_right,
-      Ro_11a_of_n1_1_left_rest = n1_1 - Ro_11a_of_n1_1_left,
-      Ro_11a_of_n1_1_right_rest = n1_1_lo - Ro_11a_of_n1_1_right,
-      Ro_11a_of_n1_1_lo = Ro_11a_of_n1_1_left_rest + Ro_11a_of_n1_1_right_rest,
-      Ro_11a = Ro_11a_of_n1_1 / Ro_00a_of_divisor,
-      Ro_11a_product = KSL_MUL(Ro_11a, Ro_00a_of_divisor),
-      Ro_11a_product_error = ksl_product_error(Ro_11a, Ro_00a_of_divisor, Ro_11a_product),
-      Ro_11a_rest = Ro_11a_of_n1_1 - Ro_11a_product,
-      Ro_11a_exact = Ro_11a_rest - Ro_11a_product_error,
-      Ro_11a_numerator = Ro_11a_exact + Ro_11a_of_n1_1_lo,
-      Ro_11a_cross = KSL_MUL(Ro_11a, Ro_00a_of_divisor_lo),
-      Ro_11a_residual = Ro_11a_numerator - Ro_11a_cross,
-      Ro_11a_lo = Ro_11a_residual / Ro_00a_of_divisor,
-      Ro_11 = regular == 1.0 ? Ro_11a : (double)NAN, Ro_11_lo = regular == 1.0 ? Ro_11a_lo : 0.0;
-  const double Ro_12a_of_n1_2 = n1_2 + n1_2_lo, Ro_12a_of_n1_2_right = Ro_12a_of_n1_2 - n1_2,
-      Ro_12a_of_n1_2_left = Ro_12a_of_n1_2 - Ro_12a_of_n1_2_right,
-      Ro_12a_of_n1_2_left_rest = n1_2 - Ro_12a_of_n1_2_left,
-      Ro_12a_of_n1_2_right_rest = n1_2_lo - Ro_12a_of_n1_2_right,
-      Ro_12a_of_n1_2_lo = Ro_12a_of_n1_2_left_rest + Ro_12a_of_n1_2_right_rest,
-      Ro_12a = Ro_12a_of_n1_2 / Ro_00a_of_divisor,
-      Ro_12a_product = KSL_MUL(Ro_12a, Ro_00a_of_divisor),
-      Ro_12a_product_error = ksl_product_error(Ro_12a, Ro_00a_of_divisor, Ro_12a_product),
-      Ro_12a_rest = Ro_12a_of_n1_2 - Ro_12a_product,
-      Ro_12a_exact = Ro_12a_rest - Ro_12a_product_error,
-      Ro_12a_numerator = Ro_12a_exact + Ro_12a_of_n1_2_lo,
-      Ro_12a_cross = KSL_MUL(Ro_12a, Ro_00a_of_divisor_lo),
-      Ro_12a_residual = Ro_12a_numerator - Ro_12a_cross,
-      Ro_12a_lo = Ro_12a_residual / Ro_00a_of_divisor,
-      Ro_12 = regular == 1.0 ? Ro_12a : (double)NAN, Ro_12_lo = regular == 1.0 ? Ro_12a_lo : 0.0;
-  const double Ro_20a_of_n2_0 = n2_0 + n2_0_lo, Ro_20a_of_n2_0_right = Ro_20a_of_n2_0 - n2_0,
-      Ro_20a_of_n2_0_left = Ro_20a_of_n2_0 - Ro_20a_of_n2_0_right,
-      Ro_20a_of_n2_0_left_rest = n2_0 - Ro_20a_of_n2_0_left,
-      Ro_20a_of_n2_0_right_rest = n2_0_lo - Ro_20a_of_n2_0_right,
-      Ro_20a_of_n2_0_lo = Ro_20a_of_n2_0_left_rest + Ro_20a_of_n2_0_right_rest,
-      Ro_20a = Ro_20a_of_n2_0 / Ro_00a_of_divisor,
-      Ro_20a_product = KSL_MUL(Ro_20a, Ro_00a_of_divisor),
-      Ro_20a_product_error = ksl_product_error(Ro_20a, Ro_00a_of_divisor, Ro_20a_product),
-      Ro_20a_rest = Ro_20a_of_n2_0 - Ro_20a_product,
-      Ro_20a_exact = Ro_20a_rest - Ro_20a_product_error,
-      Ro_20a_numerator = Ro_20a_exact + Ro_20a_of_n2_0_lo,
-      Ro_20a_cross = KSL_MUL(Ro_20a, Ro_00a_of_divisor_lo),
-      Ro_20a_residual = Ro_20a_numerator - Ro_20a_cross,
-      Ro_20a_lo = Ro_20a_residual / Ro_00a_of_divisor,
-      Ro_20 = regular == 1.0 ? Ro_20a : (double)NAN, Ro_20_lo = regular == 1.0 ? Ro_20a_lo : 0.0;
-  const double Ro_21a_of_n2_1 = n2_1 + n2_1_lo, Ro_21a_of_n2_1_right = Ro_21a_of_n2_1 - n2_1,
-      Ro_21a_of_n2_1_left = Ro_21a_of_n2_1 - Ro_21a_of_n2_1_right,
-      Ro_21a_of_n2_1_left_rest = n2_1 - Ro_21a_of_n2_1_left,
-      Ro_21a_of_n2_1_right_rest = n2_1_lo - Ro_21a_of_n2_1_right,
-      Ro_21a_of_n2_1_lo = Ro_21a_of_n2_1_left_rest + Ro_21a_of_n2_1_right_rest,
-      Ro_21a = Ro_21a_of_n2_1 / Ro_00a_of_divisor,
-      Ro_21a_product = KSL_MUL(Ro_21a, Ro_00a_of_divisor),
-      Ro_21a_product_error = ksl_product_error(Ro_21a, Ro_00a_of_divisor, Ro_21a_product),
-      Ro_21a_rest = Ro_21a_of_n2_1 - Ro_21a_product,
-      Ro_21a_exact = Ro_21a_rest - Ro_21a_product_error,
-      Ro_21a_numerator = Ro_21a_exact + Ro_21a_of_n2_1_lo,
-      Ro_21a_cross = KSL_MUL(Ro_21a, Ro_00a_of_divisor_lo),
-      Ro_21a_residual = Ro_21a_numerator - Ro_21a_cross,
-      Ro_21a_lo = Ro_21a_residual / Ro_00a_of_divisor,
-      Ro_21 = regular == 1.0 ? Ro_21a : (double)NAN, Ro_21_lo = regular == 1.0 ? Ro_21a_lo : 0.0;
-  const double Ro_22a_of_n2_2 = n2_2 + n2_2_lo, Ro_22a_of_n2_2_right = Ro_22a_of_n2_2 - n2_2,
-      Ro_22a_of_n2_2_left = Ro_22a_of_n2_2 - Ro_22a_of_n2_2_right,
-      Ro_22a_of_n2_2_left_rest = n2_2 - Ro_22a_of_n2_2_left,
-      Ro_22a_of_n2_2_right_rest = n2_2_lo - Ro_22a_of_n2_2_right,
-      Ro_22a_of_n2_2_lo = Ro_22a_of_n2_2_left_rest + Ro_22a_of_n2_2_right_rest,
-      Ro_22a = Ro_22a_of_n2_2 / Ro_00a_of_divisor,
-      Ro_22a_product = KSL_MUL(Ro_22a, Ro_00a_of_divisor),
-      Ro_22a_product_error = ksl_product_error(Ro_22a, Ro_00a_of_divisor, Ro_22a_product),
-      Ro_22a_rest = Ro_22a_of_n2_2 - Ro_22a_product,
-      Ro_22a_exact = Ro_22a_rest - Ro_22a_product_error,
-      Ro_22a_numerator = Ro_22a_exact + Ro_22a_of_n2_2_lo,
-      Ro_22a_cross = KSL_MUL(Ro_22a, Ro_00a_of_divisor_lo),
-      Ro_22a_residual = Ro_22a_numerator - Ro_22a_cross,
-      Ro_22a_lo = Ro_22a_residual / Ro_00a_of_divisor,
-      Ro_22 = regular == 1.0 ? Ro_22a : (double)NAN, Ro_22_lo = regular == 1.0 ? Ro_22a_lo : 0.0;
+  const double quotient_0_of_n0_0 = n0_0 + n0_0_lo,
+      quotient_0_of_n0_0_right = quotient_0_of_n0_0 - n0_0,
+      quotient_0_of_n0_0_left = quotient_0_of_n0_0 - quotient_0_of_n0_0_right,
+      quotient_0_of_n0_0_left_rest = n0_0 - quotient_0_of_n0_0_left,
+      quotient_0_of_n0_0_right_rest = n0_0_lo - quotient_0_of_n0_0_right,
+      quotient_0_of_n0_0_lo = quotient_0_of_n0_0_left_rest + quotient_0_of_n0_0_right_rest,
+      quotient_0_of_divisor = divisor + divisor_lo,
+      quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
+      quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
+      quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
+      quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
+      quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
+      quotient_0 = quotient_0_of_n0_0 / quotient_0_of_divisor,
+      quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
+      quotient_0_rest = quotient_0_of_n0_0 - quotient_0_product,
+      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
+      quotient_0_numerator = quotient_0_exact + quotient_0_of_n0_0_lo,
+      quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
+      quotient_0_residual = quotient_0_numerator - quotient_0_cross,
+      quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
+  const double quotient_1_of_n0_1 = n0_1 + n0_1_lo,
+      quotient_1_of_n0_1_right = quotient_1_of_n0_1 - n0_1,
+      quotient_1_of_n0_1_left = quotient_1_of_n0_1 - quotient_1_of_n0_1_right,
+      quotient_1_of_n0_1_left_rest = n0_1 - quotient_1_of_n0_1_left,
+      quotient_1_of_n0_1_right_rest = n0_1_lo - quotient_1_of_n0_1_right,
+      quotient_1_of_n0_1_lo = quotient_1_of_n0_1_left_rest + quotient_1_of_n0_1_right_rest,
+      quotient_1 = quotient_1_of_n0_1 / quotient_0_of_divisor,
+      quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
+      quotient_1_rest = quotient_1_of_n0_1 - quotient_1_product,
+      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
+      quotient_1_numerator = quotient_1_exact + quotient_1_of_n0_1_lo,
+      quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
+      quotient_1_residual = quotient_1_numerator - quotient_1_cross,
+      quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
+  const double quotient_2_of_n0_2 = n0_2 + n0_2_lo,
+      quotient_2_of_n0_2_right = quotient_2_of_n0_2 - n0_2,
+      quotient_2_of_n0_2_left = quotient_2_of_n0_2 - quotient_2_of_n0_2_right,
+      quotient_2_of_n0_2_left_rest = n0_2 - quotient_2_of_n0_2_left,
+      quotient_2_of_n0_2_right_rest = n0_2_lo - quotient_2_of_n0_2_right,
+      quotient_2_of_n0_2_lo = quotient_2_of_n0_2_left_rest + quotient_2_of_n0_2_right_rest,
+      quotient_2 = quotient_2_of_n0_2 / quotient_0_of_divisor,
+      quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
+      quotient_2_rest = quotient_2_of_n0_2 - quotient_2_product,
+      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
+      quotient_2_numerator = quotient_2_exact + quotient_2_of_n0_2_lo,
+      quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
+      quotient_2_residual = quotient_2_numerator - quotient_2_cross,
+      quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
+  const double quotient_3_of_n1_0 = n1_0 + n1_0_lo,
+      quotient_3_of_n1_0_right = quotient_3_of_n1_0 - n1_0,
+      quotient_3_of_n1_0_left = quotient_3_of_n1_0 - quotient_3_of_n1_0_right,
+      quotient_3_of_n1_0_left_rest = n1_0 - quotient_3_of_n1_0_left,
+      quotient_3_of_n1_0_right_rest = n1_0_lo - quotient_3_of_n1_0_right,
+      quotient_3_of_n1_0_lo = quotient_3_of_n1_0_left_rest + quotient_3_of_n1_0_right_rest,
+      quotient_3 = quotient_3_of_n1_0 / quotient_0_of_divisor,
+      quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
+      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
+      quotient_3_rest = quotient_3_of_n1_0 - quotient_3_product,
+      quotient_3_exact = quotient_3_rest - quotient_3_product_error,
+      quotient_3_numerator = quotient_3_exact + quotient_3_of_n1_0_lo,
+      quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
+      quotient_3_residual = quotient_3_numerator - quotient_3_cross,
+      quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
+  const double quotient_4_of_n1_1 = n1_1 + n1_1_lo,
+      quotient_4_of_n1_1_right = quotient_4_of_n1_1 - n1_1,
+      quotient_4_of_n1_1_left = quotient_4_of_n1_1 - quotient_4_of_n1_1_right,
+      quotient_4_of_n1_1_left_rest = n1_1 - quotient_4_of_n1_1_left,
+      quotient_4_of_n1_1_right_rest = n1_1_lo - quotient_4_of_n1_1_right,
+      quotient_4_of_n1_1_lo = quotient_4_of_n1_1_left_rest + quotient_4_of_n1_1_right_rest,
+      quotient_4 = quotient_4_of_n1_1 / quotient_0_of_divisor,
+      quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
+      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
+      quotient_4_rest = quotient_4_of_n1_1 - quotient_4_product,
+      quotient_4_exact = quotient_4_rest - quotient_4_product_error,
+      quotient_4_numerator = quotient_4_exact + quotient_4_of_n1_1_lo,
+      quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
+      quotient_4_residual = quotient_4_numerator - quotient_4_cross,
+      quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
+  const double quotient_5_of_n1_2 = n1_2 + n1_2_lo,
+      quotient_5_of_n1_2_right = quotient_5_of_n1_2 - n1_2,
+      quotient_5_of_n1_2_left = quotient_5_of_n1_2 - quotient_5_of_n1_2_right,
+      quotient_5_of_n1_2_left_rest = n1_2 - quotient_5_of_n1_2_left,
+      quotient_5_of_n1_2_right_rest = n1_2_lo - quotient_5_of_n1_2_right,
+      quotient_5_of_n1_2_lo = quotient_5_of_n1_2_left_rest + quotient_5_of_n1_2_right_rest,
+      quotient_5 = quotient_5_of_n1_2 / quotient_0_of_divisor,
+      quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
+      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
+      quotient_5_rest = quotient_5_of_n1_2 - quotient_5_product,
+      quotient_5_exact = quotient_5_rest - quotient_5_product_error,
+      quotient_5_numerator = quotient_5_exact + quotient_5_of_n1_2_lo,
+      quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
+      quotient_5_residual = quotient_5_numerator - quotient_5_cross,
+      quotient_5_lo = quotient_5_residual / quotient_0_of_divisor;
+  const double quotient_6_of_n2_0 = n2_0 + n2_0_lo,
+      quotient_6_of_n2_0_right = quotient_6_of_n2_0 - n2_0,
+      quotient_6_of_n2_0_left = quotient_6_of_n2_0 - quotient_6_of_n2_0_right,
+      quotient_6_of_n2_0_left_rest = n2_0 - quotient_6_of_n2_0_left,
+      quotient_6_of_n2_0_right_rest = n2_0_lo - quotient_6_of_n2_0_right,
+      quotient_6_of_n2_0_lo = quotient_6_of_n2_0_left_rest + quotient_6_of_n2_0_right_rest,
+      quotient_6 = quotient_6_of_n2_0 / quotient_0_of_divisor,
+      quotient_6_product = KSL_MUL(quotient_6, quotient_0_of_divisor),
+      quotient_6_product_error = ksl_product_error(quotient_6, quotient_0_of_divisor, quotient_6_product),
+      quotient_6_rest = quotient_6_of_n2_0 - quotient_6_product,
+      quotient_6_exact = quotient_6_rest - quotient_6_product_error,
+      quotient_6_numerator = quotient_6_exact + quotient_6_of_n2_0_lo,
+      quotient_6_cross = KSL_MUL(quotient_6, quotient_0_of_divisor_lo),
+      quotient_6_residual = quotient_6_numerator - quotient_6_cross,
+      quotient_6_lo = quotient_6_residual / quotient_0_of_divisor;
+  const double quotient_7_of_n2_1 = n2_1 + n2_1_lo,
+      quotient_7_of_n2_1_right = quotient_7_of_n2_1 - n2_1,
+      quotient_7_of_n2_1_left = quotient_7_of_n2_1 - quotient_7_of_n2_1_right,
+      quotient_7_of_n2_1_left_rest = n2_1 - quotient_7_of_n2_1_left,
+      quotient_7_of_n2_1_right_rest = n2_1_lo - quotient_7_of_n2_1_right,
+      quotient_7_of_n2_1_lo = quotient_7_of_n2_1_left_rest + quotient_7_of_n2_1_right_rest,
+      quotient_7 = quotient_7_of_n2_1 / quotient_0_of_divisor,
+      quotient_7_product = KSL_MUL(quotient_7, quotient_0_of_divisor),
+      quotient_7_product_error = ksl_product_error(quotient_7, quotient_0_of_divisor, quotient_7_product),
+      quotient_7_rest = quotient_7_of_n2_1 - quotient_7_product,
+      quotient_7_exact = quotient_7_rest - quotient_7_product_error,
+      quotient_7_numerator = quotient_7_exact + quotient_7_of_n2_1_lo,
+      quotient_7_cross = KSL_MUL(quotient_7, quotient_0_of_divisor_lo),
+      quotient_7_residual = quotient_7_numerator - quotient_7_cross,
+      quotient_7_lo = quotient_7_residual / quotient_0_of_divisor;
+  const double quotient_8_of_n2_2 = n2_2 + n2_2_lo,
+      quotient_8_of_n2_2_right = quotient_8_of_n2_2 - n2_2,
+      quotient_8_of_n2_2_left = quotient_8_of_n2_2 - quotient_8_of_n2_2_right,
+      quotient_8_of_n2_2_left_rest = n2_2 - quotient_8_of_n2_2_left,
+      quotient_8_of_n2_2_right_rest = n2_2_lo - quotient_8_of_n2_2_right,
+      quotient_8_of_n2_2_lo = quotient_8_of_n2_2_left_rest + quotient_8_of_n2_2_right_rest,
+      quotient_8 = quotient_8_of_n2_2 / quotient_0_of_divisor,
+      quotient_8_product = KSL_MUL(quotient_8, quotient_0_of_divisor),
+      quotient_8_product_error = ksl_product_error(quotient_8, quotient_0_of_divisor, quotient_8_product),
+      quotient_8_rest = quotient_8_of_n2_2 - quotient_8_product,
+      quotient_8_exact = quotient_8_rest - quotient_8_product_error,
+      quotient_8_numerator = quotient_8_exact + quotient_8_of_n2_2_lo,
+      quotient_8_cross = KSL_MUL(quotient_8, quotient_0_of_divisor_lo),
+      quotient_8_residual = quotient_8_numerator - quotient_8_cross,
+      quotient_8_lo = quotient_8_residual / quotient_0_of_divisor;
+  const double inverse_0_of_quotient_0 = quotient_0 + quotient_0_lo,
+      inverse_0_of_quotient_0_right = inverse_0_of_quotient_0 - quotient_0,
+      inverse_0_of_quotient_0_left = inverse_0_of_quotient_0 - inverse_0_of_quotient_0_right,
+      inverse_0_of_quotient_0_left_rest = quotient_0 - inverse_0_of_quotient_0_left,
+      inverse_0_of_quotient_0_right_rest = quotient_0_lo - inverse_0_of_quotient_0_right,
+      inverse_0_of_quotient_0_lo = inverse_0_of_quotient_0_left_rest + inverse_0_of_quotient_0_right_rest,
+      inverse_0 = KSL_MUL(inverse_0_of_quotient_0, s), inverse_0_inverse = 1.0 / s,
+      inverse_0_back = KSL_MUL(inverse_0, inverse_0_inverse),
+      inverse_0_lost = inverse_0_of_quotient_0 - inverse_0_back,
+      inverse_0_rest = inverse_0_lost + inverse_0_of_quotient_0_lo,
+      inverse_0_small = KSL_MUL(inverse_0_rest, s),
+      inverse_0_lo = inverse_0_lost == 0.0 ? 0.0 : inverse_0_small;
+  const double inverse_1_of_quotient_1 = quotient_1 + quotient_1_lo,
+      inverse_1_of_quotient_1_right = inverse_1_of_quotient_1 - quotient_1,
+      inverse_1_of_quotient_1_left = inverse_1_of_quotient_1 - inverse_1_of_quotient_1_right,
+      inverse_1_of_quotient_1_left_rest = quotient_1 - inverse_1_of_quotient_1_left,
+      inverse_1_of_quotient_1_right_rest = quotient_1_lo - inverse_1_of_quotient_1_right,
+      inverse_1_of_quotient_1_lo = inverse_1_of_quotient_1_left_rest + inverse_1_of_quotient_1_right_rest,
+      inverse_1 = KSL_MUL(inverse_1_of_quotient_1, s),
+      inverse_1_back = KSL_MUL(inverse_1, inverse_0_inverse),
+      inverse_1_lost = inverse_1_of_quotient_1 - inverse_1_back,
+      inverse_1_rest = inverse_1_lost + inverse_1_of_quotient_1_lo,
+      inverse_1_small = KSL_MUL(inverse_1_rest, s),
+      inverse_1_lo = inverse_1_lost == 0.0 ? 0.0 : inverse_1_small;
+  const double inverse_2_of_quotient_2 = quotient_2 + quotient_2_lo,
+      inverse_2_of_quotient_2_right = inverse_2_of_quotient_2 - quotient_2,
+      inverse_2_of_quotient_2_left = inverse_2_of_quotient_2 - inverse_2_of_quotient_2_right,
+      inverse_2_of_quotient_2_left_rest = quotient_2 - inverse_2_of_quotient_2_left,
+      inverse_2_of_quotient_2_right_rest = quotient_2_lo - inverse_2_of_quotient_2_right,
+      inverse_2_of_quotient_2_lo = inverse_2_of_quotient_2_left_rest + inverse_2_of_quotient_2_right_rest,
+      inverse_2 = KSL_MUL(inverse_2_of_quotient_2, s),
+      inverse_2_back = KSL_MUL(inverse_2, inverse_0_inverse),
+      inverse_2_lost = inverse_2_of_quotient_2 - inverse_2_back,
+      inverse_2_rest = inverse_2_lost + inverse_2_of_quotient_2_lo,
+      inverse_2_small = KSL_MUL(inverse_2_rest, s),
+      inverse_2_lo = inverse_2_lost == 0.0 ? 0.0 : inverse_2_small;
+  const double inverse_3_of_quotient_3 = quotient_3 + quotient_3_lo,
+      inverse_3_of_quotient_3_right = inverse_3_of_quotient_3 - quotient_3,
+      inverse_3_of_quotient_3_left = inverse_3_of_quotient_3 - inverse_3_of_quotient_3_right,
+      inverse_3_of_quotient_3_left_rest = quotient_3 - inverse_3_of_quotient_3_left,
+      inverse_3_of_quotient_3_right_rest = quotient_3_lo - inverse_3_of_quotient_3_right,
+      inverse_3_of_quotient_3_lo = inverse_3_of_quotient_3_left_rest + inverse_3_of_quotient_3_right_rest,
+      inverse_3 = KSL_MUL(inverse_3_of_quotient_3, s),
+      inverse_3_back = KSL_MUL(inverse_3, inverse_0_inverse),
+      inverse_3_lost = inverse_3_of_quotient_3 - inverse_3_back,
+      inverse_3_rest = inverse_3_lost + inverse_3_of_quotient_3_lo,
+      inverse_3_small = KSL_MUL(inverse_3_rest, s),
+      inverse_3_lo = inverse_3_lost == 0.0 ? 0.0 : inverse_3_small;
+  const double inverse_4_of_quotient_4 = quotient_4 + quotient_4_lo,
+      inverse_4_of_quotient_4_right = inverse_4_of_quotient_4 - quotient_4,
+      inverse_4_of_quotient_4_left = inverse_4_of_quotient_4 - inverse_4_of_quotient_4_right,
+      inverse_4_of_quotient_4_left_rest = quotient_4 - inverse_4_of_quotient_4_left,
+      inverse_4_of_quotient_4_right_rest = quotient_4_lo - inverse_4_of_quotient_4_right,
+      inverse_4_of_quotient_4_lo = inverse_4_of_quotient_4_left_rest + inverse_4_of_quotient_4_right_rest,
+      inverse_4 = KSL_MUL(inverse_4_of_quotient_4, s),
+      inverse_4_back = KSL_MUL(inverse_4, inverse_0_inverse),
+      inverse_4_lost = inverse_4_of_quotient_4 - inverse_4_back,
+      inverse_4_rest = inverse_4_lost + inverse_4_of_quotient_4_lo,
+      inverse_4_small = KSL_MUL(inverse_4_rest, s),
+      inverse_4_lo = inverse_4_lost == 0.0 ? 0.0 : inverse_4_small;
+  const double inverse_5_of_quotient_5 = quotient_5 + quotient_5_lo,
+      inverse_5_of_quotient_5_right = inverse_5_of_quotient_5 - quotient_5,
+      inverse_5_of_quotient_5_left = inverse_5_of_quotient_5 - inverse_5_of_quotient_5_right,
+      inverse_5_of_quotient_5_left_rest = quotient_5 - inverse_5_of_quotient_5_left,
+      inverse_5_of_quotient_5_right_rest = quotient_5_lo - inverse_5_of_quotient_5_right,
+      inverse_5_of_quotient_5_lo = inverse_5_of_quotient_5_left_rest + inverse_5_of_quotient_5_right_rest,
+      inverse_5 = KSL_MUL(inverse_5_of_quotient_5, s),
+      inverse_5_back = KSL_MUL(inverse_5, inverse_0_inverse),
+      inverse_5_lost = inverse_5_of_quotient_5 - inverse_5_back,
+      inverse_5_rest = inverse_5_lost + inverse_5_of_quotient_5_lo,
+      inverse_5_small = KSL_MUL(inverse_5_rest, s),
+      inverse_5_lo = inverse_5_lost == 0.0 ? 0.0 : inverse_5_small;
+  const double inverse_6_of_quotient_6 = quotient_6 + quotient_6_lo,
+      inverse_6_of_quotient_6_right = inverse_6_of_quotient_6 - quotient_6,
+      inverse_6_of_quotient_6_left = inverse_6_of_quotient_6 - inverse_6_of_quotient_6_right,
+      inverse_6_of_quotient_6_left_rest = quotient_6 - inverse_6_of_quotient_6_left,
+      inverse_6_of_quotient_6_right_rest = quotient_6_lo - inverse_6_of_quotient_6_right,
+      inverse_6_of_quotient_6_lo = inverse_6_of_quotient_6_left_rest + inverse_6_of_quotient_6_right_rest,
+      inverse_6 = KSL_MUL(inverse_6_of_quotient_6, s),
+      inverse_6_back = KSL_MUL(inverse_6, inverse_0_inverse),
+      inverse_6_lost = inverse_6_of_quotient_6 - inverse_6_back,
+      inverse_6_rest = inverse_6_lost + inverse_6_of_quotient_6_lo,
+      inverse_6_small = KSL_MUL(inverse_6_rest, s),
+      inverse_6_lo = inverse_6_lost == 0.0 ? 0.0 : inverse_6_small;
+  const double inverse_7_of_quotient_7 = quotient_7 + quotient_7_lo,
+      inverse_7_of_quotient_7_right = inverse_7_of_quotient_7 - quotient_7,
+      inverse_7_of_quotient_7_left = inverse_7_of_quotient_7 - inverse_7_of_quotient_7_right,
+      inverse_7_of_quotient_7_left_rest = quotient_7 - inverse_7_of_quotient_7_left,
+      inverse_7_of_quotient_7_right_rest = quotient_7_lo - inverse_7_of_quotient_7_right,
+      inverse_7_of_quotient_7_lo = inverse_7_of_quotient_7_left_rest + inverse_7_of_quotient_7_right_rest,
+      inverse_7 = KSL_MUL(inverse_7_of_quotient_7, s),
+      inverse_7_back = KSL_MUL(inverse_7, inverse_0_inverse),
+      inverse_7_lost = inverse_7_of_quotient_7 - inverse_7_back,
+      inverse_7_rest = inverse_7_lost + inverse_7_of_quotient_7_lo,
+      inverse_7_small = KSL_MUL(inverse_7_rest, s),
+      inverse_7_lo = inverse_7_lost == 0.0 ? 0.0 : inverse_7_small;
+  const double inverse_8_of_quotient_8 = quotient_8 + quotient_8_lo,
+      inverse_8_of_quotient_8_right = inverse_8_of_quotient_8 - quotient_8,
+      inverse_8_of_quotient_8_left = inverse_8_of_quotient_8 - inverse_8_of_quotient_8_right,
+      inverse_8_of_quotient_8_left_rest = quotient_8 - inverse_8_of_quotient_8_left,
+      inverse_8_of_quotient_8_right_rest = quotient_8_lo - inverse_8_of_quotient_8_right,
+      inverse_8_of_quotient_8_lo = inverse_8_of_quotient_8_left_rest + inverse_8_of_quotient_8_right_rest,
+      inverse_8 = KSL_MUL(inverse_8_of_quotient_8, s),
+      inverse_8_back = KSL_MUL(inverse_8, inverse_0_inverse),
+      inverse_8_lost = inverse_8_of_quotient_8 - inverse_8_back,
+      inverse_8_rest = inverse_8_lost + inverse_8_of_quotient_8_lo,
+      inverse_8_small = KSL_MUL(inverse_8_rest, s),
+      inverse_8_lo = inverse_8_lost == 0.0 ? 0.0 : inverse_8_small;
+  const double start_a = -8.452712498170644e+270,
+      start_c = regular_a_of_d < 0.0 ? start_a : 8.452712498170644e+270,
+      start = R_largest8 < 4.149515568880993e+180 ? regular_a_of_d : start_c,
+      start_lo = R_largest8 < 4.149515568880993e+180 ? regular_a_of_d_lo : 0.0;
+  const double r2 = R_largest8 < 4.909093465297727e-91 ? 1.1830521861667747e-271 : 1.0;
+  const double once_of_start = start + start_lo, once_of_start_right = once_of_start - start,
+      once_of_start_left = once_of_start - once_of_start_right,
+      once_of_start_left_rest = start - once_of_start_left,
+      once_of_start_right_rest = start_lo - once_of_start_right,
+      once_of_start_lo = once_of_start_left_rest + once_of_start_right_rest,
+      once = KSL_MUL(once_of_start, r2), once_inverse = 1.0 / r2,
+      once_back = KSL_MUL(once, once_inverse), once_lost = once_of_start - once_back,
+      once_rest = once_lost + once_of_start_lo, once_small = KSL_MUL(once_rest, r2),
+      once_lo = once_lost == 0.0 ? 0.0 : once_small;
+  const double r3 = R_largest8 < 2.409919865102884e-181 ? 1.1830521861667747e-271 : 1.0;
+  const double twice_of_once = once + once_lo, twice_of_once_right = twice_of_once - once,
+      twice_of_once_left = twice_of_once - twice_of_once_right,
+      twice_of_once_left_rest = once - twice_of_once_left,
+      twice_of_once_right_rest = once_lo - twice_of_once_right,
+      twice_of_once_lo = twice_of_once_left_rest + twice_of_once_right_rest,
+      twice = KSL_MUL(twice_of_once, r3), twice_inverse = 1.0 / r3,
+      twice_back = KSL_MUL(twice, twice_inverse), twice_lost = twice_of_once - twice_back,
+      twice_rest = twice_lost + twice_of_once_lo, twice_small = KSL_MUL(twice_rest, r3),
+      twice_lo = twice_lost == 0.0 ? 0.0 : twice_small;
+  const double r_a = R_largest8 < 2.037035976334486e+90 ? 1.0 : 8.452712498170644e+270,
+      r = R_largest8 < 1.0 ? 1.1830521861667747e-271 : r_a;
+  const double det_R_of_twice = twice + twice_lo, det_R_of_twice_right = det_R_of_twice - twice,
+      det_R_of_twice_left = det_R_of_twice - det_R_of_twice_right,
+      det_R_of_twice_left_rest = twice - det_R_of_twice_left,
+      det_R_of_twice_right_rest = twice_lo - det_R_of_twice_right,
+      det_R_of_twice_lo = det_R_of_twice_left_rest + det_R_of_twice_right_rest,
+      det_R = KSL_MUL(det_R_of_twice, r), det_R_inverse = 1.0 / r,
+      det_R_back = KSL_MUL(det_R, det_R_inverse), det_R_lost = det_R_of_twice - det_R_back,
+      det_R_rest = det_R_lost + det_R_of_twice_lo, det_R_small = KSL_MUL(det_R_rest, r),
+      det_R_lo = det_R_lost == 0.0 ? 0.0 : det_R_small;
+  const double det = regular == 1.0 ? det_R : 0.0, det_lo = regular == 1.0 ? det_R_lo : 0.0;
+  const double Ro_00 = regular == 1.0 ? inverse_0 : (double)NAN,
+      Ro_00_lo = regular == 1.0 ? inverse_0_lo : 0.0;
+  const double Ro_01 = regular == 1.0 ? inverse_1 : (double)NAN,
+      Ro_01_lo = regular == 1.0 ? inverse_1_lo : 0.0;
+  const double Ro_02 = regular == 1.0 ? inverse_2 : (double)NAN,
+      Ro_02_lo = regular == 1.0 ? inverse_2_lo : 0.0;
+  const double Ro_10 = regular == 1.0 ? inverse_3 : (double)NAN,
+      Ro_10_lo = regular == 1.0 ? inverse_3_lo : 0.0;
+  const double Ro_11 = regular == 1.0 ? inverse_4 : (double)NAN,
+      Ro_11_lo = regular == 1.0 ? inverse_4_lo : 0.0;
+  const double Ro_12 = regular == 1.0 ? inverse_5 : (double)NAN,
+      Ro_12_lo = regular == 1.0 ? inverse_5_lo : 0.0;
+  const double Ro_20 = regular == 1.0 ? inverse_6 : (double)NAN,
+      Ro_20_lo = regular == 1.0 ? inverse_6_lo : 0.0;
+  const double Ro_21 = regular == 1.0 ? inverse_7 : (double)NAN,
+      Ro_21_lo = regular == 1.0 ? inverse_7_lo : 0.0;
+  const double Ro_22 = regular == 1.0 ? inverse_8 : (double)NAN,
+      Ro_22_lo = regular == 1.0 ? inverse_8_lo : 0.0;
   const double det_rounded = det + det_lo,
       det_final = det_rounded == det_rounded ? det_rounded : det;
   const double Ro_00_rounded = Ro_00 + Ro_00_lo,
@@ -1513,7 +1711,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   Ro->m22 = Ro_22_final;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
+     (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    21 mul, 66 add, 3 product error, 15 product rest.
    Error <= u |result| + 14 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -2346,42 +2545,67 @@ static inline float ksl_mat3x3f_determinant_accurate(const ksl_mat3x3f_t *R) {
   return (float)det;
 }
 
-/* Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8 u
-     times the sum of its terms' sizes), and Ro = NaN.
+/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows;
+     0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3 (double 1e-229
+     m^3), p the sum of its terms' sizes, m that of the largest entry.
    R, Ro: rotation or other 3×3 matrix.
-   31 mul, 17 add, 9 div, 10 abs, 1 less, 1 equal, 12 select.
-   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of
-     the sizes of the terms of the cofactor and of det R; barring over- and underflow. */
+   56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.
+   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the
+     sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring
+     over- and underflow of Ro_ij itself. */
 static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
-  const double n0_0a = (double)R->m11 * (double)R->m22,
-      n0_0 = ksl_product_sum(-(double)R->m12, (double)R->m21, n0_0a);
-  const double n0_1a = (double)R->m02 * (double)R->m21,
-      n0_1 = ksl_product_sum(-(double)R->m01, (double)R->m22, n0_1a);
-  const double n0_2a = (double)R->m01 * (double)R->m12,
-      n0_2 = ksl_product_sum(-(double)R->m02, (double)R->m11, n0_2a);
-  const double n1_0a = (double)R->m12 * (double)R->m20,
-      n1_0 = ksl_product_sum(-(double)R->m10, (double)R->m22, n1_0a);
-  const double n1_1a = (double)R->m00 * (double)R->m22,
-      n1_1 = ksl_product_sum(-(double)R->m02, (double)R->m20, n1_1a);
-  const double n1_2a = (double)R->m02 * (double)R->m10,
-      n1_2 = ksl_product_sum(-(double)R->m00, (double)R->m12, n1_2a);
-  const double n2_0a = (double)R->m10 * (double)R->m21,
-      n2_0 = ksl_product_sum(-(double)R->m11, (double)R->m20, n2_0a);
-  const double n2_1a = (double)R->m01 * (double)R->m20,
-      n2_1 = ksl_product_sum(-(double)R->m00, (double)R->m21, n2_1a);
-  const double n2_2a = (double)R->m00 * (double)R->m11,
-      n2_2 = ksl_product_sum(-(double)R->m01, (double)R->m10, n2_2a);
-  const double d_a = KSL_MUL((double)R->m00, n0_0), d_b = KSL_MUL((double)R->m10, n0_1),
-      d_c = d_a + d_b, d_d = KSL_MUL((double)R->m20, n0_2), d = d_c + d_d;
-  const double size0_0 = fabs((double)R->m00);
-  const double size0_1 = fabs((double)R->m10);
-  const double size0_2 = fabs((double)R->m20);
-  const double size1_0 = fabs((double)R->m01);
-  const double size1_1 = fabs((double)R->m11);
-  const double size1_2 = fabs((double)R->m21);
-  const double size2_0 = fabs((double)R->m02);
-  const double size2_1 = fabs((double)R->m12);
-  const double size2_2 = fabs((double)R->m22);
+  const double R_size_0 = fabs((double)R->m00);
+  const double R_size_1 = fabs((double)R->m01);
+  const double R_size_2 = fabs((double)R->m02);
+  const double R_size_3 = fabs((double)R->m10);
+  const double R_size_4 = fabs((double)R->m11);
+  const double R_size_5 = fabs((double)R->m12);
+  const double R_size_6 = fabs((double)R->m20);
+  const double R_size_7 = fabs((double)R->m21);
+  const double R_size_8 = fabs((double)R->m22);
+  const double R_largest1 = R_size_0 < R_size_1 ? R_size_1 : R_size_0;
+  const double R_largest2 = R_largest1 < R_size_2 ? R_size_2 : R_largest1;
+  const double R_largest3 = R_largest2 < R_size_3 ? R_size_3 : R_largest2;
+  const double R_largest4 = R_largest3 < R_size_4 ? R_size_4 : R_largest3;
+  const double R_largest5 = R_largest4 < R_size_5 ? R_size_5 : R_largest4;
+  const double R_largest6 = R_largest5 < R_size_6 ? R_size_6 : R_largest5;
+  const double R_largest7 = R_largest6 < R_size_7 ? R_size_7 : R_largest6;
+  const double R_largest8 = R_largest7 < R_size_8 ? R_size_8 : R_largest7;
+  const double s_b = R_largest8 < 1.329227995784916e+36 ? 8.271806125530277e-25 : 7.52316384526264e-37,
+      s_d = R_largest8 < 1.2089258196146292e+24 ? 9.094947017729282e-13 : s_b,
+      s_f = R_largest8 < 1099511627776.0 ? 1.0 : s_d,
+      s_h = R_largest8 < 1.0 ? 1099511627776.0 : s_f,
+      s_j = R_largest8 < 9.094947017729282e-13 ? 1.2089258196146292e+24 : s_h,
+      s = R_largest8 < 8.271806125530277e-25 ? 1.329227995784916e+36 : s_j;
+  const double A_0 = KSL_MUL((double)R->m00, s);
+  const double A_1 = KSL_MUL((double)R->m01, s);
+  const double A_2 = KSL_MUL((double)R->m02, s);
+  const double A_3 = KSL_MUL((double)R->m10, s);
+  const double A_4 = KSL_MUL((double)R->m11, s);
+  const double A_5 = KSL_MUL((double)R->m12, s);
+  const double A_6 = KSL_MUL((double)R->m20, s);
+  const double A_7 = KSL_MUL((double)R->m21, s);
+  const double A_8 = KSL_MUL((double)R->m22, s);
+  const double n0_0a = KSL_MUL(A_4, A_8), n0_0b = KSL_MUL(A_5, A_7), n0_0 = n0_0a - n0_0b;
+  const double n0_1a = KSL_MUL(A_2, A_7), n0_1b = KSL_MUL(A_1, A_8), n0_1 = n0_1a - n0_1b;
+  const double n0_2a = KSL_MUL(A_1, A_5), n0_2b = KSL_MUL(A_2, A_4), n0_2 = n0_2a - n0_2b;
+  const double n1_0a = KSL_MUL(A_5, A_6), n1_0b = KSL_MUL(A_3, A_8), n1_0 = n1_0a - n1_0b;
+  const double n1_1a = KSL_MUL(A_0, A_8), n1_1b = KSL_MUL(A_2, A_6), n1_1 = n1_1a - n1_1b;
+  const double n1_2a = KSL_MUL(A_2, A_3), n1_2b = KSL_MUL(A_0, A_5), n1_2 = n1_2a - n1_2b;
+  const double n2_0a = KSL_MUL(A_3, A_7), n2_0b = KSL_MUL(A_4, A_6), n2_0 = n2_0a - n2_0b;
+  const double n2_1a = KSL_MUL(A_1, A_6), n2_1b = KSL_MUL(A_0, A_7), n2_1 = n2_1a - n2_1b;
+  const double n2_2a = KSL_MUL(A_0, A_4), n2_2b = KSL_MUL(A_1, A_3), n2_2 = n2_2a - n2_2b;
+  const double d_a = KSL_MUL(A_0, n0_0), d_b = KSL_MUL(A_3, n0_1), d_c = d_a + d_b,
+      d_d = KSL_MUL(A_6, n0_2), d = d_c + d_d;
+  const double size0_0 = fabs(A_0);
+  const double size0_1 = fabs(A_3);
+  const double size0_2 = fabs(A_6);
+  const double size1_0 = fabs(A_1);
+  const double size1_1 = fabs(A_4);
+  const double size1_2 = fabs(A_7);
+  const double size2_0 = fabs(A_2);
+  const double size2_1 = fabs(A_5);
+  const double size2_2 = fabs(A_8);
   const double permanent_a = KSL_MUL(size1_1, size2_2), permanent_b = KSL_MUL(size1_2, size2_1),
       permanent_c = permanent_a + permanent_b, permanent_d = KSL_MUL(size0_0, permanent_c),
       permanent_e = KSL_MUL(size1_0, size2_2), permanent_f = KSL_MUL(size1_2, size2_0),
@@ -2389,20 +2613,50 @@ static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat
       permanent_i = permanent_d + permanent_h, permanent_j = KSL_MUL(size1_0, size2_1),
       permanent_k = KSL_MUL(size1_1, size2_0), permanent_l = permanent_j + permanent_k,
       permanent_m = KSL_MUL(size0_2, permanent_l), permanent = permanent_i + permanent_m;
-  const double least_a = KSL_MUL(permanent, 4.76837158203125e-07),
-      least = least_a + 1.262177448353619e-29;
+  const double top = KSL_MUL(R_largest8, s);
+  const double spoiled = KSL_MUL(top, 1.262177448353619e-29);
+  const double least_a = KSL_MUL(permanent, 4.76837158203125e-07), least_b = KSL_MUL(top, top),
+      least_c = KSL_MUL(spoiled, least_b), least = least_a + least_c;
   const double regular_a = fabs(d), regular = least < regular_a ? 1.0 : 0.0;
   const double divisor = regular == 1.0 ? d : 1.0;
-  const double det = regular == 1.0 ? d : 0.0;
-  const double Ro_00a = n0_0 / divisor, Ro_00 = regular == 1.0 ? Ro_00a : (double)NAN;
-  const double Ro_01a = n0_1 / divisor, Ro_01 = regular == 1.0 ? Ro_01a : (double)NAN;
-  const double Ro_02a = n0_2 / divisor, Ro_02 = regular == 1.0 ? Ro_02a : (double)NAN;
-  const double Ro_10a = n1_0 / divisor, Ro_10 = regular == 1.0 ? Ro_10a : (double)NAN;
-  const double Ro_11a = n1_1 / divisor, Ro_11 = regular == 1.0 ? Ro_11a : (double)NAN;
-  const double Ro_12a = n1_2 / divisor, Ro_12 = regular == 1.0 ? Ro_12a : (double)NAN;
-  const double Ro_20a = n2_0 / divisor, Ro_20 = regular == 1.0 ? Ro_20a : (double)NAN;
-  const double Ro_21a = n2_1 / divisor, Ro_21 = regular == 1.0 ? Ro_21a : (double)NAN;
-  const double Ro_22a = n2_2 / divisor, Ro_22 = regular == 1.0 ? Ro_22a : (double)NAN;
+  const double quotient_0 = n0_0 / divisor;
+  const double quotient_1 = n0_1 / divisor;
+  const double quotient_2 = n0_2 / divisor;
+  const double quotient_3 = n1_0 / divisor;
+  const double quotient_4 = n1_1 / divisor;
+  const double quotient_5 = n1_2 / divisor;
+  const double quotient_6 = n2_0 / divisor;
+  const double quotient_7 = n2_1 / divisor;
+  const double quotient_8 = n2_2 / divisor;
+  const double inverse_0 = KSL_MUL(quotient_0, s);
+  const double inverse_1 = KSL_MUL(quotient_1, s);
+  const double inverse_2 = KSL_MUL(quotient_2, s);
+  const double inverse_3 = KSL_MUL(quotient_3, s);
+  const double inverse_4 = KSL_MUL(quotient_4, s);
+  const double inverse_5 = KSL_MUL(quotient_5, s);
+  const double inverse_6 = KSL_MUL(quotient_6, s);
+  const double inverse_7 = KSL_MUL(quotient_7, s);
+  const double inverse_8 = KSL_MUL(quotient_8, s);
+  const double start_a = -1.329227995784916e+36,
+      start_c = d < 0.0 ? start_a : 1.329227995784916e+36,
+      start = R_largest8 < 1.2089258196146292e+24 ? d : start_c;
+  const double r2 = R_largest8 < 9.094947017729282e-13 ? 7.52316384526264e-37 : 1.0;
+  const double once = KSL_MUL(start, r2);
+  const double r3 = R_largest8 < 8.271806125530277e-25 ? 7.52316384526264e-37 : 1.0;
+  const double twice = KSL_MUL(once, r3);
+  const double r_a = R_largest8 < 1099511627776.0 ? 1.0 : 1.329227995784916e+36,
+      r = R_largest8 < 1.0 ? 7.52316384526264e-37 : r_a;
+  const double det_R = KSL_MUL(twice, r);
+  const double det = regular == 1.0 ? det_R : 0.0;
+  const double Ro_00 = regular == 1.0 ? inverse_0 : (double)NAN;
+  const double Ro_01 = regular == 1.0 ? inverse_1 : (double)NAN;
+  const double Ro_02 = regular == 1.0 ? inverse_2 : (double)NAN;
+  const double Ro_10 = regular == 1.0 ? inverse_3 : (double)NAN;
+  const double Ro_11 = regular == 1.0 ? inverse_4 : (double)NAN;
+  const double Ro_12 = regular == 1.0 ? inverse_5 : (double)NAN;
+  const double Ro_20 = regular == 1.0 ? inverse_6 : (double)NAN;
+  const double Ro_21 = regular == 1.0 ? inverse_7 : (double)NAN;
+  const double Ro_22 = regular == 1.0 ? inverse_8 : (double)NAN;
   Ro->m00 = (float)Ro_00;
   Ro->m01 = (float)Ro_01;
   Ro->m02 = (float)Ro_02;
@@ -2683,7 +2937,8 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
   Ro->m22 = (float)Ro_22;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
+     (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    12 mul, 10 add.
    Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring

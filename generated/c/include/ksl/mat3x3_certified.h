@@ -34,8 +34,8 @@ static inline double ksl_mat3x3_determinant_certified(const ksl_mat3x3_t *R, dou
   return det;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ); |error
-     of R| <= R_bound unless inf or NaN.
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
+     (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.
    R, R_bound: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    30 mul, 31 add, 8 abs. */
 static inline void ksl_mat3x3_setFromAxisDC_certified(ksl_mat3x3_t *R, const ksl_vec3_t *axis,
@@ -148,8 +148,8 @@ static inline float ksl_mat3x3f_determinant_certified(const ksl_mat3x3f_t *R, fl
   return det;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ); |error
-     of R| <= R_bound unless inf or NaN.
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
+     (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.
    R, R_bound: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    30 mul, 31 add, 8 abs. */
 static inline void ksl_mat3x3f_setFromAxisDC_certified(ksl_mat3x3f_t *R, const ksl_vec3f_t *axis,

@@ -22,7 +22,8 @@ static inline double ksl_mat3x3_determinant_fused(const ksl_mat3x3_t *R) {
   return det;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
+     (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    9 mul, 7 add, 3 fma.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -73,7 +74,8 @@ static inline float ksl_mat3x3f_determinant_fused(const ksl_mat3x3f_t *R) {
   return det;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
+     (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    9 mul, 7 add, 3 fma.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-

@@ -1058,7 +1058,8 @@ static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quatern
   qo->w = qo_3;
 }
 
-/* qo = (axis sin angle/2; cos angle/2); axis of length 1.
+/* qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
+     rotation is by another angle.
    axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 1 sin, 1 cos.
    Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */
@@ -2530,7 +2531,8 @@ static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quate
   qo->w = qo_3;
 }
 
-/* qo = (axis sin angle/2; cos angle/2); axis of length 1.
+/* qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
+     rotation is by another angle.
    axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 1 sin, 1 cos.
    Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */

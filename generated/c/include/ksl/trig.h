@@ -38,12 +38,16 @@ static inline double ksl_normalizeDegrees(double angle) {
   return rest < zero ? (above < turn ? above : zero) : rest + zero;
 }
 
-/* The angle in [0, 2 π) that is whole turns away; exactly, but for one rounding of
-   negative ones. */
+/* The angle in [0, 2 π) that is whole turns away, off by 1.2e-15 + 2e-32 |angle| at most,
+   modulo 2 π; as it is where it is in there already. */
 static inline double ksl_normalizeRadians(double angle) {
-  const double turn = 6.283185307179586, rest = fmod(angle, turn), above = rest + turn;
-  const double zero = 0;
-  return rest < zero ? (above < turn ? above : zero) : rest + zero;
+  /* 2 π is the number next to it and this much, but for 6e-33. */
+  const double turn = 6.283185307179586, beyond = 2.4492935982947064e-16, zero = 0;
+  const double rest = fmod(angle, turn), whole = angle - rest, turns = whole / turn;
+  const double gathered = KSL_MUL(turns, beyond), less = fmod(gathered, turn);
+  const double left = rest - less, part = fmod(left, turn);
+  const double shifted = part + beyond, above = shifted + turn;
+  return part < zero ? (above < turn ? above : zero) : part + zero;
 }
 
 /* The angle in [0, 360) that is whole turns away; exactly, but for one rounding of
@@ -54,12 +58,16 @@ static inline float ksl_normalizeDegreesf(float angle) {
   return rest < zero ? (above < turn ? above : zero) : rest + zero;
 }
 
-/* The angle in [0, 2 π) that is whole turns away; exactly, but for one rounding of
-   negative ones. */
+/* The angle in [0, 2 π) that is whole turns away, off by 8e-7 + 7e-15 |angle| at most,
+   modulo 2 π; as it is where it is in there already. */
 static inline float ksl_normalizeRadiansf(float angle) {
-  const float turn = 6.2831855f, rest = fmodf(angle, turn), above = rest + turn;
-  const float zero = 0;
-  return rest < zero ? (above < turn ? above : zero) : rest + zero;
+  /* 2 π is the number next to it and this much, but for 7e-15. */
+  const float turn = 6.2831855f, beyond = -1.7484555e-07f, zero = 0;
+  const float rest = fmodf(angle, turn), whole = angle - rest, turns = whole / turn;
+  const float gathered = KSL_MULF(turns, beyond), less = fmodf(gathered, turn);
+  const float left = rest - less, part = fmodf(left, turn);
+  const float shifted = part + beyond, above = shifted + turn;
+  return part < zero ? (above < turn ? above : zero) : part + zero;
 }
 
 #endif

@@ -61,91 +61,124 @@ def mat3x3_determinant(R):
 
 @kernel("(3,3)->(),(3,3)")
 def mat3x3_inverse(R):
-    """Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8
-    u times the sum of its terms' sizes), and Ro = NaN.
+    """Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or
+    overflows; 0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3
+    (double 1e-229 m^3), p the sum of its terms' sizes, m that of the largest entry.
 
     (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
-    56 mul, 194 add, 9 product error, 31 product rest, 18 div, 1 neg, 10 abs, 2 less, 11 equal,
-    34 select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p
-    the sums of the sizes of the terms of the cofactor and of det R; barring over- and
-    underflow.
+    106 mul, 290 add, 10 product error, 32 product rest, 22 div, 2 neg, 19 abs, 17 less, 23
+    equal, 67 select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most,
+    m_ji the sum of the sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that
+    is more; barring over- and underflow of Ro_ij itself.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
-    n0_0a = R_11 * R_22
-    n0_0b = R_12 * R_21
+    R_size_0 = absolute(R_00)
+    R_size_1 = absolute(R_01)
+    R_size_2 = absolute(R_02)
+    R_size_3 = absolute(R_10)
+    R_size_4 = absolute(R_11)
+    R_size_5 = absolute(R_12)
+    R_size_6 = absolute(R_20)
+    R_size_7 = absolute(R_21)
+    R_size_8 = absolute(R_22)
+    R_largest1 = where(R_size_0 < R_size_1, R_size_1, R_size_0)
+    R_largest2 = where(R_largest1 < R_size_2, R_size_2, R_largest1)
+    R_largest3 = where(R_largest2 < R_size_3, R_size_3, R_largest2)
+    R_largest4 = where(R_largest3 < R_size_4, R_size_4, R_largest3)
+    R_largest5 = where(R_largest4 < R_size_5, R_size_5, R_largest4)
+    R_largest6 = where(R_largest5 < R_size_6, R_size_6, R_largest5)
+    R_largest7 = where(R_largest6 < R_size_7, R_size_7, R_largest6)
+    R_largest8 = where(R_largest7 < R_size_8, R_size_8, R_largest7)
+    s_b = where(R_largest8 < 8.452712498170644e+270, float64(2.409919865102884e-181), float64(1.1830521861667747e-271))
+    s_d = where(R_largest8 < 4.149515568880993e+180, 4.909093465297727e-91, s_b)
+    s_f = where(R_largest8 < 2.037035976334486e+90, 1, s_d)
+    s_h = where(R_largest8 < 1, 2.037035976334486e+90, s_f)
+    s_j = where(R_largest8 < 4.909093465297727e-91, 4.149515568880993e+180, s_h)
+    s = where(R_largest8 < 2.409919865102884e-181, 8.452712498170644e+270, s_j)
+    A_0 = R_00 * s
+    A_1 = R_01 * s
+    A_2 = R_02 * s
+    A_3 = R_10 * s
+    A_4 = R_11 * s
+    A_5 = R_12 * s
+    A_6 = R_20 * s
+    A_7 = R_21 * s
+    A_8 = R_22 * s
+    n0_0a = A_4 * A_8
+    n0_0b = A_5 * A_7
     n0_0 = n0_0a - n0_0b
     n0_0_right = n0_0a - n0_0
-    n0_0_left_rest = product_rest(R_11, R_22, n0_0a, n0_0 + n0_0_right)
-    n0_0_lo = n0_0_left_rest - product_rest(R_12, R_21, n0_0b, n0_0_right)
-    n0_1a = R_02 * R_21
-    n0_1b = R_01 * R_22
+    n0_0_left_rest = product_rest(A_4, A_8, n0_0a, n0_0 + n0_0_right)
+    n0_0_lo = n0_0_left_rest - product_rest(A_5, A_7, n0_0b, n0_0_right)
+    n0_1a = A_2 * A_7
+    n0_1b = A_1 * A_8
     n0_1 = n0_1a - n0_1b
     n0_1_right = n0_1a - n0_1
-    n0_1_left_rest = product_rest(R_02, R_21, n0_1a, n0_1 + n0_1_right)
-    n0_1_lo = n0_1_left_rest - product_rest(R_01, R_22, n0_1b, n0_1_right)
-    n0_2a = R_01 * R_12
-    n0_2b = R_02 * R_11
+    n0_1_left_rest = product_rest(A_2, A_7, n0_1a, n0_1 + n0_1_right)
+    n0_1_lo = n0_1_left_rest - product_rest(A_1, A_8, n0_1b, n0_1_right)
+    n0_2a = A_1 * A_5
+    n0_2b = A_2 * A_4
     n0_2 = n0_2a - n0_2b
     n0_2_right = n0_2a - n0_2
-    n0_2_left_rest = product_rest(R_01, R_12, n0_2a, n0_2 + n0_2_right)
-    n0_2_lo = n0_2_left_rest - product_rest(R_02, R_11, n0_2b, n0_2_right)
-    n1_0a = R_12 * R_20
-    n1_0b = R_10 * R_22
+    n0_2_left_rest = product_rest(A_1, A_5, n0_2a, n0_2 + n0_2_right)
+    n0_2_lo = n0_2_left_rest - product_rest(A_2, A_4, n0_2b, n0_2_right)
+    n1_0a = A_5 * A_6
+    n1_0b = A_3 * A_8
     n1_0 = n1_0a - n1_0b
     n1_0_right = n1_0a - n1_0
-    n1_0_left_rest = product_rest(R_12, R_20, n1_0a, n1_0 + n1_0_right)
-    n1_0_lo = n1_0_left_rest - product_rest(R_10, R_22, n1_0b, n1_0_right)
-    n1_1a = R_00 * R_22
-    n1_1b = R_02 * R_20
+    n1_0_left_rest = product_rest(A_5, A_6, n1_0a, n1_0 + n1_0_right)
+    n1_0_lo = n1_0_left_rest - product_rest(A_3, A_8, n1_0b, n1_0_right)
+    n1_1a = A_0 * A_8
+    n1_1b = A_2 * A_6
     n1_1 = n1_1a - n1_1b
     n1_1_right = n1_1a - n1_1
-    n1_1_left_rest = product_rest(R_00, R_22, n1_1a, n1_1 + n1_1_right)
-    n1_1_lo = n1_1_left_rest - product_rest(R_02, R_20, n1_1b, n1_1_right)
-    n1_2a = R_02 * R_10
-    n1_2b = R_00 * R_12
+    n1_1_left_rest = product_rest(A_0, A_8, n1_1a, n1_1 + n1_1_right)
+    n1_1_lo = n1_1_left_rest - product_rest(A_2, A_6, n1_1b, n1_1_right)
+    n1_2a = A_2 * A_3
+    n1_2b = A_0 * A_5
     n1_2 = n1_2a - n1_2b
     n1_2_right = n1_2a - n1_2
-    n1_2_left_rest = product_rest(R_02, R_10, n1_2a, n1_2 + n1_2_right)
-    n1_2_lo = n1_2_left_rest - product_rest(R_00, R_12, n1_2b, n1_2_right)
-    n2_0a = R_10 * R_21
-    n2_0b = R_11 * R_20
+    n1_2_left_rest = product_rest(A_2, A_3, n1_2a, n1_2 + n1_2_right)
+    n1_2_lo = n1_2_left_rest - product_rest(A_0, A_5, n1_2b, n1_2_right)
+    n2_0a = A_3 * A_7
+    n2_0b = A_4 * A_6
     n2_0 = n2_0a - n2_0b
     n2_0_right = n2_0a - n2_0
-    n2_0_left_rest = product_rest(R_10, R_21, n2_0a, n2_0 + n2_0_right)
-    n2_0_lo = n2_0_left_rest - product_rest(R_11, R_20, n2_0b, n2_0_right)
-    n2_1a = R_01 * R_20
-    n2_1b = R_00 * R_21
+    n2_0_left_rest = product_rest(A_3, A_7, n2_0a, n2_0 + n2_0_right)
+    n2_0_lo = n2_0_left_rest - product_rest(A_4, A_6, n2_0b, n2_0_right)
+    n2_1a = A_1 * A_6
+    n2_1b = A_0 * A_7
     n2_1 = n2_1a - n2_1b
     n2_1_right = n2_1a - n2_1
-    n2_1_left_rest = product_rest(R_01, R_20, n2_1a, n2_1 + n2_1_right)
-    n2_1_lo = n2_1_left_rest - product_rest(R_00, R_21, n2_1b, n2_1_right)
-    n2_2a = R_00 * R_11
-    n2_2b = R_01 * R_10
+    n2_1_left_rest = product_rest(A_1, A_6, n2_1a, n2_1 + n2_1_right)
+    n2_1_lo = n2_1_left_rest - product_rest(A_0, A_7, n2_1b, n2_1_right)
+    n2_2a = A_0 * A_4
+    n2_2b = A_1 * A_3
     n2_2 = n2_2a - n2_2b
     n2_2_right = n2_2a - n2_2
-    n2_2_left_rest = product_rest(R_00, R_11, n2_2a, n2_2 + n2_2_right)
-    n2_2_lo = n2_2_left_rest - product_rest(R_01, R_10, n2_2b, n2_2_right)
-    d_a = R_00 * n0_0
-    d_b = R_10 * n0_1
+    n2_2_left_rest = product_rest(A_0, A_4, n2_2a, n2_2 + n2_2_right)
+    n2_2_lo = n2_2_left_rest - product_rest(A_1, A_3, n2_2b, n2_2_right)
+    d_a = A_0 * n0_0
+    d_b = A_3 * n0_1
     d_c = d_a + d_b
     d_c_right = d_c - d_a
-    d_c_left_rest = product_rest(R_00, n0_0, d_a, d_c - d_c_right)
-    d_c_lo1 = d_c_left_rest + product_rest(R_10, n0_1, d_b, d_c_right)
-    d_c_lo = d_c_lo1 + (R_00 * n0_0_lo + R_10 * n0_1_lo)
-    d_d = R_20 * n0_2
+    d_c_left_rest = product_rest(A_0, n0_0, d_a, d_c - d_c_right)
+    d_c_lo1 = d_c_left_rest + product_rest(A_3, n0_1, d_b, d_c_right)
+    d_c_lo = d_c_lo1 + (A_0 * n0_0_lo + A_3 * n0_1_lo)
+    d_d = A_6 * n0_2
     d = d_c + d_d
     d_right = d - d_c
-    d_lo2 = d_c - (d - d_right) + product_rest(R_20, n0_2, d_d, d_right) + R_20 * n0_2_lo
+    d_lo2 = d_c - (d - d_right) + product_rest(A_6, n0_2, d_d, d_right) + A_6 * n0_2_lo
     d_lo = d_lo2 + d_c_lo
-    size0_0 = absolute(R_00)
-    size0_1 = absolute(R_10)
-    size0_2 = absolute(R_20)
-    size1_0 = absolute(R_01)
-    size1_1 = absolute(R_11)
-    size1_2 = absolute(R_21)
-    size2_0 = absolute(R_02)
-    size2_1 = absolute(R_12)
-    size2_2 = absolute(R_22)
+    size0_0 = absolute(A_0)
+    size0_1 = absolute(A_3)
+    size0_2 = absolute(A_6)
+    size1_0 = absolute(A_1)
+    size1_1 = absolute(A_4)
+    size1_2 = absolute(A_7)
+    size2_0 = absolute(A_2)
+    size2_1 = absolute(A_5)
+    size2_2 = absolute(A_8)
     permanent_a = size1_1 * size2_2
     permanent_b = size1_2 * size2_1
     permanent_c = permanent_a + permanent_b
@@ -190,13 +223,18 @@ def mat3x3_inverse(R):
     permanent_lo1 = permanent_i - (permanent - permanent_right) + permanent_right_rest
     permanent_lo2 = permanent_lo1 + permanent_m_cross2
     permanent_lo = permanent_lo2 + permanent_i_lo
+    top = R_largest8 * s
+    spoiled = top * 1.6489340850168661e-229
     least_a = permanent * 8.881784197001252e-16
     least_a_cross1 = permanent_lo * 8.881784197001252e-16
-    least = least_a + 1.0261342003245941e-289
+    least_b = top * top
+    least_c = spoiled * least_b
+    least = least_a + least_c
     least_right = least - least_a
     least_left_rest = product_rest(permanent, 8.881784197001252e-16, least_a, least - least_right)
-    least_lo1 = least_left_rest + (1.0261342003245941e-289 - least_right)
-    least_lo = least_lo1 + least_a_cross1
+    least_cross = least_a_cross1 + spoiled * product_error(top, top, least_b)
+    least_lo1 = least_left_rest + product_rest(spoiled, least_b, least_c, least_right)
+    least_lo = least_lo1 + least_cross
     regular_a_of_d = d + d_lo
     regular_a_of_d_right = regular_a_of_d - d
     regular_a_of_d_lo = d - (regular_a_of_d - regular_a_of_d_right) + (d_lo - regular_a_of_d_right)
@@ -206,129 +244,266 @@ def mat3x3_inverse(R):
     regular = where(regular_b_of_least < regular_b_of_regular_a, float64(1), float64(0))
     divisor = where(regular == 1, regular_a_of_d, 1)
     divisor_lo = where(regular == 1, regular_a_of_d_lo, 0)
-    det = where(regular == 1, regular_a_of_d, 0)
-    Ro_00a_of_n0_0 = n0_0 + n0_0_lo
-    Ro_00a_of_n0_0_right = Ro_00a_of_n0_0 - n0_0
-    Ro_00a_of_n0_0_left_rest = n0_0 - (Ro_00a_of_n0_0 - Ro_00a_of_n0_0_right)
-    Ro_00a_of_n0_0_lo = Ro_00a_of_n0_0_left_rest + (n0_0_lo - Ro_00a_of_n0_0_right)
-    Ro_00a_of_divisor = divisor + divisor_lo
-    Ro_00a_of_divisor_right = Ro_00a_of_divisor - divisor
-    Ro_00a_of_divisor_left_rest = divisor - (Ro_00a_of_divisor - Ro_00a_of_divisor_right)
-    Ro_00a_of_divisor_lo = Ro_00a_of_divisor_left_rest + (divisor_lo - Ro_00a_of_divisor_right)
-    Ro_00a = Ro_00a_of_n0_0 / Ro_00a_of_divisor
-    Ro_00a_product = Ro_00a * Ro_00a_of_divisor
-    Ro_00a_product_error = product_error(Ro_00a, Ro_00a_of_divisor, Ro_00a_product)
-    Ro_00a_exact = Ro_00a_of_n0_0 - Ro_00a_product - Ro_00a_product_error
-    Ro_00a_numerator = Ro_00a_exact + Ro_00a_of_n0_0_lo
-    Ro_00a_residual = Ro_00a_numerator - Ro_00a * Ro_00a_of_divisor_lo
-    Ro_00a_lo = Ro_00a_residual / Ro_00a_of_divisor
-    Ro_00 = where(regular == 1, Ro_00a, nan)
-    Ro_00_lo = where(regular == 1, Ro_00a_lo, 0)
-    Ro_01a_of_n0_1 = n0_1 + n0_1_lo
-    Ro_01a_of_n0_1_right = Ro_01a_of_n0_1 - n0_1
-    Ro_01a_of_n0_1_left_rest = n0_1 - (Ro_01a_of_n0_1 - Ro_01a_of_n0_1_right)
-    Ro_01a_of_n0_1_lo = Ro_01a_of_n0_1_left_rest + (n0_1_lo - Ro_01a_of_n0_1_right)
-    Ro_01a = Ro_01a_of_n0_1 / Ro_00a_of_divisor
-    Ro_01a_product = Ro_01a * Ro_00a_of_divisor
-    Ro_01a_product_error = product_error(Ro_01a, Ro_00a_of_divisor, Ro_01a_product)
-    Ro_01a_exact = Ro_01a_of_n0_1 - Ro_01a_product - Ro_01a_product_error
-    Ro_01a_numerator = Ro_01a_exact + Ro_01a_of_n0_1_lo
-    Ro_01a_residual = Ro_01a_numerator - Ro_01a * Ro_00a_of_divisor_lo
-    Ro_01a_lo = Ro_01a_residual / Ro_00a_of_divisor
-    Ro_01 = where(regular == 1, Ro_01a, nan)
-    Ro_01_lo = where(regular == 1, Ro_01a_lo, 0)
-    Ro_02a_of_n0_2 = n0_2 + n0_2_lo
-    Ro_02a_of_n0_2_right = Ro_02a_of_n0_2 - n0_2
-    Ro_02a_of_n0_2_left_rest = n0_2 - (Ro_02a_of_n0_2 - Ro_02a_of_n0_2_right)
-    Ro_02a_of_n0_2_lo = Ro_02a_of_n0_2_left_rest + (n0_2_lo - Ro_02a_of_n0_2_right)
-    Ro_02a = Ro_02a_of_n0_2 / Ro_00a_of_divisor
-    Ro_02a_product = Ro_02a * Ro_00a_of_divisor
-    Ro_02a_product_error = product_error(Ro_02a, Ro_00a_of_divisor, Ro_02a_product)
-    Ro_02a_exact = Ro_02a_of_n0_2 - Ro_02a_product - Ro_02a_product_error
-    Ro_02a_numerator = Ro_02a_exact + Ro_02a_of_n0_2_lo
-    Ro_02a_residual = Ro_02a_numerator - Ro_02a * Ro_00a_of_divisor_lo
-    Ro_02a_lo = Ro_02a_residual / Ro_00a_of_divisor
-    Ro_02 = where(regular == 1, Ro_02a, nan)
-    Ro_02_lo = where(regular == 1, Ro_02a_lo, 0)
-    Ro_10a_of_n1_0 = n1_0 + n1_0_lo
-    Ro_10a_of_n1_0_right = Ro_10a_of_n1_0 - n1_0
-    Ro_10a_of_n1_0_left_rest = n1_0 - (Ro_10a_of_n1_0 - Ro_10a_of_n1_0_right)
-    Ro_10a_of_n1_0_lo = Ro_10a_of_n1_0_left_rest + (n1_0_lo - Ro_10a_of_n1_0_right)
-    Ro_10a = Ro_10a_of_n1_0 / Ro_00a_of_divisor
-    Ro_10a_product = Ro_10a * Ro_00a_of_divisor
-    Ro_10a_product_error = product_error(Ro_10a, Ro_00a_of_divisor, Ro_10a_product)
-    Ro_10a_exact = Ro_10a_of_n1_0 - Ro_10a_product - Ro_10a_product_error
-    Ro_10a_numerator = Ro_10a_exact + Ro_10a_of_n1_0_lo
-    Ro_10a_residual = Ro_10a_numerator - Ro_10a * Ro_00a_of_divisor_lo
-    Ro_10a_lo = Ro_10a_residual / Ro_00a_of_divisor
-    Ro_10 = where(regular == 1, Ro_10a, nan)
-    Ro_10_lo = where(regular == 1, Ro_10a_lo, 0)
-    Ro_11a_of_n1_1 = n1_1 + n1_1_lo
-    Ro_11a_of_n1_1_right = Ro_11a_of_n1_1 - n1_1
-    Ro_11a_of_n1_1_left_rest = n1_1 - (Ro_11a_of_n1_1 - Ro_11a_of_n1_1_right)
-    Ro_11a_of_n1_1_lo = Ro_11a_of_n1_1_left_rest + (n1_1_lo - Ro_11a_of_n1_1_right)
-    Ro_11a = Ro_11a_of_n1_1 / Ro_00a_of_divisor
-    Ro_11a_product = Ro_11a * Ro_00a_of_divisor
-    Ro_11a_product_error = product_error(Ro_11a, Ro_00a_of_divisor, Ro_11a_product)
-    Ro_11a_exact = Ro_11a_of_n1_1 - Ro_11a_product - Ro_11a_product_error
-    Ro_11a_numerator = Ro_11a_exact + Ro_11a_of_n1_1_lo
-    Ro_11a_residual = Ro_11a_numerator - Ro_11a * Ro_00a_of_divisor_lo
-    Ro_11a_lo = Ro_11a_residual / Ro_00a_of_divisor
-    Ro_11 = where(regular == 1, Ro_11a, nan)
-    Ro_11_lo = where(regular == 1, Ro_11a_lo, 0)
-    Ro_12a_of_n1_2 = n1_2 + n1_2_lo
-    Ro_12a_of_n1_2_right = Ro_12a_of_n1_2 - n1_2
-    Ro_12a_of_n1_2_left_rest = n1_2 - (Ro_12a_of_n1_2 - Ro_12a_of_n1_2_right)
-    Ro_12a_of_n1_2_lo = Ro_12a_of_n1_2_left_rest + (n1_2_lo - Ro_12a_of_n1_2_right)
-    Ro_12a = Ro_12a_of_n1_2 / Ro_00a_of_divisor
-    Ro_12a_product = Ro_12a * Ro_00a_of_divisor
-    Ro_12a_product_error = product_error(Ro_12a, Ro_00a_of_divisor, Ro_12a_product)
-    Ro_12a_exact = Ro_12a_of_n1_2 - Ro_12a_product - Ro_12a_product_error
-    Ro_12a_numerator = Ro_12a_exact + Ro_12a_of_n1_2_lo
-    Ro_12a_residual = Ro_12a_numerator - Ro_12a * Ro_00a_of_divisor_lo
-    Ro_12a_lo = Ro_12a_residual / Ro_00a_of_divisor
-    Ro_12 = where(regular == 1, Ro_12a, nan)
-    Ro_12_lo = where(regular == 1, Ro_12a_lo, 0)
-    Ro_20a_of_n2_0 = n2_0 + n2_0_lo
-    Ro_20a_of_n2_0_right = Ro_20a_of_n2_0 - n2_0
-    Ro_20a_of_n2_0_left_rest = n2_0 - (Ro_20a_of_n2_0 - Ro_20a_of_n2_0_right)
-    Ro_20a_of_n2_0_lo = Ro_20a_of_n2_0_left_rest + (n2_0_lo - Ro_20a_of_n2_0_right)
-    Ro_20a = Ro_20a_of_n2_0 / Ro_00a_of_divisor
-    Ro_20a_product = Ro_20a * Ro_00a_of_divisor
-    Ro_20a_product_error = product_error(Ro_20a, Ro_00a_of_divisor, Ro_20a_product)
-    Ro_20a_exact = Ro_20a_of_n2_0 - Ro_20a_product - Ro_20a_product_error
-    Ro_20a_numerator = Ro_20a_exact + Ro_20a_of_n2_0_lo
-    Ro_20a_residual = Ro_20a_numerator - Ro_20a * Ro_00a_of_divisor_lo
-    Ro_20a_lo = Ro_20a_residual / Ro_00a_of_divisor
-    Ro_20 = where(regular == 1, Ro_20a, nan)
-    Ro_20_lo = where(regular == 1, Ro_20a_lo, 0)
-    Ro_21a_of_n2_1 = n2_1 + n2_1_lo
-    Ro_21a_of_n2_1_right = Ro_21a_of_n2_1 - n2_1
-    Ro_21a_of_n2_1_left_rest = n2_1 - (Ro_21a_of_n2_1 - Ro_21a_of_n2_1_right)
-    Ro_21a_of_n2_1_lo = Ro_21a_of_n2_1_left_rest + (n2_1_lo - Ro_21a_of_n2_1_right)
-    Ro_21a = Ro_21a_of_n2_1 / Ro_00a_of_divisor
-    Ro_21a_product = Ro_21a * Ro_00a_of_divisor
-    Ro_21a_product_error = product_error(Ro_21a, Ro_00a_of_divisor, Ro_21a_product)
-    Ro_21a_exact = Ro_21a_of_n2_1 - Ro_21a_product - Ro_21a_product_error
-    Ro_21a_numerator = Ro_21a_exact + Ro_21a_of_n2_1_lo
-    Ro_21a_residual = Ro_21a_numerator - Ro_21a * Ro_00a_of_divisor_lo
-    Ro_21a_lo = Ro_21a_residual / Ro_00a_of_divisor
-    Ro_21 = where(regular == 1, Ro_21a, nan)
-    Ro_21_lo = where(regular == 1, Ro_21a_lo, 0)
-    Ro_22a_of_n2_2 = n2_2 + n2_2_lo
-    Ro_22a_of_n2_2_right = Ro_22a_of_n2_2 - n2_2
-    Ro_22a_of_n2_2_left_rest = n2_2 - (Ro_22a_of_n2_2 - Ro_22a_of_n2_2_right)
-    Ro_22a_of_n2_2_lo = Ro_22a_of_n2_2_left_rest + (n2_2_lo - Ro_22a_of_n2_2_right)
-    Ro_22a = Ro_22a_of_n2_2 / Ro_00a_of_divisor
-    Ro_22a_product = Ro_22a * Ro_00a_of_divisor
-    Ro_22a_product_error = product_error(Ro_22a, Ro_00a_of_divisor, Ro_22a_product)
-    Ro_22a_exact = Ro_22a_of_n2_2 - Ro_22a_product - Ro_22a_product_error
-    Ro_22a_numerator = Ro_22a_exact + Ro_22a_of_n2_2_lo
-    Ro_22a_residual = Ro_22a_numerator - Ro_22a * Ro_00a_of_divisor_lo
-    Ro_22a_lo = Ro_22a_residual / Ro_00a_of_divisor
-    Ro_22 = where(regular == 1, Ro_22a, nan)
-    Ro_22_lo = where(regular == 1, Ro_22a_lo, 0)
-    det_rounded = det + where(regular == 1, regular_a_of_d_lo, 0)
+    quotient_0_of_n0_0 = n0_0 + n0_0_lo
+    quotient_0_of_n0_0_right = quotient_0_of_n0_0 - n0_0
+    quotient_0_of_n0_0_left_rest = n0_0 - (quotient_0_of_n0_0 - quotient_0_of_n0_0_right)
+    quotient_0_of_n0_0_lo = quotient_0_of_n0_0_left_rest + (n0_0_lo - quotient_0_of_n0_0_right)
+    quotient_0_of_divisor = divisor + divisor_lo
+    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
+    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
+    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
+    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
+    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
+    quotient_0 = quotient_0_of_n0_0 / quotient_0_of_divisor
+    quotient_0_product = quotient_0 * quotient_0_of_divisor
+    quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
+    quotient_0_exact = quotient_0_of_n0_0 - quotient_0_product - quotient_0_product_error
+    quotient_0_numerator = quotient_0_exact + quotient_0_of_n0_0_lo
+    quotient_0_residual = quotient_0_numerator - quotient_0 * quotient_0_of_divisor_lo
+    quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
+    quotient_1_of_n0_1 = n0_1 + n0_1_lo
+    quotient_1_of_n0_1_right = quotient_1_of_n0_1 - n0_1
+    quotient_1_of_n0_1_left_rest = n0_1 - (quotient_1_of_n0_1 - quotient_1_of_n0_1_right)
+    quotient_1_of_n0_1_lo = quotient_1_of_n0_1_left_rest + (n0_1_lo - quotient_1_of_n0_1_right)
+    quotient_1 = quotient_1_of_n0_1 / quotient_0_of_divisor
+    quotient_1_product = quotient_1 * quotient_0_of_divisor
+    quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
+    quotient_1_exact = quotient_1_of_n0_1 - quotient_1_product - quotient_1_product_error
+    quotient_1_numerator = quotient_1_exact + quotient_1_of_n0_1_lo
+    quotient_1_residual = quotient_1_numerator - quotient_1 * quotient_0_of_divisor_lo
+    quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
+    quotient_2_of_n0_2 = n0_2 + n0_2_lo
+    quotient_2_of_n0_2_right = quotient_2_of_n0_2 - n0_2
+    quotient_2_of_n0_2_left_rest = n0_2 - (quotient_2_of_n0_2 - quotient_2_of_n0_2_right)
+    quotient_2_of_n0_2_lo = quotient_2_of_n0_2_left_rest + (n0_2_lo - quotient_2_of_n0_2_right)
+    quotient_2 = quotient_2_of_n0_2 / quotient_0_of_divisor
+    quotient_2_product = quotient_2 * quotient_0_of_divisor
+    quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
+    quotient_2_exact = quotient_2_of_n0_2 - quotient_2_product - quotient_2_product_error
+    quotient_2_numerator = quotient_2_exact + quotient_2_of_n0_2_lo
+    quotient_2_residual = quotient_2_numerator - quotient_2 * quotient_0_of_divisor_lo
+    quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
+    quotient_3_of_n1_0 = n1_0 + n1_0_lo
+    quotient_3_of_n1_0_right = quotient_3_of_n1_0 - n1_0
+    quotient_3_of_n1_0_left_rest = n1_0 - (quotient_3_of_n1_0 - quotient_3_of_n1_0_right)
+    quotient_3_of_n1_0_lo = quotient_3_of_n1_0_left_rest + (n1_0_lo - quotient_3_of_n1_0_right)
+    quotient_3 = quotient_3_of_n1_0 / quotient_0_of_divisor
+    quotient_3_product = quotient_3 * quotient_0_of_divisor
+    quotient_3_product_error = product_error(quotient_3, quotient_0_of_divisor, quotient_3_product)
+    quotient_3_exact = quotient_3_of_n1_0 - quotient_3_product - quotient_3_product_error
+    quotient_3_numerator = quotient_3_exact + quotient_3_of_n1_0_lo
+    quotient_3_residual = quotient_3_numerator - quotient_3 * quotient_0_of_divisor_lo
+    quotient_3_lo = quotient_3_residual / quotient_0_of_divisor
+    quotient_4_of_n1_1 = n1_1 + n1_1_lo
+    quotient_4_of_n1_1_right = quotient_4_of_n1_1 - n1_1
+    quotient_4_of_n1_1_left_rest = n1_1 - (quotient_4_of_n1_1 - quotient_4_of_n1_1_right)
+    quotient_4_of_n1_1_lo = quotient_4_of_n1_1_left_rest + (n1_1_lo - quotient_4_of_n1_1_right)
+    quotient_4 = quotient_4_of_n1_1 / quotient_0_of_divisor
+    quotient_4_product = quotient_4 * quotient_0_of_divisor
+    quotient_4_product_error = product_error(quotient_4, quotient_0_of_divisor, quotient_4_product)
+    quotient_4_exact = quotient_4_of_n1_1 - quotient_4_product - quotient_4_product_error
+    quotient_4_numerator = quotient_4_exact + quotient_4_of_n1_1_lo
+    quotient_4_residual = quotient_4_numerator - quotient_4 * quotient_0_of_divisor_lo
+    quotient_4_lo = quotient_4_residual / quotient_0_of_divisor
+    quotient_5_of_n1_2 = n1_2 + n1_2_lo
+    quotient_5_of_n1_2_right = quotient_5_of_n1_2 - n1_2
+    quotient_5_of_n1_2_left_rest = n1_2 - (quotient_5_of_n1_2 - quotient_5_of_n1_2_right)
+    quotient_5_of_n1_2_lo = quotient_5_of_n1_2_left_rest + (n1_2_lo - quotient_5_of_n1_2_right)
+    quotient_5 = quotient_5_of_n1_2 / quotient_0_of_divisor
+    quotient_5_product = quotient_5 * quotient_0_of_divisor
+    quotient_5_product_error = product_error(quotient_5, quotient_0_of_divisor, quotient_5_product)
+    quotient_5_exact = quotient_5_of_n1_2 - quotient_5_product - quotient_5_product_error
+    quotient_5_numerator = quotient_5_exact + quotient_5_of_n1_2_lo
+    quotient_5_residual = quotient_5_numerator - quotient_5 * quotient_0_of_divisor_lo
+    quotient_5_lo = quotient_5_residual / quotient_0_of_divisor
+    quotient_6_of_n2_0 = n2_0 + n2_0_lo
+    quotient_6_of_n2_0_right = quotient_6_of_n2_0 - n2_0
+    quotient_6_of_n2_0_left_rest = n2_0 - (quotient_6_of_n2_0 - quotient_6_of_n2_0_right)
+    quotient_6_of_n2_0_lo = quotient_6_of_n2_0_left_rest + (n2_0_lo - quotient_6_of_n2_0_right)
+    quotient_6 = quotient_6_of_n2_0 / quotient_0_of_divisor
+    quotient_6_product = quotient_6 * quotient_0_of_divisor
+    quotient_6_product_error = product_error(quotient_6, quotient_0_of_divisor, quotient_6_product)
+    quotient_6_exact = quotient_6_of_n2_0 - quotient_6_product - quotient_6_product_error
+    quotient_6_numerator = quotient_6_exact + quotient_6_of_n2_0_lo
+    quotient_6_residual = quotient_6_numerator - quotient_6 * quotient_0_of_divisor_lo
+    quotient_6_lo = quotient_6_residual / quotient_0_of_divisor
+    quotient_7_of_n2_1 = n2_1 + n2_1_lo
+    quotient_7_of_n2_1_right = quotient_7_of_n2_1 - n2_1
+    quotient_7_of_n2_1_left_rest = n2_1 - (quotient_7_of_n2_1 - quotient_7_of_n2_1_right)
+    quotient_7_of_n2_1_lo = quotient_7_of_n2_1_left_rest + (n2_1_lo - quotient_7_of_n2_1_right)
+    quotient_7 = quotient_7_of_n2_1 / quotient_0_of_divisor
+    quotient_7_product = quotient_7 * quotient_0_of_divisor
+    quotient_7_product_error = product_error(quotient_7, quotient_0_of_divisor, quotient_7_product)
+    quotient_7_exact = quotient_7_of_n2_1 - quotient_7_product - quotient_7_product_error
+    quotient_7_numerator = quotient_7_exact + quotient_7_of_n2_1_lo
+    quotient_7_residual = quotient_7_numerator - quotient_7 * quotient_0_of_divisor_lo
+    quotient_7_lo = quotient_7_residual / quotient_0_of_divisor
+    quotient_8_of_n2_2 = n2_2 + n2_2_lo
+    quotient_8_of_n2_2_right = quotient_8_of_n2_2 - n2_2
+    quotient_8_of_n2_2_left_rest = n2_2 - (quotient_8_of_n2_2 - quotient_8_of_n2_2_right)
+    quotient_8_of_n2_2_lo = quotient_8_of_n2_2_left_rest + (n2_2_lo - quotient_8_of_n2_2_right)
+    quotient_8 = quotient_8_of_n2_2 / quotient_0_of_divisor
+    quotient_8_product = quotient_8 * quotient_0_of_divisor
+    quotient_8_product_error = product_error(quotient_8, quotient_0_of_divisor, quotient_8_product)
+    quotient_8_exact = quotient_8_of_n2_2 - quotient_8_product - quotient_8_product_error
+    quotient_8_numerator = quotient_8_exact + quotient_8_of_n2_2_lo
+    quotient_8_residual = quotient_8_numerator - quotient_8 * quotient_0_of_divisor_lo
+    quotient_8_lo = quotient_8_residual / quotient_0_of_divisor
+    inverse_0_of_quotient_0 = quotient_0 + quotient_0_lo
+    inverse_0_of_quotient_0_right = inverse_0_of_quotient_0 - quotient_0
+    inverse_0_of_quotient_0_left = inverse_0_of_quotient_0 - inverse_0_of_quotient_0_right
+    inverse_0_of_quotient_0_left_rest = quotient_0 - inverse_0_of_quotient_0_left
+    inverse_0_of_quotient_0_right_rest = quotient_0_lo - inverse_0_of_quotient_0_right
+    inverse_0_of_quotient_0_lo = inverse_0_of_quotient_0_left_rest + inverse_0_of_quotient_0_right_rest
+    inverse_0 = inverse_0_of_quotient_0 * s
+    inverse_0_inverse = 1 / s
+    inverse_0_lost = inverse_0_of_quotient_0 - inverse_0 * inverse_0_inverse
+    inverse_0_rest = inverse_0_lost + inverse_0_of_quotient_0_lo
+    inverse_0_small = inverse_0_rest * s
+    inverse_0_lo = where(inverse_0_lost == 0, 0, inverse_0_small)
+    inverse_1_of_quotient_1 = quotient_1 + quotient_1_lo
+    inverse_1_of_quotient_1_right = inverse_1_of_quotient_1 - quotient_1
+    inverse_1_of_quotient_1_left = inverse_1_of_quotient_1 - inverse_1_of_quotient_1_right
+    inverse_1_of_quotient_1_left_rest = quotient_1 - inverse_1_of_quotient_1_left
+    inverse_1_of_quotient_1_right_rest = quotient_1_lo - inverse_1_of_quotient_1_right
+    inverse_1_of_quotient_1_lo = inverse_1_of_quotient_1_left_rest + inverse_1_of_quotient_1_right_rest
+    inverse_1 = inverse_1_of_quotient_1 * s
+    inverse_1_lost = inverse_1_of_quotient_1 - inverse_1 * inverse_0_inverse
+    inverse_1_rest = inverse_1_lost + inverse_1_of_quotient_1_lo
+    inverse_1_small = inverse_1_rest * s
+    inverse_1_lo = where(inverse_1_lost == 0, 0, inverse_1_small)
+    inverse_2_of_quotient_2 = quotient_2 + quotient_2_lo
+    inverse_2_of_quotient_2_right = inverse_2_of_quotient_2 - quotient_2
+    inverse_2_of_quotient_2_left = inverse_2_of_quotient_2 - inverse_2_of_quotient_2_right
+    inverse_2_of_quotient_2_left_rest = quotient_2 - inverse_2_of_quotient_2_left
+    inverse_2_of_quotient_2_right_rest = quotient_2_lo - inverse_2_of_quotient_2_right
+    inverse_2_of_quotient_2_lo = inverse_2_of_quotient_2_left_rest + inverse_2_of_quotient_2_right_rest
+    inverse_2 = inverse_2_of_quotient_2 * s
+    inverse_2_lost = inverse_2_of_quotient_2 - inverse_2 * inverse_0_inverse
+    inverse_2_rest = inverse_2_lost + inverse_2_of_quotient_2_lo
+    inverse_2_small = inverse_2_rest * s
+    inverse_2_lo = where(inverse_2_lost == 0, 0, inverse_2_small)
+    inverse_3_of_quotient_3 = quotient_3 + quotient_3_lo
+    inverse_3_of_quotient_3_right = inverse_3_of_quotient_3 - quotient_3
+    inverse_3_of_quotient_3_left = inverse_3_of_quotient_3 - inverse_3_of_quotient_3_right
+    inverse_3_of_quotient_3_left_rest = quotient_3 - inverse_3_of_quotient_3_left
+    inverse_3_of_quotient_3_right_rest = quotient_3_lo - inverse_3_of_quotient_3_right
+    inverse_3_of_quotient_3_lo = inverse_3_of_quotient_3_left_rest + inverse_3_of_quotient_3_right_rest
+    inverse_3 = inverse_3_of_quotient_3 * s
+    inverse_3_lost = inverse_3_of_quotient_3 - inverse_3 * inverse_0_inverse
+    inverse_3_rest = inverse_3_lost + inverse_3_of_quotient_3_lo
+    inverse_3_small = inverse_3_rest * s
+    inverse_3_lo = where(inverse_3_lost == 0, 0, inverse_3_small)
+    inverse_4_of_quotient_4 = quotient_4 + quotient_4_lo
+    inverse_4_of_quotient_4_right = inverse_4_of_quotient_4 - quotient_4
+    inverse_4_of_quotient_4_left = inverse_4_of_quotient_4 - inverse_4_of_quotient_4_right
+    inverse_4_of_quotient_4_left_rest = quotient_4 - inverse_4_of_quotient_4_left
+    inverse_4_of_quotient_4_right_rest = quotient_4_lo - inverse_4_of_quotient_4_right
+    inverse_4_of_quotient_4_lo = inverse_4_of_quotient_4_left_rest + inverse_4_of_quotient_4_right_rest
+    inverse_4 = inverse_4_of_quotient_4 * s
+    inverse_4_lost = inverse_4_of_quotient_4 - inverse_4 * inverse_0_inverse
+    inverse_4_rest = inverse_4_lost + inverse_4_of_quotient_4_lo
+    inverse_4_small = inverse_4_rest * s
+    inverse_4_lo = where(inverse_4_lost == 0, 0, inverse_4_small)
+    inverse_5_of_quotient_5 = quotient_5 + quotient_5_lo
+    inverse_5_of_quotient_5_right = inverse_5_of_quotient_5 - quotient_5
+    inverse_5_of_quotient_5_left = inverse_5_of_quotient_5 - inverse_5_of_quotient_5_right
+    inverse_5_of_quotient_5_left_rest = quotient_5 - inverse_5_of_quotient_5_left
+    inverse_5_of_quotient_5_right_rest = quotient_5_lo - inverse_5_of_quotient_5_right
+    inverse_5_of_quotient_5_lo = inverse_5_of_quotient_5_left_rest + inverse_5_of_quotient_5_right_rest
+    inverse_5 = inverse_5_of_quotient_5 * s
+    inverse_5_lost = inverse_5_of_quotient_5 - inverse_5 * inverse_0_inverse
+    inverse_5_rest = inverse_5_lost + inverse_5_of_quotient_5_lo
+    inverse_5_small = inverse_5_rest * s
+    inverse_5_lo = where(inverse_5_lost == 0, 0, inverse_5_small)
+    inverse_6_of_quotient_6 = quotient_6 + quotient_6_lo
+    inverse_6_of_quotient_6_right = inverse_6_of_quotient_6 - quotient_6
+    inverse_6_of_quotient_6_left = inverse_6_of_quotient_6 - inverse_6_of_quotient_6_right
+    inverse_6_of_quotient_6_left_rest = quotient_6 - inverse_6_of_quotient_6_left
+    inverse_6_of_quotient_6_right_rest = quotient_6_lo - inverse_6_of_quotient_6_right
+    inverse_6_of_quotient_6_lo = inverse_6_of_quotient_6_left_rest + inverse_6_of_quotient_6_right_rest
+    inverse_6 = inverse_6_of_quotient_6 * s
+    inverse_6_lost = inverse_6_of_quotient_6 - inverse_6 * inverse_0_inverse
+    inverse_6_rest = inverse_6_lost + inverse_6_of_quotient_6_lo
+    inverse_6_small = inverse_6_rest * s
+    inverse_6_lo = where(inverse_6_lost == 0, 0, inverse_6_small)
+    inverse_7_of_quotient_7 = quotient_7 + quotient_7_lo
+    inverse_7_of_quotient_7_right = inverse_7_of_quotient_7 - quotient_7
+    inverse_7_of_quotient_7_left = inverse_7_of_quotient_7 - inverse_7_of_quotient_7_right
+    inverse_7_of_quotient_7_left_rest = quotient_7 - inverse_7_of_quotient_7_left
+    inverse_7_of_quotient_7_right_rest = quotient_7_lo - inverse_7_of_quotient_7_right
+    inverse_7_of_quotient_7_lo = inverse_7_of_quotient_7_left_rest + inverse_7_of_quotient_7_right_rest
+    inverse_7 = inverse_7_of_quotient_7 * s
+    inverse_7_lost = inverse_7_of_quotient_7 - inverse_7 * inverse_0_inverse
+    inverse_7_rest = inverse_7_lost + inverse_7_of_quotient_7_lo
+    inverse_7_small = inverse_7_rest * s
+    inverse_7_lo = where(inverse_7_lost == 0, 0, inverse_7_small)
+    inverse_8_of_quotient_8 = quotient_8 + quotient_8_lo
+    inverse_8_of_quotient_8_right = inverse_8_of_quotient_8 - quotient_8
+    inverse_8_of_quotient_8_left = inverse_8_of_quotient_8 - inverse_8_of_quotient_8_right
+    inverse_8_of_quotient_8_left_rest = quotient_8 - inverse_8_of_quotient_8_left
+    inverse_8_of_quotient_8_right_rest = quotient_8_lo - inverse_8_of_quotient_8_right
+    inverse_8_of_quotient_8_lo = inverse_8_of_quotient_8_left_rest + inverse_8_of_quotient_8_right_rest
+    inverse_8 = inverse_8_of_quotient_8 * s
+    inverse_8_lost = inverse_8_of_quotient_8 - inverse_8 * inverse_0_inverse
+    inverse_8_rest = inverse_8_lost + inverse_8_of_quotient_8_lo
+    inverse_8_small = inverse_8_rest * s
+    inverse_8_lo = where(inverse_8_lost == 0, 0, inverse_8_small)
+    start_c = where(regular_a_of_d < 0, -8.452712498170644e+270, 8.452712498170644e+270)
+    start = where(R_largest8 < 4.149515568880993e+180, regular_a_of_d, start_c)
+    start_lo = where(R_largest8 < 4.149515568880993e+180, regular_a_of_d_lo, 0)
+    r2 = where(R_largest8 < 4.909093465297727e-91, float64(1.1830521861667747e-271), float64(1))
+    once_of_start = start + start_lo
+    once_of_start_right = once_of_start - start
+    once_of_start_left_rest = start - (once_of_start - once_of_start_right)
+    once_of_start_lo = once_of_start_left_rest + (start_lo - once_of_start_right)
+    once = once_of_start * r2
+    once_lost = once_of_start - once * (1 / r2)
+    once_rest = once_lost + once_of_start_lo
+    once_small = once_rest * r2
+    once_lo = where(once_lost == 0, 0, once_small)
+    r3 = where(R_largest8 < 2.409919865102884e-181, float64(1.1830521861667747e-271), float64(1))
+    twice_of_once = once + once_lo
+    twice_of_once_right = twice_of_once - once
+    twice_of_once_left_rest = once - (twice_of_once - twice_of_once_right)
+    twice_of_once_lo = twice_of_once_left_rest + (once_lo - twice_of_once_right)
+    twice = twice_of_once * r3
+    twice_lost = twice_of_once - twice * (1 / r3)
+    twice_rest = twice_lost + twice_of_once_lo
+    twice_small = twice_rest * r3
+    twice_lo = where(twice_lost == 0, 0, twice_small)
+    r_a = where(R_largest8 < 2.037035976334486e+90, float64(1), float64(8.452712498170644e+270))
+    r = where(R_largest8 < 1, 1.1830521861667747e-271, r_a)
+    det_R_of_twice = twice + twice_lo
+    det_R_of_twice_right = det_R_of_twice - twice
+    det_R_of_twice_left_rest = twice - (det_R_of_twice - det_R_of_twice_right)
+    det_R_of_twice_lo = det_R_of_twice_left_rest + (twice_lo - det_R_of_twice_right)
+    det_R = det_R_of_twice * r
+    det_R_lost = det_R_of_twice - det_R * (1 / r)
+    det_R_rest = det_R_lost + det_R_of_twice_lo
+    det_R_small = det_R_rest * r
+    det_R_lo = where(det_R_lost == 0, 0, det_R_small)
+    det = where(regular == 1, det_R, 0)
+    det_lo = where(regular == 1, det_R_lo, 0)
+    Ro_00 = where(regular == 1, inverse_0, nan)
+    Ro_00_lo = where(regular == 1, inverse_0_lo, 0)
+    Ro_01 = where(regular == 1, inverse_1, nan)
+    Ro_01_lo = where(regular == 1, inverse_1_lo, 0)
+    Ro_02 = where(regular == 1, inverse_2, nan)
+    Ro_02_lo = where(regular == 1, inverse_2_lo, 0)
+    Ro_10 = where(regular == 1, inverse_3, nan)
+    Ro_10_lo = where(regular == 1, inverse_3_lo, 0)
+    Ro_11 = where(regular == 1, inverse_4, nan)
+    Ro_11_lo = where(regular == 1, inverse_4_lo, 0)
+    Ro_12 = where(regular == 1, inverse_5, nan)
+    Ro_12_lo = where(regular == 1, inverse_5_lo, 0)
+    Ro_20 = where(regular == 1, inverse_6, nan)
+    Ro_20_lo = where(regular == 1, inverse_6_lo, 0)
+    Ro_21 = where(regular == 1, inverse_7, nan)
+    Ro_21_lo = where(regular == 1, inverse_7_lo, 0)
+    Ro_22 = where(regular == 1, inverse_8, nan)
+    Ro_22_lo = where(regular == 1, inverse_8_lo, 0)
+    det_rounded = det + det_lo
     Ro_00_rounded = Ro_00 + Ro_00_lo
     Ro_01_rounded = Ro_01 + Ro_01_lo
     Ro_02_rounded = Ro_02 + Ro_02_lo
@@ -1426,7 +1601,8 @@ def mat3x3_normalized(R):
 
 @kernel("(3),(2)->(3,3)")
 def mat3x3_setFromAxisDC(axis, dc):
-    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc
+    = (sin θ, cos θ).
 
     (3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.
     21 mul, 66 add, 3 product error, 15 product rest.  Error <= u |result| + 14 u^2 S, S the sum

@@ -229,13 +229,15 @@ def mat3x3_determinant(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> N
     """
 
 def mat3x3_inverse(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Ro = R^-1 = adj R / det R; returns det R, or 0 where it cannot be told from 0 (|det R| <= 8
-    u times the sum of its terms' sizes), and Ro = NaN.
+    """Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or
+    overflows; 0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3
+    (double 1e-229 m^3), p the sum of its terms' sizes, m that of the largest entry.
 
     (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
-    31 mul, 17 add, 9 div, 10 abs, 1 less, 1 equal, 12 select.  Ro_ij is off by 2 u m_ji / |det
-    R| + 6 u |Ro_ij| p / |det R| at most, m_ji and p the sums of the sizes of the terms of the
-    cofactor and of det R; barring over- and underflow.
+    56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.  Ro_ij is off by 2 u m_ji
+    / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the sizes of the cofactor's
+    terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow of
+    Ro_ij itself.
     """
 
 def mat3x3_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -257,7 +259,8 @@ def mat3x3_normalized(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> ND
     """
 
 def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
-    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ).
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc
+    = (sin θ, cos θ).
 
     (3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.
     12 mul, 10 add.  Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded
@@ -1675,8 +1678,9 @@ def mat3x3_orthonormalized(R: ArrayLike, out: NDArray[np.float32] | None = ...) 
     """
 
 def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest
-    pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+    """L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on
+    its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not
+    positive definite, and L means nothing.
 
     (3,3)->(),(3,3).  A, L: rotation or other 3×3 matrix; pivot: number.
     4 mul, 4 add, 6 div, 6 less, 9 select.  |L D L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the
@@ -1692,9 +1696,9 @@ def mat3x3_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.float32] | None
     """
 
 def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
-    positive, and x not a number.
+    """x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
+    smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
+    not positive definite), it is not positive, and x not a number.
 
     (3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.
     32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.  Backward error, of A: |b - A x|_i <= 4
@@ -1702,8 +1706,9 @@ def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float32] | No
     """
 
 def mat6x6_ldl(A: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """L, D with L D L^T = A: unit lower triangular L, D on its diagonal; returns the smallest
-    pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means nothing.
+    """L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on
+    its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not
+    positive definite, and L means nothing.
 
     (6,6)->(),(6,6).  A, L: 6×6 operator; pivot: number.
     35 mul, 35 add, 21 div, 15 less, 21 select.  |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where
@@ -1720,9 +1725,9 @@ def mat6x6_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.float32] | None
     """
 
 def mat6x6_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """x = A^-1 b with one step of refinement; returns the smallest pivot d_i / a_ii: where A is
-    singular to rounding or indefinite (A - 50 u diag A is not positive definite), it is not
-    positive, and x not a number.
+    """x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
+    smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
+    not positive definite), it is not positive, and x not a number.
 
     (6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw
     (v in m/s; ω in rad/s).

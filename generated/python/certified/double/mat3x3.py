@@ -40,8 +40,8 @@ def mat3x3_determinant(R):
 
 @kernel("(3),(2)->(3,3),(3,3)")
 def mat3x3_setFromAxisDC(axis, dc):
-    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1, dc = (sin θ, cos θ);
-    |error of R| <= R_bound unless inf or NaN.
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc
+    = (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.
 
     (3),(2)->(3,3),(3,3).  axis: vector; dc: (sin θ, cos θ); R, R_bound: rotation or other 3×3
     matrix.
