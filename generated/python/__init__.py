@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "43702a1c5d8ea156")
+COMPILED: bool = is_compiled("coscrew._gufunc", "bd0d95a458a2dc98")
 
 if COMPILED:
     from coscrew._gufunc import (
