@@ -73,7 +73,8 @@ def outgoing(v: float, alpha: float) -> mpmath.mpf:
     def kept(x: mpmath.mpf) -> mpmath.mpf:
         return x / a - mpmath.log(1 + a * x) / a**2
 
-    return mpmath.findroot(lambda x: kept(-x) - kept(v), (0, (1 - 1e-12) / a), solver="bisect")
+    with mpmath.workdps(30):
+        return mpmath.findroot(lambda x: kept(-x) - kept(v), (0, (1 - 1e-12) / a), solver="bisect")
 
 
 def lost(v: float, alpha: float) -> float:

@@ -179,14 +179,20 @@ class _Writer:
         values = [f"{self.working.numpy_type}({self._operand(x, 0)})" for x in step.operands[1:]]
         return f"where({', '.join((test, *values))})"
 
+    def _constant(self, constant: Constant) -> str:
+        """Integers and powers of two exactly, so that objects stay exact."""
+        value = self.working.value(constant)
+        if value.denominator == 1 and abs(value) < 2**53:
+            return str(value)
+        is_power = all(n & (n - 1) == 0 for n in map(abs, value.as_integer_ratio()))
+        return repr(float(value)) if is_power else self.working.literal(constant)
+
     def _operand(self, operand: Operand, needed: int) -> str:
         """The operand's text, in parentheses where it binds less tightly than needed."""
         if isinstance(operand, Input):
             return self.program.inputs[operand.argument].symbols[operand.index].name
         if isinstance(operand, Constant):
-            value = self.working.value(operand)  # integers as such, so that objects stay exact
-            is_integer = value.denominator == 1 and abs(value) < 2**53
-            return str(value) if is_integer else self.working.literal(operand)
+            return self._constant(operand)
         if isinstance(operand, NotANumber):
             return "nan"
         if operand.name not in self.nested:

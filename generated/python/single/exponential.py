@@ -168,15 +168,16 @@ def SO3_log(R):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(4.611686e+18 < v_s_largest2, float32(2.7105054e-20), float32(1))
-    v_s_d = where(v_s_largest2 < 256, 1.8014399e+16, v_s_b)
-    v_s = where(v_s_largest2 < 1.4210855e-14, 3.2451855e+32, v_s_d)
+    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float32(2.710505431213761e-20), float32(1))
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_d = where(1 < v_s, 5.551115e-17, where(v_s < 1, float32(3.689349e+19), float32(1)))
-    v_r = where(1.8014399e+16 < v_s, 3.081488e-33, v_r_d)
+    v_r_b = where(v_s < 1, float32(3.6893488147419103e+19), float32(1))
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(n == 0, 1, n)
@@ -939,15 +940,16 @@ def SE3_log(D):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(4.611686e+18 < v_s_largest2, float32(2.7105054e-20), float32(1))
-    v_s_d = where(v_s_largest2 < 256, 1.8014399e+16, v_s_b)
-    v_s = where(v_s_largest2 < 1.4210855e-14, 3.2451855e+32, v_s_d)
+    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float32(2.710505431213761e-20), float32(1))
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_d = where(1 < v_s, 5.551115e-17, where(v_s < 1, float32(3.689349e+19), float32(1)))
-    v_r = where(1.8014399e+16 < v_s, 3.081488e-33, v_r_d)
+    v_r_b = where(v_s < 1, float32(3.6893488147419103e+19), float32(1))
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(n == 0, 1, n)
@@ -1833,16 +1835,16 @@ def SE3_interpolated(D1, D2, k):
     log_v_s_size_2 = absolute(log_upper_2)
     log_v_s_largest1 = where(log_v_s_size_0 < log_v_s_size_1, log_v_s_size_1, log_v_s_size_0)
     log_v_s_largest2 = where(log_v_s_largest1 < log_v_s_size_2, log_v_s_size_2, log_v_s_largest1)
-    log_v_s_b = where(4.611686e+18 < log_v_s_largest2, float32(2.7105054e-20), float32(1))
-    log_v_s_d = where(log_v_s_largest2 < 256, 1.8014399e+16, log_v_s_b)
-    log_v_s = where(log_v_s_largest2 < 1.4210855e-14, 3.2451855e+32, log_v_s_d)
+    log_v_s_b = where(4.611686018427388e+18 < log_v_s_largest2, float32(2.710505431213761e-20), float32(1))
+    log_v_s_d = where(log_v_s_largest2 < 256, 1.8014398509481984e+16, log_v_s_b)
+    log_v_s = where(log_v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, log_v_s_d)
     log_v_y_0 = log_upper_0 * log_v_s
     log_v_y_1 = log_upper_1 * log_v_s
     log_v_y_2 = log_upper_2 * log_v_s
     log_v_n = sqrt(log_v_y_0 * log_v_y_0 + log_v_y_1 * log_v_y_1 + log_v_y_2 * log_v_y_2)
-    log_v_r_b = where(log_v_s < 1, float32(3.689349e+19), float32(1))
-    log_v_r_d = where(1 < log_v_s, 5.551115e-17, log_v_r_b)
-    log_v_r = where(1.8014399e+16 < log_v_s, 3.081488e-33, log_v_r_d)
+    log_v_r_b = where(log_v_s < 1, float32(3.6893488147419103e+19), float32(1))
+    log_v_r_d = where(1 < log_v_s, 5.551115123125783e-17, log_v_r_b)
+    log_v_r = where(1.8014398509481984e+16 < log_v_s, 3.0814879110195774e-33, log_v_r_d)
     log_n = log_v_n * log_v_r
     log_half = arctan2(log_n, log_upper_3)
     log_divisor = where(log_n == 0, 1, log_n)

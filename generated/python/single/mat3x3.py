@@ -126,12 +126,12 @@ def mat3x3_inverse(R):
     R_largest6 = where(R_largest5 < R_size_6, R_size_6, R_largest5)
     R_largest7 = where(R_largest6 < R_size_7, R_size_7, R_largest6)
     R_largest8 = where(R_largest7 < R_size_8, R_size_8, R_largest7)
-    s_b = where(R_largest8 < 1.329228e+36, float32(8.271806e-25), float32(7.523164e-37))
-    s_d = where(R_largest8 < 1.2089258e+24, 9.094947e-13, s_b)
+    s_b = where(R_largest8 < 1.329227995784916e+36, float32(8.271806125530277e-25), float32(7.52316384526264e-37))
+    s_d = where(R_largest8 < 1.2089258196146292e+24, 9.094947017729282e-13, s_b)
     s_f = where(R_largest8 < 1099511627776, 1, s_d)
     s_h = where(R_largest8 < 1, 1099511627776, s_f)
-    s_j = where(R_largest8 < 9.094947e-13, 1.2089258e+24, s_h)
-    s = where(R_largest8 < 8.271806e-25, 1.329228e+36, s_j)
+    s_j = where(R_largest8 < 9.094947017729282e-13, 1.2089258196146292e+24, s_h)
+    s = where(R_largest8 < 8.271806125530277e-25, 1.329227995784916e+36, s_j)
     A_0 = R_00 * s
     A_1 = R_01 * s
     A_2 = R_02 * s
@@ -164,8 +164,8 @@ def mat3x3_inverse(R):
     permanent_i = permanent_d + size0_1 * (size1_0 * size2_2 + size1_2 * size2_0)
     permanent = permanent_i + size0_2 * (size1_0 * size2_1 + size1_1 * size2_0)
     top = R_largest8 * s
-    spoiled = top * 1.2621775e-29
-    least = permanent * 4.7683716e-07 + spoiled * (top * top)
+    spoiled = top * 1.262177448353619e-29
+    least = permanent * 4.76837158203125e-07 + spoiled * (top * top)
     regular = where(least < absolute(d), float32(1), float32(0))
     divisor = where(regular == 1, d, 1)
     quotient_0 = n0_0 / divisor
@@ -186,13 +186,14 @@ def mat3x3_inverse(R):
     inverse_6 = quotient_6 * s
     inverse_7 = quotient_7 * s
     inverse_8 = quotient_8 * s
-    start = where(R_largest8 < 1.2089258e+24, d, where(d < 0, -1.329228e+36, 1.329228e+36))
-    r2 = where(R_largest8 < 9.094947e-13, float32(7.523164e-37), float32(1))
+    start_c = where(d < 0, -1.329227995784916e+36, 1.329227995784916e+36)
+    start = where(R_largest8 < 1.2089258196146292e+24, d, start_c)
+    r2 = where(R_largest8 < 9.094947017729282e-13, float32(7.52316384526264e-37), float32(1))
     once = start * r2
-    r3 = where(R_largest8 < 8.271806e-25, float32(7.523164e-37), float32(1))
+    r3 = where(R_largest8 < 8.271806125530277e-25, float32(7.52316384526264e-37), float32(1))
     twice = once * r3
-    r_a = where(R_largest8 < 1099511627776, float32(1), float32(1.329228e+36))
-    r = where(R_largest8 < 1, 7.523164e-37, r_a)
+    r_a = where(R_largest8 < 1099511627776, float32(1), float32(1.329227995784916e+36))
+    r = where(R_largest8 < 1, 7.52316384526264e-37, r_a)
     det_R = twice * r
     det = where(regular == 1, det_R, 0)
     Ro_00 = where(regular == 1, inverse_0, nan)
@@ -222,9 +223,9 @@ def mat3x3_normalize(self):
     q0_s_size_2 = absolute(self_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_b = where(4.611686e+18 < q0_s_largest2, float32(2.7105054e-20), float32(1))
-    q0_s_d = where(q0_s_largest2 < 256, 1.8014399e+16, q0_s_b)
-    q0_s = where(q0_s_largest2 < 1.4210855e-14, 3.2451855e+32, q0_s_d)
+    q0_s_b = where(4.611686018427388e+18 < q0_s_largest2, float32(2.710505431213761e-20), float32(1))
+    q0_s_d = where(q0_s_largest2 < 256, 1.8014398509481984e+16, q0_s_b)
+    q0_s = where(q0_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, q0_s_d)
     q0_y_0 = self_00 * q0_s
     q0_y_1 = self_01 * q0_s
     q0_y_2 = self_02 * q0_s
@@ -246,9 +247,9 @@ def mat3x3_normalize(self):
     u1_s_size_2 = absolute(self_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_b = where(4.611686e+18 < u1_s_largest2, float32(2.7105054e-20), float32(1))
-    u1_s_d = where(u1_s_largest2 < 256, 1.8014399e+16, u1_s_b)
-    u1_s = where(u1_s_largest2 < 1.4210855e-14, 3.2451855e+32, u1_s_d)
+    u1_s_b = where(4.611686018427388e+18 < u1_s_largest2, float32(2.710505431213761e-20), float32(1))
+    u1_s_d = where(u1_s_largest2 < 256, 1.8014398509481984e+16, u1_s_b)
+    u1_s = where(u1_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u1_s_d)
     u1_y_0 = self_10 * u1_s
     u1_y_1 = self_11 * u1_s
     u1_y_2 = self_12 * u1_s
@@ -286,9 +287,9 @@ def mat3x3_normalize(self):
     u2_s_size_2 = absolute(self_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_b = where(4.611686e+18 < u2_s_largest2, float32(2.7105054e-20), float32(1))
-    u2_s_d = where(u2_s_largest2 < 256, 1.8014399e+16, u2_s_b)
-    u2_s = where(u2_s_largest2 < 1.4210855e-14, 3.2451855e+32, u2_s_d)
+    u2_s_b = where(4.611686018427388e+18 < u2_s_largest2, float32(2.710505431213761e-20), float32(1))
+    u2_s_d = where(u2_s_largest2 < 256, 1.8014398509481984e+16, u2_s_b)
+    u2_s = where(u2_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u2_s_d)
     u2_y_0 = self_20 * u2_s
     u2_y_1 = self_21 * u2_s
     u2_y_2 = self_22 * u2_s
@@ -311,7 +312,7 @@ def mat3x3_normalize(self):
     q2_2 = where(side < 0, -normal_2, normal_2)
     size = absolute(side)
     less = where(n < size, n, size)
-    dependent = where(less < 9.536743e-07, float32(1), float32(0))
+    dependent = where(less < 9.5367431640625e-07, float32(1), float32(0))
     self_00_new = where(dependent == 1, nan, q0_0)
     self_01_new = where(dependent == 1, nan, q0_1)
     self_02_new = where(dependent == 1, nan, q0_2)
@@ -340,9 +341,9 @@ def mat3x3_normalized(R):
     q0_s_size_2 = absolute(R_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_b = where(4.611686e+18 < q0_s_largest2, float32(2.7105054e-20), float32(1))
-    q0_s_d = where(q0_s_largest2 < 256, 1.8014399e+16, q0_s_b)
-    q0_s = where(q0_s_largest2 < 1.4210855e-14, 3.2451855e+32, q0_s_d)
+    q0_s_b = where(4.611686018427388e+18 < q0_s_largest2, float32(2.710505431213761e-20), float32(1))
+    q0_s_d = where(q0_s_largest2 < 256, 1.8014398509481984e+16, q0_s_b)
+    q0_s = where(q0_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, q0_s_d)
     q0_y_0 = R_00 * q0_s
     q0_y_1 = R_01 * q0_s
     q0_y_2 = R_02 * q0_s
@@ -364,9 +365,9 @@ def mat3x3_normalized(R):
     u1_s_size_2 = absolute(R_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_b = where(4.611686e+18 < u1_s_largest2, float32(2.7105054e-20), float32(1))
-    u1_s_d = where(u1_s_largest2 < 256, 1.8014399e+16, u1_s_b)
-    u1_s = where(u1_s_largest2 < 1.4210855e-14, 3.2451855e+32, u1_s_d)
+    u1_s_b = where(4.611686018427388e+18 < u1_s_largest2, float32(2.710505431213761e-20), float32(1))
+    u1_s_d = where(u1_s_largest2 < 256, 1.8014398509481984e+16, u1_s_b)
+    u1_s = where(u1_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u1_s_d)
     u1_y_0 = R_10 * u1_s
     u1_y_1 = R_11 * u1_s
     u1_y_2 = R_12 * u1_s
@@ -404,9 +405,9 @@ def mat3x3_normalized(R):
     u2_s_size_2 = absolute(R_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_b = where(4.611686e+18 < u2_s_largest2, float32(2.7105054e-20), float32(1))
-    u2_s_d = where(u2_s_largest2 < 256, 1.8014399e+16, u2_s_b)
-    u2_s = where(u2_s_largest2 < 1.4210855e-14, 3.2451855e+32, u2_s_d)
+    u2_s_b = where(4.611686018427388e+18 < u2_s_largest2, float32(2.710505431213761e-20), float32(1))
+    u2_s_d = where(u2_s_largest2 < 256, 1.8014398509481984e+16, u2_s_b)
+    u2_s = where(u2_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u2_s_d)
     u2_y_0 = R_20 * u2_s
     u2_y_1 = R_21 * u2_s
     u2_y_2 = R_22 * u2_s
@@ -429,7 +430,7 @@ def mat3x3_normalized(R):
     q2_2 = where(side < 0, -normal_2, normal_2)
     size = absolute(side)
     less = where(n < size, n, size)
-    dependent = where(less < 9.536743e-07, float32(1), float32(0))
+    dependent = where(less < 9.5367431640625e-07, float32(1), float32(0))
     Ro_00 = where(dependent == 1, nan, q0_0)
     Ro_01 = where(dependent == 1, nan, q0_1)
     Ro_02 = where(dependent == 1, nan, q0_2)
@@ -704,15 +705,16 @@ def axis_angle_from_mat3x3(R):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(4.611686e+18 < v_s_largest2, float32(2.7105054e-20), float32(1))
-    v_s_d = where(v_s_largest2 < 256, 1.8014399e+16, v_s_b)
-    v_s = where(v_s_largest2 < 1.4210855e-14, 3.2451855e+32, v_s_d)
+    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float32(2.710505431213761e-20), float32(1))
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_d = where(1 < v_s, 5.551115e-17, where(v_s < 1, float32(3.689349e+19), float32(1)))
-    v_r = where(1.8014399e+16 < v_s, 3.081488e-33, v_r_d)
+    v_r_b = where(v_s < 1, float32(3.6893488147419103e+19), float32(1))
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(v_n == 0, 1, v_n)

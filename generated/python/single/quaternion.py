@@ -92,16 +92,17 @@ def quaternion_norm(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(4.611686e+18 < s_largest3, float32(2.7105054e-20), float32(1))
-    s_d = where(s_largest3 < 256, 1.8014399e+16, s_b)
-    s = where(s_largest3 < 1.4210855e-14, 3.2451855e+32, s_d)
+    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
     y_3 = q_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    r_d = where(1 < s, 5.551115e-17, where(s < 1, float32(3.689349e+19), float32(1)))
-    r = where(1.8014399e+16 < s, 3.081488e-33, r_d)
+    r_b = where(s < 1, float32(3.6893488147419103e+19), float32(1))
+    r_d = where(1 < s, 5.551115123125783e-17, r_b)
+    r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
 
@@ -121,9 +122,9 @@ def quaternion_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(4.611686e+18 < s_largest3, float32(2.7105054e-20), float32(1))
-    s_d = where(s_largest3 < 256, 1.8014399e+16, s_b)
-    s = where(s_largest3 < 1.4210855e-14, 3.2451855e+32, s_d)
+    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
     y_2 = self_2 * s
@@ -162,9 +163,9 @@ def quaternion_normalized(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(4.611686e+18 < s_largest3, float32(2.7105054e-20), float32(1))
-    s_d = where(s_largest3 < 256, 1.8014399e+16, s_b)
-    s = where(s_largest3 < 1.4210855e-14, 3.2451855e+32, s_d)
+    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
@@ -991,9 +992,9 @@ def axis_angle_from_quaternion(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(4.611686e+18 < s_largest3, float32(2.7105054e-20), float32(1))
-    s_d = where(s_largest3 < 256, 1.8014399e+16, s_b)
-    s = where(s_largest3 < 1.4210855e-14, 3.2451855e+32, s_d)
+    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
     scaled_s_2 = q_2 * s
@@ -1007,14 +1008,14 @@ def axis_angle_from_quaternion(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(v_s_largest2 < 256, float32(1.8014399e+16), float32(1))
-    v_s = where(v_s_largest2 < 1.4210855e-14, 3.2451855e+32, v_s_b)
+    v_s_b = where(v_s_largest2 < 256, float32(1.8014398509481984e+16), float32(1))
+    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_b)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(1 < v_s, float32(5.551115e-17), float32(1))
-    v_r = where(1.8014399e+16 < v_s, 3.081488e-33, v_r_b)
+    v_r_b = where(1 < v_s, float32(5.551115123125783e-17), float32(1))
+    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_b)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(v_n == 0, 1, v_n)
@@ -1136,9 +1137,9 @@ def quaternion_log(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(4.611686e+18 < s_largest3, float32(2.7105054e-20), float32(1))
-    s_d = where(s_largest3 < 256, 1.8014399e+16, s_b)
-    s = where(s_largest3 < 1.4210855e-14, 3.2451855e+32, s_d)
+    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
     scaled_s_2 = q_2 * s
@@ -1152,14 +1153,14 @@ def quaternion_log(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(v_s_largest2 < 256, float32(1.8014399e+16), float32(1))
-    v_s = where(v_s_largest2 < 1.4210855e-14, 3.2451855e+32, v_s_b)
+    v_s_b = where(v_s_largest2 < 256, float32(1.8014398509481984e+16), float32(1))
+    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_b)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(1 < v_s, float32(5.551115e-17), float32(1))
-    v_r = where(1.8014399e+16 < v_s, 3.081488e-33, v_r_b)
+    v_r_b = where(1 < v_s, float32(5.551115123125783e-17), float32(1))
+    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_b)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(n == 0, 1, n)
@@ -1195,15 +1196,16 @@ def quaternion_interpolated(q1, q2, k):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(4.611686e+18 < v_s_largest2, float32(2.7105054e-20), float32(1))
-    v_s_d = where(v_s_largest2 < 256, 1.8014399e+16, v_s_b)
-    v_s = where(v_s_largest2 < 1.4210855e-14, 3.2451855e+32, v_s_d)
+    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float32(2.710505431213761e-20), float32(1))
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_d = where(1 < v_s, 5.551115e-17, where(v_s < 1, float32(3.689349e+19), float32(1)))
-    v_r = where(1.8014399e+16 < v_s, 3.081488e-33, v_r_d)
+    v_r_b = where(v_s < 1, float32(3.6893488147419103e+19), float32(1))
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = arctan2(n, upper_3)
     divisor = where(n == 0, 1, n)

@@ -199,15 +199,16 @@ def screw_norm(si):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_b = where(4.611686e+18 < s_largest2, float32(2.7105054e-20), float32(1))
-    s_d = where(s_largest2 < 256, 1.8014399e+16, s_b)
-    s = where(s_largest2 < 1.4210855e-14, 3.2451855e+32, s_d)
+    s_b = where(4.611686018427388e+18 < s_largest2, float32(2.710505431213761e-20), float32(1))
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    r_d = where(1 < s, 5.551115e-17, where(s < 1, float32(3.689349e+19), float32(1)))
-    r = where(1.8014399e+16 < s, 3.081488e-33, r_d)
+    r_b = where(s < 1, float32(3.6893488147419103e+19), float32(1))
+    r_d = where(1 < s, 5.551115123125783e-17, r_b)
+    r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
 
@@ -233,9 +234,9 @@ def screw_normalize(self):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_b = where(4.611686e+18 < s_largest2, float32(2.7105054e-20), float32(1))
-    s_d = where(s_largest2 < 256, 1.8014399e+16, s_b)
-    s = where(s_largest2 < 1.4210855e-14, 3.2451855e+32, s_d)
+    s_b = where(4.611686018427388e+18 < s_largest2, float32(2.710505431213761e-20), float32(1))
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
@@ -300,9 +301,9 @@ def screw_normalized(si):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_b = where(4.611686e+18 < s_largest2, float32(2.7105054e-20), float32(1))
-    s_d = where(s_largest2 < 256, 1.8014399e+16, s_b)
-    s = where(s_largest2 < 1.4210855e-14, 3.2451855e+32, s_d)
+    s_b = where(4.611686018427388e+18 < s_largest2, float32(2.710505431213761e-20), float32(1))
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s

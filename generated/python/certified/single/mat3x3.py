@@ -31,10 +31,10 @@ def mat3x3_determinant(R):
     n_0_size = absolute(n_0a) + absolute(n_0b)
     n_1_size = absolute(n_1a) + absolute(n_1b)
     n_2_size = absolute(n_2a) + absolute(n_2b)
-    det_a_size = absolute(R_00) * (n_0_size + 1.9721523e-31)
-    det_c_size = det_a_size + absolute(R_10) * (n_1_size + 1.9721523e-31)
-    det_size = det_c_size + absolute(R_20) * (n_2_size + 1.9721523e-31)
-    det_error_bound = 2.9802328e-07 * (det_size + 1.9721523e-31)
+    det_a_size = absolute(R_00) * (n_0_size + 1.9721522630525295e-31)
+    det_c_size = det_a_size + absolute(R_10) * (n_1_size + 1.9721522630525295e-31)
+    det_size = det_c_size + absolute(R_20) * (n_2_size + 1.9721522630525295e-31)
+    det_error_bound = 2.9802328e-07 * (det_size + 1.9721522630525295e-31)
     return (det, det_error_bound)
 
 
@@ -78,11 +78,11 @@ def mat3x3_setFromAxisDC(axis, dc):
     versine_axis_1_size = axis_1_abs * versine_abs
     axis_2_abs = absolute(axis_2)
     versine_axis_2_size = axis_2_abs * versine_abs
-    versine_axis_0_padded = versine_axis_0_size + 1.9721523e-31
+    versine_axis_0_padded = versine_axis_0_size + 1.9721522630525295e-31
     m_0_size = axis_0_abs * versine_axis_0_padded
-    versine_axis_1_padded = versine_axis_1_size + 1.9721523e-31
+    versine_axis_1_padded = versine_axis_1_size + 1.9721522630525295e-31
     m_1_size = axis_1_abs * versine_axis_1_padded
-    m_2_size = axis_2_abs * (versine_axis_2_size + 1.9721523e-31)
+    m_2_size = axis_2_abs * (versine_axis_2_size + 1.9721522630525295e-31)
     m_3_size = axis_1_abs * versine_axis_0_padded
     m_4_size = axis_2_abs * versine_axis_0_padded
     m_5_size = axis_2_abs * versine_axis_1_padded
@@ -99,15 +99,15 @@ def mat3x3_setFromAxisDC(axis, dc):
     R_20_size = m_4_size + sine_axis_1_abs
     R_21_size = m_5_size + sine_axis_0_abs
     R_22_size = dc_1_abs + m_2_size
-    R_00_error_bound = 2.3841864e-07 * (R_00_size + 1.9721523e-31)
-    R_01_error_bound = 2.3841864e-07 * (R_01_size + 1.9721523e-31)
-    R_02_error_bound = 2.3841864e-07 * (R_02_size + 1.9721523e-31)
-    R_10_error_bound = 2.3841864e-07 * (R_10_size + 1.9721523e-31)
-    R_11_error_bound = 2.3841864e-07 * (R_11_size + 1.9721523e-31)
-    R_12_error_bound = 2.3841864e-07 * (R_12_size + 1.9721523e-31)
-    R_20_error_bound = 2.3841864e-07 * (R_20_size + 1.9721523e-31)
-    R_21_error_bound = 2.3841864e-07 * (R_21_size + 1.9721523e-31)
-    R_22_error_bound = 2.3841864e-07 * (R_22_size + 1.9721523e-31)
+    R_00_error_bound = 2.3841864e-07 * (R_00_size + 1.9721522630525295e-31)
+    R_01_error_bound = 2.3841864e-07 * (R_01_size + 1.9721522630525295e-31)
+    R_02_error_bound = 2.3841864e-07 * (R_02_size + 1.9721522630525295e-31)
+    R_10_error_bound = 2.3841864e-07 * (R_10_size + 1.9721522630525295e-31)
+    R_11_error_bound = 2.3841864e-07 * (R_11_size + 1.9721522630525295e-31)
+    R_12_error_bound = 2.3841864e-07 * (R_12_size + 1.9721522630525295e-31)
+    R_20_error_bound = 2.3841864e-07 * (R_20_size + 1.9721522630525295e-31)
+    R_21_error_bound = 2.3841864e-07 * (R_21_size + 1.9721522630525295e-31)
+    R_22_error_bound = 2.3841864e-07 * (R_22_size + 1.9721522630525295e-31)
     return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22, R_00_error_bound,
         R_01_error_bound, R_02_error_bound, R_10_error_bound, R_11_error_bound, R_12_error_bound,
         R_20_error_bound, R_21_error_bound, R_22_error_bound)

@@ -22,10 +22,10 @@ def quaternion_scale(self, a):
     self_1_new = self_1 * a
     self_2_new = self_2 * a
     self_3_new = self_3 * a
-    self_0_new_error_bound = 5.960465e-08 * (absolute(self_0_new) + 1.9721523e-31)
-    self_1_new_error_bound = 5.960465e-08 * (absolute(self_1_new) + 1.9721523e-31)
-    self_2_new_error_bound = 5.960465e-08 * (absolute(self_2_new) + 1.9721523e-31)
-    self_3_new_error_bound = 5.960465e-08 * (absolute(self_3_new) + 1.9721523e-31)
+    self_0_new_error_bound = 5.960465e-08 * (absolute(self_0_new) + 1.9721522630525295e-31)
+    self_1_new_error_bound = 5.960465e-08 * (absolute(self_1_new) + 1.9721522630525295e-31)
+    self_2_new_error_bound = 5.960465e-08 * (absolute(self_2_new) + 1.9721522630525295e-31)
+    self_3_new_error_bound = 5.960465e-08 * (absolute(self_3_new) + 1.9721522630525295e-31)
     return (self_0_new, self_1_new, self_2_new, self_3_new, self_0_new_error_bound,
         self_1_new_error_bound, self_2_new_error_bound, self_3_new_error_bound)
 
@@ -51,10 +51,10 @@ def axpy_qq(a, x, y):
     y_1_new_size = absolute(y_1_new_a) + absolute(y_1)
     y_2_new_size = absolute(y_2_new_a) + absolute(y_2)
     y_3_new_size = absolute(y_3_new_a) + absolute(y_3)
-    y_0_new_error_bound = 1.192093e-07 * (y_0_new_size + 1.9721523e-31)
-    y_1_new_error_bound = 1.192093e-07 * (y_1_new_size + 1.9721523e-31)
-    y_2_new_error_bound = 1.192093e-07 * (y_2_new_size + 1.9721523e-31)
-    y_3_new_error_bound = 1.192093e-07 * (y_3_new_size + 1.9721523e-31)
+    y_0_new_error_bound = 1.192093e-07 * (y_0_new_size + 1.9721522630525295e-31)
+    y_1_new_error_bound = 1.192093e-07 * (y_1_new_size + 1.9721522630525295e-31)
+    y_2_new_error_bound = 1.192093e-07 * (y_2_new_size + 1.9721522630525295e-31)
+    y_3_new_error_bound = 1.192093e-07 * (y_3_new_size + 1.9721522630525295e-31)
     return (y_0_new, y_1_new, y_2_new, y_3_new, y_0_new_error_bound, y_1_new_error_bound,
         y_2_new_error_bound, y_3_new_error_bound)
 
@@ -89,14 +89,14 @@ def rotate_qv(q, v):
     c_0_size = absolute(c_0a) + absolute(c_0b)
     c_1_size = absolute(c_1a) + absolute(c_1b)
     c_2_size = absolute(c_2a) + absolute(c_2b)
-    t_0_size = 2 * (c_0_size + 1.9721523e-31)
-    t_1_size = 2 * (c_1_size + 1.9721523e-31)
-    t_2_size = 2 * (c_2_size + 1.9721523e-31)
-    t_2_padded = t_2_size + 1.9721523e-31
+    t_0_size = 2 * (c_0_size + 1.9721522630525295e-31)
+    t_1_size = 2 * (c_1_size + 1.9721522630525295e-31)
+    t_2_size = 2 * (c_2_size + 1.9721522630525295e-31)
+    t_2_padded = t_2_size + 1.9721522630525295e-31
     q_1_abs = absolute(q_1)
-    t_1_padded = t_1_size + 1.9721523e-31
+    t_1_padded = t_1_size + 1.9721522630525295e-31
     q_2_abs = absolute(q_2)
-    t_0_padded = t_0_size + 1.9721523e-31
+    t_0_padded = t_0_size + 1.9721522630525295e-31
     q_3_abs = absolute(q_3)
     turn_0_size = q_1_abs * t_2_padded + q_2_abs * t_1_padded + q_3_abs * t_0_padded
     q_0_abs = absolute(q_0)
@@ -105,9 +105,9 @@ def rotate_qv(q, v):
     vo_0_size = absolute(v_0) + turn_0_size
     vo_1_size = absolute(v_1) + turn_1_size
     vo_2_size = absolute(v_2) + turn_2_size
-    vo_0_error_bound = 4.1723263e-07 * (vo_0_size + 1.9721523e-31)
-    vo_1_error_bound = 4.1723263e-07 * (vo_1_size + 1.9721523e-31)
-    vo_2_error_bound = 4.1723263e-07 * (vo_2_size + 1.9721523e-31)
+    vo_0_error_bound = 4.1723263e-07 * (vo_0_size + 1.9721522630525295e-31)
+    vo_1_error_bound = 4.1723263e-07 * (vo_1_size + 1.9721522630525295e-31)
+    vo_2_error_bound = 4.1723263e-07 * (vo_2_size + 1.9721522630525295e-31)
     return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
 
 
@@ -141,14 +141,14 @@ def rotate_qconjv(q, v):
     c_0_size = absolute(c_0a) + absolute(c_0b)
     c_1_size = absolute(c_1a) + absolute(c_1b)
     c_2_size = absolute(c_2a) + absolute(c_2b)
-    t_0_size = 2 * (c_0_size + 1.9721523e-31)
-    t_1_size = 2 * (c_1_size + 1.9721523e-31)
-    t_2_size = 2 * (c_2_size + 1.9721523e-31)
-    t_1_padded = t_1_size + 1.9721523e-31
+    t_0_size = 2 * (c_0_size + 1.9721522630525295e-31)
+    t_1_size = 2 * (c_1_size + 1.9721522630525295e-31)
+    t_2_size = 2 * (c_2_size + 1.9721522630525295e-31)
+    t_1_padded = t_1_size + 1.9721522630525295e-31
     q_2_abs = absolute(q_2)
-    t_2_padded = t_2_size + 1.9721523e-31
+    t_2_padded = t_2_size + 1.9721522630525295e-31
     q_1_abs = absolute(q_1)
-    t_0_padded = t_0_size + 1.9721523e-31
+    t_0_padded = t_0_size + 1.9721522630525295e-31
     q_3_abs = absolute(q_3)
     turn_0_size = q_2_abs * t_1_padded + q_1_abs * t_2_padded + q_3_abs * t_0_padded
     q_0_abs = absolute(q_0)
@@ -157,9 +157,9 @@ def rotate_qconjv(q, v):
     vo_0_size = absolute(v_0) + turn_0_size
     vo_1_size = absolute(v_1) + turn_1_size
     vo_2_size = absolute(v_2) + turn_2_size
-    vo_0_error_bound = 4.1723263e-07 * (vo_0_size + 1.9721523e-31)
-    vo_1_error_bound = 4.1723263e-07 * (vo_1_size + 1.9721523e-31)
-    vo_2_error_bound = 4.1723263e-07 * (vo_2_size + 1.9721523e-31)
+    vo_0_error_bound = 4.1723263e-07 * (vo_0_size + 1.9721522630525295e-31)
+    vo_1_error_bound = 4.1723263e-07 * (vo_1_size + 1.9721522630525295e-31)
+    vo_2_error_bound = 4.1723263e-07 * (vo_2_size + 1.9721522630525295e-31)
     return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
 
 
@@ -196,10 +196,10 @@ def quaternion_product_qq(q1i, q2i):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d) + absolute(qo_1f)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d) + absolute(qo_2f)
     qo_3_size = absolute(qo_3a) + (absolute(qo_3b) + absolute(qo_3c) + absolute(qo_3e))
-    qo_0_error_bound = 2.3841864e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 2.3841864e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 2.3841864e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 2.3841864e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 2.3841864e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 2.3841864e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 2.3841864e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 2.3841864e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -237,10 +237,10 @@ def quaternion_product_qqconj(q1i, q2i):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + (absolute(qo_1d) + absolute(qo_1e))
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + (absolute(qo_2d) + absolute(qo_2e))
     qo_3_size = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + absolute(qo_3f)
-    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 2.3841864e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 2.3841864e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -278,10 +278,10 @@ def quaternion_product_qconjq(q1i, q2i):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + (absolute(qo_1d) + absolute(qo_1e))
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + (absolute(qo_2d) + absolute(qo_2e))
     qo_3_size = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + absolute(qo_3f)
-    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 2.3841864e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 2.3841864e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -319,10 +319,10 @@ def quaternion_product_qconjqconj(q1i, q2i):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d) + absolute(qo_1f)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d) + absolute(qo_2f)
     qo_3_size = absolute(qo_3a) + (absolute(qo_3b) + absolute(qo_3c) + absolute(qo_3e))
-    qo_0_error_bound = 2.3841864e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 2.3841864e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 2.3841864e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 2.3841864e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 2.3841864e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 2.3841864e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 2.3841864e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 2.3841864e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -354,10 +354,10 @@ def quaternion_product_qxq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -388,10 +388,10 @@ def quaternion_product_qxqconj(dci, qi):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2c_error_bound,
         qo_3_error_bound)
 
@@ -423,10 +423,10 @@ def quaternion_product_qxconjq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -456,10 +456,10 @@ def quaternion_product_qxconjqconj(dci, qi):
     qo_3 = qo_3a - qo_3b
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721523e-31)
-    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
+    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1c_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -491,10 +491,10 @@ def quaternion_product_qqx(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -526,10 +526,10 @@ def quaternion_product_qqxconj(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -560,10 +560,10 @@ def quaternion_product_qconjqx(qi, dci):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1c_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -593,10 +593,10 @@ def quaternion_product_qconjqxconj(qi, dci):
     qo_3 = qo_3a - qo_3b
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1_error_bound, qo_2c_error_bound,
         qo_3_error_bound)
 
@@ -628,10 +628,10 @@ def quaternion_product_qyq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -662,10 +662,10 @@ def quaternion_product_qyqconj(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -697,10 +697,10 @@ def quaternion_product_qyconjq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -730,10 +730,10 @@ def quaternion_product_qyconjqconj(dci, qi):
     qo_3 = qo_3a - qo_3b
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721523e-31)
-    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
+    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1c_error_bound, qo_2c_error_bound,
         qo_3_error_bound)
 
@@ -765,10 +765,10 @@ def quaternion_product_qqy(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -800,10 +800,10 @@ def quaternion_product_qqyconj(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -834,10 +834,10 @@ def quaternion_product_qconjqy(qi, dci):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2c_error_bound,
         qo_3_error_bound)
 
@@ -867,10 +867,10 @@ def quaternion_product_qconjqyconj(qi, dci):
     qo_3 = qo_3a - qo_3b
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721523e-31)
-    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
+    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1c_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -902,10 +902,10 @@ def quaternion_product_qzq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -936,10 +936,10 @@ def quaternion_product_qzqconj(dci, qi):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1c_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -971,10 +971,10 @@ def quaternion_product_qzconjq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -1004,10 +1004,10 @@ def quaternion_product_qzconjqconj(dci, qi):
     qo_3 = qo_3a - qo_3b
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1_error_bound, qo_2c_error_bound,
         qo_3_error_bound)
 
@@ -1039,10 +1039,10 @@ def quaternion_product_qqz(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -1074,10 +1074,10 @@ def quaternion_product_qqzconj(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -1108,10 +1108,10 @@ def quaternion_product_qconjqz(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721523e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -1141,10 +1141,10 @@ def quaternion_product_qconjqzconj(qi, dci):
     qo_3 = qo_3a - qo_3b
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721523e-31)
-    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721523e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
+    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1c_error_bound, qo_2c_error_bound,
         qo_3_error_bound)
 
@@ -1177,10 +1177,10 @@ def quaternion_product_qv(qi, vi):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b) + absolute(qo_0d)
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d)
-    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3e_padded = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + 1.9721523e-31
+    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3e_padded = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + 1.9721522630525295e-31
     qo_3e_error_bound = 1.7881396e-07 * qo_3e_padded
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3e_error_bound)
@@ -1215,10 +1215,10 @@ def quaternion_product_qconjv(qi, vi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d)
-    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.7881396e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.7881396e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -1251,10 +1251,10 @@ def quaternion_product_vq(vi, qi):
     qo_0_size = absolute(qo_0a) + (absolute(qo_0b) + absolute(qo_0c))
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d)
-    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3e_padded = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + 1.9721523e-31
+    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3e_padded = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + 1.9721522630525295e-31
     qo_3e_error_bound = 1.7881396e-07 * qo_3e_padded
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3e_error_bound)
@@ -1289,10 +1289,10 @@ def quaternion_product_vqconj(vi, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d)
-    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721523e-31)
-    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721523e-31)
-    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721523e-31)
-    qo_3_error_bound = 1.7881396e-07 * (qo_3_size + 1.9721523e-31)
+    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_error_bound = 1.7881396e-07 * (qo_3_size + 1.9721522630525295e-31)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
         qo_3_error_bound)
 
@@ -1312,7 +1312,7 @@ def dot_qq(q1i, q2i):
     dot_f = q1i_3 * q2i_3
     dot = dot_a + dot_b + dot_d + dot_f
     dot_size = absolute(dot_a) + absolute(dot_b) + absolute(dot_d) + absolute(dot_f)
-    dot_error_bound = 2.3841864e-07 * (dot_size + 1.9721523e-31)
+    dot_error_bound = 2.3841864e-07 * (dot_size + 1.9721522630525295e-31)
     return (dot, dot_error_bound)
 
 
@@ -1333,11 +1333,11 @@ def add_dpiToq(dpi, qi):
     qi_1_new = qi_0_new_a * qi_2 - qi_0_new_c * qi_0 + qi_0_new_e * qi_3 + qi_1
     qi_2_new = qi_0_new_e * qi_0 - qi_0_new_a * qi_1 + qi_0_new_c * qi_3 + qi_2
     qi_3_new = qi_3 - (qi_0_new_a * qi_0 + qi_0_new_e * qi_1 + qi_0_new_c * qi_2)
-    qi_0_new_a_padded = absolute(qi_0_new_a) + 1.9721523e-31
+    qi_0_new_a_padded = absolute(qi_0_new_a) + 1.9721522630525295e-31
     qi_3_abs = absolute(qi_3)
-    qi_0_new_c_padded = absolute(qi_0_new_c) + 1.9721523e-31
+    qi_0_new_c_padded = absolute(qi_0_new_c) + 1.9721522630525295e-31
     qi_1_abs = absolute(qi_1)
-    qi_0_new_e_padded = absolute(qi_0_new_e) + 1.9721523e-31
+    qi_0_new_e_padded = absolute(qi_0_new_e) + 1.9721522630525295e-31
     qi_2_abs = absolute(qi_2)
     qi_0_new_g_size = qi_0_new_c_padded * qi_1_abs + qi_0_new_e_padded * qi_2_abs
     qi_0_new_h_size = qi_0_new_a_padded * qi_3_abs + qi_0_new_g_size
@@ -1352,10 +1352,10 @@ def add_dpiToq(dpi, qi):
     qi_3_new_c_size = qi_0_new_a_padded * qi_0_abs + qi_0_new_e_padded * qi_1_abs
     qi_3_new_e_size = qi_3_new_c_size + qi_0_new_c_padded * qi_2_abs
     qi_3_new_size = qi_3_abs + qi_3_new_e_size
-    qi_0_new_error_bound = 2.9802328e-07 * (qi_0_new_size + 1.9721523e-31)
-    qi_1_new_error_bound = 2.9802328e-07 * (qi_1_new_size + 1.9721523e-31)
-    qi_2_new_error_bound = 2.9802328e-07 * (qi_2_new_size + 1.9721523e-31)
-    qi_3_new_error_bound = 2.9802328e-07 * (qi_3_new_size + 1.9721523e-31)
+    qi_0_new_error_bound = 2.9802328e-07 * (qi_0_new_size + 1.9721522630525295e-31)
+    qi_1_new_error_bound = 2.9802328e-07 * (qi_1_new_size + 1.9721522630525295e-31)
+    qi_2_new_error_bound = 2.9802328e-07 * (qi_2_new_size + 1.9721522630525295e-31)
+    qi_3_new_error_bound = 2.9802328e-07 * (qi_3_new_size + 1.9721522630525295e-31)
     return (qi_0_new, qi_1_new, qi_2_new, qi_3_new, qi_0_new_error_bound, qi_1_new_error_bound,
         qi_2_new_error_bound, qi_3_new_error_bound)
 
@@ -1377,12 +1377,12 @@ def subtract_dpiFromq(dpi, qi):
     qi_1_new = qi_0_new_c * qi_0 - qi_0_new_f * qi_2 - qi_0_new_a * qi_3 + qi_1
     qi_2_new = qi_0_new_f * qi_1 - qi_0_new_a * qi_0 - qi_0_new_c * qi_3 + qi_2
     qi_3_new = qi_0_new_f * qi_0 + qi_0_new_a * qi_1 + qi_0_new_c * qi_2 + qi_3
-    qi_0_new_a_padded = absolute(qi_0_new_a) + 1.9721523e-31
+    qi_0_new_a_padded = absolute(qi_0_new_a) + 1.9721522630525295e-31
     qi_2_abs = absolute(qi_2)
-    qi_0_new_c_padded = absolute(qi_0_new_c) + 1.9721523e-31
+    qi_0_new_c_padded = absolute(qi_0_new_c) + 1.9721522630525295e-31
     qi_1_abs = absolute(qi_1)
     qi_0_new_e_size = qi_0_new_a_padded * qi_2_abs + qi_0_new_c_padded * qi_1_abs
-    qi_0_new_f_padded = absolute(qi_0_new_f) + 1.9721523e-31
+    qi_0_new_f_padded = absolute(qi_0_new_f) + 1.9721522630525295e-31
     qi_3_abs = absolute(qi_3)
     qi_0_new_h_size = qi_0_new_e_size + qi_0_new_f_padded * qi_3_abs
     qi_0_abs = absolute(qi_0)
@@ -1396,10 +1396,10 @@ def subtract_dpiFromq(dpi, qi):
     qi_3_new_c_size = qi_0_new_f_padded * qi_0_abs + qi_0_new_a_padded * qi_1_abs
     qi_3_new_e_size = qi_3_new_c_size + qi_0_new_c_padded * qi_2_abs
     qi_3_new_size = qi_3_new_e_size + qi_3_abs
-    qi_0_new_error_bound = 2.9802328e-07 * (qi_0_new_size + 1.9721523e-31)
-    qi_1_new_error_bound = 2.9802328e-07 * (qi_1_new_size + 1.9721523e-31)
-    qi_2_new_error_bound = 2.9802328e-07 * (qi_2_new_size + 1.9721523e-31)
-    qi_3_new_error_bound = 2.9802328e-07 * (qi_3_new_size + 1.9721523e-31)
+    qi_0_new_error_bound = 2.9802328e-07 * (qi_0_new_size + 1.9721522630525295e-31)
+    qi_1_new_error_bound = 2.9802328e-07 * (qi_1_new_size + 1.9721522630525295e-31)
+    qi_2_new_error_bound = 2.9802328e-07 * (qi_2_new_size + 1.9721522630525295e-31)
+    qi_3_new_error_bound = 2.9802328e-07 * (qi_3_new_size + 1.9721522630525295e-31)
     return (qi_0_new, qi_1_new, qi_2_new, qi_3_new, qi_0_new_error_bound, qi_1_new_error_bound,
         qi_2_new_error_bound, qi_3_new_error_bound)
 
@@ -1427,15 +1427,15 @@ def omega_to_dquaternion(w, qi):
     dqo_1 = dqo_0e * qi_0 - dqo_0a * qi_2 + dqo_0c * qi_3 + qi_1 * dqo_0p
     dqo_2 = dqo_0a * qi_1 - dqo_0c * qi_0 + dqo_0e * qi_3 + qi_2 * dqo_0p
     dqo_3 = qi_3 * dqo_0p - (dqo_0a * qi_0 + dqo_0c * qi_1 + dqo_0e * qi_2)
-    dqo_0a_padded = absolute(dqo_0a) + 1.9721523e-31
+    dqo_0a_padded = absolute(dqo_0a) + 1.9721522630525295e-31
     qi_3_abs = absolute(qi_3)
-    dqo_0c_padded = absolute(dqo_0c) + 1.9721523e-31
+    dqo_0c_padded = absolute(dqo_0c) + 1.9721522630525295e-31
     qi_2_abs = absolute(qi_2)
-    dqo_0e_padded = absolute(dqo_0e) + 1.9721523e-31
+    dqo_0e_padded = absolute(dqo_0e) + 1.9721522630525295e-31
     qi_1_abs = absolute(qi_1)
     dqo_0h_size = dqo_0a_padded * qi_3_abs + (dqo_0c_padded * qi_2_abs + dqo_0e_padded * qi_1_abs)
     dqo_0p_size = 1 + absolute(dqo_0i) + absolute(dqo_0k) + absolute(dqo_0m) + absolute(dqo_0o)
-    dqo_0p_padded = dqo_0p_size + 1.9721523e-31
+    dqo_0p_padded = dqo_0p_size + 1.9721522630525295e-31
     qi_0_abs = absolute(qi_0)
     dqo_0_size = dqo_0h_size + qi_0_abs * dqo_0p_padded
     dqo_1e_size = dqo_0e_padded * qi_0_abs + dqo_0a_padded * qi_2_abs + dqo_0c_padded * qi_3_abs
@@ -1444,9 +1444,9 @@ def omega_to_dquaternion(w, qi):
     dqo_2_size = dqo_2e_size + qi_2_abs * dqo_0p_padded
     dqo_3f_size = dqo_0a_padded * qi_0_abs + dqo_0c_padded * qi_1_abs + dqo_0e_padded * qi_2_abs
     dqo_3_size = qi_3_abs * dqo_0p_padded + dqo_3f_size
-    dqo_0_error_bound = 4.1723263e-07 * (dqo_0_size + 1.9721523e-31)
-    dqo_1_error_bound = 4.1723263e-07 * (dqo_1_size + 1.9721523e-31)
-    dqo_2_error_bound = 4.1723263e-07 * (dqo_2_size + 1.9721523e-31)
-    dqo_3_error_bound = 4.1723263e-07 * (dqo_3_size + 1.9721523e-31)
+    dqo_0_error_bound = 4.1723263e-07 * (dqo_0_size + 1.9721522630525295e-31)
+    dqo_1_error_bound = 4.1723263e-07 * (dqo_1_size + 1.9721522630525295e-31)
+    dqo_2_error_bound = 4.1723263e-07 * (dqo_2_size + 1.9721522630525295e-31)
+    dqo_3_error_bound = 4.1723263e-07 * (dqo_3_size + 1.9721522630525295e-31)
     return (dqo_0, dqo_1, dqo_2, dqo_3, dqo_0_error_bound, dqo_1_error_bound, dqo_2_error_bound,
         dqo_3_error_bound)

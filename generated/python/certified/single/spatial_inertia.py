@@ -29,16 +29,16 @@ def spatial_inertia_scale(self, a):
     self_7_new = self_7 * a
     self_8_new = self_8 * a
     self_9_new = self_9 * a
-    self_0_new_error_bound = 5.960465e-08 * (absolute(self_0_new) + 1.9721523e-31)
-    self_1_new_error_bound = 5.960465e-08 * (absolute(self_1_new) + 1.9721523e-31)
-    self_2_new_error_bound = 5.960465e-08 * (absolute(self_2_new) + 1.9721523e-31)
-    self_3_new_error_bound = 5.960465e-08 * (absolute(self_3_new) + 1.9721523e-31)
-    self_4_new_error_bound = 5.960465e-08 * (absolute(self_4_new) + 1.9721523e-31)
-    self_5_new_error_bound = 5.960465e-08 * (absolute(self_5_new) + 1.9721523e-31)
-    self_6_new_error_bound = 5.960465e-08 * (absolute(self_6_new) + 1.9721523e-31)
-    self_7_new_error_bound = 5.960465e-08 * (absolute(self_7_new) + 1.9721523e-31)
-    self_8_new_error_bound = 5.960465e-08 * (absolute(self_8_new) + 1.9721523e-31)
-    self_9_new_error_bound = 5.960465e-08 * (absolute(self_9_new) + 1.9721523e-31)
+    self_0_new_error_bound = 5.960465e-08 * (absolute(self_0_new) + 1.9721522630525295e-31)
+    self_1_new_error_bound = 5.960465e-08 * (absolute(self_1_new) + 1.9721522630525295e-31)
+    self_2_new_error_bound = 5.960465e-08 * (absolute(self_2_new) + 1.9721522630525295e-31)
+    self_3_new_error_bound = 5.960465e-08 * (absolute(self_3_new) + 1.9721522630525295e-31)
+    self_4_new_error_bound = 5.960465e-08 * (absolute(self_4_new) + 1.9721522630525295e-31)
+    self_5_new_error_bound = 5.960465e-08 * (absolute(self_5_new) + 1.9721522630525295e-31)
+    self_6_new_error_bound = 5.960465e-08 * (absolute(self_6_new) + 1.9721522630525295e-31)
+    self_7_new_error_bound = 5.960465e-08 * (absolute(self_7_new) + 1.9721522630525295e-31)
+    self_8_new_error_bound = 5.960465e-08 * (absolute(self_8_new) + 1.9721522630525295e-31)
+    self_9_new_error_bound = 5.960465e-08 * (absolute(self_9_new) + 1.9721522630525295e-31)
     return (self_0_new, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new, self_6_new,
         self_7_new, self_8_new, self_9_new, self_0_new_error_bound, self_1_new_error_bound,
         self_2_new_error_bound, self_3_new_error_bound, self_4_new_error_bound,
@@ -141,12 +141,12 @@ def spatial_inertia_from_com(m, com, Ic):
     Bo_7 = Ic_01 - com_1 * h_0
     Bo_8 = Ic_02 - com_2 * h_0
     Bo_9 = Ic_12 - com_2 * h_1
-    h_0_padded = absolute(h_0) + 1.9721523e-31
+    h_0_padded = absolute(h_0) + 1.9721522630525295e-31
     squares_0_size = absolute(com_0) * h_0_padded
-    h_1_padded = absolute(h_1) + 1.9721523e-31
+    h_1_padded = absolute(h_1) + 1.9721522630525295e-31
     com_1_abs = absolute(com_1)
     squares_1_size = com_1_abs * h_1_padded
-    h_2_padded = absolute(h_2) + 1.9721523e-31
+    h_2_padded = absolute(h_2) + 1.9721522630525295e-31
     com_2_abs = absolute(com_2)
     squares_2_size = com_2_abs * h_2_padded
     Bo_4_size = absolute(Ic_00) + (squares_1_size + squares_2_size)
@@ -158,12 +158,12 @@ def spatial_inertia_from_com(m, com, Ic):
     h_0_error_bound = 5.960465e-08 * h_0_padded
     h_1_error_bound = 5.960465e-08 * h_1_padded
     h_2_error_bound = 5.960465e-08 * h_2_padded
-    Bo_4_error_bound = 2.3841864e-07 * (Bo_4_size + 1.9721523e-31)
-    Bo_5_error_bound = 2.3841864e-07 * (Bo_5_size + 1.9721523e-31)
-    Bo_6_error_bound = 2.3841864e-07 * (Bo_6_size + 1.9721523e-31)
-    Bo_7_error_bound = 1.7881396e-07 * (Bo_7_size + 1.9721523e-31)
-    Bo_8_error_bound = 1.7881396e-07 * (Bo_8_size + 1.9721523e-31)
-    Bo_9_error_bound = 1.7881396e-07 * (Bo_9_size + 1.9721523e-31)
+    Bo_4_error_bound = 2.3841864e-07 * (Bo_4_size + 1.9721522630525295e-31)
+    Bo_5_error_bound = 2.3841864e-07 * (Bo_5_size + 1.9721522630525295e-31)
+    Bo_6_error_bound = 2.3841864e-07 * (Bo_6_size + 1.9721522630525295e-31)
+    Bo_7_error_bound = 1.7881396e-07 * (Bo_7_size + 1.9721522630525295e-31)
+    Bo_8_error_bound = 1.7881396e-07 * (Bo_8_size + 1.9721522630525295e-31)
+    Bo_9_error_bound = 1.7881396e-07 * (Bo_9_size + 1.9721522630525295e-31)
     return (m, h_0, h_1, h_2, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, 0, h_0_error_bound,
         h_1_error_bound, h_2_error_bound, Bo_4_error_bound, Bo_5_error_bound, Bo_6_error_bound,
         Bo_7_error_bound, Bo_8_error_bound, Bo_9_error_bound)
@@ -220,12 +220,12 @@ def product_Bs(B, s):
     co_4_size = absolute(co_4a) + absolute(co_4b) + co_4h_size
     co_5h_size = absolute(co_5d) + absolute(co_5e) + absolute(co_5g)
     co_5_size = absolute(co_5a) + absolute(co_5b) + co_5h_size
-    co_0_error_bound = 1.7881396e-07 * (co_0_size + 1.9721523e-31)
-    co_1_error_bound = 1.7881396e-07 * (co_1_size + 1.9721523e-31)
-    co_2_error_bound = 1.7881396e-07 * (co_2_size + 1.9721523e-31)
-    co_3_error_bound = 2.3841864e-07 * (co_3_size + 1.9721523e-31)
-    co_4_error_bound = 2.3841864e-07 * (co_4_size + 1.9721523e-31)
-    co_5_error_bound = 2.3841864e-07 * (co_5_size + 1.9721523e-31)
+    co_0_error_bound = 1.7881396e-07 * (co_0_size + 1.9721522630525295e-31)
+    co_1_error_bound = 1.7881396e-07 * (co_1_size + 1.9721522630525295e-31)
+    co_2_error_bound = 1.7881396e-07 * (co_2_size + 1.9721522630525295e-31)
+    co_3_error_bound = 2.3841864e-07 * (co_3_size + 1.9721522630525295e-31)
+    co_4_error_bound = 2.3841864e-07 * (co_4_size + 1.9721522630525295e-31)
+    co_5_error_bound = 2.3841864e-07 * (co_5_size + 1.9721522630525295e-31)
     return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_error_bound, co_1_error_bound,
         co_2_error_bound, co_3_error_bound, co_4_error_bound, co_5_error_bound)
 
@@ -276,24 +276,24 @@ def spatial_inertia_energy(B, s):
     across_0_size = absolute(across_0a) + absolute(across_0b)
     across_1_size = absolute(across_1a) + absolute(across_1b)
     across_2_size = absolute(across_2a) + absolute(across_2b)
-    twice_across_0_size = 2 * (across_0_size + 1.9721523e-31)
-    twice_across_1_size = 2 * (across_1_size + 1.9721523e-31)
-    twice_across_2_size = 2 * (across_2_size + 1.9721523e-31)
+    twice_across_0_size = 2 * (across_0_size + 1.9721522630525295e-31)
+    twice_across_1_size = 2 * (across_1_size + 1.9721522630525295e-31)
+    twice_across_2_size = 2 * (across_2_size + 1.9721522630525295e-31)
     p_0_size = absolute(p_0a) + twice_across_0_size
     p_1_size = absolute(p_1a) + twice_across_1_size
     p_2_size = absolute(p_2a) + twice_across_2_size
     L_0_size = absolute(L_0a) + absolute(L_0b) + absolute(L_0d)
     L_1_size = absolute(L_1a) + absolute(L_1b) + absolute(L_1d)
     L_2_size = absolute(L_2a) + absolute(L_2b) + absolute(L_2d)
-    twice_a_size = absolute(s_0) * (p_0_size + 1.9721523e-31)
-    twice_c_size = twice_a_size + absolute(s_1) * (p_1_size + 1.9721523e-31)
-    twice_e_size = twice_c_size + absolute(s_2) * (p_2_size + 1.9721523e-31)
-    twice_f_size = absolute(s_3) * (L_0_size + 1.9721523e-31)
-    twice_h_size = twice_f_size + absolute(s_4) * (L_1_size + 1.9721523e-31)
-    twice_j_size = twice_h_size + absolute(s_5) * (L_2_size + 1.9721523e-31)
+    twice_a_size = absolute(s_0) * (p_0_size + 1.9721522630525295e-31)
+    twice_c_size = twice_a_size + absolute(s_1) * (p_1_size + 1.9721522630525295e-31)
+    twice_e_size = twice_c_size + absolute(s_2) * (p_2_size + 1.9721522630525295e-31)
+    twice_f_size = absolute(s_3) * (L_0_size + 1.9721522630525295e-31)
+    twice_h_size = twice_f_size + absolute(s_4) * (L_1_size + 1.9721522630525295e-31)
+    twice_j_size = twice_h_size + absolute(s_5) * (L_2_size + 1.9721522630525295e-31)
     twice_size = twice_e_size + twice_j_size
-    energy_size = 0.5 * (twice_size + 1.9721523e-31)
-    energy_error_bound = 5.36442e-07 * (energy_size + 1.9721523e-31)
+    energy_size = 0.5 * (twice_size + 1.9721522630525295e-31)
+    energy_error_bound = 5.36442e-07 * (energy_size + 1.9721522630525295e-31)
     return (energy, energy_error_bound)
 
 
@@ -339,29 +339,29 @@ def spatial_inertia_shifted(t, B):
     Bo_8 = B_8 - pairs_4
     Bo_9 = B_9 - pairs_5
     mt_0_abs = absolute(mt_0)
-    half_0_size = 0.5 * (mt_0_abs + 1.9721523e-31)
+    half_0_size = 0.5 * (mt_0_abs + 1.9721522630525295e-31)
     mt_1_abs = absolute(mt_1)
-    half_1_size = 0.5 * (mt_1_abs + 1.9721523e-31)
+    half_1_size = 0.5 * (mt_1_abs + 1.9721522630525295e-31)
     mt_2_abs = absolute(mt_2)
-    half_2_size = 0.5 * (mt_2_abs + 1.9721523e-31)
+    half_2_size = 0.5 * (mt_2_abs + 1.9721522630525295e-31)
     B_1_abs = absolute(B_1)
     n_0_size = B_1_abs + half_0_size
     B_2_abs = absolute(B_2)
     n_1_size = B_2_abs + half_1_size
     B_3_abs = absolute(B_3)
     n_2_size = B_3_abs + half_2_size
-    n_0_padded = n_0_size + 1.9721523e-31
+    n_0_padded = n_0_size + 1.9721522630525295e-31
     t_0_abs = absolute(t_0)
     tn0_size = t_0_abs * n_0_padded
-    n_1_padded = n_1_size + 1.9721523e-31
+    n_1_padded = n_1_size + 1.9721522630525295e-31
     t_1_abs = absolute(t_1)
     tn1_size = t_1_abs * n_1_padded
-    n_2_padded = n_2_size + 1.9721523e-31
+    n_2_padded = n_2_size + 1.9721522630525295e-31
     t_2_abs = absolute(t_2)
     tn2_size = t_2_abs * n_2_padded
-    own_0_size = 2 * (tn0_size + 1.9721523e-31)
-    own_1_size = 2 * (tn1_size + 1.9721523e-31)
-    own_2_size = 2 * (tn2_size + 1.9721523e-31)
+    own_0_size = 2 * (tn0_size + 1.9721522630525295e-31)
+    own_1_size = 2 * (tn1_size + 1.9721522630525295e-31)
+    own_2_size = 2 * (tn2_size + 1.9721522630525295e-31)
     pairs_0_size = own_1_size + own_2_size
     pairs_1_size = own_0_size + own_2_size
     pairs_2_size = own_0_size + own_1_size
@@ -377,15 +377,15 @@ def spatial_inertia_shifted(t, B):
     Bo_7_size = absolute(B_7) + pairs_3_size
     Bo_8_size = absolute(B_8) + pairs_4_size
     Bo_9_size = absolute(B_9) + pairs_5_size
-    moved_0_error_bound = 1.192093e-07 * (moved_0_size + 1.9721523e-31)
-    moved_1_error_bound = 1.192093e-07 * (moved_1_size + 1.9721523e-31)
-    moved_2_error_bound = 1.192093e-07 * (moved_2_size + 1.9721523e-31)
-    Bo_4_error_bound = 4.1723263e-07 * (Bo_4_size + 1.9721523e-31)
-    Bo_5_error_bound = 4.1723263e-07 * (Bo_5_size + 1.9721523e-31)
-    Bo_6_error_bound = 4.1723263e-07 * (Bo_6_size + 1.9721523e-31)
-    Bo_7_error_bound = 3.5762795e-07 * (Bo_7_size + 1.9721523e-31)
-    Bo_8_error_bound = 3.5762795e-07 * (Bo_8_size + 1.9721523e-31)
-    Bo_9_error_bound = 3.5762795e-07 * (Bo_9_size + 1.9721523e-31)
+    moved_0_error_bound = 1.192093e-07 * (moved_0_size + 1.9721522630525295e-31)
+    moved_1_error_bound = 1.192093e-07 * (moved_1_size + 1.9721522630525295e-31)
+    moved_2_error_bound = 1.192093e-07 * (moved_2_size + 1.9721522630525295e-31)
+    Bo_4_error_bound = 4.1723263e-07 * (Bo_4_size + 1.9721522630525295e-31)
+    Bo_5_error_bound = 4.1723263e-07 * (Bo_5_size + 1.9721522630525295e-31)
+    Bo_6_error_bound = 4.1723263e-07 * (Bo_6_size + 1.9721522630525295e-31)
+    Bo_7_error_bound = 3.5762795e-07 * (Bo_7_size + 1.9721522630525295e-31)
+    Bo_8_error_bound = 3.5762795e-07 * (Bo_8_size + 1.9721522630525295e-31)
+    Bo_9_error_bound = 3.5762795e-07 * (Bo_9_size + 1.9721522630525295e-31)
     return (B_0, moved_0, moved_1, moved_2, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, 0,
         moved_0_error_bound, moved_1_error_bound, moved_2_error_bound, Bo_4_error_bound,
         Bo_5_error_bound, Bo_6_error_bound, Bo_7_error_bound, Bo_8_error_bound, Bo_9_error_bound)
@@ -499,47 +499,48 @@ def spatial_inertia_transformed(D, B):
     turned_1_size = absolute(turned_1a) + absolute(turned_1b) + absolute(turned_1d)
     turned_2_size = absolute(turned_2a) + absolute(turned_2b) + absolute(turned_2d)
     turned_3_size = absolute(turned_3a) + absolute(turned_3b) + absolute(turned_3d)
-    RI_0_padded = RI_0_size + 1.9721523e-31
-    RI_1_padded = RI_1_size + 1.9721523e-31
+    RI_0_padded = RI_0_size + 1.9721522630525295e-31
+    RI_1_padded = RI_1_size + 1.9721522630525295e-31
     turned_4c_size = absolute(D_00) * RI_0_padded + absolute(D_01) * RI_1_padded
-    RI_2_padded = RI_2_size + 1.9721523e-31
+    RI_2_padded = RI_2_size + 1.9721522630525295e-31
     turned_4_size = turned_4c_size + absolute(D_02) * RI_2_padded
-    RI_3_padded = RI_3_size + 1.9721523e-31
+    RI_3_padded = RI_3_size + 1.9721522630525295e-31
     D_10_abs = absolute(D_10)
-    RI_4_padded = RI_4_size + 1.9721523e-31
+    RI_4_padded = RI_4_size + 1.9721522630525295e-31
     D_11_abs = absolute(D_11)
-    RI_5_padded = RI_5_size + 1.9721523e-31
+    RI_5_padded = RI_5_size + 1.9721522630525295e-31
     D_12_abs = absolute(D_12)
     turned_5_size = D_10_abs * RI_3_padded + D_11_abs * RI_4_padded + D_12_abs * RI_5_padded
     D_20_abs = absolute(D_20)
+    turned_6a_size = D_20_abs * (RI_6_size + 1.9721522630525295e-31)
     D_21_abs = absolute(D_21)
-    turned_6c_size = D_20_abs * (RI_6_size + 1.9721523e-31) + D_21_abs * (RI_7_size + 1.9721523e-31)
+    turned_6c_size = turned_6a_size + D_21_abs * (RI_7_size + 1.9721522630525295e-31)
     D_22_abs = absolute(D_22)
-    turned_6_size = turned_6c_size + D_22_abs * (RI_8_size + 1.9721523e-31)
+    turned_6_size = turned_6c_size + D_22_abs * (RI_8_size + 1.9721522630525295e-31)
     turned_7_size = D_10_abs * RI_0_padded + D_11_abs * RI_1_padded + D_12_abs * RI_2_padded
     turned_8_size = D_20_abs * RI_0_padded + D_21_abs * RI_1_padded + D_22_abs * RI_2_padded
     turned_9_size = D_20_abs * RI_3_padded + D_21_abs * RI_4_padded + D_22_abs * RI_5_padded
     mt_0_abs = absolute(mt_0)
-    half_0_size = 0.5 * (mt_0_abs + 1.9721523e-31)
+    half_0_size = 0.5 * (mt_0_abs + 1.9721522630525295e-31)
     mt_1_abs = absolute(mt_1)
-    half_1_size = 0.5 * (mt_1_abs + 1.9721523e-31)
+    half_1_size = 0.5 * (mt_1_abs + 1.9721522630525295e-31)
     mt_2_abs = absolute(mt_2)
-    half_2_size = 0.5 * (mt_2_abs + 1.9721523e-31)
+    half_2_size = 0.5 * (mt_2_abs + 1.9721522630525295e-31)
     n_0_size = turned_1_size + half_0_size
     n_1_size = turned_2_size + half_1_size
     n_2_size = turned_3_size + half_2_size
-    n_0_padded = n_0_size + 1.9721523e-31
+    n_0_padded = n_0_size + 1.9721522630525295e-31
     D_03_abs = absolute(D_03)
     tn0_size = D_03_abs * n_0_padded
-    n_1_padded = n_1_size + 1.9721523e-31
+    n_1_padded = n_1_size + 1.9721522630525295e-31
     D_13_abs = absolute(D_13)
     tn1_size = D_13_abs * n_1_padded
-    n_2_padded = n_2_size + 1.9721523e-31
+    n_2_padded = n_2_size + 1.9721522630525295e-31
     D_23_abs = absolute(D_23)
     tn2_size = D_23_abs * n_2_padded
-    own_0_size = 2 * (tn0_size + 1.9721523e-31)
-    own_1_size = 2 * (tn1_size + 1.9721523e-31)
-    own_2_size = 2 * (tn2_size + 1.9721523e-31)
+    own_0_size = 2 * (tn0_size + 1.9721522630525295e-31)
+    own_1_size = 2 * (tn1_size + 1.9721522630525295e-31)
+    own_2_size = 2 * (tn2_size + 1.9721522630525295e-31)
     pairs_0_size = own_1_size + own_2_size
     pairs_1_size = own_0_size + own_2_size
     pairs_2_size = own_0_size + own_1_size
@@ -555,15 +556,15 @@ def spatial_inertia_transformed(D, B):
     Bo_7_size = turned_7_size + pairs_3_size
     Bo_8_size = turned_8_size + pairs_4_size
     Bo_9_size = turned_9_size + pairs_5_size
-    moved_0_error_bound = 2.3841864e-07 * (moved_0_size + 1.9721523e-31)
-    moved_1_error_bound = 2.3841864e-07 * (moved_1_size + 1.9721523e-31)
-    moved_2_error_bound = 2.3841864e-07 * (moved_2_size + 1.9721523e-31)
-    Bo_4_error_bound = 4.7683733e-07 * (Bo_4_size + 1.9721523e-31)
-    Bo_5_error_bound = 4.7683733e-07 * (Bo_5_size + 1.9721523e-31)
-    Bo_6_error_bound = 4.7683733e-07 * (Bo_6_size + 1.9721523e-31)
-    Bo_7_error_bound = 4.1723263e-07 * (Bo_7_size + 1.9721523e-31)
-    Bo_8_error_bound = 4.1723263e-07 * (Bo_8_size + 1.9721523e-31)
-    Bo_9_error_bound = 4.1723263e-07 * (Bo_9_size + 1.9721523e-31)
+    moved_0_error_bound = 2.3841864e-07 * (moved_0_size + 1.9721522630525295e-31)
+    moved_1_error_bound = 2.3841864e-07 * (moved_1_size + 1.9721522630525295e-31)
+    moved_2_error_bound = 2.3841864e-07 * (moved_2_size + 1.9721522630525295e-31)
+    Bo_4_error_bound = 4.7683733e-07 * (Bo_4_size + 1.9721522630525295e-31)
+    Bo_5_error_bound = 4.7683733e-07 * (Bo_5_size + 1.9721522630525295e-31)
+    Bo_6_error_bound = 4.7683733e-07 * (Bo_6_size + 1.9721522630525295e-31)
+    Bo_7_error_bound = 4.1723263e-07 * (Bo_7_size + 1.9721522630525295e-31)
+    Bo_8_error_bound = 4.1723263e-07 * (Bo_8_size + 1.9721522630525295e-31)
+    Bo_9_error_bound = 4.1723263e-07 * (Bo_9_size + 1.9721522630525295e-31)
     return (B_0, moved_0, moved_1, moved_2, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, 0,
         moved_0_error_bound, moved_1_error_bound, moved_2_error_bound, Bo_4_error_bound,
         Bo_5_error_bound, Bo_6_error_bound, Bo_7_error_bound, Bo_8_error_bound, Bo_9_error_bound)

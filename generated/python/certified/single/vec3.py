@@ -21,9 +21,9 @@ def vec3_scale(self, a):
     self_0_new = self_0 * a
     self_1_new = self_1 * a
     self_2_new = self_2 * a
-    self_0_new_error_bound = 5.960465e-08 * (absolute(self_0_new) + 1.9721523e-31)
-    self_1_new_error_bound = 5.960465e-08 * (absolute(self_1_new) + 1.9721523e-31)
-    self_2_new_error_bound = 5.960465e-08 * (absolute(self_2_new) + 1.9721523e-31)
+    self_0_new_error_bound = 5.960465e-08 * (absolute(self_0_new) + 1.9721522630525295e-31)
+    self_1_new_error_bound = 5.960465e-08 * (absolute(self_1_new) + 1.9721522630525295e-31)
+    self_2_new_error_bound = 5.960465e-08 * (absolute(self_2_new) + 1.9721522630525295e-31)
     return (self_0_new, self_1_new, self_2_new, self_0_new_error_bound, self_1_new_error_bound,
         self_2_new_error_bound)
 
@@ -46,9 +46,9 @@ def axpy_vv(a, x, y):
     y_0_new_size = absolute(y_0_new_a) + absolute(y_0)
     y_1_new_size = absolute(y_1_new_a) + absolute(y_1)
     y_2_new_size = absolute(y_2_new_a) + absolute(y_2)
-    y_0_new_error_bound = 1.192093e-07 * (y_0_new_size + 1.9721523e-31)
-    y_1_new_error_bound = 1.192093e-07 * (y_1_new_size + 1.9721523e-31)
-    y_2_new_error_bound = 1.192093e-07 * (y_2_new_size + 1.9721523e-31)
+    y_0_new_error_bound = 1.192093e-07 * (y_0_new_size + 1.9721522630525295e-31)
+    y_1_new_error_bound = 1.192093e-07 * (y_1_new_size + 1.9721522630525295e-31)
+    y_2_new_error_bound = 1.192093e-07 * (y_2_new_size + 1.9721522630525295e-31)
     return (y_0_new, y_1_new, y_2_new, y_0_new_error_bound, y_1_new_error_bound,
         y_2_new_error_bound)
 
@@ -102,9 +102,9 @@ def product_av(a, vi):
     vo_0 = a * vi_0
     vo_1 = a * vi_1
     vo_2 = a * vi_2
-    vo_0_error_bound = 5.960465e-08 * (absolute(vo_0) + 1.9721523e-31)
-    vo_1_error_bound = 5.960465e-08 * (absolute(vo_1) + 1.9721523e-31)
-    vo_2_error_bound = 5.960465e-08 * (absolute(vo_2) + 1.9721523e-31)
+    vo_0_error_bound = 5.960465e-08 * (absolute(vo_0) + 1.9721522630525295e-31)
+    vo_1_error_bound = 5.960465e-08 * (absolute(vo_1) + 1.9721522630525295e-31)
+    vo_2_error_bound = 5.960465e-08 * (absolute(vo_2) + 1.9721522630525295e-31)
     return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
 
 
@@ -155,9 +155,9 @@ def vec3_scaled(v, k):
     vo_0 = v_0 * k
     vo_1 = v_1 * k
     vo_2 = v_2 * k
-    vo_0_error_bound = 5.960465e-08 * (absolute(vo_0) + 1.9721523e-31)
-    vo_1_error_bound = 5.960465e-08 * (absolute(vo_1) + 1.9721523e-31)
-    vo_2_error_bound = 5.960465e-08 * (absolute(vo_2) + 1.9721523e-31)
+    vo_0_error_bound = 5.960465e-08 * (absolute(vo_0) + 1.9721522630525295e-31)
+    vo_1_error_bound = 5.960465e-08 * (absolute(vo_1) + 1.9721522630525295e-31)
+    vo_2_error_bound = 5.960465e-08 * (absolute(vo_2) + 1.9721522630525295e-31)
     return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
 
 
@@ -175,7 +175,7 @@ def dot_vv(v1, v2):
     dot_d = v1_2 * v2_2
     dot = dot_a + dot_b + dot_d
     dot_size = absolute(dot_a) + absolute(dot_b) + absolute(dot_d)
-    dot_error_bound = 1.7881396e-07 * (dot_size + 1.9721523e-31)
+    dot_error_bound = 1.7881396e-07 * (dot_size + 1.9721522630525295e-31)
     return (dot, dot_error_bound)
 
 
@@ -193,9 +193,9 @@ def product_avinv(k, v):
     vo_1 = -vo_1a
     vo_2a = k * v_2
     vo_2 = -vo_2a
-    vo_0a_error_bound = 5.960465e-08 * (absolute(vo_0a) + 1.9721523e-31)
-    vo_1a_error_bound = 5.960465e-08 * (absolute(vo_1a) + 1.9721523e-31)
-    vo_2a_error_bound = 5.960465e-08 * (absolute(vo_2a) + 1.9721523e-31)
+    vo_0a_error_bound = 5.960465e-08 * (absolute(vo_0a) + 1.9721522630525295e-31)
+    vo_1a_error_bound = 5.960465e-08 * (absolute(vo_1a) + 1.9721522630525295e-31)
+    vo_2a_error_bound = 5.960465e-08 * (absolute(vo_2a) + 1.9721522630525295e-31)
     return (vo_0, vo_1, vo_2, vo_0a_error_bound, vo_1a_error_bound, vo_2a_error_bound)
 
 
@@ -221,9 +221,9 @@ def cross_vv(v1, v2):
     vo_0_size = absolute(vo_0a) + absolute(vo_0b)
     vo_1_size = absolute(vo_1a) + absolute(vo_1b)
     vo_2_size = absolute(vo_2a) + absolute(vo_2b)
-    vo_0_error_bound = 1.192093e-07 * (vo_0_size + 1.9721523e-31)
-    vo_1_error_bound = 1.192093e-07 * (vo_1_size + 1.9721523e-31)
-    vo_2_error_bound = 1.192093e-07 * (vo_2_size + 1.9721523e-31)
+    vo_0_error_bound = 1.192093e-07 * (vo_0_size + 1.9721522630525295e-31)
+    vo_1_error_bound = 1.192093e-07 * (vo_1_size + 1.9721522630525295e-31)
+    vo_2_error_bound = 1.192093e-07 * (vo_2_size + 1.9721522630525295e-31)
     return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
 
 
@@ -248,9 +248,9 @@ def cross_vvinv(v1, v2):
     vo_0_size = absolute(vo_0a) + absolute(vo_0b)
     vo_1_size = absolute(vo_1a) + absolute(vo_1b)
     vo_2_size = absolute(vo_2a) + absolute(vo_2b)
-    vo_0_error_bound = 1.192093e-07 * (vo_0_size + 1.9721523e-31)
-    vo_1_error_bound = 1.192093e-07 * (vo_1_size + 1.9721523e-31)
-    vo_2_error_bound = 1.192093e-07 * (vo_2_size + 1.9721523e-31)
+    vo_0_error_bound = 1.192093e-07 * (vo_0_size + 1.9721522630525295e-31)
+    vo_1_error_bound = 1.192093e-07 * (vo_1_size + 1.9721522630525295e-31)
+    vo_2_error_bound = 1.192093e-07 * (vo_2_size + 1.9721522630525295e-31)
     return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
 
 
