@@ -11,6 +11,7 @@ from functools import cache
 
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
+from sympy.polys.rings import PolyElement
 
 I3 = sp.eye(3)
 O3 = sp.zeros(3, 3)
@@ -119,8 +120,8 @@ def left_derivative(operator: Callable[[sp.Matrix], sp.Matrix], s: sp.Matrix) ->
 
     D moves with s = (v; ω) when R' = ω~ R and t' = v + ω × t (v is the velocity of the body-fixed
     point now at the origin). R is the rotation of a quaternion q, whose rate is q' = ½ (ω; 0) q; so
-    every entry is a rational function, and the field of these reduces the product to its canonical
-    form, in which D no longer appears.
+    every entry of operator(D) is a polynomial N over n = |q|², of operator(D)^-1 K over n, and
+    (N' n - N n') K / n³ divides out: D no longer appears.
     """
     v, w = lin(s), ang(s)
     q = sp.symbols("q_x q_y q_z q_w")
@@ -130,14 +131,21 @@ def left_derivative(operator: Callable[[sp.Matrix], sp.Matrix], s: sp.Matrix) ->
     q_rate = [*((q[3] * w + w.cross(imaginary)) / 2), -w.dot(imaginary) / 2]
     t_rate = v + w.cross(t)
 
-    M = operator(D)
-    M_rate = sp.zeros(*M.shape)
-    for variable, rate in zip((*q, *t), (*q_rate, *t_rate), strict=True):
-        M_rate += M.diff(variable) * rate
-    field = sp.QQ.frac_field(*q, *t, *s)
-    product = (DomainMatrix.from_Matrix(M_rate).convert_to(field)
-               * DomainMatrix.from_Matrix(operator(inverse(D))).convert_to(field))
-    return product.to_Matrix()
+    ring = sp.QQ[(*q, *t, *s)]
+    rates = [(ring.from_sympy(x), ring.from_sympy(y))
+             for x, y in zip((*q, *t), (*q_rate, *t_rate), strict=True)]
+    n = ring.from_sympy(sum(x**2 for x in q))
+
+    def numerators(M: sp.Matrix) -> DomainMatrix:
+        return DomainMatrix([[ring.from_sympy(sp.expand(sp.cancel(x * n.as_expr()))) for x in row]
+                             for row in M.tolist()], M.shape, ring)
+
+    def rate(x: PolyElement) -> PolyElement:
+        return sum((x.diff(variable) * y for variable, y in rates), ring.zero)
+
+    N = numerators(operator(D))
+    product = (N.applyfunc(rate, ring) * n - N * rate(n)) * numerators(operator(inverse(D)))
+    return product.applyfunc(lambda x: x.exquo(n**3), ring).to_Matrix()
 
 
 def rotation_of_quaternion(q: tuple[sp.Symbol, ...]) -> sp.Matrix:

@@ -157,13 +157,13 @@ def _is_rounded_constant(operand: Operand) -> bool:
 
 
 def _combined(*scaled: tuple[int, _Series]) -> _Series:
-    """Σ factor · series."""
+    """Σ factor · series; factors are 1 and -1."""
     sums: dict[Deltas, dict[Monomial, Number]] = {}
     for factor, series in scaled:
         for deltas, polynomial in series.terms.items():
             into = sums.setdefault(deltas, defaultdict(int))
             for monomial, coefficient in polynomial.items():
-                into[monomial] += factor * coefficient
+                into[monomial] += coefficient if factor == 1 else -coefficient
     return _Series({deltas: kept for deltas, polynomial in sums.items()
                     if (kept := {m: c for m, c in polynomial.items() if c})})
 
@@ -177,12 +177,8 @@ def _product(a: _Series, b: _Series) -> _Series:
             into = sums.setdefault(tuple(sorted(x + y)), defaultdict(int))
             for m, c in p.items():
                 for n, d in q.items():
-                    into[tuple(sorted(m + n, key=_order))] += c * d
+                    into[tuple(sorted(m + n))] += c * d
     return _combined((1, _Series(sums)))
-
-
-def _order(variable: Input) -> tuple[int, int]:
-    return variable.argument, variable.index
 
 
 def _roundoff(value: _Series, number: int) -> _Series:

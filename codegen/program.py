@@ -9,7 +9,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
+from functools import cached_property
 from itertools import groupby
+from typing import NamedTuple
 
 from coscrew_codegen.quantity import Argument
 
@@ -42,8 +44,7 @@ class Op(Enum):
     SELECT = "select"  # a ? b : c
 
 
-@dataclass(frozen=True)
-class Input:
+class Input(NamedTuple):
     """Component `index` (row by row) of the input number `argument`."""
 
     argument: int
@@ -100,6 +101,14 @@ class Program:
     instructions: tuple[Instruction, ...]
     results: tuple[Operand, ...]  # every component of every output, row by row
     wide: bool = False  # computed in double though arguments are single, results rounded to single
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        """Once: caches ask for it again and again."""
+        return hash((self.name, self.instructions, self.results, self.wide))
 
     @property
     def counts(self) -> Mapping[Op, int]:

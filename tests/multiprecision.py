@@ -9,7 +9,7 @@ import operator
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import partial, reduce
+from functools import cache, cached_property, partial, reduce
 from types import FunctionType
 
 import mpmath as mp
@@ -43,18 +43,18 @@ class Rules:
     def constant(self, value: sp.Rational) -> "Number":
         if self.exact:
             return self.number(mp.mpf(int(value.p)) / int(value.q))
-        fraction = Fraction(int(value.p), int(value.q))
-        return self.number(float(self.precision.rounded(fraction)))
+        return self.number(_rounded(self.precision, value))
 
     def named(self, symbol: sp.Symbol) -> "Number":
         return self.constant(PER_PRECISION[symbol][PRECISIONS.index(self.precision)])
 
     def rounded(self, function: Callable, *values: mp.mpf) -> mp.mpf:
-        with mp.workprec(np.finfo(self.precision.numpy_type).nmant + 1 if self.rounds
-                         else mp.mp.prec):
+        if not self.rounds:
+            return function(*values)
+        with mp.workprec(np.finfo(self.precision.numpy_type).nmant + 1):
             return function(*values)
 
-    @property
+    @cached_property
     def grid(self) -> int:
         return int(PER_PRECISION[GRID][PRECISIONS.index(self.precision)])
 
@@ -77,6 +77,11 @@ class Rules:
 
     def root(self, x: mp.mpf) -> mp.mpf:
         return self.rounded(mp.sqrt, x) if x >= 0 else mp.nan
+
+
+@cache
+def _rounded(precision: Precision, value: sp.Rational) -> float:
+    return float(precision.rounded(Fraction(int(value.p), int(value.q))))
 
 
 class Number:

@@ -121,6 +121,7 @@ class _Writer:
         self.nested = {step.name: step for step in program.instructions
                        if step.op in (Op.LESS, Op.EQUAL)
                        or uses[step.name] == 1 and step.name != step.component}
+        self._texts: dict[str, tuple[str, int]] = {}  # of nested expressions
 
     def function(self) -> PythonFunction:
         return PythonFunction(self.operation.name, self.operation.signature,
@@ -154,6 +155,7 @@ class _Writer:
         while len(self._assigned(step)) > WIDTH - 4 and (inner := self._nested_in(step)):
             widest = max(inner, key=lambda x: min(len(self._expression(x)[0]), WIDTH // 2))
             del self.nested[widest.name]
+            self._texts.clear()
             self._shorten(widest)
 
     def _nested_in(self, step: Instruction) -> list[Instruction]:
@@ -197,5 +199,7 @@ class _Writer:
             return "nan"
         if operand.name not in self.nested:
             return operand.name
-        text, binding = self._expression(self.nested[operand.name])
+        if operand.name not in self._texts:
+            self._texts[operand.name] = self._expression(self.nested[operand.name])
+        text, binding = self._texts[operand.name]
         return text if binding >= needed else f"({text})"
