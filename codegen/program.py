@@ -58,6 +58,14 @@ class Constant:
     double: Fraction
     single: Fraction
 
+    def __hash__(self) -> int:
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        """Once: that of a fraction takes a power."""
+        return hash((self.double, self.single))
+
 
 @dataclass(frozen=True)
 class Ref:

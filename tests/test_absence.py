@@ -8,6 +8,7 @@ import sys
 from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 from importlib.resources import as_file, files
 from pathlib import Path
 
@@ -50,7 +51,7 @@ def test_text_is_that_of_a_generator_without_the_effect(generator: Path, name: s
     file = generator / "coscrew_codegen" / "effects" / f"{name}.py"
     text = file.read_bytes()
     file.unlink()
-    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1",
+    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "",
                    "PYTHONPATH": os.pathsep.join((str(generator), str(ROOT)))}
     try:
         done = subprocess.run([sys.executable, "-m", "tests.effect_scenes", name], cwd=generator,
@@ -81,14 +82,20 @@ def zeroed(name: str, number: Fraction | Parameter) -> tuple[Applied, ...]:
                  for x in effects(name))
 
 
+@cache
+def bare(*names: str) -> Evaluated:
+    """The mechanism with these effects alone."""
+    return Evaluated(scene(mechanism(), *effects(*names)), MULTIPRECISE)
+
+
 @pytest.mark.parametrize("name", sorted(ZEROS))
 def test_parameters_of_zero_fold_to_the_same_programs(name: str) -> None:
     """Also of a scene with time, gravity and other effects."""
-    others = effects(*({"gravity", "viscous", "wrench"} - {name}))
-    bare, zero = (derive(scene(mechanism(), *others, *x))
-                  for x in ((), zeroed(name, Fraction(0))))
-    assert [f.words for f in zero.functions] == [f.words for f in bare.functions]
-    for f, g in zip(zero.functions, bare.functions, strict=True):
+    others = sorted({"gravity", "viscous", "wrench"} - {name})
+    wanted = bare(*others).functions.functions
+    found = derive(scene(mechanism(), *effects(*others), *zeroed(name, Fraction(0)))).functions
+    assert [f.words for f in found] == [f.words for f in wanted]
+    for f, g in zip(found, wanted, strict=True):
         assert counts(f.program) == counts(g.program), f.name
 
 
@@ -99,28 +106,29 @@ def counts(program: object) -> tuple:
 
 @pytest.mark.parametrize("name", sorted(ZEROS))
 def test_zeros_at_run_time_change_no_result(name: str) -> None:
-    others = effects(*({"gravity", "wrench"} - {name}))
+    others = sorted({"gravity", "wrench"} - {name})
     number = Parameter("zero", 0, Fraction(0))
     with mpmath.workdps(50):
-        bare = Evaluated(scene(mechanism(), *others), MULTIPRECISE)
-        zero = Evaluated(scene(mechanism(), *others, *zeroed(name, number), parameters=(number,)),
-                         MULTIPRECISE)
-        state = random_state(bare, 1)
+        without = bare(*others)
+        zero = Evaluated(scene(mechanism(), *effects(*others), *zeroed(name, number),
+                               parameters=(number,)), MULTIPRECISE)
+        state = random_state(without, 1)
         for function in ("inverse_dynamics", "forward_dynamics", "energy", "implicit_acceleration"):
             results = [f(function, a=state["tau"], h=mpmath.mpf(1) / 8, **state)
-                       for f in (bare, zero)]
+                       for f in (without, zero)]
             for x, y in zip(*results, strict=True):
                 assert abs(x - y) <= mpmath.mpf(10)**-44 * max(1, abs(x))
 
 
 def test_reactions_add_a_function_and_change_none() -> None:
-    bare, asked = (derive(scene(mechanism(), *x)).functions for x in ((), effects("reaction")))
-    assert [f.name for f in asked if f not in bare] == ["reaction_j2"]
-    assert [f for f in asked if f.name != "reaction_j2"] == list(bare)
+    unasked = bare().functions.functions
+    asked = derive(scene(mechanism(), *effects("reaction"))).functions
+    assert [f.name for f in asked if f not in unasked] == ["reaction_j2"]
+    assert [f for f in asked if f.name != "reaction_j2"] == list(unasked)
 
 
 def test_mimic_changes_nothing_where_nothing_mimics() -> None:
-    assert derive(scene(mechanism(), *effects("mimic"))) == derive(scene(mechanism()))
+    assert derive(scene(mechanism(), *effects("mimic"))) == bare().functions
 
 
 def test_bare_scenes_know_no_time_and_no_effects() -> None:

@@ -48,6 +48,9 @@ int main(void) {
 
 dialects = pytest.mark.parametrize("compiler, language", DIALECTS,
                                    ids=[f"{name} {flags[-1]}" for name, flags in DIALECTS])
+# Of C and of C++ one: what a header includes is the same to every compiler.
+first_and_last = pytest.mark.parametrize("compiler, language", (DIALECTS[0], DIALECTS[-1]),
+                                         ids=("C", "C++"))
 compilers = pytest.mark.parametrize("compiler", COMPILERS)
 
 
@@ -74,7 +77,7 @@ def _included(header: str) -> str:
             "headers": "#include <ksl/ksl.h>"}.get(header, f"#include <{header}.h>")
 
 
-@dialects
+@first_and_last
 def test_any_header_may_come_first_and_alone(compiler, language, tmp_path):
     sources = [_source(tmp_path, name, _included(f"ksl/{name}"), "typedef int something;")
                for name in HEADERS]
@@ -125,7 +128,7 @@ def test_no_alloc_leaves_out_the_heap(header, compiler, tmp_path):
 
 
 @dialects
-@pytest.mark.parametrize("header", ["headers", "amalgamation"])
+@pytest.mark.parametrize("header", ["ksl/vec3", "amalgamation"])
 @pytest.mark.parametrize("flag", ["-ffast-math", "-Ofast", "-freciprocal-math",
                                   "-ffinite-math-only", "-fno-signed-zeros", "-mfpmath=387",
                                   "-funsafe-math-optimizations", "-fsingle-precision-constant"])
@@ -143,10 +146,10 @@ def test_fast_math_is_refused_unless_allowed(flag, header, compiler, language, t
     run((*command, *language, source, "-DKSL_ALLOW_FAST_MATH"))
 
 
-def _object(compiler: str, include: Path, folder: Path) -> Path:
+def _object(compiler: str, include: Path, folder: Path, level: str = "-O2") -> Path:
     """All functions of these headers, compiled."""
     source = _source(folder, "all", ALL_FUNCTIONS)
-    run((compiler, *C11, "-O2", EXACT, "-I", include, "-c", source, "-o", folder / "all.o"))
+    run((compiler, *C11, level, EXACT, "-I", include, "-c", source, "-o", folder / "all.o"))
     return folder / "all.o"
 
 
@@ -168,7 +171,7 @@ def test_single_precision_executes_no_double_arithmetic(compiler, single_only, t
 @compilers
 def test_double_arithmetic_would_be_noticed(compiler, tmp_path):
     """The headers of both precisions do hold what the single-precision ones must not."""
-    binary = _object(compiler, INCLUDE, tmp_path)
+    binary = _object(compiler, INCLUDE, tmp_path, "-O0")
     symbols = {line.split()[-1].lstrip("_") for line in run(("nm", "-u", binary)).splitlines()}
     assert symbols & DOUBLE_SYMBOLS
     assert platform.machine() not in ("x86_64", "AMD64") or _double_instructions(binary)

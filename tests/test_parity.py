@@ -22,7 +22,7 @@ from tests.attack import plain_program
 from tests.c_harness import COMPILERS, EXACT, call, harness, run
 from tests.sampling import inputs_of
 
-OUTPUTS = 1_000_000  # components compared, at least, per operation, precision and implementation
+OUTPUTS = 200_000  # components compared, at least, per operation, precision and implementation
 OPTIMISED = ("-O3", "-march=native")
 BUILDS = tuple((name, (*flags, EXACT)) for flags in (("-O0",), OPTIMISED) for name in COMPILERS)
 Arrays = tuple[np.ndarray, ...]

@@ -14,7 +14,7 @@ from coscrew_codegen.tiers.table import TIERS
 from tests import c_calls
 from tests.c_harness import C11, COMPILERS, EXACT, INCLUDE, run
 
-SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-O1", "-g1")
+SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-O0")
 DEFINED = re.compile(r"^static inline [^(]*?\*?(ksl_\w+)\(", re.MULTILINE)
 
 

@@ -45,27 +45,37 @@ def fraction(value: Fraction | int) -> Fraction:
 def folded(op: Op, operands: tuple[Operand, ...],
            known: Mapping[str, Instruction]) -> Operand | Folded | Sign:
     """What op(operands) folds to: an operand, or what remains to be issued."""
-    if all(isinstance(x, Constant) for x in operands) and op is not Op.SELECT:
-        return Constant(*(_evaluated(op, tuple(getattr(x, p) for x in operands))
-                          for p in ("double", "single")))
+    if op is not Op.SELECT and all(isinstance(x, Constant) for x in operands):
+        return _constant(op, operands)
     rule = _RULES.get(op)
     result = rule(known, *operands) if rule else None
     return Folded(op, operands) if result is None else result
 
 
+def _constant(op: Op, operands: tuple[Constant, ...]) -> Constant:
+    double = _evaluated(op, tuple(x.double for x in operands))
+    if all(x.single is x.double or x.single == x.double for x in operands):
+        return Constant(double, double)
+    return Constant(double, _evaluated(op, tuple(x.single for x in operands)))
+
+
+def _is(x: Operand, number: int) -> bool:
+    return isinstance(x, Constant) and x.double == number and x.single == number
+
+
 def _negated(x: Operand, known: Mapping[str, Instruction]) -> Operand | None:
     """y where x is -y, issued or constant below zero; else None."""
     if isinstance(x, Constant):
-        return Constant(-x.double, -x.single) if x.double < 0 else None
+        return _constant(Op.NEG, (x,)) if x.double.numerator < 0 else None
     if isinstance(x, Ref) and known[x.name].op is Op.NEG:
         return known[x.name].operands[0]
     return None
 
 
 def _add(known, a, b):
-    if a == _ZERO:
+    if _is(a, 0):
         return b
-    if b == _ZERO:
+    if _is(b, 0):
         return a
     x, y = _negated(a, known), _negated(b, known)
     if x is not None and y is not None:
@@ -82,7 +92,7 @@ def _joined(known, a, b, sign):
     (c, x), (k, y) = _scaled(known, a), _scaled(known, b)
     if x != y or isinstance(x, Constant):
         return None
-    both = Constant(_shortened(c.double + sign * k.double), _shortened(c.single + sign * k.single))
+    both = _constant(Op.ADD if sign > 0 else Op.SUB, (c, k))
     return _mul(known, both, x) or Folded(Op.MUL, (both, x))
 
 
@@ -96,11 +106,11 @@ def _scaled(known, x):
 
 
 def _sub(known, a, b):
-    if b == _ZERO:
+    if _is(b, 0):
         return a
     if a == b:
         return _ZERO
-    if a == _ZERO:
+    if _is(a, 0):
         return _neg(known, b) or Folded(Op.NEG, (b,))
     if (y := _negated(b, known)) is not None:
         return _add(known, a, y) or Folded(Op.ADD, (a, y))
@@ -110,11 +120,11 @@ def _sub(known, a, b):
 
 
 def _mul(known, a, b):
-    if _ZERO in (a, b):
+    if _is(a, 0) or _is(b, 0):
         return _ZERO
-    if a == _ONE:
+    if _is(a, 1):
         return b
-    if b == _ONE:
+    if _is(b, 1):
         return a
     negative_a, negative_b = _negated(a, known), _negated(b, known)
     if negative_a is not None and negative_b is not None:
@@ -133,14 +143,14 @@ def _constants_joined(known, c, x):
     k, y = known[x.name].operands
     if not isinstance(k, Constant):
         return None
-    both = Constant(_shortened(c.double * k.double), _shortened(c.single * k.single))
-    return y if both == _ONE else Folded(Op.MUL, (both, y))
+    both = _constant(Op.MUL, (c, k))
+    return y if _is(both, 1) else Folded(Op.MUL, (both, y))
 
 
 def _div(known, a, b):
-    if a == _ZERO:
+    if _is(a, 0):
         return _ZERO
-    if b == _ONE:
+    if _is(b, 1):
         return a
     negative_a, negative_b = _negated(a, known), _negated(b, known)
     if negative_a is not None:
@@ -193,10 +203,13 @@ def _is_power_of_two(x: Constant) -> bool:
         n & (n - 1) == 0 for n in x.double.as_integer_ratio())
 
 
-@cache
 def _evaluated(op: Op, values: tuple[Fraction, ...]) -> Fraction:
-    if op in _EXACT:
-        return _shortened(Fraction(_EXACT[op](*values)))
+    exact = _EXACT.get(op)
+    return _shortened(exact(*values)) if exact else _approximated(op, values)
+
+
+@cache
+def _approximated(op: Op, values: tuple[Fraction, ...]) -> Fraction:
     with mpmath.workdps(DIGITS):
         numbers = [mpmath.mpf(x.numerator) / x.denominator for x in values]
         return _rational(_FUNCTIONS[op](*numbers))
@@ -204,7 +217,8 @@ def _evaluated(op: Op, values: tuple[Fraction, ...]) -> Fraction:
 
 _EXACT = {Op.ADD: lambda a, b: a + b, Op.SUB: lambda a, b: a - b, Op.MUL: lambda a, b: a * b,
           Op.SCALE: lambda a, b: a * b, Op.DIV: lambda a, b: a / b, Op.NEG: lambda a: -a,
-          Op.ABS: abs, Op.LESS: lambda a, b: int(a < b), Op.EQUAL: lambda a, b: int(a == b)}
+          Op.ABS: abs, Op.LESS: lambda a, b: Fraction(a < b),
+          Op.EQUAL: lambda a, b: Fraction(a == b)}
 _FUNCTIONS = {Op.SQRT: mpmath.sqrt, Op.SIN: mpmath.sin, Op.COS: mpmath.cos, Op.EXP: mpmath.exp,
               Op.TANH: mpmath.tanh, Op.ATAN2: mpmath.atan2}
 

@@ -64,7 +64,8 @@ class Recorder:
         """A constant, or a parameter's element of the input p."""
         if isinstance(value, Parameter):
             return self.argument("p")[value.index]
-        return Number(self, Constant(fraction(value), fraction(value)))
+        exact = fraction(value)
+        return Number(self, Constant(exact, exact))
 
     def numbers(self, values: Sequence[Scalar | int]) -> tuple[Number, ...]:
         """Each of them as a Number."""
