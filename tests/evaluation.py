@@ -13,6 +13,7 @@ import numpy as np
 from coscrew_codegen.dynamics.functions import derive
 from coscrew_codegen.dynamics.scene import Scene
 from coscrew_codegen.program import Constant, Input, Op, Operand, Program
+from coscrew_codegen.scene_functions import SceneFunctions
 
 _INFIX = {Op.ADD: "+", Op.SUB: "-", Op.MUL: "*", Op.SCALE: "*", Op.DIV: "/", Op.LESS: "<",
           Op.EQUAL: "=="}
@@ -93,9 +94,10 @@ class Evaluated:
     What a function does not take may be given and is left out; p is, if not given, what the scene
     says, and t is zero."""
 
-    def __init__(self, scene: Scene, arithmetic: Arithmetic = DOUBLE):
+    def __init__(self, scene: Scene, arithmetic: Arithmetic = DOUBLE,
+                 functions: SceneFunctions | None = None):
         self.scene, self.arithmetic = scene, arithmetic
-        self.functions = derive(scene)
+        self.functions = functions or derive(scene)
         self.programs = {f.name: f.program for f in self.functions.functions}
         self._evaluators: dict[str, Callable] = {}
 

@@ -29,6 +29,8 @@ def exponential_series(A: Matrix, first: int = 0) -> Matrix:
     """Σ A^k / (k + first)!: exp A for first = 0, the left Jacobian J for first = 1.  Of a large A
     that of A / 2^n, and then J(2 A) = J(A) (exp A + 1) / 2, exp 2 A = (exp A)²."""
     halvings = max(0, mp.frexp(mp.mnorm(A, mp.inf))[1] - 7)
+    if not halvings:
+        return _series(A, first)
     with mp.extradps(halvings):
         exp, J = (_series(A / 2**halvings, n) for n in (0, first))
         for _ in range(halvings):
@@ -43,7 +45,7 @@ def _series(A: Matrix, first: int) -> Matrix:
         a = np.array([[_mpfr(x) for x in row] for row in A.tolist()])
         total = term = np.array(np.eye(A.rows), dtype=object) / gmpy2.mpfr(gmpy2.fac(first))
         k, small = 0, gmpy2.exp2(-mp.mp.prec - 8)
-        while k < 3 or np.abs(term).max() > small * np.abs(total).max():
+        while k < 3 or k % 8 or np.abs(term).max() > small * np.abs(total).max():
             k += 1
             term = term @ a / (k + first)
             total = total + term

@@ -1,15 +1,17 @@
 """Scenes in double and single are within a running error bound of themselves at 50 digits."""
 
 from collections.abc import Iterator
+from functools import cache
 
 import mpmath
 import numpy as np
 import pytest
 from mpmath import mpf
 
+from coscrew_codegen.dynamics import derive
 from coscrew_codegen.dynamics.scene import Scene
 from tests.effect_scenes import PLACES, arm, effects, mechanism
-from tests.evaluation import DOUBLE, MULTIPRECISE, SINGLE, Evaluated
+from tests.evaluation import DOUBLE, MULTIPRECISE, SINGLE, Arithmetic, Evaluated
 from tests.mechanisms import applied, gravity, scene
 from tests.running_error import bounded
 from tests.test_slopes import chain_of_three, random_state
@@ -40,12 +42,19 @@ def state_of(f: Evaluated, seed: int, number: type) -> dict[str, object]:
             for key, x in state.items()}
 
 
+derived = cache(lambda name: derive(SCENES[name]))
+
+
+def evaluated(name: str, arithmetic: Arithmetic = MULTIPRECISE) -> Evaluated:
+    return Evaluated(SCENES[name], arithmetic, derived(name))
+
+
 @pytest.mark.parametrize("precision", PRECISIONS)
 @pytest.mark.parametrize("name", SCENES)
 def test_results_are_within_their_running_error_bounds(name: str, precision: str) -> None:
     """Which leaves them digits: it is below 2^16 units of the largest."""
     arithmetic, number, u = PRECISIONS[precision]
-    f, bound = (Evaluated(SCENES[name], x) for x in (arithmetic, bounded(precision, mpf(u))))
+    f, bound = (evaluated(name, x) for x in (arithmetic, bounded(precision, mpf(u))))
     for seed in range(3):
         state = state_of(f, seed, number)
         for function in FUNCTIONS:
@@ -60,7 +69,7 @@ def test_results_are_within_their_running_error_bounds(name: str, precision: str
 
 @pytest.mark.parametrize("name", SCENES)
 def test_forward_dynamics_inverts_inverse_dynamics(name: str) -> None:
-    f = Evaluated(SCENES[name], MULTIPRECISE)
+    f = evaluated(name)
     for seed in range(3):
         state = state_of(f, seed, np.float64)
         state["tau"] = f("inverse_dynamics", **state)
