@@ -15,6 +15,7 @@ from typing import TypeVar
 
 import sympy as sp
 from pycparser import CParser, c_ast
+from pycparser.c_generator import CGenerator
 
 from coscrew_codegen.targets.c_ksl import MARK, REFUSED
 
@@ -174,6 +175,19 @@ def sign_flips(text: str, free: tuple[str, ...] = ()) -> Iterator[str]:
         yield text[:match.start()] + flipped + text[match.end():]
 
 
+_OTHER = {"+": "-", "-": "+"}
+
+
+def _signs(node: c_ast.Node, free: tuple[str, ...]) -> Iterator[c_ast.BinaryOp | c_ast.UnaryOp]:
+    """The sums, differences and negatives in a function, but in what is called as `free` says."""
+    if isinstance(node, c_ast.Decl) and node.name.startswith(free or "="):
+        return
+    if isinstance(node, (c_ast.BinaryOp, c_ast.UnaryOp)) and node.op in _OTHER:
+        yield node
+    for _, child in node.children():
+        yield from _signs(child, free)
+
+
 class Header:
     """Types and functions; each function is parsed when it is first needed."""
 
@@ -185,6 +199,20 @@ class Header:
     def with_text(self, name: str, text: str) -> "Header":
         """The same functions, but for the text of one."""
         return Header(self.types, self.texts | {name: text}, self.arithmetic)
+
+    def flips(self, name: str, free: tuple[str, ...] = ()) -> Iterator["Header"]:
+        """The same functions with one sign of this one flipped, as `sign_flips` has them; each
+        until the next is asked for."""
+        other = Header(self.types, self.texts, self.arithmetic)
+        function = other._function(name)
+        for node in spread(list(_signs(function.body, free))):
+            node.op = _OTHER[node.op]
+            yield other
+            node.op = _OTHER[node.op]
+
+    def text(self, name: str) -> str:
+        """The function as it is read."""
+        return CGenerator().visit(self._function(name))
 
     def with_arithmetic(self, arithmetic: Arithmetic) -> "Header":
         """The same functions, evaluated otherwise."""
@@ -278,6 +306,8 @@ class Header:
                 return self._value(node.expr, scope)
             case c_ast.UnaryOp(op="-"):
                 return -self._value(node.expr, scope)
+            case c_ast.UnaryOp(op="+"):
+                return self._value(node.expr, scope)
             case c_ast.BinaryOp():
                 operands = (self._value(side, scope) for side in (node.left, node.right))
                 return self.arithmetic.functions[node.op](*operands)

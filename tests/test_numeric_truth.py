@@ -222,9 +222,8 @@ def test_another_threshold_is_noticed():
 @pytest.mark.parametrize("operation", SIGNED, ids=lambda op: op.name)
 def test_any_flipped_sign_in_c_is_noticed(operation):
     name = c_name(operation.name, DOUBLE)
-    for text in sign_flips(header().texts[name], FREE):
-        wrong = header().with_text(name, text)
-        assert not is_kernel(operation, DOUBLE, partial(run_c, functions=wrong)), text
+    for wrong in header().flips(name, FREE):
+        assert not is_kernel(operation, DOUBLE, partial(run_c, functions=wrong)), wrong.text(name)
 
 
 @pytest.mark.parametrize("operation", SIGNED, ids=lambda op: op.name)
