@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
-from typing import TypeVar
 
 import sympy as sp
 from pycparser import CParser, c_ast
@@ -31,9 +30,6 @@ _PRODUCTS = {"KSL_MUL": "double", "KSL_MULF": "float"}
 """What a product that is never fused into a sum is called, in each precision."""
 _FUNCTION = re.compile(r"^\w[^;{}]*?\b(ksl_\w+)\([^;{}]*\) \{\n.*?^\}\n",
                        re.MULTILINE | re.DOTALL)
-T = TypeVar("T")
-
-MOST_SIGNS = 30
 _SIGNS = re.compile(r"(?<=\s)[+-](?=\s)|(?<=[=,(] )-(?=[\w(])|(?<=[(])-(?=[\w(])")
 
 
@@ -156,20 +152,13 @@ def _clean(text: str) -> str:
     return text.replace("KSL_VIEW", "struct").replace("static inline ", "")
 
 
-def spread(found: Sequence[T]) -> Sequence[T]:
-    """All of them or, of many, MOST_SIGNS or fewer, evenly spread."""
-    return found[::-(-len(found) // MOST_SIGNS) or 1]
-
-
 def sign_flips(text: str, free: tuple[str, ...] = ()) -> Iterator[str]:
     """The text with one binary + or - turned into the other, or one unary - gone; for each, but in
-    what is called as `free` says, and of many signs for a part."""
-    signs = []
+    what is called as `free` says."""
     for match in _SIGNS.finditer(text):
         called = re.findall(r"(\w+) = ", text[:match.start()])
-        if not called or not called[-1].startswith(free or "="):
-            signs.append(match)
-    for match in spread(signs):
+        if called and called[-1].startswith(free or "="):
+            continue
         binary = text[match.end()].isspace()
         flipped = {"+": "-", "-": "+"}[match[0]] if binary else ""
         yield text[:match.start()] + flipped + text[match.end():]
@@ -205,7 +194,7 @@ class Header:
         until the next is asked for."""
         other = Header(self.types, self.texts, self.arithmetic)
         function = other._function(name)
-        for node in spread(list(_signs(function.body, free))):
+        for node in _signs(function.body, free):
             node.op = _OTHER[node.op]
             yield other
             node.op = _OTHER[node.op]

@@ -138,7 +138,7 @@ def rows(operation: Operation, precision: Precision) -> list[Row]:
         places = np.arange(len(A)) % A.shape[1]
         spoiled[np.arange(len(A)), places, places] = -1
         singular = np.array([singular_at(k, M) for k, M in zip(places, definite, strict=True)])
-        groups = [(x, *others) for x in (A, definite, spoiled, singular)]
+        groups = [(x, *others) for x in (definite, A, spoiled, singular)]
     if operation.name == "mat3x3_inverse":  # of every size
         info = np.finfo(precision.numpy_type)
         exponents = np.linspace(info.minexp, info.maxexp - 3, 20).astype(int)[:, None, None]
