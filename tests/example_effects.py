@@ -23,7 +23,7 @@ MOTOR = Effect("motor", "drives", "…", Place.JOINT, (
 STOP = Effect("stop", "ends", "…", Place.JOINT, (
     ParameterOf("lower", "rad", "lower end", default="model", required=False, model="lower"),
     ParameterOf("upper", "rad", "upper end", default="model", required=False, model="upper")),
-    any_of=("lower", "upper"))
+    any_of=("lower", "upper"), ascending=("lower", "upper"))
 ROTOR = Effect("rotor", "turns along", "…", Place.JOINT, (
     ParameterOf("inertia", "kg m^2", "inertia", nonnegative=True),),
     joint_inertia=lambda values: values["inertia"])

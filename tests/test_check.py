@@ -236,6 +236,11 @@ def test_expectations_of_a_single_scene_are_of_single_precision(loaded):
     assert not findings.passed  # 1e-8 is more than single precision has
 
 
+def test_a_scene_of_double_precision_alone_is_checked_in_it(tmp_path, capsys):
+    status, said = told(tmp_path / "nut.toml", capsys, "check", 'precision = "double"\n' + NUT)
+    assert status == 0 and "double" in said and "single" not in said
+
+
 NUT = """
 base = "free"
 [bodies]

@@ -32,12 +32,13 @@ def _fma() -> tuple[str, ...]:
 
 
 FMA = _fma()
+UNHEEDED = "-fassociative-math"  # alone, gcc says so; a pragma may put it in force
 TUNED = (*FMA, "-mtune=sapphirerapids") if FMA else ()
 FLAGS = {
     "gcc": (("-O2",), ("-O3", *FMA), ("-O2", *TUNED), ("-std=c11", "-O3", "-march=native"),
             ("-O3", *FMA, "-ffp-contract=fast"),
-            ("-std=c11", "-O2", *FMA, "-ffp-contract=fast"),
-            ("-x", "c++", "-std=gnu++17", "-O3", "-march=native", "-ffp-contract=fast")),
+            ("-std=c11", "-O2", *FMA, "-ffp-contract=fast", UNHEEDED),
+            ("-x", "c++", "-std=gnu++17", "-O3", "-march=native", "-ffp-contract=fast", UNHEEDED)),
     "clang": (("-O2",), ("-O3", *FMA), ("-O3", *FMA, "-ffp-contract=fast"),
               ("-std=c11", "-O2", "-march=native", "-ffp-contract=fast"),
               ("-O3", *FMA, "-ffp-contract=off", "-DKSL_CONTRACT_OFF"),

@@ -104,3 +104,44 @@ def test_they_are_their_formulas(precision, compiler, tmp_path):
         for number, (found, right) in enumerate(zip(lines, exact, strict=True)):
             worst = max(abs(x - y) for x, y in zip(found, right, strict=True))
             assert worst <= 64 * u, (number, float(worst / u))
+
+
+@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+def test_slerp_goes_on_beyond_half_a_turn_up_to_the_opposite(precision, tmp_path):
+    """From q to -q but for ever less, down to 64 u: at a quarter of the way the turn has a quarter
+    of its angle, about either axis that rounding may leave, never three quarters."""
+    f = precision.suffix
+    slerp, product = (("ksl_quaternion_slerp", "ksl_quaternion_product_qq") if precision is DOUBLE
+                      else ("ksl_slerpf", "ksl_product_qqf"))
+    least = 64 * 2.0 ** (-53 if precision is DOUBLE else -24)
+    (tmp_path / "program.c").write_text(f"""#include <ksl/ksl.h>
+#include <stdio.h>
+int main(void) {{
+  const double pi = 3.14159265358979323846;
+  int wrong = 0, tried = 0;
+  for (double less = 1; less > {least}; less *= 0.97) {{
+    for (int n = 0; n < 16; n++) {{
+      const double a = n + 0.3, b = 2.7 * n, s = sin(pi - less), c = cos(pi - less);
+      ksl_quaternion{f}_t q1 = ksl_quaternion{f}(({precision.c_type})(sin(a) * cos(b)),
+          ({precision.c_type})(sin(a) * sin(b)), ({precision.c_type})(cos(a) * cos(2 * b)),
+          ({precision.c_type})(cos(a) * sin(2 * b)));
+      ksl_quaternion{f}_t turn = ksl_quaternion{f}(0, 0, ({precision.c_type})s,
+          ({precision.c_type})c), q2, o;
+      for (int k = 1; k < 4; k += 2) {{
+        {precision.c_type} t = ({precision.c_type})k / 4;
+        {product}(&q1, &turn, &q2);
+        {slerp}(&q1, &q2, &t, &o);
+        const double along = (double)ksl_dot_qq{f}(k == 1 ? &q1 : &q2, &o);
+        wrong += !(fabs(along - cos((pi - less) / 4)) < 0.01);
+        tried++;
+      }}
+    }}
+  }}
+  printf("%d %d\\n", wrong, tried);
+  return 0;
+}}
+""")
+    run((COMPILERS[0], *C11, "-Wno-missing-braces", "-I", INCLUDE, tmp_path / "program.c", "-o",
+         tmp_path / "program", "-lm"))
+    wrong, tried = map(int, run([tmp_path / "program"]).split())
+    assert wrong == 0 and tried > 5000

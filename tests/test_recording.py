@@ -156,6 +156,18 @@ def test_provenance_says_where_numbers_come_from(swings):
     assert "/" not in told["coscrew"]
 
 
+@pytest.mark.parametrize("every, step, told", [
+    (0.01, 1e-3, "step 0.001 s"),
+    (1e-4, 1e-3, "step 0.0001 s (at most 0.001 s, and a part of every = 0.0001 s)"),
+    (0.01, 0.5, "step 0.01 s (at most 0.5 s, and a part of every = 0.01 s)"),
+    (0.0015, 1e-3, "step 0.00075 s (at most 0.001 s, and a part of every = 0.0015 s)")])
+def test_provenance_tells_the_step_that_is_taken(tmp_path, every, step, told):
+    """A sample lies at the end of a step."""
+    text = texts.PENDULUM.replace("every = 0.05", f"every = {every}")
+    found = outcomes(tmp_path, text, until=0.03, step=step, precision="double")[0].recording
+    assert dict(found.provenance)["integrator"] == f"rk4, {told}"
+
+
 @pytest.mark.parametrize("ending", (*ENDINGS, ".svg", ".png"))
 def test_the_same_run_writes_the_same_bytes(swings, tmp_path, ending):
     for name in ("one", "two"):

@@ -6,12 +6,12 @@ import pytest
 
 from tests import scene_bits
 from tests.c_harness import COMPILERS, run
-from tests.test_flags import FMA, TUNED
+from tests.test_flags import FMA, TUNED, UNHEEDED
 
 FLAGS = {
     "gcc": (("-O0",), ("-O2", *TUNED), ("-O3", "-march=native"),
-            ("-std=c11", "-O2", *FMA, "-ffp-contract=fast"),
-            ("-x", "c++", "-std=gnu++17", "-O3", "-march=native", "-ffp-contract=fast")),
+            ("-std=c11", "-O2", *FMA, "-ffp-contract=fast", UNHEEDED),
+            ("-x", "c++", "-std=gnu++17", "-O3", "-march=native", "-ffp-contract=fast", UNHEEDED)),
     "clang": (("-O1",), ("-O3", "-march=native"), ("-O2", *FMA, "-ffp-contract=fast"),
               ("-x", "c++", "-std=c++17", "-O2", *FMA, "-ffp-contract=fast")),
 }

@@ -6,7 +6,9 @@ from fractions import Fraction as F
 import numpy as np
 import pytest
 
+from coscrew_codegen.dynamics import derive
 from coscrew_codegen.dynamics.model import Inertia, Kind, Mimic
+from coscrew_codegen.dynamics.scene import Scene
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.scene_files.urdf import read_urdf
@@ -312,14 +314,30 @@ def test_thin_plates_with_rounded_moments_are_possible(read):
 
 
 def test_residues_of_programs_that_write_files_are_zero(tmp_path):
-    """Origins and centres within 1e-18 m of zero, products of inertia within 1e-18 √(xx yy)."""
+    """Origins and centres within 1e-18 m of zero, products of inertia within 1e-15 √(xx yy), and
+    moments as near to each other."""
     path = tmp_path / "arm.urdf"
     path.write_text("""<robot name="arm"><link name="a"><inertial><mass value="1"/>
-<origin xyz="1e-19 2.67e-51 1e-17"/><inertia ixx="1" iyy="4" izz="4" ixy="1.9e-18" ixz="2.1e-18"
-iyz="-3.9e-18"/></inertial></link><link name="b"/><joint name="j" type="revolute">
+<origin xyz="1e-19 2.67e-51 1e-17"/><inertia ixx="1" iyy="4" izz="4.000000000000004"
+ixy="1.9e-15" ixz="2.1e-15" iyz="-3.9e-15"/></inertial></link><link name="b"/><joint name="j" type="revolute">
 <parent link="b"/><child link="a"/><origin xyz="-1e-18 1 2e-18"/></joint></robot>""")
     model = read_urdf(path)
     (inertia,) = (body.inertia for body in model.bodies if body.inertia)
     assert inertia.com == (0, 0, F(1, 10**17))
-    assert inertia.moments == (1, 4, 4, 0, F(21, 10**19), 0)
+    assert inertia.moments == (1, 4, 4, 0, F(21, 10**16), 0)
     assert model.joints[-1].placement.t == (0, 1, F(2, 10**18))
+
+
+@pytest.mark.parametrize("rpy", ["0.3 0 0", "0 0.7 0", "2.9 0.4 1", "0 0 0.7853981633974483"])
+def test_a_ball_that_is_turned_is_a_ball(tmp_path, rpy):
+    """What the rounding of sines leaves of equal moments is no number of the file's, whose powers
+    leave single precision's range."""
+    path = tmp_path / "ball.urdf"
+    path.write_text(f"""<robot name="ball"><link name="world"/><link name="a"><inertial>
+<origin xyz="0 0 0.1" rpy="{rpy}"/><mass value="1"/><inertia ixx="0.01" iyy="0.01" izz="0.01"
+ixy="0" ixz="0" iyz="0"/></inertial></link><joint name="j" type="floating"><parent link="world"/>
+<child link="a"/></joint></robot>""")
+    model = read_urdf(path)
+    (inertia,) = (body.inertia for body in model.bodies if body.inertia)
+    assert inertia.moments[1:] == (inertia.moments[0], inertia.moments[0], 0, 0, 0)
+    assert derive(Scene("ball", model)).functions

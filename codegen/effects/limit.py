@@ -41,4 +41,4 @@ EFFECT = Effect(
      ParameterOf("k", "N m/rad^1.5 or N/m^1.5", "stiffness", nonnegative=True),
      ParameterOf("alpha", "s/rad or s/m", "damping: it bounces with about 1/(1 + alpha v) of its "
                  "speed v", default=0, nonnegative=True)),
-    any_of=("lower", "upper"), joint_torque=_torque)
+    any_of=("lower", "upper"), ascending=("lower", "upper"), joint_torque=_torque)

@@ -6,7 +6,7 @@ from fractions import Fraction
 from functools import cached_property
 
 from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place
-from coscrew_codegen.dynamics.model import Joint, Kind, Model
+from coscrew_codegen.dynamics.model import Joint, Kind, Model, value
 from coscrew_codegen.dynamics.scene import Setting
 from coscrew_codegen.scene_files import settings
 from coscrew_codegen.scene_files.tables import Table
@@ -95,8 +95,17 @@ class EffectTable:
             if named:
                 table.missing(self.effect.any_of[0], f"{' or '.join(self.effect.any_of)}")
             return None
+        self._refuse_descent(table, values)
         self.use.of_model |= read | ({(target, "mimic")} if self.effect.mimic else set())
         return values
+
+    def _refuse_descent(self, table: Table, values: Mapping[str, Setting]) -> None:
+        if not self.effect.ascending:
+            return
+        low, high = (values[name] for name in self.effect.ascending)
+        if low is not None and high is not None and value(low) > value(high):
+            table.refuse(self.effect.ascending[0], f"{float(value(low)):g} is above "
+                         f"{self.effect.ascending[1]}, {float(value(high)):g}")
 
     def _kind(self, table: Table, given: Mapping[str, object]) -> str:
         """The choice that parameters belong to."""

@@ -189,6 +189,8 @@ def _start(table: Table, key: str, count: int) -> tuple[Fraction, ...]:
 
 def _record(outputs: Table, scene: Scene) -> tuple[str, ...]:
     texts = outputs.texts("record", ("q", "v"))
+    if not texts:
+        outputs.refuse("record", 'an empty list; wanted quantities, as ["q", "v"]')
     for text in texts:
         try:
             recorded(text, scene)

@@ -12,14 +12,15 @@ def unused(model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ..
     """One line for each number whose (joint, field) is not `used`, with the effect to add for it,
     or what to say in that effect where it acts on the joint already.
 
-    Damping and friction of zero are nothing to use."""
+    Zeros, as files have them for what they do not know, are nothing to use: but one end of a range
+    is."""
     lines = []
     for joint in model.joints:
         for name in FIELDS:
             number = getattr(joint, name)
             if number is None or (joint.name, name) in used:
                 continue
-            if number or name not in ("damping", "friction"):
+            if number or name in ("lower", "upper") and (joint.lower or joint.upper):
                 what = f"{name} {float(number):g} {_unit(joint, name)}"
                 lines.append(_line(joint, what, _remedy(joint, name, catalogue, acting)))
         if joint.mimic and (joint.name, "mimic") not in used:

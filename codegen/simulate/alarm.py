@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from coscrew_codegen.integrators import DEFAULT, named
+from coscrew_codegen.simulate.balance import rounding
 from coscrew_codegen.simulate.plan import Plan
 from coscrew_codegen.simulate.system import State, System
 
@@ -39,7 +40,9 @@ class Alarm:
     system: System
     plan: Plan
     start: State
+    of_steps_alone: bool = False  # for who judges energy and momentum himself
     kinetic: float = field(init=False, default=0.0)  # the largest so far
+    _rounding: float = field(init=False, default=0.0)  # the largest of energies so far
     _steps: int = field(init=False, default=0)
     _next: int = field(init=False, default=_APART)
     _bad: int = field(init=False, default=0)
@@ -60,9 +63,12 @@ class Alarm:
         self._next = self._steps + self._every
         kinetic, potential = map(float, self.system.energies(t, q, v))
         self.kinetic = max(self.kinetic, kinetic)
-        found = (self._of_momentum(t, q, v) or self._of_energy(kinetic + potential)
-                 or self._of_step(t, h, q, v))
-        return found and f"{found[0]} at t = {t:.9g} s: {found[1]}"
+        self._rounding = max(self._rounding, rounding(self.system, np.asarray(potential)))
+        found = None
+        if not self.of_steps_alone:
+            found = self._of_momentum(t, q, v) or self._of_energy(kinetic + potential)
+        found = found or self._of_step(t, h, q, v)
+        return f"{found[0]} at t = {t:.9g} s: {found[1]}" if found else ""
 
     def _of_momentum(self, t: float, q: np.ndarray, v: np.ndarray) -> tuple[str, str] | None:
         if self._momentum is None:
@@ -78,8 +84,9 @@ class Alarm:
     def _of_energy(self, energy: float) -> tuple[str, str] | None:
         if not self._conservative or (self._integrator.order == 1 and self._steps < _SETTLED):
             return None
-        off = (energy - self._energy) / self.kinetic if self.kinetic else 0.0
-        if not abs(off) > ALLOWED:
+        change = energy - self._energy
+        off = change / self.kinetic if self.kinetic else 0.0
+        if abs(change) <= self._rounding or not abs(off) > ALLOWED:
             return None
         return "energy is not kept", (f"it changed by {off:.2g} of the kinetic energy, and nothing "
                                       "feeds it in or dissipates it: "

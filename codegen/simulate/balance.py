@@ -18,6 +18,8 @@ from coscrew_codegen.simulate.plan import Trajectory
 from coscrew_codegen.simulate.record import largest
 from coscrew_codegen.simulate.system import System
 
+ROUNDINGS = 4
+"""Of how many spacings of the potential energy its rounding is, at most, about."""
 _UNCLEAR = 1e-6  # of the energies moved: more between two samples is looked at more closely, where
 # limits are closed also less, so that what is not looked at adds up to no more,
 _MOST = 2000  # at most between so many,
@@ -36,9 +38,15 @@ class Balance:
     defect: float  # the largest |E(t) - E(0) - ∫ P dt|
     at: float  # where, in s
     scale: float  # the largest of kinetic energy, change of energy, and work
+    rounding: float = 0.0  # of energy, ROUNDINGS
     part: float = np.inf  # the shortest in which a step was taken that was split, in s
     momentum: float = 0.0  # the largest √(T(v - v')/T), v' with the momentum there should be, T the
     # largest kinetic energy
+
+    @property
+    def rounded(self) -> bool:
+        """Whether the defect is no more than rounding of energies."""
+        return self.defect <= self.rounding
 
     @property
     def relative(self) -> float:
@@ -71,8 +79,13 @@ def _balance(system: System, trajectory: Trajectory, among: np.ndarray | None) -
     at = largest(defect if among is None else np.where(np.isin(t, among), defect, 0))
     scale = max(np.max(np.abs(x)) for x in (kinetic, change, work))
     return Balance(float(energy[0]), float(energy[-1]), float(work[-1]), float(defect[at]),
-                   float(t[at]), float(scale), _shortest(trajectory, parts),
-                   _momentum(system, t, q, v, np.max(kinetic)))
+                   float(t[at]), float(scale), rounding(system, potential),
+                   _shortest(trajectory, parts), _momentum(system, t, q, v, np.max(kinetic)))
+
+
+def rounding(system: System, potential: np.ndarray) -> float:
+    """What rounding may be of energies that change by much less than the potential energy is."""
+    return ROUNDINGS * float(np.finfo(system.dtype).eps) * float(np.max(np.abs(potential)))
 
 
 def _parts(system: System, trajectory: Trajectory) -> np.ndarray:

@@ -2,13 +2,16 @@
 same motion in both precisions, forward dynamics as the inverse of inverse dynamics."""
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
 from coscrew_codegen.dynamics.quantities import expected, recorded
 from coscrew_codegen.dynamics.scene import Expectation
 from coscrew_codegen.integrators import DEFAULT, named
+from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.balance import Balance, balance
 from coscrew_codegen.simulate.findings import FINER, FINEST, Along, Findings, Met
 from coscrew_codegen.simulate.outcome import Asked
@@ -25,10 +28,11 @@ _TIGHTER = 16  # how much smaller tolerances are the second time
 
 
 def check(kernels: object, asked: Asked) -> Findings:
-    """Run the scene in both precisions, or the one asked for, with its steps and with smaller ones.
+    """Run the scene in its precisions, or the one asked for, with its steps and with smaller ones.
     Expectations are of double precision, unless the scene or `asked` is of single.  Raises
     SimulateError."""
-    names = (asked.precision,) if asked.precision in ("double", "single") else ("double", "single")
+    one = asked.precision in ("double", "single")
+    names = (asked.precision,) if one else kernels.scene.precisions
     runs = {name: _run(kernels, name, asked) for name in names}
     meant = "single" if (asked.precision or kernels.scene.precision) == "single" else "double"
     its, _, trajectory = runs[meant]
@@ -47,12 +51,13 @@ def _run(kernels: object, precision: str, asked: Asked) -> tuple[System, Plan, T
     count = max(2, min(math.ceil(rough.until / rough.step), _MOST_STEPS))
     planned = replace(rough, every=rough.until / count,
                       also=tuple(x.at for x in its.scene.expectations))
-    return its, planned, _integrated(its, planned)
+    return its, planned, _integrated(its, planned, partial(Alarm, of_steps_alone=True))
 
 
-def _integrated(system: System, planned: Plan) -> Trajectory:
+def _integrated(system: System, planned: Plan, alarm: Callable[..., Alarm] | None = None
+                ) -> Trajectory:
     with Progress(system, planned.until) as watch:
-        trajectory = integrate(system, planned, watch)
+        trajectory = integrate(system, planned, watch, alarm)
     if trajectory.interrupted:
         raise KeyboardInterrupt
     return trajectory

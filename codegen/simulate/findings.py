@@ -77,7 +77,8 @@ class Along:
         """Whether it is no more than rounding adds up to, and neither the step's nor that of double
         precision."""
         u = 2.0 ** (-53 if self.precision == "double" else -24)
-        return self.coarse.relative <= 1e4 * u and not (self.shrinks or self.as_double)
+        return self.coarse.rounded or (self.coarse.relative <= 1e4 * u
+                                       and not (self.shrinks or self.as_double))
 
     @property
     def doubtful(self) -> bool:
@@ -86,8 +87,9 @@ class Along:
 
     @property
     def true(self) -> bool:
-        """Whether energy and momentum are within ALLOWED."""
-        return self.coarse.relative <= ALLOWED and self.coarse.momentum <= ALLOWED
+        """Whether energy and momentum are within ALLOWED, as far as rounding lets energies tell."""
+        energy = self.coarse.rounded or self.coarse.relative <= ALLOWED
+        return energy and self.coarse.momentum <= ALLOWED
 
     @property
     def strictly_true(self) -> bool:

@@ -6,6 +6,7 @@ import numpy as np
 from tabulate import tabulate
 
 from coscrew_codegen.integrators import DEFAULT
+from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
 from coscrew_codegen.simulate.progress import Progress
 from coscrew_codegen.simulate.provenance import provenance
@@ -52,7 +53,7 @@ def _run(kernels: object, precision: str, asked: Asked, also: tuple[float, ...])
     its = system(kernels, precision, dict(asked.settings))
     planned = plan(its, asked.until, asked.step, asked.integrator, also=also)
     with Progress(its, planned.until) as watch:
-        trajectory = integrate(its, planned, watch, alarmed=True)
+        trajectory = integrate(its, planned, watch, Alarm)
     told = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy")
     return Outcome(its, planned, trajectory, record(its, trajectory, told))
 

@@ -16,7 +16,7 @@ Provenance = tuple[tuple[str, str], ...]
 
 def provenance(system: System, plan: Plan, trajectory: Trajectory, compiled: str) -> Provenance:
     """(what, its value), as files carry them; `compiled` is the compiler and its flags."""
-    how = (f"rtol {plan.rtol:g}, atol {plan.atol:g}" if plan.adaptive else f"step {plan.step:g} s")
+    how = (f"rtol {plan.rtol:g}, atol {plan.atol:g}" if plan.adaptive else _steps(plan))
     parameters = ", ".join(f"{name} = {value:g}" for (name, _), value in
                            zip(system.functions.parameters, system.p))
     told = (("scene", system.scene.name), ("scene sha256", scene_hash(system.scene)),
@@ -25,6 +25,13 @@ def provenance(system: System, plan: Plan, trajectory: Trajectory, compiled: str
             ("parameters", parameters), ("coscrew", coscrew_version()),
             ("stopped", trajectory.stopped))
     return tuple((what, value) for what, value in told if value)
+
+
+def _steps(plan: Plan) -> str:
+    if plan.taken == plan.step:
+        return f"step {plan.step:g} s"
+    return (f"step {plan.taken:g} s (at most {plan.step:g} s, and a part of "
+            f"every = {plan.every:g} s)")
 
 
 def scene_hash(scene: Scene) -> str:

@@ -16,26 +16,27 @@ from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.adaptive import adaptive
 from coscrew_codegen.simulate.alarm import Alarm
-from coscrew_codegen.simulate.plan import Plan, Trajectory
+from coscrew_codegen.simulate.plan import ROUND_OFF, Plan, Trajectory
 from coscrew_codegen.simulate.system import State, System, Watch
 
 _AT_ONCE = 10_000  # steps between two looks at Ctrl-C
 _KEPT = 100  # steps after which momentum is what it was, to rounding
-_ROUND_OFF = 1e-6  # of a step: 0.01 / 1e-3 is 10 steps, not 11
 
+Alarming = Callable[[System, Plan, State], Alarm]
 Sampled = Iterator[tuple[np.ndarray, np.ndarray, int, str]]
 
 
 def integrate(system: System, plan: Plan, watch: Watch | None = None,
-              alarmed: bool = False) -> Trajectory:
+              alarm: Alarming | None = None) -> Trajectory:
     """The trajectory from the scene's start.  A state that is not finite, a solver that gives up,
     and an interrupt (Ctrl-C) end it early; what was sampled so far is kept.
 
-    `alarmed` runs of emitted integrators stop where Alarm says that the motion is not the scene's.
+    Runs of emitted integrators stop where an Alarm, made by `alarm`, says that the motion is not
+    the scene's.
     `watch` is called with each sample as it is reached, and often enough in between to tell how far
     the run is: after every step of SciPy's and of pure NumPy's, else after 10000."""
     times, (q, v) = plan.samples, system.start()
-    run = adaptive if plan.adaptive else partial(fixed, alarmed=alarmed)
+    run = adaptive if plan.adaptive else partial(fixed, alarm=alarm)
     sampled, stopped, interrupted, steps = [(q, v)], "", False, 0
     began, at = time.perf_counter(), 0.0
     if lacking := system.lacking(q, v):
@@ -56,19 +57,19 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
 
 
 def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
-          watch: Watch | None = None, alarmed: bool = False) -> Sampled:
+          watch: Watch | None = None, alarm: Alarming | None = None) -> Sampled:
     """(q, v, steps so far, "") at each sample after the first, or where and why it stopped."""
     step, taken = system.stepper(f"step_{named(plan.integrator).step}", watch), 0
     if plan.finer > 1 and plan.integrator == DEFAULT and system.has("parts"):
         step = _in_finer_parts(system, plan.finer)
-    alarm = Alarm(system, plan, (q, v)) if alarmed else None
+    look = alarm(system, plan, (q, v)) if alarm else None
     kept = system.kept(q, v) if plan.integrator == DEFAULT else None
     at_once = _KEPT if kept else _AT_ONCE
     with np.errstate(all="ignore"):
         for start, end in zip(times, times[1:]):
-            count = max(1, math.ceil((end - start) / plan.step - _ROUND_OFF))
+            count = max(1, math.ceil((end - start) / plan.step - ROUND_OFF))
             h = (end - start) / count
-            h = plan.step if math.isclose(h, plan.step, rel_tol=_ROUND_OFF) else h
+            h = plan.step if math.isclose(h, plan.step, rel_tol=ROUND_OFF) else h
             before = q, v
             for i in range(0, count, at_once):
                 if watch and i:
@@ -80,8 +81,8 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
             taken += count
             finite = np.isfinite(q).all() and np.isfinite(v).all()
             stopped = "" if finite else _where(system, plan, start, h, count, *before)
-            if finite and alarm:
-                stopped = alarm(count, end, h, q, v)
+            if finite and look:
+                stopped = look(count, end, h, q, v)
             yield q, v, taken, stopped
 
 

@@ -50,7 +50,7 @@ def _checks(along: tuple[Along, ...]) -> str:
 
 def _false(along: Along) -> str:
     """What is off by more than is allowed, why, and what helps."""
-    energy = not along.coarse.relative <= ALLOWED
+    energy = not (along.coarse.rounded or along.coarse.relative <= ALLOWED)
     what, off = (("energy", along.coarse.relative) if energy
                  else ("momentum", along.coarse.momentum))
     said = f"{what} is off by {off:.2g}, allowed is {ALLOWED:g}"
@@ -93,6 +93,6 @@ def _verdict(along: Along) -> str:
 def _order(along: Along) -> float:
     """As which power of the step the defect of energy falls; 0 if it does not."""
     finer, times = (along.fine, FINER) if along.fine_helps else (along.finest, FINEST)
-    if finer is None or not along.less(finer):
+    if finer is None or not (finer.relative and along.less(finer)):
         return 0.0
     return math.log(along.coarse.relative / finer.relative, times)

@@ -70,6 +70,7 @@ def _holes(precision: Precision) -> dict[str, object]:
         return precision.literal(Constant(*(Fraction(number),) * 2)) + precision.suffix
 
     return {"suffix": precision.suffix, "c_type": precision.c_type, "one": literal(1),
+            "few": literal(Fraction(16, 2**{"double": 53, "single": 24}[precision.name])),
             "eighth": literal(pi / 4), "half": literal(pi), "whole": literal(2 * pi),
             "turns": (("Degrees", literal(360), "360"), ("Radians", literal(2 * pi), "2 π")),
             "noise": literal(NOISE[precision.name]), "times": partial(product, precision)}

@@ -64,10 +64,11 @@ static_assert(sizeof(.5) == __SIZEOF_DOUBLE__,
 #endif
 #endif
 
-/* gcc contracts across statements, and must not.  In force to the end of the file that is compiled,
+/* gcc contracts across statements, and must not.  A flag -fassociative-math alone, which gcc does not
+   heed, any such pragma would put in force.  This one is in force to the end of the file that is compiled,
    or nothing would be inlined. */
 #if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize("fp-contract=off")
+#pragma GCC optimize("fp-contract=off", "no-associative-math")
 #elif defined(_MSC_VER) && !defined(__clang__)
 #pragma fp_contract(off)
 #endif
@@ -16468,6 +16469,13 @@ static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1i,
     ksl_quaternion_t middle = *q2i;
     ksl_axpy_qq(1.0, q1i, &middle);
     ksl_quaternion_normalize(&middle);
+    { /* next to -q1i its rounding could make a half the longer arc */
+      const ksl_quaternion_t *end = twice <= 1 ? q1i : q2i;
+      const double short_of = 1.7763568394002505e-15 - ksl_dot_qq(end, &middle);
+      if (short_of > 0) {
+        ksl_axpy_qq(short_of, end, &middle);
+      }
+    }
     if (twice <= 1) {
       ksl_quaternion_interpolated(q1i, &middle, twice, qo);
     } else {
@@ -16536,6 +16544,13 @@ static inline void ksl_slerpf(const ksl_quaternionf_t *q1i,
     ksl_quaternionf_t middle = *q2i;
     ksl_axpy_qqf(1.0f, q1i, &middle);
     ksl_quaternionf_normalize(&middle);
+    { /* next to -q1i its rounding could make a half the longer arc */
+      const ksl_quaternionf_t *end = twice <= 1 ? q1i : q2i;
+      const float short_of = 9.536743e-07f - ksl_dot_qqf(end, &middle);
+      if (short_of > 0) {
+        ksl_axpy_qqf(short_of, end, &middle);
+      }
+    }
     if (twice <= 1) {
       ksl_quaternionf_interpolated(q1i, &middle, twice, qo);
     } else {
@@ -24394,7 +24409,7 @@ static inline const char *ksl_selfcheck(void) {
     return "finite math: NaN or infinity is not what it is; compile without -ffinite-math-only, "
            "-fno-honor-nans, -fno-honor-infinities, -ffast-math";
   }
-  if (pow(m, 3) == rounded_twice || sqrt(two) != root) {
+  if (pow(m, 3.0) == rounded_twice || sqrt(two) != root) {
     return "approximate functions: compile without -fapprox-func, -ffast-math";
   }
   if (smaller == 0 || normal != smallest) {
@@ -24442,7 +24457,7 @@ static inline const char *ksl_selfcheckf(void) {
     return "finite math: NaN or infinity is not what it is; compile without -ffinite-math-only, "
            "-fno-honor-nans, -fno-honor-infinities, -ffast-math";
   }
-  if (powf(m, 3) == rounded_twice || sqrtf(two) != root) {
+  if (powf(m, 3.0f) == rounded_twice || sqrtf(two) != root) {
     return "approximate functions: compile without -fapprox-func, -ffast-math";
   }
   if (smaller == 0 || normal != smallest) {

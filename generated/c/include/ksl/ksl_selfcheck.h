@@ -41,7 +41,7 @@ static inline const char *ksl_selfcheck(void) {
     return "finite math: NaN or infinity is not what it is; compile without -ffinite-math-only, "
            "-fno-honor-nans, -fno-honor-infinities, -ffast-math";
   }
-  if (pow(m, 3) == rounded_twice || sqrt(two) != root) {
+  if (pow(m, 3.0) == rounded_twice || sqrt(two) != root) {
     return "approximate functions: compile without -fapprox-func, -ffast-math";
   }
   if (smaller == 0 || normal != smallest) {
@@ -89,7 +89,7 @@ static inline const char *ksl_selfcheckf(void) {
     return "finite math: NaN or infinity is not what it is; compile without -ffinite-math-only, "
            "-fno-honor-nans, -fno-honor-infinities, -ffast-math";
   }
-  if (powf(m, 3) == rounded_twice || sqrtf(two) != root) {
+  if (powf(m, 3.0f) == rounded_twice || sqrtf(two) != root) {
     return "approximate functions: compile without -fapprox-func, -ffast-math";
   }
   if (smaller == 0 || normal != smallest) {

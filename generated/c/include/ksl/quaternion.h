@@ -2928,6 +2928,13 @@ static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1i,
     ksl_quaternion_t middle = *q2i;
     ksl_axpy_qq(1.0, q1i, &middle);
     ksl_quaternion_normalize(&middle);
+    { /* next to -q1i its rounding could make a half the longer arc */
+      const ksl_quaternion_t *end = twice <= 1 ? q1i : q2i;
+      const double short_of = 1.7763568394002505e-15 - ksl_dot_qq(end, &middle);
+      if (short_of > 0) {
+        ksl_axpy_qq(short_of, end, &middle);
+      }
+    }
     if (twice <= 1) {
       ksl_quaternion_interpolated(q1i, &middle, twice, qo);
     } else {
@@ -2996,6 +3003,13 @@ static inline void ksl_slerpf(const ksl_quaternionf_t *q1i,
     ksl_quaternionf_t middle = *q2i;
     ksl_axpy_qqf(1.0f, q1i, &middle);
     ksl_quaternionf_normalize(&middle);
+    { /* next to -q1i its rounding could make a half the longer arc */
+      const ksl_quaternionf_t *end = twice <= 1 ? q1i : q2i;
+      const float short_of = 9.536743e-07f - ksl_dot_qqf(end, &middle);
+      if (short_of > 0) {
+        ksl_axpy_qqf(short_of, end, &middle);
+      }
+    }
     if (twice <= 1) {
       ksl_quaternionf_interpolated(q1i, &middle, twice, qo);
     } else {
