@@ -319,7 +319,8 @@ def test_residues_of_programs_that_write_files_are_zero(tmp_path):
     path = tmp_path / "arm.urdf"
     path.write_text("""<robot name="arm"><link name="a"><inertial><mass value="1"/>
 <origin xyz="1e-19 2.67e-51 1e-17"/><inertia ixx="1" iyy="4" izz="4.000000000000004"
-ixy="1.9e-15" ixz="2.1e-15" iyz="-3.9e-15"/></inertial></link><link name="b"/><joint name="j" type="revolute">
+ixy="1.9e-15" ixz="2.1e-15" iyz="-3.9e-15"/>
+</inertial></link><link name="b"/><joint name="j" type="revolute">
 <parent link="b"/><child link="a"/><origin xyz="-1e-18 1 2e-18"/></joint></robot>""")
     model = read_urdf(path)
     (inertia,) = (body.inertia for body in model.bodies if body.inertia)
