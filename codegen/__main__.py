@@ -28,8 +28,17 @@ def main(arguments: list[str] | None = None) -> int:
         print("coscrew: interrupted", file=sys.stderr)
         return INTERRUPTED
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or else Python flushes
+        _give_up_output()
         return CLOSED
+    except OSError as error:  # of files commands tell themselves
+        print(f"coscrew: cannot write: {error.strerror}", file=sys.stderr)
+        _give_up_output()
+        return 2
+
+
+def _give_up_output() -> None:
+    """Or else Python writes the rest when it ends."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _run(words: list[str]) -> int:

@@ -7,6 +7,7 @@ import sys
 
 import pytest
 
+from coscrew_codegen.__main__ import main
 from tests import scene_texts as texts
 from tests.processes import interruptible
 
@@ -30,6 +31,22 @@ def test_an_interrupt_while_modules_are_imported_is_told_in_a_line(module):
     with interruptible(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         out, said = process.communicate(timeout=120)
     assert (process.returncode, out, said) == (130, "", "coscrew: interrupted\n")
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="only Linux has a full device")
+def test_output_that_cannot_be_written_is_told_in_a_line():
+    with open("/dev/full", "w") as full:
+        done = subprocess.run([sys.executable, "-m", "coscrew_codegen", "effects"], stdout=full,
+                              stderr=subprocess.PIPE, text=True)
+    assert (done.returncode, done.stderr) == (2, "coscrew: cannot write: No space left on device\n")
+
+
+def test_an_actuator_without_a_kind_is_told_which_there_are(tmp_path, capsys):
+    scene = tmp_path / "scene.toml"
+    scene.write_text(texts.PENDULUM + "[effects.actuator.hinge]\ntorque = 1\n")
+    assert main(["check", str(scene)]) == 2
+    assert "effects.actuator.hinge.kind: missing; wanted what drives: torque, pd, dc" \
+        in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("command", ("effects", "simulate SCENE", "check SCENE",

@@ -119,6 +119,8 @@ from tests.reading import MODEL, applied, read  # noqa: F401
     ("", "[run]\nduration = 1e-4", "run.step", "longer than the duration"),
     ("", "[run]\nduration = inf", "run.duration", "not finite"),
     ("", "[run]\ndt = 1", "run.dt", "unknown key"),
+    ("", "[expect]\nq.elbow = { at = 1, value = 1, rtol = 1 }", "expect.q",
+     '; keys with a dot take quotes: "q.elbow" = …'),
     ("", "[expect]\n'q' = { at = 1, value = 1, rtol = 1 }", "expect.q", "3 components"),
     ("", "[expect]\n'q.elbow' = 3", "expect.'q.elbow'", "wanted a table"),
     ("", "[expect]\nenergy = { value = 1, rtol = 1 }", "expect.energy.at", "missing"),

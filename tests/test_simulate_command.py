@@ -87,7 +87,10 @@ def test_without_pyarrow_nothing_runs_for_parquet(tmp_path, capsys, monkeypatch)
 @pytest.mark.parametrize("arguments, message", (
     (["--integrator", "rk5"], "integrator: 'rk5'; wanted one of leapfrog, "
      "semi-implicit-euler, linear-implicit-euler, rk4, dop853, radau; did you mean 'rk4'?"),
-    (["--set", "block.mas=2"], "did you mean 'block.mass'?"),
+    (["--set", "block.mas=2"], "wanted what the scene lists in `runtime`: block.mass"),
+    (["--precision", "single", "--set", "block.mass=1e39"], "outside single precision's range: 0, "
+     "and 1.2e-38 to 3.4e+38 in size"),
+    (["--precision", "single", "--set", "block.mass=1e-40"], "outside single precision's range"),
     (["--output", "out.xls"], "wanted a name that ends in .csv or .npz or .parquet"),
     (["--output", "nowhere/out.csv"], "cannot write nowhere/out.csv"),
     (["--plot", "out.gif"], "wanted a name that ends in .svg or .png"),

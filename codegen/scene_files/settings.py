@@ -52,7 +52,8 @@ def default(table: Table, parameter: ParameterOf) -> Setting:
     if value is None:
         if parameter.required:
             unit = f" in {parameter.unit}" if parameter.unit else ""
-            table.missing(parameter.name, f"{parameter.words}{unit}")
+            choices = f": {', '.join(parameter.choices)}" if parameter.choices else ""
+            table.missing(parameter.name, f"{parameter.words}{unit}{choices}")
         return None
     if isinstance(value, tuple):
         return tuple(Fraction(component) for component in value)

@@ -218,13 +218,20 @@ def _expectations(file: Table, scene: Scene) -> tuple[Expectation, ...]:
         try:
             expected(quantity, scene)
         except QuantityError as error:
-            outer.refuse(quantity, str(error))
+            outer.refuse(quantity, f"{error}{_quotes(quantity, value)}")
         for given in value if isinstance(value, list) else [value]:
             if not isinstance(given, dict):
                 outer.refuse(quantity, f"{described(given)}; wanted a table: at, value, rtol")
             expectations.append(_expectation(Table(file.file, outer.key(quantity), given), quantity,
                                              scene.run.duration))
     return tuple(expectations)
+
+
+def _quotes(quantity: str, value: object) -> str:
+    """What to write for q.elbow = { … }, which TOML takes for a table q."""
+    inside = [key for key, x in value.items() if isinstance(x, dict)] \
+        if isinstance(value, dict) else []
+    return f'; keys with a dot take quotes: "{quantity}.{inside[0]}" = …' if inside else ""
 
 
 def _expectation(table: Table, quantity: str, duration: float) -> Expectation:

@@ -7,30 +7,33 @@ from fractions import Fraction
 from coscrew_codegen.dynamics.assembly import ModelError
 from coscrew_codegen.dynamics.effect import ParameterOf
 from coscrew_codegen.dynamics.model import Model, Parameter, Scalar
-from coscrew_codegen.dynamics.names import did_you_mean
 from coscrew_codegen.dynamics.possible import judged, unmoved_mass
 from coscrew_codegen.dynamics.quantities import carried
 from coscrew_codegen.dynamics.scene import Scene
 from coscrew_codegen.scene_files.decimals import bounded
 from coscrew_codegen.scene_files.runtime import swapped_model
 from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.targets.precision import Precision
 
 _POSITIVE, _NOT_NEGATIVE = "wanted a positive number", "wanted 0 or more"
 
 
-def refuse_settings(scene: Scene, settings: Mapping[str, float]) -> None:
-    """Raise SimulateError for a name that is no parameter of the scene, a number out of its range,
-    and numbers that together make a body that cannot exist, or a joint that moves nothing."""
+def refuse_settings(scene: Scene, settings: Mapping[str, float], precision: Precision) -> None:
+    """Raise SimulateError for a name that is no parameter of the scene, a number out of its range
+    or the precision's, and numbers that together make a body that cannot exist, or a joint that moves nothing."""
     names = tuple(parameter.name for parameter in scene.parameters)
     for name, number in settings.items():
         if name not in names:
-            hint = did_you_mean(name, names) if names else "this scene lists none"
-            raise SimulateError(f"--set {name}: wanted one of the scene's `runtime` parameters; "
-                                f"{hint}")
+            listed = ", ".join(names) or "none"
+            raise SimulateError(f"--set {name}: wanted what the scene lists in `runtime`: {listed}")
         try:
             bounded(Fraction(number), f"{number:g}")
         except (ValueError, OverflowError) as error:  # a NaN or an infinity is no fraction
             raise SimulateError(f"--set {name}={number:g}: {error}") from None
+        least, most = (float(precision.limit(x)) for x in ("smallest_normal", "max"))
+        if number and not least <= abs(number) <= most:
+            raise SimulateError(f"--set {name}={number:g}: outside {precision.name} precision's "
+                                f"range: 0, and {least:.2g} to {most:.2g} in size")
     for name, wanted in _signs(scene):
         number = settings.get(name, 1)
         if number < 0 or wanted == _POSITIVE and number == 0:

@@ -135,7 +135,7 @@ def system(kernels: object, precision: str, settings: Mapping[str, float] | None
     `settings` are values for parameters that the scene keeps at run time; raises SimulateError for
     others, and for values that a scene's file is refused for."""
     functions, scene = kernels.functions, kernels.scene
-    refuse_settings(scene, settings or {})
-    values = tuple((settings or {}).get(name, value) for name, value in functions.parameters)
     found = next(x for x in PRECISIONS if x.name == precision)
+    refuse_settings(scene, settings or {}, found)
+    values = tuple((settings or {}).get(name, value) for name, value in functions.parameters)
     return System(scene, functions, getattr(kernels, precision), found, values)

@@ -64,9 +64,9 @@ static_assert(sizeof(.5) == __SIZEOF_DOUBLE__,
 #endif
 #endif
 
-/* gcc contracts across statements, and must not.  A flag -fassociative-math alone, which gcc does not
-   heed, any such pragma would put in force.  This one is in force to the end of the file that is compiled,
-   or nothing would be inlined. */
+/* gcc contracts across statements, and must not.  A flag -fassociative-math alone, which gcc does
+   not heed, any such pragma would put in force.  This one is in force to the end of the file that
+   is compiled, or nothing would be inlined. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("fp-contract=off", "no-associative-math")
 #elif defined(_MSC_VER) && !defined(__clang__)
@@ -1496,7 +1496,7 @@ static inline void ksl_swapi(int *a, int *b) {
   *b = first;
 }
 
-/* y = a x + y, n numbers each. */
+/* y = a x + y, n numbers each; x and y are the same or apart. */
 static inline void ksl_axpy(
     const int n, const double a, const double *x, double *y) {
   for (int i = 0; i < n; i++) {
@@ -1513,7 +1513,7 @@ static inline void ksl_swapArray(
   }
 }
 
-/* y = a x + y, n numbers each. */
+/* y = a x + y, n numbers each; x and y are the same or apart. */
 static inline void ksl_axpyf(
     const int n, const float a, const float *x, float *y) {
   for (int i = 0; i < n; i++) {
@@ -8150,7 +8150,7 @@ static inline double ksl_normalizeDegrees(double angle) {
 }
 
 /* The angle in [0, 2 π) that is whole turns away, off by 1.2e-15 + 2e-32 |angle| at most,
-   modulo 2 π; as it is where it is in there already. */
+   modulo 2 π; as it is where it is there and below the number next to 2 π. */
 static inline double ksl_normalizeRadians(double angle) {
   /* 2 π is the number next to it and this much, but for 6e-33. */
   const double turn = 6.283185307179586, beyond = 2.4492935982947064e-16, zero = 0;
@@ -8170,7 +8170,7 @@ static inline float ksl_normalizeDegreesf(float angle) {
 }
 
 /* The angle in [0, 2 π) that is whole turns away, off by 8e-7 + 7e-15 |angle| at most,
-   modulo 2 π; as it is where it is in there already. */
+   modulo 2 π; as it is where it is there and below the number next to 2 π. */
 static inline float ksl_normalizeRadiansf(float angle) {
   /* 2 π is the number next to it and this much, but for 7e-15. */
   const float turn = 6.2831855f, beyond = -1.7484555e-07f, zero = 0;

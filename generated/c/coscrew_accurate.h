@@ -64,9 +64,9 @@ static_assert(sizeof(.5) == __SIZEOF_DOUBLE__,
 #endif
 #endif
 
-/* gcc contracts across statements, and must not.  A flag -fassociative-math alone, which gcc does not
-   heed, any such pragma would put in force.  This one is in force to the end of the file that is compiled,
-   or nothing would be inlined. */
+/* gcc contracts across statements, and must not.  A flag -fassociative-math alone, which gcc does
+   not heed, any such pragma would put in force.  This one is in force to the end of the file that
+   is compiled, or nothing would be inlined. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("fp-contract=off", "no-associative-math")
 #elif defined(_MSC_VER) && !defined(__clang__)

@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "5cd085b457b524a8")
+COMPILED: bool = is_compiled("coscrew._gufunc", "dc3cb3b867e517d7")
 
 if COMPILED:
     from coscrew._gufunc import (

@@ -12,7 +12,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "3ba5a929cdb5a09e")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "9fef05e906369109")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

@@ -13,7 +13,7 @@ nothing, or are not polynomials, are those of `coscrew`.
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "9ee8c0cbe7c9a7ae")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "549d805ccb087fe0")
 
 if COMPILED:
     from coscrew.certified._gufunc import (

@@ -31,7 +31,7 @@ static inline void ksl_swapi(int *a, int *b) {
   *b = first;
 }
 
-/* y = a x + y, n numbers each. */
+/* y = a x + y, n numbers each; x and y are the same or apart. */
 static inline void ksl_axpy(
     const int n, const double a, const double *x, double *y) {
   for (int i = 0; i < n; i++) {
@@ -48,7 +48,7 @@ static inline void ksl_swapArray(
   }
 }
 
-/* y = a x + y, n numbers each. */
+/* y = a x + y, n numbers each; x and y are the same or apart. */
 static inline void ksl_axpyf(
     const int n, const float a, const float *x, float *y) {
   for (int i = 0; i < n; i++) {

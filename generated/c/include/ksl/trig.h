@@ -39,7 +39,7 @@ static inline double ksl_normalizeDegrees(double angle) {
 }
 
 /* The angle in [0, 2 π) that is whole turns away, off by 1.2e-15 + 2e-32 |angle| at most,
-   modulo 2 π; as it is where it is in there already. */
+   modulo 2 π; as it is where it is there and below the number next to 2 π. */
 static inline double ksl_normalizeRadians(double angle) {
   /* 2 π is the number next to it and this much, but for 6e-33. */
   const double turn = 6.283185307179586, beyond = 2.4492935982947064e-16, zero = 0;
@@ -59,7 +59,7 @@ static inline float ksl_normalizeDegreesf(float angle) {
 }
 
 /* The angle in [0, 2 π) that is whole turns away, off by 8e-7 + 7e-15 |angle| at most,
-   modulo 2 π; as it is where it is in there already. */
+   modulo 2 π; as it is where it is there and below the number next to 2 π. */
 static inline float ksl_normalizeRadiansf(float angle) {
   /* 2 π is the number next to it and this much, but for 7e-15. */
   const float turn = 6.2831855f, beyond = -1.7484555e-07f, zero = 0;
