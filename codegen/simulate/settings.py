@@ -20,7 +20,8 @@ _POSITIVE, _NOT_NEGATIVE = "wanted a positive number", "wanted 0 or more"
 
 def refuse_settings(scene: Scene, settings: Mapping[str, float], precision: Precision) -> None:
     """Raise SimulateError for a name that is no parameter of the scene, a number out of its range
-    or the precision's, and numbers that together make a body that cannot exist, or a joint that moves nothing."""
+    or the precision's, and numbers that together make a body that cannot exist, or a joint that
+    moves nothing."""
     names = tuple(parameter.name for parameter in scene.parameters)
     for name, number in settings.items():
         if name not in names:
