@@ -5,6 +5,8 @@ only where all packages are there that the command needs."""
 
 import os
 import sys
+from contextlib import suppress
+from io import UnsupportedOperation
 
 from coscrew_codegen.console import any_encoding
 from coscrew_codegen.extras import COMMANDS, lacking
@@ -30,15 +32,17 @@ def main(arguments: list[str] | None = None) -> int:
     except BrokenPipeError:
         _give_up_output()
         return CLOSED
-    except OSError as error:  # of files commands tell themselves
-        print(f"coscrew: cannot write: {error.strerror}", file=sys.stderr)
+    except OSError as error:
+        where = f"{error.filename}" if error.filename else "cannot write"  # standard output
+        print(f"coscrew: {where}: {error.strerror or error}", file=sys.stderr)
         _give_up_output()
         return 2
 
 
 def _give_up_output() -> None:
     """Or else Python writes the rest when it ends."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    with suppress(UnsupportedOperation):  # what stands in for standard output may be no file
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _run(words: list[str]) -> int:

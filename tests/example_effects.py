@@ -31,7 +31,9 @@ PUSH = Effect("push", "pushes", "f", Place.BODY, (
     ParameterOf("force", "N", "force", "formulas"),
     ParameterOf("point", "m", "where", "vector", ZERO),
     ParameterOf("seen_from", "", "body", "body", "world")))
-TENDON = Effect("tendon", "pulls", "…", Place.PAIR, (ParameterOf("k", "N/m", "stiffness"),))
+TENDON = Effect("tendon", "pulls", "…", Place.PAIR, (
+    ParameterOf("k", "N/m", "stiffness", required=False),
+    ParameterOf("d", "N s/m", "damping", required=False)), any_of=("k", "d"))
 MIMIC = Effect("mimic", "follows", "…", Place.SCENE, (), mimic=True)
 REACTION = Effect("reaction", "tells", "f", Place.JOINT, (), reaction=True)
 

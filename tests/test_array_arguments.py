@@ -1,6 +1,7 @@
 """What is no array of double or single numbers, nor of integers, is a TypeError that names it."""
 
 import pickle
+import re
 from fractions import Fraction
 
 import numpy as np
@@ -186,3 +187,12 @@ def test_errors_of_others_are_left_alone():
         coscrew.coscrew_inverted(Silent())
     with np.errstate(all="raise"), pytest.raises(FloatingPointError):
         coscrew.coscrew_scale(np.full(6, 1e200), 1e200)
+
+
+@pytest.mark.parametrize("tier", TIERS[1:])
+def test_operations_without_a_tier_are_told(tier):
+    name = re.escape(tier.__name__)
+    with pytest.raises(AttributeError, match=f"^{name} has no 'SO3_exp'; coscrew.SO3_exp is there"):
+        tier.SO3_exp
+    with pytest.raises(AttributeError, match=f"^{name} has no 'SO3_xep'$"):
+        tier.SO3_xep

@@ -49,3 +49,19 @@ def test_motions_smaller_than_the_rounding_of_energies_are_true(tmp_path, capsys
         status, said = told(tmp_path / "pendulum.toml", capsys, command, text, "--precision",
                             precision)
         assert status == 0, said
+    if angle in ("3e-8", "1e-9"):
+        assert "untold: potential energy rounds by more than was moved" in said
+
+
+@pytest.mark.parametrize("angle, z, precision", [("1e-3", 0, "single"), ("0.1", 2000, "single"),
+                                                 ("3e-8", 0, "double")])
+def test_such_motions_are_still_false_where_steps_are_too_long(tmp_path, capsys, angle, z,
+                                                               precision):
+    """Their energies tell nothing, but a step of 0.6 s differs from its halves: hω is 2.6."""
+    text = PENDULUM.format(angle=angle, z=z).replace("duration = 1", "duration = 30\nstep = 0.6")
+    text += "[outputs]\nevery = 0.6\n"
+    for command in ("simulate", "check"):
+        status, said = told(tmp_path / "pendulum.toml", capsys, command, text, "--precision",
+                            precision)
+        assert status == 1
+        assert "the step is too large" in said or command == "simulate"  # energy tells that, too

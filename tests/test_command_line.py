@@ -41,6 +41,17 @@ def test_output_that_cannot_be_written_is_told_in_a_line():
     assert (done.returncode, done.stderr) == (2, "coscrew: cannot write: No space left on device\n")
 
 
+def test_other_files_that_fail_are_named(monkeypatch, capsys):
+    def fail(words: list[str]) -> int:
+        open("/nowhere/at/all")
+        return 0
+
+    monkeypatch.setattr("coscrew_codegen.__main__._run", fail)
+    monkeypatch.setattr("coscrew_codegen.__main__._give_up_output", lambda: None)
+    assert main(["effects"]) == 2
+    assert capsys.readouterr().err == "coscrew: /nowhere/at/all: No such file or directory\n"
+
+
 def test_an_actuator_without_a_kind_is_told_which_there_are(tmp_path, capsys):
     scene = tmp_path / "scene.toml"
     scene.write_text(texts.PENDULUM + "[effects.actuator.hinge]\ntorque = 1\n")

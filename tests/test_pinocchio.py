@@ -10,7 +10,7 @@ import pytest
 from tests import evaluation
 from tests.robots import Robot, robot
 
-from coscrew_codegen.dynamics.identifiers import identifiers
+from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.program import Op
 
 STATES = 8

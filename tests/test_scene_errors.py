@@ -101,6 +101,8 @@ from tests.reading import MODEL, applied, read  # noqa: F401
      "twice"),
     ("", "[effects.tendon.a]\nk = 1\nbodies = ['tool', 'uper']", "effects.tendon.a.bodies",
      "'upper'"),
+    ("", "[effects.tendon.a]\nbodies = ['world', 'tool']\n", "effects.tendon.a.k",
+     "missing; wanted k or d"),
     ("", "[effects.mimic]\nx = 1", "effects.mimic.x", "unknown key"),
     ("", "[start]\nq.elbw = 1", "start.q.elbw", "did you mean 'elbow'?"),
     ("", "[start]\np = 1", "start.p", "unknown key"),
@@ -135,6 +137,13 @@ def test_errors_name_file_key_and_what_was_wanted(read, head, tail, where, words
     assert caught.value.where == where
     assert words in str(caught.value) and "\n" not in str(caught.value)
     assert caught.value.file.endswith("arm.toml")
+
+
+def test_an_effect_that_lets_nothing_follow_is_refused(read):
+    follows = 'mimic = { joint = "elbow", multiplier = 0.5, offset = 0.125 }\n'
+    assert follows in MODEL
+    with pytest.raises(SceneError, match="no joint of the model follows another"):
+        read(model=MODEL.replace(follows, ""), tail="[effects.mimic]\n")
 
 
 @pytest.mark.parametrize("old, new, where, words", [

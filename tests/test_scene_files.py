@@ -195,7 +195,8 @@ seen_from = "upper"
 
 def test_pairs_of_bodies(read):
     scene = read(tail='[effects.tendon.left]\nbodies = ["world", "tool"]\nk = 7\n')
-    assert applied(scene, "tendon") == {("left", "left"): {"k": 7, "bodies": ("world", "tool")}}
+    assert applied(scene, "tendon") == {("left", "left"): {"k": 7, "d": None,
+                                                          "bodies": ("world", "tool")}}
 
 
 def test_a_recorded_reaction_is_asked_for(read):

@@ -141,6 +141,45 @@ def test_numbers_are_set_that_the_file_may_hold(tmp_path, key, given, settings):
         read_scene(scene_file(tmp_path, RUNTIME.replace(key, given)))
 
 
+LIMITED = """
+runtime = ["limit.slide.lower"]
+[bodies]
+block = { mass = 1 }
+[joints]
+slide = { type = "prismatic", child = "block", axis = [0, 0, 1] }
+[effects.limit.slide]
+lower = -1
+upper = 0.1
+k = 1e4
+[start.q]
+slide = 0.1
+[run]
+duration = 0.1
+"""
+
+
+@pytest.mark.parametrize("command", ("simulate", "check"))
+def test_ends_of_ranges_are_not_exchanged(tmp_path, capsys, command):
+    scene = scene_file(tmp_path, LIMITED)
+    assert main([command, str(scene), "--set", "limit.slide.lower=1"]) == 2
+    assert capsys.readouterr().err == ("coscrew: --set limit.slide.lower=1: limit.slide: lower, 1, "
+                                       "is above upper, 0.1\n")
+
+
+@pytest.mark.parametrize("command", ("simulate", "check"))
+@pytest.mark.parametrize("start, settings, told", (
+    ("0.1", (), ""), ("-1", (), ""),
+    ("0.2", (), "joint slide starts at 0.2, outside its range from -1 to 0.1"),
+    ("-1.5", (), "joint slide starts at -1.5, outside"),
+    ("0", ("--set", "limit.slide.lower=0.05"), "starts at 0, outside its range from 0.05 to 0.1")))
+def test_starts_outside_ranges_are_told(tmp_path, capsys, command, start, settings, told):
+    text = LIMITED.replace("slide = 0.1\n", f"slide = {start}\n")
+    assert main([command, str(scene_file(tmp_path, text)), "--precision", "single", *settings]) == 0
+    said = capsys.readouterr()
+    assert told in said.out + said.err
+    assert ("outside" in said.out + said.err) == bool(told)
+
+
 @pytest.mark.parametrize("number", (math.nan, math.inf))
 def test_what_is_no_number_is_not_set(kernels, capsys, number):
     with pytest.raises(SimulateError, match="--set block.mass"):

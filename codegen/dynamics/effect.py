@@ -107,7 +107,8 @@ class Effect:
     place: Place
     parameters: tuple[ParameterOf, ...]
     any_of: tuple[str, ...] = ()  # one of these parameters, at least, must have a value
-    ascending: tuple[str, str] | None = None  # the first of these is not above the second
+    ascending: tuple[str, str] | None = None  # the ends of the range it keeps a
+    # joint in, of which the first is not above the second
     gravity: Callable[[Values], "Vector"] | None = None  # in the world's frame
     joint_torque: Callable[["JointState", Values], Torque] | None = None
     joint_inertia: Callable[[Values], "Number"] | None = None

@@ -7,7 +7,7 @@ from coscrew_codegen.dynamics import (composite, coordinates, energies, floating
 from coscrew_codegen.dynamics.acting import Acting
 from coscrew_codegen.dynamics.assembly import ModelError
 from coscrew_codegen.dynamics.formulas import Formula
-from coscrew_codegen.dynamics.identifiers import identifiers
+from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.dynamics.numbers import Number, row_by_row
 from coscrew_codegen.dynamics.ranges import refuse_numbers, refuse_products, refuse_quotients
 from coscrew_codegen.dynamics.record import Recorder, array, headings

@@ -11,9 +11,10 @@ CLOSEST = Fraction(1, 10**12)
 
 def _forces(first, second, values: Values) -> tuple[Force, Force, Line]:
     """±[k (l - length) + d l'] e, e = x / max(l, CLOSEST) x from the first point to the second."""
-    a, b, k, d = (values[x] for x in ("first", "second", "k", "d"))
+    a, b = values["first"], values["second"]
     x = first.apart(a, second, b)
     length = sqrt(dot(x, x))
+    k, d = (length.like(0) if values[name] is None else values[name] for name in ("k", "d"))
     e = scaled(1 / maximum(length, CLOSEST), x)
     rate = dot(e, subtract(second.world_direction(second.velocity(b)),
                            first.world_direction(first.velocity(a))))
@@ -33,7 +34,7 @@ EFFECT = Effect(
                  (Fraction(0),) * 3),
      ParameterOf("second", "m", "where it is fixed to the second body, in its frame", "vector",
                  (Fraction(0),) * 3),
-     ParameterOf("k", "N/m", "stiffness", default=0, nonnegative=True),
-     ParameterOf("d", "N s/m", "damping", default=0, nonnegative=True),
+     ParameterOf("k", "N/m", "stiffness", required=False, nonnegative=True),
+     ParameterOf("d", "N s/m", "damping", required=False, nonnegative=True),
      ParameterOf("length", "m", "at which the spring is at rest", default=0, nonnegative=True)),
-    pair_force=_forces)
+    any_of=("k", "d"), pair_force=_forces)

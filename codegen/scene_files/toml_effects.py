@@ -38,7 +38,11 @@ def _on_scene(reading: EffectTable) -> list[Applied]:
     table.only(*reading.parameters)
     applied = Applied(reading.effect, "", reading.values(table, table.values, ""))
     if reading.effect.mimic:
-        reading.use.of_model |= {(j.name, "mimic") for j in reading.model.joints if j.mimic}
+        following = {(j.name, "mimic") for j in reading.model.joints if j.mimic}
+        if not following:
+            table.refuse("", "no joint of the model follows another; wanted mimic = { joint, … } "
+                             f"of a joint, or no {reading.effect.name}")
+        reading.use.of_model |= following
     return [applied]
 
 

@@ -14,7 +14,7 @@ from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.balance import Balance, balance
 from coscrew_codegen.simulate.findings import FINER, FINEST, Along, Findings, Met
-from coscrew_codegen.simulate.outcome import Asked
+from coscrew_codegen.simulate.outcome import Asked, outside
 from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
 from coscrew_codegen.simulate.progress import Progress
 from coscrew_codegen.simulate.record import accelerations, differences, largest, quantity
@@ -41,7 +41,7 @@ def check(kernels: object, asked: Asked) -> Findings:
     if len(along) == 2:
         along[1] = replace(along[1], double=along[0])
     apart = differences(*(_sparse(x, y) for x, _, y in runs.values())) if len(runs) == 2 else ()
-    return Findings(met, tuple(along), apart)
+    return Findings(met, tuple(along), apart, outside(its))
 
 
 def _run(kernels: object, precision: str, asked: Asked) -> tuple[System, Plan, Trajectory]:

@@ -106,8 +106,9 @@ def run(options: argparse.Namespace) -> int:
     outcomes = outcome.simulated(kernels, outcome.Asked(
         options.until, options.step, options.integrator, options.precision,
         tuple(options.settings)))
-    if note := outcome.bounces(outcomes[0]):
-        print(f"coscrew: {note}", file=sys.stderr)
+    for note in (outcome.outside(outcomes[0].system), outcome.bounces(outcomes[0])):
+        if note:
+            print(f"coscrew: {note}", file=sys.stderr)
     recordings = [x.recording for x in outcomes]
     if options.output:
         for path, recording in zip(_outputs(options.output), recordings):

@@ -81,6 +81,12 @@ class Along:
                                        and not (self.shrinks or self.as_double))
 
     @property
+    def untold(self) -> bool:
+        """Whether rounding of the potential energy is more than all energy that was moved, so that
+        energies tell nothing."""
+        return self.coarse.rounded and self.coarse.rounding > self.coarse.scale
+
+    @property
     def doubtful(self) -> bool:
         """Whether it is neither rounding nor the integrator's, which shrinks with steps."""
         return not (self.rounding or self.shrinks)
@@ -105,6 +111,7 @@ class Findings:
     met: tuple[Met, ...]
     along: tuple[Along, ...]  # double, single, or one of them
     apart: tuple[Difference, ...]  # of both
+    outside: str = ""  # joints that start outside their ranges, in words
 
     @property
     def passed(self) -> bool:

@@ -13,6 +13,7 @@ from coscrew_codegen.simulate.provenance import provenance
 from coscrew_codegen.simulate.record import Difference, differences, record
 from coscrew_codegen.simulate.recording import Recording
 from coscrew_codegen.simulate.run import integrate
+from coscrew_codegen.simulate.settings import ranges
 from coscrew_codegen.simulate.system import System, system
 
 
@@ -87,6 +88,19 @@ def bounces(outcome: Outcome) -> str:
         return ""
     return (f"limits close, and {planned.integrator} does not resolve bounces in steps of "
             f"{planned.step:g} s: they lose speed; integrator {DEFAULT} splits such steps")
+
+
+def outside(its: System) -> str:
+    """Says which joints start outside the ranges that effects keep them in, so that these push from
+    the start; else ""."""
+    names = (name for name, _ in its.functions.parameters)
+    start = {c.joint: its.scene.start_q.get(c.joint, (its.functions.neutral[c.q.start],))[0]
+             for c in its.functions.coordinates}
+    found = [f"joint {limited.on} starts at {start[limited.on]:g}, outside its range from {low:g} "
+             f"to {high:g}"
+             for limited, low, high in ranges(its.scene, dict(zip(names, its.p, strict=True)))
+             if limited.on in start and not low <= start[limited.on] <= high]
+    return f"{'; '.join(found)}: pushed from the start" if found else ""
 
 
 def _heading(outcome: Outcome) -> str:

@@ -10,7 +10,7 @@ from coscrew_codegen.integrators import ADAPTIVE
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.system import System
 
-ROUND_OFF = 1e-6  # of a step: 0.01 / 1e-3 is 10 steps, not 11
+_ROUND_OFF = 1e-6  # of a step: 0.01 / 1e-3 is 10 steps, not 11
 _SAME = 1e-6  # of `every`: times closer than that are the same
 MOST_SAMPLES = 10_000_000
 MOST_STEPS = 10**12  # weeks of the fastest scenes
@@ -38,12 +38,12 @@ class Plan:
         """Whether SciPy integrates."""
         return self.integrator in ADAPTIVE
 
-    @property
-    def taken(self) -> float:
-        """The step that is taken: as many as are needed, of equal length, from sample to sample."""
-        count = max(1, math.ceil(self.every / self.step - ROUND_OFF))
-        h = self.every / count
-        return self.step if math.isclose(h, self.step, rel_tol=ROUND_OFF) else h
+    def steps(self, interval: float) -> tuple[int, float]:
+        """How many steps are taken from a sample to the next, and how long each is: as few as are
+        no longer than `step`, of equal length."""
+        count = max(1, math.ceil(interval / self.step - _ROUND_OFF))
+        h = interval / count
+        return count, self.step if math.isclose(h, self.step, rel_tol=_ROUND_OFF) else h
 
     @property
     def samples(self) -> np.ndarray:

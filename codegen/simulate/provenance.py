@@ -28,9 +28,10 @@ def provenance(system: System, plan: Plan, trajectory: Trajectory, compiled: str
 
 
 def _steps(plan: Plan) -> str:
-    if plan.taken == plan.step:
+    _, h = plan.steps(plan.every)
+    if h == plan.step:
         return f"step {plan.step:g} s"
-    return (f"step {plan.taken:g} s (at most {plan.step:g} s, and a part of "
+    return (f"step {h:g} s (at most {plan.step:g} s, and a part of "
             f"every = {plan.every:g} s)")
 
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from coscrew_codegen.dynamics.identifiers import identifiers
+from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.dynamics.model import Kind
 from coscrew_codegen.dynamics.quantities import Recorded, recorded
 from coscrew_codegen.simulate import SimulateError

@@ -5,7 +5,6 @@ two samples there are ceil(interval / step) of them.  SciPy's choose their steps
 are sampled through their interpolants; at the end they stop exactly.
 """
 
-import math
 import time
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -16,7 +15,7 @@ from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.adaptive import adaptive
 from coscrew_codegen.simulate.alarm import Alarm
-from coscrew_codegen.simulate.plan import ROUND_OFF, Plan, Trajectory
+from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.system import State, System, Watch
 
 _AT_ONCE = 10_000  # steps between two looks at Ctrl-C
@@ -67,9 +66,7 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
     at_once = _KEPT if kept else _AT_ONCE
     with np.errstate(all="ignore"):
         for start, end in zip(times, times[1:]):
-            count = max(1, math.ceil((end - start) / plan.step - ROUND_OFF))
-            h = (end - start) / count
-            h = plan.step if math.isclose(h, plan.step, rel_tol=ROUND_OFF) else h
+            count, h = plan.steps(end - start)
             before = q, v
             for i in range(0, count, at_once):
                 if watch and i:

@@ -1,15 +1,16 @@
 """Values of a scene's `runtime` parameters: refused where the scene's file would be."""
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
 from coscrew_codegen.dynamics.assembly import ModelError
 from coscrew_codegen.dynamics.effect import ParameterOf
-from coscrew_codegen.dynamics.model import Model, Parameter, Scalar
+from coscrew_codegen.dynamics.model import Model, Parameter, Scalar, value
 from coscrew_codegen.dynamics.possible import judged, unmoved_mass
 from coscrew_codegen.dynamics.quantities import carried
-from coscrew_codegen.dynamics.scene import Scene
+from coscrew_codegen.dynamics.scene import Applied, Scene, Setting
 from coscrew_codegen.scene_files.decimals import bounded
 from coscrew_codegen.scene_files.runtime import swapped_model
 from coscrew_codegen.simulate import SimulateError
@@ -39,8 +40,29 @@ def refuse_settings(scene: Scene, settings: Mapping[str, float], precision: Prec
         number = settings.get(name, 1)
         if number < 0 or wanted == _POSITIVE and number == 0:
             raise SimulateError(f"--set {name}={number:g}: {wanted}")
+    for applied, low, high in ranges(scene, settings):
+        if low > high:
+            given = " ".join(f"--set {name}={number:g}" for name, number in settings.items())
+            raise SimulateError(f"{given}: {applied.name}: {applied.effect.ascending[0]}, {low:g}, "
+                                f"is above {applied.effect.ascending[1]}, {high:g}")
     if any(name in settings for name in _of_bodies(scene)):
         _refuse_model(scene, settings)
+
+
+def ranges(scene: Scene, settings: Mapping[str, float]) -> Iterator[tuple[Applied, float, float]]:
+    """The ranges that effects keep joints in, with these values of parameters; infinite where they
+    have no end."""
+    for applied in scene.effects:
+        if applied.effect.ascending:
+            low, high = (applied.values[name] for name in applied.effect.ascending)
+            yield (applied, _number(low, settings, -math.inf), _number(high, settings, math.inf))
+
+
+def _number(given: Setting, settings: Mapping[str, float], without: float) -> float:
+    if given is None:
+        return without
+    named = settings.get(given.name) if isinstance(given, Parameter) else None
+    return float(value(given)) if named is None else named
 
 
 def _signs(scene: Scene) -> Iterator[tuple[str, str]]:

@@ -16,6 +16,7 @@ def table(findings: Findings) -> str:
     parts = [_expectations(findings.met)] if findings.met else []
     parts += [_checks(findings.along)]
     parts += [gaps(findings.apart)] if findings.apart else []
+    parts += [findings.outside] if findings.outside else []
     parts += [f"{x.precision}: {x.stopped}" for x in findings.along if x.stopped]
     parts += [f"FALSE: {x.precision}: {_false(x)}" for x in findings.along
               if not (x.true or x.stopped)]
@@ -82,6 +83,8 @@ def _verdict(along: Along) -> str:
     """What the defect of energy is."""
     if along.doubtful:
         return "DOUBTFUL: it does not shrink"
+    if along.untold:
+        return "untold: potential energy rounds by more than was moved"
     if along.rounding:
         return "rounding"
     if along.step.startswith("rtol"):

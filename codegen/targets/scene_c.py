@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from coscrew_codegen import version
+from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.integrators import STEPS
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.program import Input, Instruction, Operand
@@ -45,6 +46,7 @@ def texts(scene: SceneFunctions, banner: str) -> tuple[str, str]:
               ("NQ", str(scene.nq)), ("NV", str(scene.nv))]
     if scene.parameters:
         macros.append(("NP", str(len(scene.parameters))))
+    macros += _places(scene)
     macros += [entry for p in named(scene.precisions) for entry in _defaults(scene, p)]
     shared = {"banner": banner, "name": scene.name, "upper": scene.name.upper(),
               "sections": sections}
@@ -64,7 +66,26 @@ def _about(scene: SceneFunctions) -> list[str]:
         "quaternions of norm 1; numbers that are not finite give results that are not.  Outputs "
         "may alias inputs, also in part.  No heap, no state: every function may run in many "
         "threads at once.",
-        *scene_text.order_in_words(scene)]
+        *scene_text.order_in_words(scene),
+        *_named_places(scene)]
+
+
+def _named_places(scene: SceneFunctions) -> Iterator[str]:
+    if prefixes := dict.fromkeys(name.split("_")[0] for name, _ in _places(scene)):
+        names = ", ".join(f"{scene.name.upper()}_{prefix}_…" for prefix in prefixes)
+        yield f"Macros name these numbers (of several coordinates the first): {names}."
+
+
+def _places(scene: SceneFunctions) -> Iterator[tuple[str, str]]:
+    """(Q_ELBOW, its place in q), and so on: of speeds, of parameters, and numbers of bodies."""
+    joints = [x.joint for x in scene.coordinates]
+    numbered = {"Q": (joints, [x.q.start for x in scene.coordinates]),
+                "V": (joints, [x.v.start for x in scene.coordinates]),
+                "P": ([name for name, _ in scene.parameters], range(len(scene.parameters))),
+                "BODY": (scene.bodies, range(len(scene.bodies)))}
+    for prefix, (names, numbers) in numbered.items():
+        for name, number in zip(identifiers([x.upper() for x in names]), numbers, strict=True):
+            yield f"{prefix}_{name}", str(number)
 
 
 def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str, str]]:

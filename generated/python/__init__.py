@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "dc3cb3b867e517d7")
+COMPILED: bool = is_compiled("coscrew._gufunc", "ebddf2a0b9499625")
 
 if COMPILED:
     from coscrew._gufunc import (

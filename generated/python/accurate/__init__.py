@@ -9,6 +9,8 @@ Cost and bounds in docstrings are those of double precision.  Operations that ro
 nothing, or are not polynomials, are those of `coscrew`.
 """
 
+import sys
+
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
@@ -486,6 +488,16 @@ else:
         spatial_inertia_transformed,
         spatial_inertia_consistency,
     )
+
+
+def __getattr__(name: str) -> object:
+    """Tells of operations that have no such tier."""
+    import coscrew
+
+    hint = f"; coscrew.{name} is there" if name in coscrew.__all__ else ""
+    raise AttributeError(f"coscrew.accurate has no {name!r}{hint}", name=name,
+                         obj=sys.modules[__name__])
+
 
 __all__ = [
     "COMPILED", "double", "single", 

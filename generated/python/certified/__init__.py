@@ -10,6 +10,8 @@ Cost and bounds in docstrings are those of double precision.  Operations that ro
 nothing, or are not polynomials, are those of `coscrew`.
 """
 
+import sys
+
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
@@ -405,6 +407,16 @@ else:
         spatial_inertia_shifted,
         spatial_inertia_transformed,
     )
+
+
+def __getattr__(name: str) -> object:
+    """Tells of operations that have no such tier."""
+    import coscrew
+
+    hint = f"; coscrew.{name} is there" if name in coscrew.__all__ else ""
+    raise AttributeError(f"coscrew.certified has no {name!r}{hint}", name=name,
+                         obj=sys.modules[__name__])
+
 
 __all__ = [
     "COMPILED", "double", "single", 

@@ -25,7 +25,8 @@ static inline ksl_vec3i_t ksl_axis_getVector(ksl_axis_enum_t axisType) {
     case KSL_AXIS_YZY: return ksl_vec3i(1, 2, 1);
     case KSL_AXIS_ZXZ: return ksl_vec3i(2, 0, 2);
     case KSL_AXIS_ZYZ: return ksl_vec3i(2, 1, 2);
-    case KSL_AXIS_INVALID: break;
+    case KSL_AXIS_INVALID:
+    default: break;
   }
   return ksl_vec3i(-1, -1, -1);
 }
