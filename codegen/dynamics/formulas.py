@@ -26,6 +26,8 @@ _OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.m
               ast.Div: operator.truediv}
 _DECIMAL = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,4})?")
 _GLUED = re.compile(r"(?<![\w.])[0-9.]++(?:[eE][+-]?[0-9]+)?+[A-Za-z_]\w*")  # 2t
+_UNIT = re.compile(r"\s*[+-]?[0-9.]++(?:[eE][+-]?[0-9]+)?+\s*(?!pi\b|t\b|x)"
+                   r"([A-Za-z%°µ][\w/*^%°·]*)\s*")  # 2 kg
 _WANTED = f"numbers, t, pi, + - * / **, parentheses and {', '.join(FUNCTIONS)}"
 
 _KNOWN = f"formulas know t, pi and the functions {', '.join(FUNCTIONS)}"
@@ -134,6 +136,9 @@ class _Reading:
             raise self._error(f"{len(text)} characters; wanted at most {LENGTH}")
         if not text.strip():
             raise self._error(f"nothing there; wanted {_WANTED}")
+        if found := _UNIT.fullmatch(text):
+            raise self._error(f"unexpected {_short(found[1])!r}; wanted the number alone: units "
+                              "are those of SI, angles in rad")
         if found := re.search(r"[^A-Za-z0-9_+\-*/(),. ]", text):
             hint = "; powers are written **" if found[0] == "^" else ""
             raise self._error(f"unexpected {found[0]!r}{hint}; wanted {_WANTED}")
