@@ -70,7 +70,7 @@ def test_what_a_run_does_not_reach_is_not_met(loaded):
 def test_a_run_that_stops_does_not_pass(loaded):
     findings = check(loaded(texts.UNSTABLE), Asked())
     assert not findings.passed
-    assert "double: not finite at t = " in table(findings)
+    assert "double: energy is not finite at t = " in table(findings)
 
 
 @pytest.mark.parametrize("apart, passed", ((0.0, True), (0.2099, True), (0.2101, False),

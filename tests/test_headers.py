@@ -139,7 +139,8 @@ def test_fast_math_is_refused_unless_allowed(flag, header, compiler, language, t
                                                      "-ffinite-math-only"):
         return
     command = (compiler, flag, "-fsyntax-only", "-I", INCLUDE)
-    for dialect in (language, [word.replace("=c", "=gnu") for word in language]):
+    for dialect in (language, [word.replace("=c", "=gnu") for word in language],
+                    [re.sub(r"=c\+\+\d+", "=c++98", word) for word in language]):
         refused = subprocess.run((*command, *dialect, "-Wfatal-errors", source),
                                  capture_output=True, text=True)
         assert refused.returncode and "KSL_ALLOW_FAST_MATH" in refused.stderr

@@ -257,8 +257,10 @@ def test_functions_are_found_by_name(kernels: Kernels):
     assert "step_rk4" in dir(kernels.double) and "implicit_acceleration" not in dir(kernels.double)
     assert list(kernels.double) == dir(kernels.double)
     with pytest.raises(AttributeError, match="slider in double precision has no function "
-                                             "'forward_dynamic': did you mean 'forward_dynamics'"):
+                                             "'forward_dynamic'; did you mean 'forward_dynamics'"):
         kernels.double.forward_dynamic
+    with pytest.raises(AttributeError, match=r"'reaction_load'; add \[effects.reaction\]"):
+        kernels.double.reaction_load
     assert "forward_dynamics" in repr(kernels.single) and "single" in repr(kernels.single)
     assert "slider" in repr(kernels)
 

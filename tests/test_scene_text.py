@@ -229,3 +229,10 @@ def _walker() -> SceneFunctions:
         CASES["pendulum"](), name="walker", nq=nq, nv=nv, coordinates=tuple(coordinates), steps=(),
         bodies=("trunk", "shank"), parameters=(("tool.mass", 0.1),),
         neutral=(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0))
+
+
+def test_names_that_fall_together_name_no_place():
+    scene = replace(CASES["slider"](), bodies=("Tool-1", "tool_1"))
+    header = files(scene)["slider.h"]
+    assert "SLIDER_BODY_" not in re.sub(r"/\*.*?\*/", "", header, flags=re.DOTALL)
+    assert "SLIDER_Q_CLASS 0" in header

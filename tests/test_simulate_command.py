@@ -180,6 +180,31 @@ def test_starts_outside_ranges_are_told(tmp_path, capsys, command, start, settin
     assert ("outside" in said.out + said.err) == bool(told)
 
 
+@pytest.mark.parametrize("start, told", (("0.5", "joint tail starts at 2, outside its range"),
+                                         ("0.1", "")))
+def test_followers_that_start_outside_are_told(tmp_path, capsys, start, told):
+    text = LIMITED.replace("[joints]", "tail = { mass = 1 }\n[joints]").replace(
+        "[effects.limit.slide]", """
+[joints.tail]
+type = "prismatic"
+child = "tail"
+axis = [0, 0, 1]
+[joints.tail.mimic]
+joint = "slide"
+multiplier = 3
+offset = 0.5
+[effects.mimic]
+[effects.limit.tail]
+lower = -1
+upper = 0.8
+k = 1e4
+[effects.limit.slide]""").replace("upper = 0.1", "upper = 1").replace(
+            "slide = 0.1\n", f"slide = {start}\n")
+    assert main(["simulate", str(scene_file(tmp_path, text))]) == bool(told)  # pushed too hard
+    said = capsys.readouterr().err
+    assert told in said and ("outside" in said) == bool(told)
+
+
 @pytest.mark.parametrize("number", (math.nan, math.inf))
 def test_what_is_no_number_is_not_set(kernels, capsys, number):
     with pytest.raises(SimulateError, match="--set block.mass"):
@@ -187,6 +212,12 @@ def test_what_is_no_number_is_not_set(kernels, capsys, number):
     with pytest.raises(SystemExit):
         main(["simulate", "scene.toml", "--set", f"block.mass={number}"])
     assert f"block.mass: wanted a finite number; got '{number}'" in capsys.readouterr().err
+
+
+def test_vectors_are_set_by_components(capsys):
+    with pytest.raises(SystemExit):
+        main(["simulate", "scene.toml", "--set", "tool.com=1,2,3"])
+    assert "got '1,2,3'; components one by one, as tool.com.x=1" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("command", ("simulate", "check", "cost"))

@@ -75,7 +75,8 @@ def _root(bodies: Sequence[Body], joints: Sequence[Joint]) -> str:
         raise ModelError(f"joint {joints[0].name!r}", "is part of a loop: no body is the root")
     if len(roots) > 1:
         raise ModelError(f"body {roots[1]!r}", f"no joint moves it, but the root is {roots[0]!r}: "
-                         f"several roots ({', '.join(map(repr, roots[:5]))})")
+                         f"several roots ({', '.join(map(repr, roots[:5]))}); bodies that float "
+                         'free beside others take joints of type "free"')
     return roots[0]
 
 

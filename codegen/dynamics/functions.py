@@ -106,7 +106,8 @@ class _Derivation:
             where = recorder.heading or self.scene.model.name
             raise ModelError(f"{self.scene.name}: {where}", "its numbers make a division by zero "
                              f"in {name}, whatever q is: the mass matrix is singular; wanted "
-                             "masses or armatures that resist every joint") from None
+                             "masses or armatures that resist every joint, and no joint that "
+                             "mimics another with multiplier 0") from None
         program = recorder.program(name, list(zip(outputs, results, strict=True)))
         function = Function(name, words, program, headings(program), internal)
         refuse_products(self.scene, function)

@@ -1,6 +1,6 @@
 """Alarm: says while a run goes on that its motion is not the scene's, why, and what helps.
 
-Looked at are, about 500 times a run:
+Looked at are, about 500 times a run, at its end, and at least twice:
 - momentum of what floats free, which is known for all times: the energy of the motion that is too
   much, against the largest kinetic energy so far;
 - energy, where nothing feeds it in or dissipates it: its change, against the same;
@@ -44,6 +44,7 @@ class Alarm:
     kinetic: float = field(init=False, default=0.0)  # the largest so far
     _rounding: float = field(init=False, default=0.0)  # the largest of energies so far
     _steps: int = field(init=False, default=0)
+    _looks: int = field(init=False, default=0)
     _next: int = field(init=False, default=_APART)
     _bad: int = field(init=False, default=0)
 
@@ -58,16 +59,23 @@ class Alarm:
     def __call__(self, steps: int, t: float, h: float, q: np.ndarray, v: np.ndarray) -> str:
         """What is wrong at t, after so many steps more, the last of them of h; else ""."""
         self._steps += steps
-        if self._steps < self._next:
+        last = t >= self.plan.until
+        if self._steps < self._next and not last:
             return ""
-        self._next = self._steps + self._every
+        self._next, self._looks = self._steps + self._every, self._looks + 1
         kinetic, potential = map(float, self.system.energies(t, q, v))
+        if not np.isfinite(kinetic + potential):
+            return (f"energy is not finite at t = {t:.9g} s: it grew too large, or is beyond "
+                    f"{self.system.precision.name} precision's range; {self._remedy(np.nan)}")
         self.kinetic = max(self.kinetic, kinetic)
         self._rounding = max(self._rounding, rounding(self.system, np.asarray(potential)))
         found = None
         if not self.of_steps_alone:
             found = self._of_momentum(t, q, v) or self._of_energy(kinetic + potential)
         found = found or self._of_step(t, h, q, v)
+        if not found and last and self._looks < _AGAIN:  # the only look: at one step more
+            q, v = self._stepped(t, h, q, v)
+            found = self._of_step(t + h, h, q, v)
         return f"{found[0]} at t = {t:.9g} s: {found[1]}" if found else ""
 
     def _of_momentum(self, t: float, q: np.ndarray, v: np.ndarray) -> tuple[str, str] | None:
@@ -75,7 +83,7 @@ class Alarm:
             return None
         right = self.system.call("with_free_momentum", t=t, q=q, v=v, c=self._momentum)
         off = self._size(q, np.asarray(right, float) - v, self.kinetic)
-        if not off > ALLOWED:
+        if off <= ALLOWED:
             return None
         joint = self._joint(np.abs(np.asarray(right, float) - v))
         return "momentum is not kept", (f"what floats free at joint {joint} is off by {off:.2g} of "
@@ -86,7 +94,7 @@ class Alarm:
             return None
         change = energy - self._energy
         off = change / self.kinetic if self.kinetic else 0.0
-        if abs(change) <= self._rounding or not abs(off) > ALLOWED:
+        if abs(change) <= self._rounding or abs(off) <= ALLOWED:
             return None
         return "energy is not kept", (f"it changed by {off:.2g} of the kinetic energy, and nothing "
                                       "feeds it in or dissipates it: "
@@ -97,18 +105,21 @@ class Alarm:
         if self._integrator.name == DEFAULT and its.has("closing_contacts") \
                 and its.call("closing_contacts", h=h, q=q, v=v) > 0:
             return None
-        once = its.stepper(f"step_{self._integrator.step}")(1, t, h, q, v)[1]
+        once = self._stepped(t, h, q, v)[1]
         twice = its.stepper(f"step_{named(DEFAULT).step}")(2, t, h / 2, q, v)[1]
         apart = np.asarray(twice, float) - once
         now = float(its.energies(t, q, v)[0])
         off = self._size(q, apart, max(now, _SLOW * self.kinetic))
-        self._bad = self._bad + 1 if off > allowed else 0
+        self._bad = 0 if off <= allowed else self._bad + 1
         if self._bad < _AGAIN:
             return None
         joint = self._joint(np.abs(apart) * np.sqrt(np.abs(np.diagonal(self._mass(q)))))
         return "the step is too large", (
             f"at joint {joint} one of {h:.3g} s differs from two halves by {off:.2g} of the "
             f"speeds; {self._remedy(off / allowed)}")
+
+    def _stepped(self, t: float, h: float, q: np.ndarray, v: np.ndarray) -> State:
+        return self.system.stepper(f"step_{self._integrator.step}")(1, t, h, q, v)
 
     def _size(self, q: np.ndarray, v: np.ndarray, kinetic: float) -> float:
         """√(T(v)/T) for T = kinetic."""
@@ -125,5 +136,6 @@ class Alarm:
     def _remedy(self, times: float) -> str:
         """A step for which errors of the integrator's order would be half of what is allowed."""
         h = self.plan.step * (0.5 / times)**(1 / self._integrator.order)
+        smaller = f"step of {h:.1g} s" if np.isfinite(h) else "smaller step"
         other = "" if self._integrator.name == DEFAULT else f", or integrator {DEFAULT}"
-        return f"take a step of {h:.1g} s{other}"
+        return f"take a {smaller}{other}"

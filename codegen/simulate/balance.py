@@ -84,8 +84,11 @@ def _balance(system: System, trajectory: Trajectory, among: np.ndarray | None) -
 
 
 def rounding(system: System, potential: np.ndarray) -> float:
-    """What rounding may be of energies that change by much less than the potential energy is."""
-    return ROUNDINGS * float(np.finfo(system.dtype).eps) * float(np.max(np.abs(potential)))
+    """What rounding may be of energies that change by much less than the potential energy is; of
+    one that overflows, nothing."""
+    largest = float(np.max(np.abs(potential)))
+    eps = float(np.finfo(system.dtype).eps)
+    return ROUNDINGS * eps * largest if np.isfinite(largest) else 0.0
 
 
 def _parts(system: System, trajectory: Trajectory) -> np.ndarray:

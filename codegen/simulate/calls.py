@@ -3,7 +3,6 @@
 import ctypes
 import functools
 from collections.abc import Callable, Iterator, Mapping
-from difflib import get_close_matches
 from math import prod
 from types import ModuleType
 from typing import TYPE_CHECKING, Generic, Protocol, TypeVar
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING, Generic, Protocol, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from coscrew_codegen.dynamics.names import or_mean
 from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.render import render
 from coscrew_codegen.targets import scene_calls
@@ -75,8 +75,8 @@ class Functions(Generic[Real]):
         if not dir(self):
             raise AttributeError(f"{self._about} is not there: the scene is of double precision "
                                  "alone, as it says", name=name, obj=self)
-        near = get_close_matches(name, dir(self), n=1, cutoff=0.0)
-        hint = f": did you mean {near[0]!r}?" if near else ""
+        hint = ("; add [effects.reaction]" if name.startswith("reaction_")
+                else or_mean(name, dir(self)))
         raise AttributeError(f"{self._about} has no function {name!r}{hint}", name=name, obj=self)
 
     def __repr__(self) -> str:

@@ -12,7 +12,7 @@ from coscrew_codegen.dynamics.quantities import expected, recorded
 from coscrew_codegen.dynamics.scene import Expectation
 from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.simulate.alarm import Alarm
-from coscrew_codegen.simulate.balance import Balance, balance
+from coscrew_codegen.simulate.balance import balance
 from coscrew_codegen.simulate.findings import FINER, FINEST, Along, Findings, Met
 from coscrew_codegen.simulate.outcome import Asked, outside
 from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
@@ -74,32 +74,46 @@ def _met(system: System, trajectory: Trajectory, wanted: Expectation) -> Met:
 
 
 def _along(system: System, planned: Plan, trajectory: Trajectory) -> Along:
-    coarse, fine = balance(system, trajectory), _finer(system, planned, FINER, trajectory.t)
+    coarse, finer = balance(system, trajectory), _finer(system, planned, FINER)
     along = Along(
         system.precision.name,
         f"rtol {planned.rtol:.3g}" if planned.adaptive else f"step {planned.step:g} s",
-        trajectory.stopped, coarse, fine, None, *_matrices(system, trajectory),
-        named(planned.integrator), system.has("parts"))
+        trajectory.stopped, coarse, balance(system, finer, trajectory.t), None,
+        *_matrices(system, trajectory), named(planned.integrator), system.has("parts"),
+        speeds=_apart(system, trajectory, finer))
     if along.true or planned.adaptive or trajectory.stopped:
         return along
     if not along.shrinks:
-        along = replace(along, finest=_finer(system, planned, FINEST, trajectory.t))
+        finest = _finer(system, planned, FINEST)
+        along = replace(along, finest=balance(system, finest, trajectory.t))
     if planned.integrator == DEFAULT and along.shrinks and coarse.part < planned.step:
         # whether it is the step that is too long, or parts of steps
-        alone = _finer(system, planned, FINER, trajectory.t, parts=1)
+        alone = balance(system, _finer(system, planned, FINER, parts=1), trajectory.t)
         along = replace(along, part=math.inf if along.less(alone) else coarse.part)
     return along
 
 
-def _finer(system: System, planned: Plan, times: int, among: np.ndarray, parts: int = 0) -> Balance:
-    """The balance at the same times with steps so many times smaller, and parts of steps too, or
-    so many times."""
+def _finer(system: System, planned: Plan, times: int, parts: int = 0) -> Trajectory:
+    """The run with steps so many times smaller, and parts of steps too, or so many times; sampled
+    so many times as often."""
     finer = replace(planned, every=planned.every / times)  # or else Simpson's error would stay
     if planned.adaptive:
         finer = replace(finer, rtol=planned.rtol / _TIGHTER, atol=planned.atol / _TIGHTER)
     else:
         finer = replace(finer, step=planned.step / times, finer=parts or times)
-    return balance(system, _integrated(system, finer), among)
+    return _integrated(system, finer)
+
+
+def _apart(system: System, coarse: Trajectory, finer: Trajectory) -> tuple[float, str]:
+    """By how much a joint's speed differs from that with smaller steps, at most, of its largest;
+    and which joint's."""
+    _, here, there = np.intersect1d(coarse.t, finer.t, assume_unique=True, return_indices=True)
+    with np.errstate(all="ignore"):
+        off = np.abs(coarse.v[here].astype(float) - finer.v[there]).max(0)
+        size = np.abs(finer.v.astype(float)).max(0)
+        joints = [(float(np.max(off[c.v]) / np.max(size[c.v])) if np.any(off[c.v]) else 0.0,
+                   c.joint) for c in system.functions.coordinates]
+    return max(joints, key=lambda found: (math.isnan(found[0]), found[0]))
 
 
 def _matrices(system: System, trajectory: Trajectory) -> tuple[float, float, float]:

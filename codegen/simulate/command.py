@@ -87,7 +87,8 @@ def _setting(text: str) -> tuple[str, float]:
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"{name}: wanted a finite number; got {number!r}")
+        hint = f"; components one by one, as {name}.x=1" if "," in number else ""
+        raise argparse.ArgumentTypeError(f"{name}: wanted a finite number; got {number!r}{hint}")
     return name, value
 
 

@@ -49,6 +49,8 @@ class Along:
     at: float  # where that is, in s
     integrator: Integrator
     limits: bool  # whether the scene has limits
+    speeds: tuple[float, str] = (0.0, "")  # by how much a joint's speed differs from that with
+    # smaller steps, of its largest, at most, and which joint's
     part: float = math.inf  # of steps in which limits close, in s, if energy is off for its length
     double: "Along | None" = None  # what double precision showed, beside single
 
@@ -73,18 +75,23 @@ class Along:
         return other.relative <= times * self.coarse.relative
 
     @property
+    def rounded(self) -> bool:
+        """Whether it is no more than rounding of energies, and not that of double precision."""
+        return self.coarse.rounded and not self.as_double
+
+    @property
     def rounding(self) -> bool:
         """Whether it is no more than rounding adds up to, and neither the step's nor that of double
         precision."""
         u = 2.0 ** (-53 if self.precision == "double" else -24)
-        return self.coarse.rounded or (self.coarse.relative <= 1e4 * u
+        return self.rounded or (self.coarse.relative <= 1e4 * u
                                        and not (self.shrinks or self.as_double))
 
     @property
     def untold(self) -> bool:
         """Whether rounding of the potential energy is more than all energy that was moved, so that
         energies tell nothing."""
-        return self.coarse.rounded and self.coarse.rounding > self.coarse.scale
+        return self.rounded and self.coarse.rounding > self.coarse.scale
 
     @property
     def doubtful(self) -> bool:
@@ -93,9 +100,19 @@ class Along:
 
     @property
     def true(self) -> bool:
-        """Whether energy and momentum are within ALLOWED, as far as rounding lets energies tell."""
-        energy = self.coarse.rounded or self.coarse.relative <= ALLOWED
-        return energy and self.coarse.momentum <= ALLOWED
+        """Whether energy and momentum are within ALLOWED, with smaller steps as well, as far as
+        rounding lets energies tell."""
+        return self.energy and self.fine_energy and self.coarse.momentum <= ALLOWED
+
+    @property
+    def energy(self) -> bool:
+        """Whether energy is, with the steps asked for,"""
+        return self.rounded or self.coarse.relative <= ALLOWED
+
+    @property
+    def fine_energy(self) -> bool:
+        """and with the first that are smaller."""
+        return self.fine.rounded or self.fine.relative <= ALLOWED
 
     @property
     def strictly_true(self) -> bool:

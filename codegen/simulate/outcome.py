@@ -1,10 +1,13 @@
 """Runs of a scene in the precisions asked for, what they recorded, and a short table of them."""
 
+import math
 from dataclasses import dataclass
+from fractions import Fraction
 
 import numpy as np
 from tabulate import tabulate
 
+from coscrew_codegen.dynamics.mimics import without_chains
 from coscrew_codegen.integrators import DEFAULT
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
@@ -96,11 +99,20 @@ def outside(its: System) -> str:
     names = (name for name, _ in its.functions.parameters)
     start = {c.joint: its.scene.start_q.get(c.joint, (its.functions.neutral[c.q.start],))[0]
              for c in its.functions.coordinates}
+    for joint in without_chains(its.scene.model).joints:
+        if joint.mimic and joint.name not in start:
+            start[joint.name] = float(joint.mimic.multiplier * Fraction(start[joint.mimic.joint])
+                                      + joint.mimic.offset)
     found = [f"joint {limited.on} starts at {start[limited.on]:g}, outside its range from {low:g} "
              f"to {high:g}"
              for limited, low, high in ranges(its.scene, dict(zip(names, its.p, strict=True)))
-             if limited.on in start and not low <= start[limited.on] <= high]
+             if limited.on in start and not _within(start[limited.on], low, high)]
     return f"{'; '.join(found)}: pushed from the start" if found else ""
+
+
+def _within(x: float, low: float, high: float) -> bool:
+    """Whether x is in the range, or off by no more than rounding: followers are a sum away."""
+    return low <= x <= high or any(math.isclose(x, end, rel_tol=1e-12) for end in (low, high))
 
 
 def _heading(outcome: Outcome) -> str:

@@ -37,6 +37,8 @@ def _checks(along: tuple[Along, ...]) -> str:
             ("the same with " + " or ".join(dict.fromkeys(_finer(x) for x in along)),
              *(f"{x.fine.relative:.2g}" for x in along)),
             ("it is", *(_verdict(x) for x in along)),
+            ("a joint's speed differs from that with smaller steps by, of its largest, at most",
+             *(f"{x.speeds[0]:.2g} ({x.speeds[1]})" for x in along)),
             *([("momentum of what floats free off by, relative, at most",
                 *(f"{x.coarse.momentum:.2g}" for x in along))]
               if any(x.coarse.momentum for x in along) else []),
@@ -51,7 +53,11 @@ def _checks(along: tuple[Along, ...]) -> str:
 
 def _false(along: Along) -> str:
     """What is off by more than is allowed, why, and what helps."""
-    energy = not (along.coarse.rounded or along.coarse.relative <= ALLOWED)
+    energy = not along.energy
+    if not (energy or along.fine_energy):
+        return (f"energy is off by {along.coarse.relative:.2g}, but by {along.fine.relative:.2g} "
+                f"with {_finer(along)}, allowed is {ALLOWED:g}: what the scene asks is not "
+                "resolved")
     what, off = (("energy", along.coarse.relative) if energy
                  else ("momentum", along.coarse.momentum))
     said = f"{what} is off by {off:.2g}, allowed is {ALLOWED:g}"
@@ -94,7 +100,10 @@ def _verdict(along: Along) -> str:
 
 
 def _order(along: Along) -> float:
-    """As which power of the step the defect of energy falls; 0 if it does not."""
+    """As which power of the step the defect of energy falls; 0 if it does not.  Where single
+    precision's is that of double precision, as there: its own is off by rounding."""
+    if along.double and along.as_double:
+        return _order(along.double)
     finer, times = (along.fine, FINER) if along.fine_helps else (along.finest, FINEST)
     if finer is None or not (finer.relative and along.less(finer)):
         return 0.0

@@ -84,8 +84,10 @@ def _places(scene: SceneFunctions) -> Iterator[tuple[str, str]]:
                 "P": ([name for name, _ in scene.parameters], range(len(scene.parameters))),
                 "BODY": (scene.bodies, range(len(scene.bodies)))}
     for prefix, (names, numbers) in numbered.items():
-        for name, number in zip(identifiers([x.upper() for x in names]), numbers, strict=True):
-            yield f"{prefix}_{name}", str(number)
+        stems = [identifiers([x.upper()])[0] for x in names]
+        for stem, number in zip(stems, numbers, strict=True):
+            if stems.count(stem) == 1:  # names that fall together name no place
+                yield f"{prefix}_{stem}", str(number)
 
 
 def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str, str]]:

@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "9fef05e906369109")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "37582006a741081a")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

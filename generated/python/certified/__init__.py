@@ -15,7 +15,7 @@ import sys
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "549d805ccb087fe0")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "31eae21a9653346d")
 
 if COMPILED:
     from coscrew.certified._gufunc import (

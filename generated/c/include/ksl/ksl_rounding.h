@@ -38,6 +38,10 @@ __extension__ _Static_assert(sizeof(.5) == __SIZEOF_DOUBLE__,
 static_assert(sizeof(.5) == __SIZEOF_DOUBLE__,
     "-fsingle-precision-constant breaks the bits promised here; "
     "define KSL_ALLOW_FAST_MATH to accept that");
+#elif defined(__GNUC__) && !defined(__clang__)
+typedef char
+    KSL_ALLOW_FAST_MATH_accepts_fsingle_precision_constant
+    [sizeof(.5) == __SIZEOF_DOUBLE__ ? 1 : -1];
 #endif
 #endif
 
