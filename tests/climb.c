@@ -123,7 +123,8 @@ static double changed(double x, double other) {
 
 static REAL inputs[INPUTS], outputs[OUTPUTS];
 
-/* Inputs whose errors tell nothing here: NaN, or so large that it may be another branch near π. */
+/* Inputs whose errors tell nothing here: NaN, or so large that it may be another branch near π; or two
+   ways are right. */
 static REAL suspects[2][SUSPECTS][INPUTS + OUTPUTS];
 static uint64_t seen[2];
 
@@ -139,6 +140,9 @@ static double error_of(const double *p, int group) {
   long double errors[JUDGED], sizes[JUDGED], size = 0, worst = 0;
   made(p, inputs);
   evaluate(inputs, outputs);
+#ifdef OPPOSITE
+  if (opposite(inputs)) { return suspect(1), -1; } /* either way is right: 60 digits tell */
+#endif
   judged(inputs, outputs, errors, sizes);
   for (int i = 0; i < JUDGED; i++) {
     if (PLACES[group][i]) {

@@ -129,7 +129,8 @@ def text_of(operation: Operation, precision: Precision) -> str:
                "LARGEST": largest, "LEAST": 1e-250 if precision.name == "double" else 1e-25}
     return "\n".join([*(f"#define {name} {value}" for name, value in defines.items()), _HEAD,
                       *_tables(found, size[0], of), _made(operation),
-                      _turned(operation), _evaluate(operation, precision), judged])
+                      _turned(operation), *_OPPOSITE.get(operation.name, ()),
+                      _evaluate(operation, precision), judged])
 
 
 def _tables(found: tuple[Group, ...], inputs: int, judged: int) -> Iterator[str]:
@@ -169,6 +170,25 @@ def _turned(operation: Operation) -> str:
         if a.domain == TURN:
             value = f"hypot(hypot(x[{start - 3}], x[{start - 2}]), x[{start - 1}])"
     return f"static double turned(const REAL *x) {{ (void)x; return (double){value}; }}"
+
+
+_OPPOSITE = {  # whether two ways are as short as each other, to some roundings
+    "quaternion_interpolated": ("""#define OPPOSITE
+static int opposite(const REAL *x) {
+  long double dot = 0;
+  for (int i = 0; i < 4; i++) { dot += (long double)x[i] * x[4 + i]; }
+  return fabsl(dot) < 64 * U;
+}""",),
+    "SE3_interpolated": ("""#define OPPOSITE
+static int opposite(const REAL *x) {
+  long double R[9];
+  for (int i = 0; i < 9; i++) {
+    R[i] = 0;
+    for (int k = 0; k < 3; k++) { R[i] += (long double)x[4 * k + i / 3] * x[12 + 4 * k + i % 3]; }
+  }
+  return R[0] + R[4] + R[8] < 0 &&
+      hypotl(hypotl(R[7] - R[5], R[2] - R[6]), R[3] - R[1]) < 128 * U;
+}""",)}
 
 
 def _evaluate(operation: Operation, precision: Precision) -> str:

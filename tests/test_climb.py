@@ -52,6 +52,15 @@ def test_estimates_are_what_is_judged(name: str, precision: Precision, tmp_path:
     assert all(0.4 < ratio <= 1 for ratio in found.of_bound) and not found.broken
 
 
+@pytest.mark.parametrize("name", NAMES)
+def test_no_estimate_is_larger_than_what_is_judged(name: str, tmp_path: Path):
+    """Or the search would climb to errors that are none, and find no others."""
+    operation = TABLE[name]
+    found = after(operation, SINGLE, Found(), 0.5, compiled(operation, SINGLE, tmp_path))
+    for error, part, ratio in zip(found.errors, parts(operation), found.of_bound, strict=True):
+        assert error / part.k <= 1.02 * ratio
+
+
 @pytest.mark.parametrize("spoil, is_seen", [
     ("if (x[0] > 0.5f) { y[3] *= 1 + 16 * (REAL)U; }", lambda found: max(found.of_bound) > 1),
     ("if (x[0] > 0.5f) { y[0] = (REAL)NAN; }", lambda found: found.broken),

@@ -243,7 +243,7 @@ _DISPLACEMENTS = (
       for side, sign in (("left", 1), ("right", -1))),
     _op("SE3_interpolated", "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 "
         "at k = 1", (_D1, _D2, _k), (_Do,), _interpolated, _bound_interpolated,
-        (Normwise("R", 20), Normwise("t", 45, ("D1.t", "D2.t"))),
+        (Normwise("R", 22), Normwise("t", 60, ("D1.t", "D2.t"))),
         rounding=f"Sums on the way may overflow where |t| of D1 or D2 {_FAR}."),
 )
 

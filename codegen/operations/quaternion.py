@@ -157,7 +157,7 @@ _CONVERSIONS = (
     _op("quaternion_interpolated", "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, "
         "±q2 at k = 1; |q1| = |q2| = 1", (_unit1, _unit2, _k), (_qo,), 
         lambda p, q, k: vector(special.slerp, 4, *p, *q, k),
-        _slerp, (Normwise("qo", 14),)),
+        _slerp, (Normwise("qo", 16),)),
 )
 
 OPERATIONS = (*(op for op in linear_space(FAMILY, QUATERNION, "q")

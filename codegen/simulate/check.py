@@ -113,7 +113,7 @@ def _apart(system: System, coarse: Trajectory, finer: Trajectory) -> tuple[float
         size = np.abs(finer.v.astype(float)).max(0)
         joints = [(float(np.max(off[c.v]) / np.max(size[c.v])) if np.any(off[c.v]) else 0.0,
                    c.joint) for c in system.functions.coordinates]
-    return max(joints, key=lambda found: (math.isnan(found[0]), found[0]))
+    return max(joints, key=lambda found: (math.isnan(found[0]), found[0]), default=(0.0, "none"))
 
 
 def _matrices(system: System, trajectory: Trajectory) -> tuple[float, float, float]:

@@ -4855,7 +4855,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "\n"
     "(4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.\n"
     "85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19\n"
-    "select.  Error <= qo: 14 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=\n"
+    "select.  Error <= qo: 16 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=\n"
     "1; searched, not proved.\n",
    3, 1, quaternion_interpolated_loops},
   {NULL, NULL, NULL, 0, 0, NULL},

@@ -2057,7 +2057,7 @@ def quaternion_interpolated(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: NDA
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
     85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
-    select.  Error <= qo: 14 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=
+    select.  Error <= qo: 16 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=
     1; searched, not proved.
     """
 
@@ -2208,7 +2208,7 @@ def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
     208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
-    select.  Error <= R: 20 u, t: 45 u of its largest component, or of D1.t or D2.t if that is
+    select.  Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is
     larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on
     the way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36.
     """

@@ -1182,7 +1182,7 @@ def quaternion_interpolated(q1, q2, k):
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
     85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
-    select.  Error <= qo: 14 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=
+    select.  Error <= qo: 16 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=
     1; searched, not proved.
     """
     q1_0, q1_1, q1_2, q1_3 = q1

@@ -1779,7 +1779,7 @@ def SE3_interpolated(D1, D2, k):
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
     208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
-    select.  Error <= R: 20 u, t: 45 u of its largest component, or of D1.t or D2.t if that is
+    select.  Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is
     larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on
     the way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36.
     """

@@ -1259,7 +1259,7 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
    85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
      select.
-   Error <= qo: 14 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
+   Error <= qo: 16 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
      searched, not proved. */
 static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, const double k, ksl_quaternion_t *qo) {
@@ -2730,7 +2730,7 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
    85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
      select.
-   Error <= qo: 14 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
+   Error <= qo: 16 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
      searched, not proved. */
 static inline void ksl_quaternionf_interpolated(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, const float k, ksl_quaternionf_t *qo) {
