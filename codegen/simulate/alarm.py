@@ -66,7 +66,7 @@ class Alarm:
         kinetic, potential = map(float, self.system.energies(t, q, v))
         if not np.isfinite(kinetic + potential):
             return (f"energy is not finite at t = {t:.9g} s: it grew too large, or is beyond "
-                    f"{self.system.precision.name} precision's range; {self._remedy(np.nan)}")
+                    f"the range of {self.system.precision.name} precision; {self._remedy(np.nan)}")
         self.kinetic = max(self.kinetic, kinetic)
         self._rounding = max(self._rounding, rounding(self.system, np.asarray(potential)))
         found = None
