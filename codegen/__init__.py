@@ -6,7 +6,11 @@ Each stage is a function from one frozen value to the next; imports run one way,
     quantity           vec3, mat3x3, SE3, screw, coscrew, …              (shapes, parts, units)
     operations/        one Operation each: inputs, outputs, formula      (the table)
     kernel, passes     Operation → let-bound SymPy, simplified
-    program, tiers/    Kernel → Program: explicit order of evaluation, no SymPy
+    schedule           Kernel → Program: the order of evaluation; programs: all the way
+    recording/         arithmetic on Numbers → Program
+    program/           Programs: what is proved of them, how they fold; no SymPy
+    tiers/             Program → Program, more accurate, faster, or with its bound
+    formats            double and single precision
     targets/           Program → text of one language and precision
     emit               text → templates → files
     command_line       the commands; __main__ is how they end
@@ -14,8 +18,9 @@ Each stage is a function from one frozen value to the next; imports run one way,
 Scenes take the operations' Programs from there on:
 
     scene_files/       TOML, URDF → Scene: a model and the effects it calls for
-    dynamics/          Scene → Programs of its functions, the operations' Programs replayed
-    effects/           one Effect each: what fills slots of the dynamics
+    scene/             what a scene is: model, effects with their values, run; its checks
+    mechanics/         Scene → Programs of its functions, the operations' Programs replayed
+    effects/           one Effect each: what fills slots of the mechanics
     scene_functions    what targets see of a scene
     simulate/, cost/   compile, run, record, check; what effects and accuracy cost
 """

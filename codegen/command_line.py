@@ -9,9 +9,6 @@ from tqdm import tqdm
 from coscrew_codegen.cost import CostError
 from coscrew_codegen.cost import command as cost
 from coscrew_codegen.documentation import with_table
-from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.assembly import ModelError
-from coscrew_codegen.dynamics.ranges import RangeError
 from coscrew_codegen.emit import (
     EmitError,
     differences,
@@ -20,9 +17,13 @@ from coscrew_codegen.emit import (
     stale_files,
     write,
 )
-from coscrew_codegen.layout import Files, Programs, generated_files, program_of
+from coscrew_codegen.layout import Files, Programs, generated_files
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.mechanics.ranges import RangeError
 from coscrew_codegen.operations import FAMILIES
+from coscrew_codegen.programs import program_of
 from coscrew_codegen.report import ReportError, command
+from coscrew_codegen.scene.assembly import ModelError
 from coscrew_codegen.scene_files import catalogue
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_layout import scene_files

@@ -14,10 +14,10 @@ import numpy as np
 import sympy as sp
 from gmpy2 import mpq
 
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import PER_PRECISION, Operation
 from coscrew_codegen.program import Constant
 from coscrew_codegen.special import SPECIAL, rational
-from coscrew_codegen.targets.precision import Precision
 
 UNIT = {"double": mpq(1, 2**53), "single": mpq(1, 2**24)}
 CONDITION = {"double": mpq(9 * 10**14), "single": mpq(16 * 10**6)}

@@ -2,18 +2,14 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import cache
 
 from coscrew_codegen.extension import extension_sources
-from coscrew_codegen.kernel import kernel_of
+from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.operations import Operation, family_title
-from coscrew_codegen.passes import simplified
 from coscrew_codegen.program import Program
 from coscrew_codegen.render import LICENSE, render
 from coscrew_codegen.selection import Selection
 from coscrew_codegen.targets import c, c_ksl, c_storage, numpy
-from coscrew_codegen.targets.precision import DOUBLE, Precision
-from coscrew_codegen.tiers.plain import plain
 from coscrew_codegen.tiers.table import TIERS, Tier
 from coscrew_codegen.version import VERSION, numbers
 
@@ -37,12 +33,6 @@ _ALIASES = (("SE3", "SE3_fromRt"), ("screw", "screw_from_lin_ang"),
 
 
 _UMBRELLAS = ("ksl", *(f"ksl_{tier.name}" for tier in TIERS))
-
-
-@cache
-def program_of(operation: Operation) -> Program:
-    """The operation's program: kernel, passes, plain tier."""
-    return plain(simplified(kernel_of(operation)))
 
 
 def generated_files(selection: Selection, programs: Programs) -> Files:

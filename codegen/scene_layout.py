@@ -5,13 +5,13 @@ from __future__ import annotations
 import keyword
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.layout import Files
+from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.targets import scene_c, scene_python
 from coscrew_codegen.targets.scene_text import check_names, printable
 
 if TYPE_CHECKING:
-    from coscrew_codegen.dynamics.scene import Scene
+    from coscrew_codegen.scene.scene import Scene
 
 
 def scene_files(scene: Scene, functions: SceneFunctions, command: str = "") -> Files:

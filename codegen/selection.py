@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 from difflib import get_close_matches
 
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 
 LANGUAGES = ("c", "python")
 

@@ -16,13 +16,13 @@ from dataclasses import dataclass
 import numpy as np
 from gmpy2 import mpq
 
-from coscrew_codegen.bounds import Bound, bounds_of
 from coscrew_codegen.exact import CONDITION, UNIT, exact_functions, ulp
-from coscrew_codegen.layout import program_of
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Program
+from coscrew_codegen.program.bounds import Bound, bounds_of
+from coscrew_codegen.programs import program_of
 from coscrew_codegen.report.inputs import cancel
-from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.table import TIERS, has_tiers
 from tests.sampling import inputs_of
 

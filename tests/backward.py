@@ -10,9 +10,9 @@ import mpmath as mp
 import numpy as np
 import sympy as sp
 
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import OPERATIONS, Operation, eigen, euler, mat3x3
 from coscrew_codegen.quantity import Argument
-from coscrew_codegen.targets.precision import Precision
 from tests.motions import DIGITS
 
 TABLE = {op.name: op for op in OPERATIONS}

@@ -14,10 +14,10 @@ from types import ModuleType
 
 import numpy as np
 
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.targets.c import c_name, c_type, member
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from coscrew_codegen.tiers.table import TIERS
 from tests import stand_ins
 from tests.attack import plain_program

@@ -9,11 +9,11 @@ of the arithmetic.
 from collections.abc import Iterator
 from itertools import permutations
 
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.quantity import INERTIA, MAT3X3, MAT4X4, MAT6X6, SE3, Argument, Quantity
 from coscrew_codegen.targets.c import c_type, parameters
 from coscrew_codegen.targets.c_storage import TYPES
-from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.table import TIERS
 from tests.attack import plain_program
 from tests.c_harness import call_of, distinct, is_array

@@ -7,7 +7,7 @@ one scalar each; the unions' layouts come from their typedefs, so that `D->t.y`,
 
 import operator
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path

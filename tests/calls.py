@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 
 import coscrew
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.table import TIERS
 from tests.attack import Arrays, Implementation, plain_program
 from tests.c_harness import COMPILERS, EXACT, call, harness

@@ -16,8 +16,8 @@ from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from tests.attack import plain_program
 from tests.backward import BACKWARD
 from tests.c_harness import INCLUDE

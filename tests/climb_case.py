@@ -10,12 +10,12 @@ import mpmath as mp
 import numpy as np
 import sympy as sp
 
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.operations.operation import GRID, PER_PRECISION
 from coscrew_codegen.program import Constant, Input, Op, Operand
 from coscrew_codegen.quantity import FRACTION, ROTATION, TURN, UNIT, Argument
 from coscrew_codegen.targets.c import c_type, member
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from tests.attack import plain_program
 from tests.backward import BACKWARD, expressions
 from tests.c_harness import call_of, distinct

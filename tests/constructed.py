@@ -9,9 +9,9 @@ from collections.abc import Callable, Iterator, Sequence
 import mpmath as mp
 import numpy as np
 
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.quantity import ROTATION, TURN, Argument
-from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, Precision
 from tests.attack import TIERED, exact_functions
 from tests.corpus import TABLE, Case, load, save, size
 from tests.motions import DIGITS, Matrix, exponential_series, hstack, norm, quaternion_exp, skew

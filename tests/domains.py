@@ -14,10 +14,9 @@ import numpy as np
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.quantity import ANY as ANYTHING
 from coscrew_codegen.quantity import FRACTION as A_FRACTION
-from coscrew_codegen.quantity import ROTATION as A_ROTATION
-from coscrew_codegen.quantity import Argument
 from coscrew_codegen.quantity import TURN as ANY_TURN
 from coscrew_codegen.quantity import UNIT as OF_LENGTH_1
+from coscrew_codegen.quantity import Argument
 
 Rows = np.ndarray  # (n, columns)
 Generator = np.random.Generator

@@ -4,8 +4,8 @@ from collections.abc import Callable, Sequence
 
 from mpmath import mpf
 
-from coscrew_codegen.dynamics.model import Model
-from coscrew_codegen.dynamics.scene import Applied
+from coscrew_codegen.scene.model import Model
+from coscrew_codegen.scene.scene import Applied
 from tests.evaluation import MULTIPRECISE, Evaluated, Moving
 from tests.mechanisms import scene
 

@@ -11,9 +11,9 @@ from dataclasses import replace
 from fractions import Fraction
 from hashlib import sha256
 
-from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.model import HERE, Kind, Model
-from coscrew_codegen.dynamics.scene import Applied, Scene
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.scene.model import HERE, Kind, Model
+from coscrew_codegen.scene.scene import Applied, Scene
 from coscrew_codegen.scene_layout import scene_files
 from tests.mechanisms import Formula, X, Y, Z, applied, at, chain, inertia, numbers, scene
 

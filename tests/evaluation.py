@@ -10,9 +10,9 @@ from fractions import Fraction
 import mpmath
 import numpy as np
 
-from coscrew_codegen.dynamics.functions import derive
-from coscrew_codegen.dynamics.scene import Scene
+from coscrew_codegen.mechanics.functions import derive
 from coscrew_codegen.program import Constant, Input, Op, Operand, Program
+from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import SceneFunctions
 
 _INFIX = {Op.ADD: "+", Op.SUB: "-", Op.MUL: "*", Op.SCALE: "*", Op.DIV: "/", Op.LESS: "<",

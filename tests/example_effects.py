@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place
+from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 
 ZERO = (Fraction(0),) * 3
 

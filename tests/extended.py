@@ -8,8 +8,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, Input, NotANumber, Op, Operand, Program
-from coscrew_codegen.targets.precision import Precision
 
 _EVALUATE: dict[Op, Callable[..., np.ndarray]] = {
     Op.ADD: np.add, Op.SUB: np.subtract, Op.MUL: np.multiply, Op.SCALE: np.multiply,

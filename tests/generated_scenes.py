@@ -13,9 +13,9 @@ from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
 
-from coscrew_codegen.scene_functions import Coordinate, Function, SceneFunctions
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.quantity import Argument, Part, Quantity
+from coscrew_codegen.scene_functions import Coordinate, Function, SceneFunctions
 from coscrew_codegen.scene_layout import c_files, python_files
 
 BANNER = "Made by `coscrew generate scene.toml`; changes are overwritten."

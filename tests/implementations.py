@@ -8,8 +8,8 @@ import numpy as np
 import coscrew
 import coscrew.accurate
 import coscrew.certified
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.table import TIERS
 from tests.attack import TIERED, Arrays, Implementation
 from tests.c_harness import COMPILERS, EXACT, call, harness

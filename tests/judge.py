@@ -14,9 +14,9 @@ import mpmath as mp
 import numpy as np
 from gmpy2 import mpq
 
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Program
-from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.table import TIERS
 from tests import backward
 from tests.attack import TIERED, UNIT, bounds, exact_functions, plain_program

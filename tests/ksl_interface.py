@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from coscrew_codegen.formats import PRECISIONS, Precision
 
 TABLE = Path(__file__).with_name("references") / "ksl_prototypes.txt"
 TYPES = {"V": "vec3", "W": "vec4", "M": "mat3x3", "N": "mat4x4", "D": "SE3", "S": "screw",

@@ -28,12 +28,12 @@ import coscrew
 import coscrew.accurate
 import coscrew.certified
 from coscrew_codegen.exact import CONDITION, UNIT
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Program
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from tests.attack import TIERED, Implementation, Worst, bounds, compare, extreme_rows, plain_program
-from tests.calls import FLAGS
 from tests.c_harness import COMPILERS
+from tests.calls import FLAGS
 from tests.corpus import load
 from tests.implementations import compiled, gufuncs
 from tests.judge import ratio

@@ -3,11 +3,21 @@
 from collections.abc import Mapping
 from fractions import Fraction
 
-from coscrew_codegen.dynamics.formulas import Formula
-from coscrew_codegen.dynamics.model import (HERE, WORLD, Body, Inertia, Joint, Kind, Mimic, Model,
-                                            Parameter, Placement)
-from coscrew_codegen.dynamics.scene import Applied, Scene, Setting
 from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.scene.formulas import Formula
+from coscrew_codegen.scene.model import (
+    HERE,
+    WORLD,
+    Body,
+    Inertia,
+    Joint,
+    Kind,
+    Mimic,
+    Model,
+    Parameter,
+    Placement,
+)
+from coscrew_codegen.scene.scene import Applied, Scene, Setting
 
 CATALOGUE = {effect.name: effect for effect in EFFECTS}
 I = HERE.R

@@ -3,8 +3,8 @@
 import mpmath as mp
 import numpy as np
 
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.targets.precision import Precision
 from tests.motions import DIGITS, TRUTHS, alternatives
 
 Matrix = mp.matrix | mp.mpf

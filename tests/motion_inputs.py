@@ -8,8 +8,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.targets.precision import Precision
 
 Rows = np.ndarray
 Generator = np.random.Generator

@@ -16,10 +16,10 @@ import mpmath as mp
 import numpy as np
 import sympy as sp
 
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.kernel import Kernel
 from coscrew_codegen.operations import PER_PRECISION, scaled
 from coscrew_codegen.operations.operation import GRID
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from tests.c_reader import Arithmetic
 
 DIGITS = 60

@@ -14,10 +14,10 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 
-from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.model import WORLD, Joint, Kind
-from coscrew_codegen.dynamics.scene import Applied, Scene
 from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.scene.model import WORLD, Joint, Kind
+from coscrew_codegen.scene.scene import Applied, Scene
 from coscrew_codegen.scene_files.urdf import read_urdf
 from coscrew_codegen.scene_functions import SceneFunctions
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from coscrew_codegen.dynamics.quantities import expected
+from coscrew_codegen.scene.recorded import expected
 from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.record import quantity

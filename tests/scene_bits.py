@@ -12,12 +12,12 @@ from types import ModuleType
 
 import numpy as np
 
-from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.model import HERE, Kind, Parameter
+from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.scene.model import HERE, Kind, Parameter
 from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.scene_layout import c_files
 from coscrew_codegen.targets import scene_calls
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from coscrew_codegen.targets.scene_c import c_name
 from coscrew_codegen.targets.scene_text import count
 from tests import stand_ins

@@ -17,11 +17,18 @@ import numpy as np
 from tabulate import tabulate
 from tqdm import tqdm
 
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from tests import climb
-from tests.attack import (TIERED, UNIT, Arrays, Implementation, bounds, exact_functions,
-                          plain_program)
+from tests.attack import (
+    TIERED,
+    UNIT,
+    Arrays,
+    Implementation,
+    bounds,
+    exact_functions,
+    plain_program,
+)
 from tests.attack import rows as attacking_rows
 from tests.backward import BACKWARD
 from tests.calls import TIER_NAMES, of_tier, tiers_of

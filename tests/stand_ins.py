@@ -12,7 +12,7 @@ from contextlib import contextmanager
 import numpy as np
 import pytest
 
-from coscrew_codegen.targets.precision import PRECISIONS
+from coscrew_codegen.formats import PRECISIONS
 
 # Through volatile objects nothing is fused, under any flag.
 _OF_PRECISION = """

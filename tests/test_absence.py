@@ -16,9 +16,9 @@ import mpmath
 import pytest
 
 import coscrew_codegen
-from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.model import Parameter
-from coscrew_codegen.dynamics.scene import Applied, Scene, Setting
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.scene.model import Parameter
+from coscrew_codegen.scene.scene import Applied, Scene, Setting
 from tests.effect_scenes import PLACES, all_but, effects, hashes, mechanism
 from tests.evaluation import MULTIPRECISE, Evaluated
 from tests.mechanisms import CATALOGUE, scene

@@ -163,7 +163,7 @@ def test_gufuncs_are_still_numpys():
     assert f(D, c, out) is out and f(D, c, out=(out,)) is out and (out == c).all()
     assert f(D, c, dtype=np.float32).dtype == f(D, c, signature="ff->f").dtype == np.float32
     assert f(D, c.astype(np.longdouble), dtype=float).dtype == float  # as asked
-    assert f(*(D, c), **{"axes": [(0, 1), 0, 0]}).tolist() == c.tolist()
+    assert f(*(D, c), axes=[(0, 1), 0, 0]).tolist() == c.tolist()
     assert f(D[:, :, None], c[:, None], axes=[(0, 1), 0, 0]).shape == (6, 1)
     with pytest.raises(TypeError, match="unexpected keyword argument 'where_'"):
         f(D, c, where_=True)

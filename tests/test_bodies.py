@@ -8,7 +8,7 @@ import pytest
 
 import coscrew
 import coscrew.accurate
-from coscrew_codegen.targets.precision import PRECISIONS
+from coscrew_codegen.formats import PRECISIONS
 from tests.bodies import operator, pivots, pseudo_inertia, second_moments
 from tests.exact import Exact, Matrix, Sample, array, eye
 

@@ -9,11 +9,25 @@ import numpy as np
 import pytest
 from mpmath import mpf
 
-from coscrew_codegen.dynamics.model import HERE, Body, Joint, Kind, Model, Parameter
+from coscrew_codegen.scene.model import HERE, Body, Joint, Kind, Model, Parameter
 from tests.effect_laws import assert_reaches, assert_same, moving, multiprecise
 from tests.exact import array, rotation_of, skew
-from tests.mechanisms import (Formula, Y, Z, applied, at, ball, chain, free_body, geared, gravity,
-                              inertia, numbers, pendulum, slider)
+from tests.mechanisms import (
+    Formula,
+    Y,
+    Z,
+    applied,
+    at,
+    ball,
+    chain,
+    free_body,
+    geared,
+    gravity,
+    inertia,
+    numbers,
+    pendulum,
+    slider,
+)
 
 HALF = Fraction(1, 2)
 

@@ -4,8 +4,8 @@
 import pytest
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place
 from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 from coscrew_codegen.scene_files.catalogue import described
 
 NAMES = ("actuator", "armature", "buoyancy", "coulomb", "drag", "gravity", "limit", "mimic",

@@ -189,7 +189,7 @@ def test_the_product_with_c_is_rounded_to_no_less_than_it_stands_for(number: For
         some = [Fraction(m) for m in range(2**(number.digits - 1), 2**number.digits)]
     tight = Fraction(1)
     for g, C in constants(number).items():
-        assert C == number.rounded_up((1 + number.u) * g)  # no less, nor more than the proof needs
+        assert number.rounded_up((1 + number.u) * g) == C  # no less, nor more than the proof needs
         for s in some if number.digits <= TOY_DIGITS else sizes(C, number):
             assert nearest(C * s, number) >= g * s, (g, C, s)
             tight = min(tight, nearest(C * s, number) / (g * s) - 1)

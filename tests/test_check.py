@@ -9,7 +9,7 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.dynamics.scene import Expectation
+from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulate.check import check
 from coscrew_codegen.simulate.findings import Met
 from coscrew_codegen.simulate.outcome import Asked

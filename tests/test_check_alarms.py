@@ -4,7 +4,6 @@ import pytest
 
 from tests.test_check import told
 
-
 SLIDE = """
 [bodies]
 b = { mass = 1, inertia = [1, 1, 1] }

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, SINGLE, Precision
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from tests import climb
 from tests.climb import NAMES, SAME, Found, after, compiled
 from tests.climb_case import parts

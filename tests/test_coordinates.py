@@ -4,7 +4,7 @@ import mpmath
 import pytest
 from mpmath import mpf
 
-from coscrew_codegen.dynamics.model import HERE, Kind
+from coscrew_codegen.scene.model import HERE, Kind
 from tests.evaluation import MULTIPRECISE, Evaluated
 from tests.mechanisms import Z, chain, inertia, scene
 

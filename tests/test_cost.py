@@ -19,15 +19,15 @@ from coscrew_codegen.cost.loops import ELEMENTS, compiled, text
 from coscrew_codegen.cost.measure import measure
 from coscrew_codegen.cost.plot import _accuracy, plot
 from coscrew_codegen.cost.table import table
-from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.cost.work_precision import Point, Reference, error, reference
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE
+from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.report.variants import flops
-from coscrew_codegen.scene_layout import banner_of, c_files
 from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene_layout import banner_of, c_files
 from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.system import system
-from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, SINGLE
 from tests import scene_texts as texts
 
 

@@ -12,12 +12,21 @@ import numpy as np
 import pytest
 from mpmath import mpf
 
-from coscrew_codegen.dynamics.scene import Applied
+from coscrew_codegen.scene.scene import Applied
 from tests.effect_laws import assert_reaches, assert_same, moving, multiprecise
 from tests.evaluation import DOUBLE, Evaluated
 from tests.exact import array, rotation_of
-from tests.mechanisms import (CATALOGUE, Formula, applied, free_body, gravity, pendulum, rotor,
-                              scene, slider)
+from tests.mechanisms import (
+    CATALOGUE,
+    Formula,
+    applied,
+    free_body,
+    gravity,
+    pendulum,
+    rotor,
+    scene,
+    slider,
+)
 
 HALF, TENTH = Fraction(1, 2), Fraction(1, 10)
 

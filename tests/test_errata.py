@@ -1,10 +1,10 @@
 """The errata of the page `Coscrews`, and of KSL: theirs fails on an exact example, ours holds."""
 
-import coscrew
 import numpy as np
 import pytest
 import sympy as sp
 
+import coscrew
 from tests import bodies, exact
 from tests.c_reader import Place, Record, functions_in, header
 from tests.exact import JOINTS, Exact, Sample, eye, keeping, skew, zeros

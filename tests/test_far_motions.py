@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 import coscrew
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.operations.exponential import FAR
-from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, SINGLE, Precision
 from tests import judge
 from tests.corpus import TABLE
 from tests.motion_inputs import axes, motions_of

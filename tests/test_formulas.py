@@ -6,7 +6,7 @@ from fractions import Fraction
 import mpmath
 import pytest
 
-from coscrew_codegen.dynamics.formulas import LENGTH, NESTING, POWER, Formula, FormulaError
+from coscrew_codegen.scene.formulas import LENGTH, NESTING, POWER, Formula, FormulaError
 
 NAMES = ("sin", "cos", "exp", "tanh", "sqrt")
 

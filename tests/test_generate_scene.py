@@ -7,8 +7,8 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
+from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.targets import scene_calls
-from coscrew_codegen.targets.precision import PRECISIONS
 from tests.c_harness import COMPILERS, DIALECTS, EXACT, STRICT, run
 from tests.generated_scenes import imported
 from tests.test_scene_agreement import UNIT, inputs, same_bits

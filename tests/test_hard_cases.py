@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import coscrew
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from tests import corpus
 from tests.attack import Arrays, Implementation
 from tests.calls import TIER_NAMES, of_tier, tiers_of

@@ -7,12 +7,27 @@ import numpy as np
 import pytest
 
 from coscrew_codegen import load_scene
-from coscrew_codegen.dynamics.model import HERE, Body, Joint, Kind, Model
-from coscrew_codegen.dynamics.scene import Applied
+from coscrew_codegen.scene.model import HERE, Body, Joint, Kind, Model
+from coscrew_codegen.scene.scene import Applied
 from coscrew_codegen.simulate.calls import Functions
 from coscrew_codegen.simulate.load import Kernels
-from tests.mechanisms import (X, Y, Z, applied, at, ball, chain, free_body, gravity, inertia,
-                              numbers, pendulum, rotor, scene, slider)
+from tests.mechanisms import (
+    X,
+    Y,
+    Z,
+    applied,
+    at,
+    ball,
+    chain,
+    free_body,
+    gravity,
+    inertia,
+    numbers,
+    pendulum,
+    rotor,
+    scene,
+    slider,
+)
 
 STIFF = 10**6  # with J = 1 and h = 1e-2: h d/J = 1e4
 H = 1e-2

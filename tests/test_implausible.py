@@ -6,7 +6,7 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.dynamics import derive
+from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.toml_scene import Said, read_scene
 from tests.evaluation import DOUBLE, evaluator

@@ -12,7 +12,7 @@ import pytest
 
 import coscrew
 import coscrew.accurate
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from coscrew_codegen.formats import PRECISIONS, Precision
 
 REACH = {"double": Fraction(1, 2**700), "single": Fraction(1, 2**80)}
 SPOILED = {"double": Fraction(1, 2**760), "single": Fraction(1, 2**96)}

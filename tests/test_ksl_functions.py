@@ -14,9 +14,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations.euler import BACKWARD
 from coscrew_codegen.targets.c_ksl import SEQUENCES
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from tests.c_harness import C11, COMPILERS, EXACT, INCLUDE, STRICT, run
 
 SOURCE = Path(__file__).with_name("ksl_functions.c")

@@ -10,10 +10,10 @@ import pytest
 
 import coscrew
 import coscrew.accurate
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS
 from coscrew_codegen.operations.inertia import MERGED
 from coscrew_codegen.operations.spatial_inertia import CONVERTED
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from tests import bodies
 from tests.c_harness import C11, COMPILERS, EXACT, INCLUDE, STRICT, run
 from tests.exact import Exact, Matrix, Sample

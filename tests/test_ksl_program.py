@@ -11,7 +11,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from coscrew_codegen.formats import PRECISIONS, Precision
 from tests.c_harness import DIALECTS, EXACT, INCLUDE, STRICT, run
 
 PROGRAM = Path(__file__).with_name("ksl_program.c")

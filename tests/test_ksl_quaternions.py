@@ -9,7 +9,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, Precision
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
 from tests.c_harness import C11, COMPILERS, INCLUDE, STRICT, run
 from tests.motions import DIGITS, Matrix, conjugate, matrix_of, norm, product
 

@@ -8,7 +8,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from coscrew_codegen.dynamics.model import Body, Inertia, Joint, Kind, Mimic, Model, Placement
+from coscrew_codegen.scene.model import Body, Inertia, Joint, Kind, Mimic, Model, Placement
 from tests.evaluation import Evaluated, rational
 from tests.exact import Sample, array, rotation_of, skew
 from tests.lagrange import Motion, virtual_work

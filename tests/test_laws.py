@@ -3,15 +3,25 @@
 import re
 from fractions import Fraction
 
-import coscrew
 import mpmath
 import numpy as np
 import pytest
 
+import coscrew
 from tests import exact
 from tests.bodies import POSITIVE_DEFINITE
-from tests.exact import (FORMULAS, IRRATIONAL, JOINTS, TABLE, Exact, Matrix, Sample, array,
-                         displacement, eye)
+from tests.exact import (
+    FORMULAS,
+    IRRATIONAL,
+    JOINTS,
+    TABLE,
+    Exact,
+    Matrix,
+    Sample,
+    array,
+    displacement,
+    eye,
+)
 
 INVERTED = tuple(name for name in TABLE if name + "inv" in TABLE)
 UNDONE = tuple(name for name in INVERTED  # these end in a factor that `inv` inverts;

@@ -8,10 +8,18 @@ from gmpy2 import mpq
 import coscrew
 import coscrew.accurate
 import coscrew.certified
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
-from tests.attack import (TIERED, Arrays, Implementation, bounds, exact_functions, extreme_rows,
-                          plain_program, rows)
+from tests.attack import (
+    TIERED,
+    Arrays,
+    Implementation,
+    bounds,
+    exact_functions,
+    extreme_rows,
+    plain_program,
+    rows,
+)
 from tests.implementations import gufuncs
 from tests.judge import ratio
 from tests.long_attack import attack_at_length

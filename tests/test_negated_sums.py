@@ -6,10 +6,10 @@ from fractions import Fraction
 
 import pytest
 
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS
 from coscrew_codegen.program import Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.targets.c_statements import Statements
-from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, Precision
 from coscrew_codegen.tiers.negation import negating_terms
 from coscrew_codegen.tiers.table import ACCURATE, CERTIFIED, FUSED, Tier
 from tests.attack import plain_program

@@ -10,8 +10,8 @@ import pytest
 
 import coscrew
 import coscrew.accurate
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, Precision
 from coscrew_codegen.tiers.table import ACCURATE
 from tests.attack import plain_program
 from tests.c_harness import COMPILERS, EXACT, call, harness

@@ -18,19 +18,26 @@ import pytest
 import sympy as sp
 
 import coscrew
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.kernel import Kernel, kernel_of
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.passes import simplified
 from coscrew_codegen.program import Op
 from coscrew_codegen.targets.c import c_name
-from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, SINGLE, Precision
 from tests.attack import plain_program
 from tests.c_reader import Header, Place, header, sign_flips
 from tests.motion_errors import as_arrays, errors, multiprecise, truth_of, unit
 from tests.motion_inputs import motions_of
 from tests.motions import TRUTHS, matrix_of, nearest_quaternion, norm
-from tests.multiprecision import (DIGITS, Evaluator, Number, Rules, c_arithmetic, can_evaluate,
-                                  python_function)
+from tests.multiprecision import (
+    DIGITS,
+    Evaluator,
+    Number,
+    Rules,
+    c_arithmetic,
+    can_evaluate,
+    python_function,
+)
 from tests.sampling import inputs_of
 
 SYMBOLIC = {Op.ADD, Op.SUB, Op.MUL, Op.DIV, Op.NEG, Op.SIN, Op.COS}

@@ -15,9 +15,9 @@ import numpy as np
 import pytest
 
 import coscrew
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Op
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from tests.attack import plain_program
 from tests.c_harness import COMPILERS, EXACT, call, harness, run
 from tests.sampling import inputs_of

@@ -7,11 +7,11 @@ of Pinocchio's full model.
 import numpy as np
 import pinocchio as pin
 import pytest
-from tests import evaluation
-from tests.robots import Robot, robot
 
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.program import Op
+from tests import evaluation
+from tests.robots import Robot, robot
 
 STATES = 8
 DOUBLE, SINGLE = 2.0**-53, 2.0**-24

@@ -3,8 +3,8 @@ called; what could be either is refused.  For every effect, by construction."""
 
 import pytest
 
-from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place
 from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.toml_scene import read_scene
 

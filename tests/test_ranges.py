@@ -8,12 +8,12 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.ranges import RangeError
+from coscrew_codegen.formats import DOUBLE, SINGLE
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.mechanics.ranges import RangeError
 from coscrew_codegen.program import Constant
 from coscrew_codegen.scene_files.toml_scene import Said, read_scene
 from coscrew_codegen.scene_layout import scene_files
-from coscrew_codegen.targets.precision import DOUBLE, SINGLE
 
 SCENE = """
 {precision}

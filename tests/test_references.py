@@ -11,7 +11,7 @@ import pytest
 from mpmath import mp, mpf
 
 from coscrew_codegen import load_scene
-from coscrew_codegen.dynamics.scene import Run, Scene
+from coscrew_codegen.scene.scene import Run, Scene
 from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.system import system
 from tests import mechanisms, runs

@@ -1,7 +1,6 @@
 """What `coscrew report` measures: errors against independent arithmetic, times, drift, the JSON."""
 
 import math
-import time
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -12,15 +11,15 @@ import pytest
 from gmpy2 import mpq
 
 from coscrew_codegen.exact import truth, ulp
-from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.native.timing import Timing
+from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.operations.operation import Normwise
 from coscrew_codegen.report import errors, inputs, measure, native, ranking
 from coscrew_codegen.report.c_text import Variant, last_component
 from coscrew_codegen.report.drift import deviations, drifts, power
 from coscrew_codegen.report.timing import Timed, python_function
 from coscrew_codegen.report.variants import variants_of
-from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, SINGLE, Precision
 from tests.exact import FORMULAS
 
 BY_NAME = {operation.name: operation for operation in OPERATIONS}

@@ -5,8 +5,8 @@ from fractions import Fraction as F
 import mpmath
 import pytest
 
-from coscrew_codegen.dynamics import rotations
-from coscrew_codegen.dynamics.rotations import SNAP
+from coscrew_codegen.scene import rotations
+from coscrew_codegen.scene.rotations import SNAP
 
 mpmath.mp.dps = 60
 

@@ -4,15 +4,15 @@ from fractions import Fraction
 from functools import cache
 from itertools import product
 
-import coscrew
 import mpmath
 import numpy as np
 import pytest
 import sympy as sp
+
+import coscrew
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Op
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
-
 from tests.attack import plain_program
 from tests.exact import FORMULAS, Matrix, array
 from tests.sampling import inputs_of

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.targets.c_ksl import MARK
-from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.tiers.table import TIERS
 from tests import c_calls
 from tests.c_harness import C11, COMPILERS, EXACT, INCLUDE, run

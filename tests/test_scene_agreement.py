@@ -13,9 +13,9 @@ import mpmath
 import numpy as np
 import pytest
 
+from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.simulate.load import Kernels, kernels_of
 from coscrew_codegen.targets import scene_calls
-from coscrew_codegen.targets.precision import PRECISIONS
 from tests.generated_scenes import CASES, imported
 
 UNIT = {"double": 2.0**-53, "single": 2.0**-24}

@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 
 import coscrew_codegen
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.simulate import calls
 from coscrew_codegen.simulate.load import Kernels, kernels_of, restored
 from coscrew_codegen.targets import scene_calls
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from tests import scene_texts as texts
 from tests.generated_scenes import pendulum, slider
 from tests.test_load_scene import ARGUMENTS

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.targets import scene_calls
-from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.targets.scene_c import c_name
 from coscrew_codegen.targets.scene_text import count
 from tests.c_harness import C11, COMPILERS, DIALECTS, EXACT, STRICT, run

@@ -5,11 +5,10 @@ from fractions import Fraction as F
 
 import pytest
 
-from coscrew_codegen.dynamics.constants import constant
-from coscrew_codegen.dynamics.model import Kind
-from coscrew_codegen.dynamics.names import did_you_mean, nearest
+from coscrew_codegen.scene.constants import constant
+from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.scene.names import did_you_mean, nearest
 from coscrew_codegen.scene_files.errors import SceneError
-
 from tests.reading import MODEL, applied, read  # noqa: F401
 
 

@@ -5,12 +5,11 @@ from fractions import Fraction as F
 
 import pytest
 
-from coscrew_codegen.dynamics.formulas import Formula
-from coscrew_codegen.dynamics.model import Kind, Mimic, Parameter
-from coscrew_codegen.dynamics.quantities import QuantityError, coordinates, expected, recorded
-from coscrew_codegen.dynamics.scene import Expectation, Run
+from coscrew_codegen.scene.formulas import Formula
+from coscrew_codegen.scene.model import Kind, Mimic, Parameter
+from coscrew_codegen.scene.recorded import QuantityError, coordinates, expected, recorded
+from coscrew_codegen.scene.scene import Expectation, Run
 from coscrew_codegen.scene_files.errors import SceneError
-
 from tests.reading import MODEL, applied, read  # noqa: F401
 
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from mpmath import mpf
 
-from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.scene import Scene
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.scene.scene import Scene
 from tests.effect_scenes import PLACES, arm, effects, mechanism
 from tests.evaluation import DOUBLE, MULTIPRECISE, SINGLE, Arithmetic, Evaluated
 from tests.mechanisms import applied, gravity, scene

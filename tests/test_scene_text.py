@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.scene_functions import Coordinate, SceneFunctions
 from coscrew_codegen.program import Constant, Op, counts_in_words
+from coscrew_codegen.scene_functions import Coordinate, SceneFunctions
 from coscrew_codegen.scene_layout import c_files
 from tests.generated_scenes import BANNER, CASES, Writer, argument, files, imported, robot
 

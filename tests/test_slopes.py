@@ -11,16 +11,29 @@ import mpmath
 import pytest
 from mpmath import mpf
 
-from coscrew_codegen.dynamics.acting import settings
-from coscrew_codegen.dynamics.model import HERE, Body, Joint, Kind, Model
-from coscrew_codegen.dynamics.numbers import Number
-from coscrew_codegen.dynamics.record import Recorder, array
-from coscrew_codegen.dynamics.scene import Applied
-from coscrew_codegen.dynamics.states import JointState
+from coscrew_codegen.mechanics.acting import settings
+from coscrew_codegen.recording.numbers import Number
+from coscrew_codegen.recording.recorder import Recorder, array
+from coscrew_codegen.scene.effect import JointState
+from coscrew_codegen.scene.model import HERE, Body, Joint, Kind, Model
+from coscrew_codegen.scene.scene import Applied
 from tests.effect_scenes import PLACES, effects, mechanism
 from tests.evaluation import MULTIPRECISE, Evaluated, evaluator
-from tests.mechanisms import (CATALOGUE, Formula, X, Y, Z, applied, at, chain, geared, gravity,
-                              inertia, numbers, scene)
+from tests.mechanisms import (
+    CATALOGUE,
+    Formula,
+    X,
+    Y,
+    Z,
+    applied,
+    at,
+    chain,
+    geared,
+    gravity,
+    inertia,
+    numbers,
+    scene,
+)
 
 STEP, CLOSE = mpf(10)**-16, mpf(10)**-24
 HALF = Fraction(1, 2)

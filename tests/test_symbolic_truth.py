@@ -9,13 +9,13 @@ from functools import cache
 from itertools import product
 from types import FunctionType
 
-import coscrew
 import pytest
 import sympy as sp
-from coscrew_codegen.operations import FAMILIES, NORM_THRESHOLD, OPERATIONS, Operation
-from coscrew_codegen.targets.precision import DOUBLE, PRECISIONS, SINGLE, Precision
 from sympy.core.relational import Relational
 
+import coscrew
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
+from coscrew_codegen.operations import FAMILIES, NORM_THRESHOLD, OPERATIONS, Operation
 from tests.c_reader import FAMILIES as HEADERS
 from tests.c_reader import Header, Place, Value, functions_in, header, sign_flips
 from tests.test_numeric_truth import NUMERIC

@@ -8,9 +8,9 @@ from gmpy2 import mpq
 
 import coscrew
 import coscrew.accurate
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS
 from coscrew_codegen.operations.symmetric import BACKWARD, FACTOR
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 
 ROWS = 4000
 WELL = {"double": 14, "single": 5}  # decimal digits of the condition up to which nothing is refused

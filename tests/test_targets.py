@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
+from coscrew_codegen.formats import PRECISIONS, Precision
 from tests.motions import DIGITS, SE3_exp, ad, exponential_series, skew
 
 TARGETS = {"SO3_exp": 5, "SO3_log": 4, "SE3_exp": 6, "SE3_log": 6, "SO3_leftJacobian": 3,

@@ -18,11 +18,11 @@ import sympy as sp
 
 import coscrew.accurate
 from coscrew_codegen.exact import exact_functions
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import scales
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.targets.c import c_name, member, returned
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from coscrew_codegen.tiers.table import TIERS
 from tests.attack import TIERED, bounds, plain_program
 from tests.c_reader import INCLUDE

@@ -9,8 +9,8 @@ import pytest
 
 import coscrew.accurate
 import coscrew.certified
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from tests.attack import TIERED, Arrays, attack, bounds, extreme_rows, rows
 from tests.c_harness import COMPILERS
 from tests.implementations import compiled, implementations, twin

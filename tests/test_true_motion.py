@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 from coscrew_codegen import load_scene
-from coscrew_codegen.dynamics.model import HERE, Kind
-from coscrew_codegen.dynamics.scene import Run, Scene
+from coscrew_codegen.scene.model import HERE, Kind
+from coscrew_codegen.scene.scene import Run, Scene
 from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.run import integrate

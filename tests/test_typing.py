@@ -10,7 +10,7 @@ import pytest
 
 import coscrew
 import coscrew_codegen
-from coscrew_codegen.dynamics import derive
+from coscrew_codegen.mechanics import derive
 from coscrew_codegen.operations import OPERATIONS
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import calls

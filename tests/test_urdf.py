@@ -6,9 +6,9 @@ from fractions import Fraction as F
 import numpy as np
 import pytest
 
-from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.model import Inertia, Kind, Mimic
-from coscrew_codegen.dynamics.scene import Scene
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.scene.model import Inertia, Kind, Mimic
+from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.scene_files.urdf import read_urdf

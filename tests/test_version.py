@@ -9,7 +9,7 @@ import pytest
 
 import coscrew
 import coscrew_codegen
-from coscrew_codegen.dynamics import derive
+from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.scene_layout import scene_files
 from tests import scene_texts as texts

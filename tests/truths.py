@@ -13,12 +13,25 @@ import mpmath as mp
 import numpy as np
 import sympy as sp
 
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import PER_PRECISION, Operation
 from coscrew_codegen.quantity import Argument
-from coscrew_codegen.targets.precision import Precision
-from tests.motions import (DIGITS, TRUTHS, Matrix, SE3_exp, compose, conjugate,
-                           exponential_series, inverse, nearest_quaternion, norm, product,
-                           quaternion_exp, skew, vector_of)
+from tests.motions import (
+    DIGITS,
+    TRUTHS,
+    Matrix,
+    SE3_exp,
+    compose,
+    conjugate,
+    exponential_series,
+    inverse,
+    nearest_quaternion,
+    norm,
+    product,
+    quaternion_exp,
+    skew,
+    vector_of,
+)
 
 Components = list[mp.mpf]
 

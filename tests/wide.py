@@ -14,9 +14,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coscrew_codegen.bounds import Polynomial, bounds_of
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, Input, Op, Operand, Program
-from coscrew_codegen.targets.precision import Precision
+from coscrew_codegen.program.bounds import Polynomial, bounds_of
 
 WIDE = np.longdouble
 IS_WIDE = np.finfo(WIDE).nmant == 63 and np.finfo(WIDE).maxexp == 16384

@@ -28,8 +28,8 @@ def _digits(text: str) -> int:
 
 def run(options: argparse.Namespace) -> int:
     """Measure and print; returns the exit status."""
-    from coscrew_codegen.simulate.load import load_scene
     from coscrew_codegen.cost import measure, plot, table
+    from coscrew_codegen.simulate.load import load_scene
     from coscrew_codegen.simulate.outcome import Asked
     from coscrew_codegen.simulate.plot import ENDINGS
     from coscrew_codegen.simulate.write import check_target

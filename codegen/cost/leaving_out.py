@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass, replace
 
-from coscrew_codegen.dynamics.functions import derive
+from coscrew_codegen.mechanics.functions import derive
+from coscrew_codegen.scene.scene import Applied, Scene
 from coscrew_codegen.scene_functions import Function, SceneFunctions
-from coscrew_codegen.dynamics.scene import Applied, Scene
 
 TELLING = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
 """The functions whose cost is told for each effect."""

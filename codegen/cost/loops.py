@@ -8,14 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from coscrew_codegen.cost.leaving_out import Part
-from coscrew_codegen.scene_functions import Function
-from coscrew_codegen.quantity import Argument
-from coscrew_codegen.render import render
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.native.buffers import aligned
 from coscrew_codegen.native.timing import Loop, driver, pointers
+from coscrew_codegen.quantity import Argument
+from coscrew_codegen.render import render
+from coscrew_codegen.scene_functions import Function
 from coscrew_codegen.scene_layout import banner_of, c_files
 from coscrew_codegen.simulate.native import Compiler, library
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from coscrew_codegen.targets.scene_c import c_name
 from coscrew_codegen.targets.scene_text import outputs, size, step_inputs
 

@@ -12,11 +12,12 @@ from coscrew_codegen.cost import CostError
 from coscrew_codegen.cost.leaving_out import TELLING, Part, parts
 from coscrew_codegen.cost.loops import ELEMENTS, Compiled, compiled
 from coscrew_codegen.cost.work_precision import Point, Reference, reference, work_precision
-from coscrew_codegen.scene_functions import Function
-from coscrew_codegen.program import counts_in_words
-from coscrew_codegen.report.variants import flops
+from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.native.timing import timed_loops
+from coscrew_codegen.program import counts_in_words
+from coscrew_codegen.report.variants import flops
+from coscrew_codegen.scene_functions import Function
 from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.plan import Trajectory, plan
@@ -24,7 +25,6 @@ from coscrew_codegen.simulate.progress import Progress
 from coscrew_codegen.simulate.record import accelerations
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import System, system
-from coscrew_codegen.targets.precision import PRECISIONS
 
 _SECONDS = 0.02  # that each function of each part is timed, in each precision
 

@@ -9,12 +9,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from coscrew_codegen.cost.loops import Compiled
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.native.intervals import FEWEST, Interval, interval
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import System, system
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 
 _TIGHTEST = 1e-13
 _PATIENCE = 20.0  # s that a reference, or a run of SciPy's, may take

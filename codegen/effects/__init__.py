@@ -9,7 +9,7 @@ import copyreg
 from importlib import import_module
 from pkgutil import iter_modules
 
-from coscrew_codegen.dynamics.effect import Effect
+from coscrew_codegen.scene.effect import Effect
 
 EFFECTS: tuple[Effect, ...] = tuple(
     import_module(f"{__name__}.{module}").EFFECT

@@ -2,11 +2,11 @@
 
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place, Torque, Values
-from coscrew_codegen.dynamics.numbers import absolute, maximum, minimum
+from coscrew_codegen.recording.numbers import absolute, maximum, minimum
+from coscrew_codegen.scene.effect import Effect, ParameterOf, Place, Torque, Values
 
 if TYPE_CHECKING:
-    from coscrew_codegen.dynamics.numbers import Number
+    from coscrew_codegen.recording.numbers import Number
 
 
 def _torque(state, values: Values) -> Torque:

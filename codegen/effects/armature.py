@@ -2,10 +2,10 @@
 
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place, Values
+from coscrew_codegen.scene.effect import Effect, ParameterOf, Place, Values
 
 if TYPE_CHECKING:
-    from coscrew_codegen.dynamics.numbers import Number
+    from coscrew_codegen.recording.numbers import Number
 
 
 def _inertia(values: Values) -> "Number":

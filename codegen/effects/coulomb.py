@@ -1,7 +1,7 @@
 """Coulomb friction, regularised: a constant torque against the motion, fading near rest."""
 
-from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place, Torque, Values
-from coscrew_codegen.dynamics.numbers import absolute, maximum, tanh
+from coscrew_codegen.recording.numbers import absolute, maximum, tanh
+from coscrew_codegen.scene.effect import Effect, ParameterOf, Place, Torque, Values
 
 
 def _torque(state, values: Values) -> Torque:

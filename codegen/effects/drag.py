@@ -2,8 +2,8 @@
 
 from fractions import Fraction
 
-from coscrew_codegen.dynamics.effect import Effect, Force, ParameterOf, Place, Values
-from coscrew_codegen.dynamics.numbers import dot, negative, scaled, sqrt
+from coscrew_codegen.recording.numbers import dot, negative, scaled, sqrt
+from coscrew_codegen.scene.effect import Effect, Force, ParameterOf, Place, Values
 
 
 def _force(state, values: Values) -> Force:

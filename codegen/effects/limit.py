@@ -1,8 +1,7 @@
 """Limits of a joint: contact by Hunt and Crossley's law, which pushes and never pulls."""
 
-from coscrew_codegen.dynamics.effect import (Contact, Effect, ParameterOf, Place, Torque,
-                                             Values)
-from coscrew_codegen.dynamics.numbers import absolute, less, maximum, minimum, sqrt, where
+from coscrew_codegen.recording.numbers import absolute, less, maximum, minimum, sqrt, where
+from coscrew_codegen.scene.effect import Contact, Effect, ParameterOf, Place, Torque, Values
 
 
 def _torque(state, values: Values) -> Torque:

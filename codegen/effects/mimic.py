@@ -1,6 +1,6 @@
 """Mimic: joints that the model lets follow others do so, and have no coordinates of their own."""
 
-from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place
+from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 
 EFFECT = Effect(
     "mimic", "followers of the model follow; without it they move on their own",

@@ -1,6 +1,6 @@
 """Reaction: what a joint transmits, as a function of its own."""
 
-from coscrew_codegen.dynamics.effect import Effect, Place
+from coscrew_codegen.scene.effect import Effect, Place
 
 EFFECT = Effect(
     "reaction", "gives a function for the wrench a joint transmits, along its freedoms too",

@@ -2,8 +2,8 @@
 
 from fractions import Fraction
 
-from coscrew_codegen.dynamics.effect import Effect, Force, Line, ParameterOf, Place, Values
-from coscrew_codegen.dynamics.numbers import dot, maximum, negative, scaled, sqrt, subtract
+from coscrew_codegen.recording.numbers import dot, maximum, negative, scaled, sqrt, subtract
+from coscrew_codegen.scene.effect import Effect, Force, Line, ParameterOf, Place, Values
 
 CLOSEST = Fraction(1, 10**12)
 """Below this distance, in m, the direction of the line fades to zero: where points meet is none."""

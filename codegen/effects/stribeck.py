@@ -1,7 +1,7 @@
 """Stribeck friction, regularised: dry friction that is larger at rest than in motion."""
 
-from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place, Torque, Values
-from coscrew_codegen.dynamics.numbers import absolute, exp, maximum, tanh
+from coscrew_codegen.recording.numbers import absolute, exp, maximum, tanh
+from coscrew_codegen.scene.effect import Effect, ParameterOf, Place, Torque, Values
 
 
 def _torque(state, values: Values) -> Torque:

@@ -1,6 +1,6 @@
 """Viscous friction: against the speed and proportional to it."""
 
-from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place, Torque, Values
+from coscrew_codegen.scene.effect import Effect, ParameterOf, Place, Torque, Values
 
 
 def _torque(state, values: Values) -> Torque:

@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from coscrew_codegen.dynamics.effect import Effect, Force, ParameterOf, Place, Values
+from coscrew_codegen.scene.effect import Effect, Force, ParameterOf, Place, Values
 
 
 def _force(state, values: Values) -> Force:

@@ -2,8 +2,7 @@
 
 import sympy as sp
 
-from coscrew_codegen.algebra import (I3, displacement, homogeneous, inverse, rotation,
-                                     translation)
+from coscrew_codegen.algebra import I3, displacement, homogeneous, inverse, rotation, translation
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import MAT3X3, MAT4X4, SE3, VEC3, Argument
 

@@ -1,10 +1,29 @@
 """The table of operations, family by family.  Everything else iterates over it."""
 
-from coscrew_codegen.operations import (SE3, coscrew, exponential, inertia, mat3x3, mat4x4, mat6x6,
-                                        matrix, quaternion, screw, spatial_inertia, symmetric, trig,
-                                        vec3, vec4)
-from coscrew_codegen.operations.operation import (NORM_THRESHOLD, PER_PRECISION, Operation,
-                                                  components, scaled)
+from coscrew_codegen.operations import (
+    SE3,
+    coscrew,
+    exponential,
+    inertia,
+    mat3x3,
+    mat4x4,
+    mat6x6,
+    matrix,
+    quaternion,
+    screw,
+    spatial_inertia,
+    symmetric,
+    trig,
+    vec3,
+    vec4,
+)
+from coscrew_codegen.operations.operation import (
+    NORM_THRESHOLD,
+    PER_PRECISION,
+    Operation,
+    components,
+    scaled,
+)
 
 _MODULES = (vec3, vec4, mat3x3, SE3, mat4x4, mat6x6, matrix, trig, screw, coscrew, quaternion,
             exponential, symmetric, inertia, spatial_inertia)
@@ -20,7 +39,7 @@ if len(set(_names)) < len(_names):
 
 def family_title(family: str) -> str:
     """The first line of the family's documentation."""
-    module = next(module for module in _MODULES if module.FAMILY == family)
+    module = next(module for module in _MODULES if family == module.FAMILY)
     return module.__doc__.splitlines()[0]
 
 

@@ -1,12 +1,23 @@
 """Coscrews: wrenches and momenta, c = (f; τ)."""
 
-from coscrew_codegen.algebra import (CoAd, ang, coad, constraint_projector, lin, rotation, shifted,
-                                     stack, translation, turned, working_projector)
+import sympy as sp
+
+from coscrew_codegen.algebra import (
+    CoAd,
+    ang,
+    coad,
+    constraint_projector,
+    lin,
+    rotation,
+    shifted,
+    stack,
+    translation,
+    turned,
+    working_projector,
+)
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.operations.spatial import JOINTS, Space, space_operations
 from coscrew_codegen.quantity import ANGULAR_FIRST, COSCREW, MAT6X6, SCALAR, SCREW, SE3, Argument
-
-import sympy as sp
 
 FAMILY = "coscrew"
 

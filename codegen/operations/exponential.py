@@ -8,8 +8,19 @@ from functools import partial
 
 import sympy as sp
 
-from coscrew_codegen.algebra import (I3, O3, ang, blocks, compose, displacement, lin,
-                                     rotation, skew, stack, translation)
+from coscrew_codegen.algebra import (
+    I3,
+    O3,
+    ang,
+    blocks,
+    compose,
+    displacement,
+    lin,
+    rotation,
+    skew,
+    stack,
+    translation,
+)
 from coscrew_codegen.operations import special
 from coscrew_codegen.operations.norm import Let, prefixed, unnamed
 from coscrew_codegen.operations.operation import Normwise, Operation
@@ -17,8 +28,20 @@ from coscrew_codegen.operations.quaternion import ANGLE, axis_and_angle, axis_an
 from coscrew_codegen.operations.rotation import quaternion_of, rodrigues, rotation_vector, upper
 from coscrew_codegen.operations.series import Angle
 from coscrew_codegen.operations.special import b, g, vector
-from coscrew_codegen.quantity import (FRACTION, HALF_TURN, MAT3X3, MAT6X6, ROTATION, SCALAR, SCREW,
-                                      SE3, TURN, UNIT, VEC3, Argument)
+from coscrew_codegen.quantity import (
+    FRACTION,
+    HALF_TURN,
+    MAT3X3,
+    MAT6X6,
+    ROTATION,
+    SCALAR,
+    SCREW,
+    SE3,
+    TURN,
+    UNIT,
+    VEC3,
+    Argument,
+)
 
 FAMILY = "exponential"
 

@@ -4,10 +4,24 @@ import sympy as sp
 
 from coscrew_codegen.algebra import I3, skew
 from coscrew_codegen.operations import eigen, euler, special
-from coscrew_codegen.operations.norm import (Let, divided, l2, largest_size, nonzero, prefixed,
-                                             safe_normalized, stepwise_power)
-from coscrew_codegen.operations.operation import (DEPENDENT, INDISTINCT, SPOILED, STEPS,
-                                                  Operation, scaled)
+from coscrew_codegen.operations.norm import (
+    Let,
+    divided,
+    l2,
+    largest_size,
+    nonzero,
+    prefixed,
+    safe_normalized,
+    stepwise_power,
+)
+from coscrew_codegen.operations.operation import (
+    DEPENDENT,
+    INDISTINCT,
+    SPOILED,
+    STEPS,
+    Operation,
+    scaled,
+)
 from coscrew_codegen.quantity import DC, MAT3X3, SCALAR, VEC3, Argument
 
 FAMILY = "mat3x3"

@@ -5,8 +5,17 @@ dc = (sin θ, cos θ); `tx ty tz` a translation along an axis; `inv` behind a fa
 inverse of a vector is its negative).
 """
 
-from coscrew_codegen.algebra import (compose, displacement, inverse, rotation, rotation_about,
-                                     shifted, translation, turned, unit)
+from coscrew_codegen.algebra import (
+    compose,
+    displacement,
+    inverse,
+    rotation,
+    rotation_about,
+    shifted,
+    translation,
+    turned,
+    unit,
+)
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import DC, MAT3X3, SCALAR, SE3, VEC3, Argument
 

@@ -9,8 +9,17 @@ from collections.abc import Callable, Sequence
 
 import sympy as sp
 
-from coscrew_codegen.operations.operation import (ENLARGING, LARGE, MODEST, NORM_THRESHOLD,
-                                                  RAISING, REDUCING, STEPS, TINY, scaled)
+from coscrew_codegen.operations.operation import (
+    ENLARGING,
+    LARGE,
+    MODEST,
+    NORM_THRESHOLD,
+    RAISING,
+    REDUCING,
+    STEPS,
+    TINY,
+    scaled,
+)
 
 Let = Callable[[str, sp.Expr | sp.Matrix], sp.Expr | sp.Matrix]
 
@@ -59,7 +68,7 @@ def power_of_two(let: Let, name: str, x: Sequence[sp.Expr], reduced: bool = Fals
     """A power of two s such that s x is of the size that norms and quotients by them want; s >= 1
     of what is `reduced` already."""
     largest = largest_size(let, name, x)
-    large = () if reduced else ((REDUCING, LARGE < largest),)
+    large = () if reduced else ((REDUCING, largest > LARGE),)
     return let(name, sp.Piecewise((RAISING, largest < TINY), (ENLARGING, largest < MODEST), *large,
                                   (sp.Integer(1), True)))
 
@@ -77,7 +86,7 @@ def stepwise_power(let: Let, name: str, largest: sp.Expr) -> sp.Expr:
 def inverse_power(let: Let, name: str, s: sp.Expr, reduced: bool = False) -> sp.Expr:
     """1 / s of the power of two s."""
     large = () if reduced else ((1 / REDUCING, s < 1),)
-    return let(name, sp.Piecewise((1 / RAISING, ENLARGING < s), (1 / ENLARGING, 1 < s), *large,
+    return let(name, sp.Piecewise((1 / RAISING, s > ENLARGING), (1 / ENLARGING, s > 1), *large,
                                   (sp.Integer(1), True)))
 
 
@@ -100,7 +109,7 @@ def safe_normalized(let: Let, x: sp.Matrix, part: sp.Matrix) -> sp.Matrix:
     has, and none overflows on the way."""
     s = power_of_two(let, "s", tuple(part))
     y = let("y", part.applyfunc(lambda component: scaled(component, s)))
-    up = let("up", sp.Piecewise((s, 1 < s), (sp.Integer(1), True)))
+    up = let("up", sp.Piecewise((s, s > 1), (sp.Integer(1), True)))
     down = let("down", sp.Piecewise((s, s < 1), (sp.Integer(1), True)))
     n = let("n", l2(y))
     divisor = let("divisor", sp.Piecewise((up, sp.Eq(n, 0)), (n, True)))

@@ -5,20 +5,48 @@ Those of norm 1 are rotations, q and -q the same one.
 
 import sympy as sp
 
-
 from coscrew_codegen.operations import special
 from coscrew_codegen.operations.linear import linear_space
-from coscrew_codegen.operations.norm import (Let, divided, inverse_power, l2, moderate, nonzero,
-                                             power_of_two, prefixed, safe_norm, safe_normalized,
-                                             unnamed)
+from coscrew_codegen.operations.norm import (
+    Let,
+    divided,
+    inverse_power,
+    l2,
+    moderate,
+    nonzero,
+    power_of_two,
+    prefixed,
+    safe_norm,
+    safe_normalized,
+    unnamed,
+)
 from coscrew_codegen.operations.operation import Normwise, Operation, scaled
 from coscrew_codegen.operations.quaternion_products import PRODUCTS
-from coscrew_codegen.operations.rotation import (conjugate, half_angle, quaternion, quaternion_of,
-                                                 quaternion_product, rotation_vector, scalar_part,
-                                                 upper, vector_part, versor)
+from coscrew_codegen.operations.rotation import (
+    conjugate,
+    half_angle,
+    quaternion,
+    quaternion_of,
+    quaternion_product,
+    rotation_vector,
+    scalar_part,
+    upper,
+    vector_part,
+    versor,
+)
 from coscrew_codegen.operations.special import vector
-from coscrew_codegen.quantity import (FRACTION, MAT3X3, ORDINARY, QUATERNION, ROTATION, SCALAR,
-                                      TURN, UNIT, VEC3, Argument)
+from coscrew_codegen.quantity import (
+    FRACTION,
+    MAT3X3,
+    ORDINARY,
+    QUATERNION,
+    ROTATION,
+    SCALAR,
+    TURN,
+    UNIT,
+    VEC3,
+    Argument,
+)
 
 FAMILY = "quaternion"
 
@@ -152,10 +180,10 @@ _CONVERSIONS = (
         "rotation vector v", (_turn,), (_qo,), _exp,
         lambda let, v: versor(let, let("h", v / 2)), (Normwise("qo", 7, per_angle=200),)),
     _op("quaternion_log", "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or "
-        "of any multiple of it", (_q,), (_vo,), 
+        "of any multiple of it", (_q,), (_vo,),
         lambda q: vector(special.quaternion_log, 3, *q), _log, (Normwise("vo", 6),)),
     _op("quaternion_interpolated", "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, "
-        "±q2 at k = 1; |q1| = |q2| = 1", (_unit1, _unit2, _k), (_qo,), 
+        "±q2 at k = 1; |q1| = |q2| = 1", (_unit1, _unit2, _k), (_qo,),
         lambda p, q, k: vector(special.slerp, 4, *p, *q, k),
         _slerp, (Normwise("qo", 16),)),
 )

@@ -1,11 +1,11 @@
 """Screws: twists, spatial velocities and accelerations, s = (v; ω)."""
 
+import sympy as sp
+
 from coscrew_codegen.algebra import Ad, ad, ang, lin, rotation, stack, translation
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.operations.spatial import Space, space_operations
 from coscrew_codegen.quantity import COSCREW, MAT6X6, SCALAR, SCREW, SE3, VEC3, Argument
-
-import sympy as sp
 
 FAMILY = "screw"
 

@@ -10,14 +10,36 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from coscrew_codegen.algebra import (ang, inverse_operator, lin, rotation, shifted, stack,
-                                     translation, turned)
+from coscrew_codegen.algebra import (
+    ang,
+    inverse_operator,
+    lin,
+    rotation,
+    shifted,
+    stack,
+    translation,
+    turned,
+)
 from coscrew_codegen.operations.linear import linear_space
-from coscrew_codegen.operations.norm import (chosen_part, divided, leading_part, nonzero, safe_norm,
-                                             safe_normalized)
+from coscrew_codegen.operations.norm import (
+    chosen_part,
+    divided,
+    leading_part,
+    nonzero,
+    safe_norm,
+    safe_normalized,
+)
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.quantity import (ANGULAR_FIRST, MAT3X3, MAT6X6, SCALAR, SE3, VEC3, Argument,
-                                      Quantity)
+from coscrew_codegen.quantity import (
+    ANGULAR_FIRST,
+    MAT3X3,
+    MAT6X6,
+    SCALAR,
+    SE3,
+    VEC3,
+    Argument,
+    Quantity,
+)
 
 JOINTS = ("tx", "ty", "tz", "rx", "ry", "rz")
 

@@ -6,16 +6,25 @@ product with a screw.  As an operator [[m 1, -h~], [h~, I]] it maps screws to co
 
 import sympy as sp
 
-from coscrew_codegen.algebra import (I3, ang, blocks, lin, rotation, skew, stack, translation)
+from coscrew_codegen.algebra import I3, ang, blocks, lin, rotation, skew, stack, translation
 from coscrew_codegen.operations import inertia as centroidal
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import Let, unnamed
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.operations.special import smallest_pivot
-from coscrew_codegen.operations.symmetric import (bound_smallest_pivot, factored,
-                                                  lower_triangle)
-from coscrew_codegen.quantity import (COSCREW, INERTIA, MAT3X3, MAT6X6, SCALAR, SCREW, SE3,
-                                      SPATIAL_INERTIA, VEC3, Argument)
+from coscrew_codegen.operations.symmetric import bound_smallest_pivot, factored, lower_triangle
+from coscrew_codegen.quantity import (
+    COSCREW,
+    INERTIA,
+    MAT3X3,
+    MAT6X6,
+    SCALAR,
+    SCREW,
+    SE3,
+    SPATIAL_INERTIA,
+    VEC3,
+    Argument,
+)
 
 FAMILY = "spatial_inertia"
 

@@ -11,8 +11,16 @@ import sympy as sp
 from coscrew_codegen.operations.norm import Let, prefixed, unnamed
 from coscrew_codegen.operations.operation import REGULAR, Operation
 from coscrew_codegen.operations.special import factor, smallest_pivot, solution, vector
-from coscrew_codegen.quantity import (COSCREW, MAT3X3, MAT6X6, SCALAR, SCREW, VEC3, Argument,
-                                      Quantity)
+from coscrew_codegen.quantity import (
+    COSCREW,
+    MAT3X3,
+    MAT6X6,
+    SCALAR,
+    SCREW,
+    VEC3,
+    Argument,
+    Quantity,
+)
 
 FAMILY = "symmetric"
 
@@ -33,7 +41,7 @@ def factored(let: Let, A: sp.Matrix) -> tuple[sp.Matrix, list[sp.Expr]]:
         below = sp.Matrix([column]) if n - j == 1 else column
         U[j:, j] = below
         D.append(below[0])
-        divisor = let(f"divisor{j}", sp.Piecewise((below[0], 0 < below[0]), (1, True)))
+        divisor = let(f"divisor{j}", sp.Piecewise((below[0], below[0] > 0), (1, True)))
         if j < n - 1:
             L[j + 1:, j] = let(f"l{j}", below[1:, :] / divisor)
     return L, D
@@ -43,7 +51,7 @@ def bound_smallest_pivot(let: Let, A: sp.Matrix, D: list[sp.Expr]) -> sp.Expr:
     """min d_i / a_ii; a diagonal entry that is not positive stands for itself."""
     smallest = None
     for i, d in enumerate(D):
-        positive = 0 < A[i, i]
+        positive = A[i, i] > 0
         own = let(f"own{i}", sp.Piecewise((A[i, i], positive), (1, True)))
         part = let(f"part{i}", sp.Piecewise((d / own, positive), (A[i, i], True)))
         smallest = part if smallest is None else \
@@ -73,7 +81,7 @@ def _is_regular(let: Let, A: sp.Matrix) -> sp.Basic:
     less = let("less", sp.Matrix([REGULAR * A[i, i] for i in range(A.rows)]))
     diminished = sp.Matrix(*A.shape, lambda i, j: less[i] if i == j else A[i, j])
     _, D = factored(prefixed(let, "less"), diminished)
-    return sp.And(*(0 < d for d in D))
+    return sp.And(*(d > 0 for d in D))
 
 
 def _solve(let: Let, A: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
@@ -83,7 +91,7 @@ def _solve(let: Let, A: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
     part = let("pivot_part", bound_smallest_pivot(let, A, D))
     regular = sp.Eq(let("regular", sp.Piecewise((1, _is_regular(let, A)), (0, True))), 1)
     least = let("least", sp.Piecewise((part, part < 0), (0, True)))
-    safe = [let(f"safe{i}", sp.Piecewise((d, 0 < d), (1, True))) for i, d in enumerate(D)]
+    safe = [let(f"safe{i}", sp.Piecewise((d, d > 0), (1, True))) for i, d in enumerate(D)]
     x = substituted(let, L, safe, b)
     residual = let("residual", sp.Matrix([
         b[i] - sum(A[max(i, j), min(i, j)] * x[j] for j in range(n)) for i in range(n)]))

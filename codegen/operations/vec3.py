@@ -4,8 +4,14 @@ import sympy as sp
 
 from coscrew_codegen.algebra import unit
 from coscrew_codegen.operations.linear import linear_space
-from coscrew_codegen.operations.norm import (divided, l2, moderate, nonzero, safe_norm,
-                                             safe_normalized)
+from coscrew_codegen.operations.norm import (
+    divided,
+    l2,
+    moderate,
+    nonzero,
+    safe_norm,
+    safe_normalized,
+)
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import SCALAR, VEC3, Argument
 

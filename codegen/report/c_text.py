@@ -7,14 +7,21 @@ same call can be repeated), then to a zero.
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.native.buffers import plane_length
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Op, Operand, Program, Ref
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
-from coscrew_codegen.targets.c import (STRUCTS, c_name, c_type, is_pointer, member,
-                                       parameters, returned)
-from coscrew_codegen.targets.precision import Precision
+from coscrew_codegen.targets.c import (
+    STRUCTS,
+    c_name,
+    c_type,
+    is_pointer,
+    member,
+    parameters,
+    returned,
+)
 
 _CACHE = 16384  # bytes of inputs and outputs, half of a small first-level cache
 

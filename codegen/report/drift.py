@@ -8,10 +8,10 @@ import mpmath
 import numpy as np
 
 from coscrew_codegen.exact import DIGITS, UNIT
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.native.intervals import FEWEST, interval
 from coscrew_codegen.report.native import Library, loaded
 from coscrew_codegen.report.schema import Drift
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 
 STEPS = 1_000_000
 EVERY = 1000  # steps between two Newton steps R ← R (3I - R^T R) / 2

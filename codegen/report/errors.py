@@ -5,14 +5,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coscrew_codegen.bounds import Bound, bounds_of, in_words
 from coscrew_codegen.exact import CONDITION, UNIT, Truth, formula, is_polynomial, truth
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import NotANumber, Program
+from coscrew_codegen.program.bounds import Bound, bounds_of, in_words
 from coscrew_codegen.report import inputs
 from coscrew_codegen.report.c_text import Variant
 from coscrew_codegen.report.schema import Errors, ProvenBound
-from coscrew_codegen.targets.precision import Precision
 
 Arrays = tuple[np.ndarray, ...]
 Evaluate = Callable[[Variant, Arrays], Arrays]

@@ -13,10 +13,10 @@ import numpy as np
 from gmpy2 import mpq
 
 from coscrew_codegen.exact import exact_functions, is_polynomial
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.report import ReportError
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 
 Generator = np.random.Generator
 Corpus = dict[tuple[str, str], tuple[tuple[float, ...], ...]]  # by operation and precision

@@ -16,6 +16,7 @@ import sympy as sp
 from tqdm import tqdm
 
 from coscrew_codegen.exact import formula, is_polynomial
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import counts_in_words
 from coscrew_codegen.report import errors, timing
@@ -30,7 +31,6 @@ from coscrew_codegen.report.schema import SCHEMA, Drift, Entry, Report, Time
 from coscrew_codegen.report.timing import COUNTS, Timed
 from coscrew_codegen.report.variants import flops, variants_of
 from coscrew_codegen.special import SPECIAL
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 
 # The operations most telling of the library: first where time is short, and printed.
 TELLING = ("product_CoAdc", "product_CoAdinvc", "product_Ads", "cross_sc", "cross_ss", "dot_cs",

@@ -2,11 +2,11 @@
 
 import functools
 
-from coscrew_codegen.layout import program_of
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Op, Program
+from coscrew_codegen.programs import program_of
 from coscrew_codegen.report.c_text import Variant
-from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.tiers.table import TIERS
 
 # An fma is two, also where it takes the rounded product off the exact one.

@@ -5,9 +5,9 @@ import textwrap
 from collections.abc import Iterator
 from fractions import Fraction
 
-from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place
-from coscrew_codegen.dynamics.names import did_you_mean
 from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
+from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene_files.errors import SceneError
 
 WIDTH = 96

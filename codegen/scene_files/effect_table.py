@@ -5,9 +5,9 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 
-from coscrew_codegen.dynamics.effect import Effect, ParameterOf, Place
-from coscrew_codegen.dynamics.model import Joint, Kind, Model, value
-from coscrew_codegen.dynamics.scene import Setting
+from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
+from coscrew_codegen.scene.model import Joint, Kind, Model, value
+from coscrew_codegen.scene.scene import Setting
 from coscrew_codegen.scene_files import settings
 from coscrew_codegen.scene_files.tables import Table
 

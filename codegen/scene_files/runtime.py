@@ -4,12 +4,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-from coscrew_codegen.dynamics.effect import Effect
-from coscrew_codegen.dynamics.formulas import Formula
-from coscrew_codegen.dynamics.model import Body, Model, Parameter, Scalar
-from coscrew_codegen.dynamics.names import nearest
-from coscrew_codegen.dynamics.quantities import XYZ
-from coscrew_codegen.dynamics.scene import Applied, Setting
+from coscrew_codegen.scene.effect import Effect
+from coscrew_codegen.scene.formulas import Formula
+from coscrew_codegen.scene.model import Body, Model, Parameter, Scalar
+from coscrew_codegen.scene.names import nearest
+from coscrew_codegen.scene.recorded import XYZ
+from coscrew_codegen.scene.scene import Applied, Setting
 from coscrew_codegen.scene_files.errors import shown
 from coscrew_codegen.scene_files.tables import Table
 from coscrew_codegen.scene_files.unused import FIELDS, effect_using

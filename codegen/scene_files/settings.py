@@ -3,11 +3,11 @@
 import math
 from fractions import Fraction
 
-from coscrew_codegen.dynamics.constants import constant
-from coscrew_codegen.dynamics.effect import ParameterOf
-from coscrew_codegen.dynamics.formulas import Formula, FormulaError
-from coscrew_codegen.dynamics.model import WORLD
-from coscrew_codegen.dynamics.scene import Setting
+from coscrew_codegen.scene.constants import constant
+from coscrew_codegen.scene.effect import ParameterOf
+from coscrew_codegen.scene.formulas import Formula, FormulaError
+from coscrew_codegen.scene.model import WORLD
+from coscrew_codegen.scene.scene import Setting
 from coscrew_codegen.scene_files.errors import shown
 from coscrew_codegen.scene_files.tables import Decimals, Table, described
 

@@ -7,8 +7,8 @@ from fractions import Fraction
 from pathlib import Path
 from typing import NoReturn
 
-from coscrew_codegen.dynamics.constants import constant
-from coscrew_codegen.dynamics.names import did_you_mean, or_mean
+from coscrew_codegen.scene.constants import constant
+from coscrew_codegen.scene.names import did_you_mean, or_mean
 from coscrew_codegen.scene_files.decimals import LARGEST, bounded, decimal
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.xml import read_bytes

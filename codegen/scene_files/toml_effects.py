@@ -7,11 +7,11 @@ A table under the name of a joint or body is that one's, also where a parameter 
 
 from collections.abc import Iterator, Mapping
 
-from coscrew_codegen.dynamics.effect import Effect, Place
-from coscrew_codegen.dynamics.model import WORLD, Model
-from coscrew_codegen.dynamics.names import did_you_mean
-from coscrew_codegen.dynamics.quantities import expected, recorded
-from coscrew_codegen.dynamics.scene import Applied, Scene
+from coscrew_codegen.scene.effect import Effect, Place
+from coscrew_codegen.scene.model import WORLD, Model
+from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.scene.recorded import expected, recorded
+from coscrew_codegen.scene.scene import Applied, Scene
 from coscrew_codegen.scene_files.effect_table import ALL, MODEL, EffectTable, Use
 from coscrew_codegen.scene_files.tables import Table, described
 

@@ -3,10 +3,10 @@
 from dataclasses import replace
 from fractions import Fraction
 
-from coscrew_codegen.dynamics import rotations
-from coscrew_codegen.dynamics.assembly import ModelError, assembled
-from coscrew_codegen.dynamics.mimics import without_chains
-from coscrew_codegen.dynamics.model import (
+from coscrew_codegen.scene import rotations
+from coscrew_codegen.scene.assembly import ModelError, assembled
+from coscrew_codegen.scene.mimics import without_chains
+from coscrew_codegen.scene.model import (
     HERE,
     WORLD,
     Body,
@@ -17,8 +17,8 @@ from coscrew_codegen.dynamics.model import (
     Model,
     Placement,
 )
-from coscrew_codegen.dynamics.possible import WARN, judged
-from coscrew_codegen.dynamics.residues import without_residues
+from coscrew_codegen.scene.possible import WARN, judged
+from coscrew_codegen.scene.residues import without_residues
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.tables import Table, described
 

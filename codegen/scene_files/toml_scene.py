@@ -5,19 +5,19 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 
-from coscrew_codegen.dynamics.effect import Effect
-from coscrew_codegen.dynamics.model import Joint, Kind, Model
-from coscrew_codegen.dynamics.possible import ERROR, WARN, unmoved_mass
-from coscrew_codegen.dynamics.quantities import (
+from coscrew_codegen.integrators import NAMES
+from coscrew_codegen.scene.effect import Effect
+from coscrew_codegen.scene.model import Joint, Kind, Model
+from coscrew_codegen.scene.possible import ERROR, WARN, unmoved_mass
+from coscrew_codegen.scene.recorded import (
     QuantityError,
     carried,
     expected,
     followers,
     recorded,
 )
-from coscrew_codegen.dynamics.rotations import unit
-from coscrew_codegen.dynamics.scene import Expectation, Run, Scene
-from coscrew_codegen.integrators import NAMES
+from coscrew_codegen.scene.rotations import unit
+from coscrew_codegen.scene.scene import Expectation, Run, Scene
 from coscrew_codegen.scene_files.effect_table import Use
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.identifiers import identifier, refused

@@ -1,8 +1,8 @@
 """Physical numbers of a model that a scene does not use: told, never dropped in silence."""
 
-from coscrew_codegen.dynamics.effect import Effect
-from coscrew_codegen.dynamics.model import Joint, Kind, Model
-from coscrew_codegen.dynamics.scene import Applied
+from coscrew_codegen.scene.effect import Effect
+from coscrew_codegen.scene.model import Joint, Kind, Model
+from coscrew_codegen.scene.scene import Applied
 
 FIELDS = ("damping", "friction", "effort", "velocity", "lower", "upper")
 

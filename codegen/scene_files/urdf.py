@@ -11,10 +11,10 @@ from fractions import Fraction
 from pathlib import Path
 from typing import NoReturn, TypeVar
 
-from coscrew_codegen.dynamics import rotations
-from coscrew_codegen.dynamics.assembly import ModelError, assembled
-from coscrew_codegen.dynamics.mimics import without_chains
-from coscrew_codegen.dynamics.model import (
+from coscrew_codegen.scene import rotations
+from coscrew_codegen.scene.assembly import ModelError, assembled
+from coscrew_codegen.scene.mimics import without_chains
+from coscrew_codegen.scene.model import (
     HERE,
     Body,
     Inertia,
@@ -24,9 +24,9 @@ from coscrew_codegen.dynamics.model import (
     Model,
     Placement,
 )
-from coscrew_codegen.dynamics.names import or_mean
-from coscrew_codegen.dynamics.possible import ERROR, WARN, judged
-from coscrew_codegen.dynamics.residues import without_residues
+from coscrew_codegen.scene.names import or_mean
+from coscrew_codegen.scene.possible import ERROR, WARN, judged
+from coscrew_codegen.scene.residues import without_residues
 from coscrew_codegen.scene_files.decimals import decimal
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.xml import Element, read_xml

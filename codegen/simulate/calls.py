@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Generic, Protocol, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from coscrew_codegen.dynamics.names import or_mean
-from coscrew_codegen.scene_functions import SceneFunctions
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.render import render
+from coscrew_codegen.scene.names import or_mean
+from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.targets import scene_calls
-from coscrew_codegen.targets.precision import Precision
 from coscrew_codegen.targets.scene_c import c_name
 
 _PLAIN = frozenset((float, np.float64, np.float32, np.int64, np.int32))

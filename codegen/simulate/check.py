@@ -8,9 +8,9 @@ from functools import partial
 
 import numpy as np
 
-from coscrew_codegen.dynamics.quantities import expected, recorded
-from coscrew_codegen.dynamics.scene import Expectation
 from coscrew_codegen.integrators import DEFAULT, named
+from coscrew_codegen.scene.recorded import expected, recorded
+from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.balance import balance
 from coscrew_codegen.simulate.findings import FINER, FINEST, Along, Findings, Met

@@ -24,8 +24,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 def run(options: argparse.Namespace) -> int:
     """Check; returns the exit status: 0, or 1 if an expectation is not met, a run stops early,
     energy or momentum is not kept, or with --strict not kept well."""
-    from coscrew_codegen.simulate.load import load_scene
     from coscrew_codegen.simulate import check, outcome, verdict
+    from coscrew_codegen.simulate.load import load_scene
 
     findings = check.check(load_scene(scene_of(options, options.precision)), outcome.Asked(
         options.until, options.step, options.integrator, options.precision,

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from coscrew_codegen.integrators import in_words
 
 if TYPE_CHECKING:
-    from coscrew_codegen.dynamics.scene import Scene
+    from coscrew_codegen.scene.scene import Scene
     from coscrew_codegen.simulate.outcome import Outcome
 
 _FIRST = 5  # unused numbers that are told
@@ -94,8 +94,8 @@ def _setting(text: str) -> tuple[str, float]:
 
 def run(options: argparse.Namespace) -> int:
     """Simulate; returns the exit status: 0, 1 if a run stopped early, 130 if it was interrupted."""
-    from coscrew_codegen.simulate.load import load_scene
     from coscrew_codegen.simulate import outcome, plot, view, write
+    from coscrew_codegen.simulate.load import load_scene
 
     for path, endings in ((options.output, tuple(write.FORMATS)), (options.plot, plot.ENDINGS),
                           (options.view, (".html",))):

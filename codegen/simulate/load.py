@@ -19,13 +19,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coscrew_codegen import emit
-from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.scene import Scene
+from coscrew_codegen.formats import PRECISIONS, Precision, named
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.scene_layout import banner_of, c_files, python_files
 from coscrew_codegen.simulate import calls, native
 from coscrew_codegen.targets import scene_calls
-from coscrew_codegen.targets.precision import PRECISIONS, Precision, named
 
 
 @dataclass(frozen=True, repr=False)

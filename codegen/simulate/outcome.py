@@ -7,8 +7,8 @@ from fractions import Fraction
 import numpy as np
 from tabulate import tabulate
 
-from coscrew_codegen.dynamics.mimics import without_chains
 from coscrew_codegen.integrators import DEFAULT
+from coscrew_codegen.scene.mimics import without_chains
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
 from coscrew_codegen.simulate.progress import Progress

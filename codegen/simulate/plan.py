@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coscrew_codegen.dynamics.names import did_you_mean
 from coscrew_codegen.integrators import ADAPTIVE
+from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.system import System
 

@@ -5,9 +5,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass
 from enum import Enum
 
-from coscrew_codegen.dynamics.scene import Scene
-from coscrew_codegen.dynamics.effect import Effect
 from coscrew_codegen.report.machine import coscrew_version
+from coscrew_codegen.scene.effect import Effect
+from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.system import System
 

@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from coscrew_codegen.identifiers import identifiers
-from coscrew_codegen.dynamics.model import Kind
-from coscrew_codegen.dynamics.quantities import Recorded, recorded
+from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.scene.recorded import Recorded, recorded
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.plan import Trajectory
 from coscrew_codegen.simulate.provenance import Provenance

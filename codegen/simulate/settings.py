@@ -5,16 +5,16 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-from coscrew_codegen.dynamics.assembly import ModelError
-from coscrew_codegen.dynamics.effect import ParameterOf
-from coscrew_codegen.dynamics.model import Model, Parameter, Scalar, value
-from coscrew_codegen.dynamics.possible import judged, unmoved_mass
-from coscrew_codegen.dynamics.quantities import carried
-from coscrew_codegen.dynamics.scene import Applied, Scene, Setting
+from coscrew_codegen.formats import Precision
+from coscrew_codegen.scene.assembly import ModelError
+from coscrew_codegen.scene.effect import ParameterOf
+from coscrew_codegen.scene.model import Model, Parameter, Scalar, value
+from coscrew_codegen.scene.possible import judged, unmoved_mass
+from coscrew_codegen.scene.recorded import carried
+from coscrew_codegen.scene.scene import Applied, Scene, Setting
 from coscrew_codegen.scene_files.decimals import bounded
 from coscrew_codegen.scene_files.runtime import swapped_model
 from coscrew_codegen.simulate import SimulateError
-from coscrew_codegen.targets.precision import Precision
 
 _POSITIVE, _NOT_NEGATIVE = "wanted a positive number", "wanted 0 or more"
 

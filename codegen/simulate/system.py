@@ -10,11 +10,11 @@ from types import SimpleNamespace
 
 import numpy as np
 
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.program import Program
+from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import SceneFunctions
-from coscrew_codegen.dynamics.scene import Scene
 from coscrew_codegen.simulate.settings import refuse_settings
-from coscrew_codegen.targets.precision import PRECISIONS, Precision
 from coscrew_codegen.targets.scene_text import step_inputs
 
 State = tuple[np.ndarray, np.ndarray]

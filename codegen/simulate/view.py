@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 
 import coscrew
-from coscrew_codegen.dynamics.model import WORLD, Inertia, Joint, Kind, Parameter, Scalar
 from coscrew_codegen.render import render
+from coscrew_codegen.scene.model import WORLD, Inertia, Joint, Kind, Parameter, Scalar
 from coscrew_codegen.simulate.plan import Trajectory
 from coscrew_codegen.simulate.provenance import Provenance
 from coscrew_codegen.simulate.system import System

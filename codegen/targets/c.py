@@ -6,12 +6,19 @@ Results are stored last: outputs may alias inputs.
 import re
 from dataclasses import dataclass
 
-from coscrew_codegen import bounds
+from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.program import Input, Op, Operand, Program, by_component, counts_in_words
+from coscrew_codegen.program import (
+    Input,
+    Op,
+    Operand,
+    Program,
+    bounds,
+    by_component,
+    counts_in_words,
+)
 from coscrew_codegen.quantity import SCALAR, Argument, Quantity, in_words
 from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, listed
-from coscrew_codegen.targets.precision import DOUBLE, Precision
 
 STRUCTS = ("vec3", "vec4", "mat3x3", "mat4x4", "SE3", "screw", "coscrew", "mat6x6", "quaternion",
            "inertia", "spatial_inertia")

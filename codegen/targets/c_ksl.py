@@ -9,11 +9,11 @@ from functools import partial
 
 import mpmath
 
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant
 from coscrew_codegen.render import render
 from coscrew_codegen.targets.c_statements import product
 from coscrew_codegen.targets.c_storage import INTEGER, allocation, integers
-from coscrew_codegen.targets.precision import Precision
 
 SEQUENCES = tuple((name, tuple("XYZ".index(axis) for axis in name)) for name in (
     "XYZ", "YZX", "ZXY", "XZY", "YXZ", "ZYX", "XYX", "XZX", "YXY", "YZY", "ZXZ", "ZYZ"))

@@ -14,9 +14,17 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
-from coscrew_codegen.program import (Constant, Input, Instruction, NotANumber, Op, Operand,
-                                     Program, Ref)
-from coscrew_codegen.targets.precision import SINGLE, Precision
+from coscrew_codegen.formats import SINGLE, Precision
+from coscrew_codegen.program import (
+    Constant,
+    Input,
+    Instruction,
+    NotANumber,
+    Op,
+    Operand,
+    Program,
+    Ref,
+)
 
 WIDTH = 100
 

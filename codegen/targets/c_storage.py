@@ -9,12 +9,24 @@ from math import isqrt
 
 import numpy as np
 
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant
-from coscrew_codegen.quantity import (COSCREW, INERTIA, MAT3X3, MAT4X4, MAT6X6, QUATERNION, SCREW,
-                                      SE3, SPATIAL_INERTIA, VEC3, VEC4, Quantity)
+from coscrew_codegen.quantity import (
+    COSCREW,
+    INERTIA,
+    MAT3X3,
+    MAT4X4,
+    MAT6X6,
+    QUATERNION,
+    SCREW,
+    SE3,
+    SPATIAL_INERTIA,
+    VEC3,
+    VEC4,
+    Quantity,
+)
 from coscrew_codegen.targets.c import CFunction, member, type_name
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
-from coscrew_codegen.targets.precision import Precision
 
 _FIELDS = {
     "vec3": (("{real} at[3];",), ("{real} x, y, z;",)),

@@ -6,11 +6,18 @@ writes back; nothing is copied but the structs themselves.
 
 from dataclasses import dataclass
 
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.quantity import Argument, Quantity
-from coscrew_codegen.targets.c import (STRUCTS, c_name, c_type, is_pointer, member, parameters,
-                                       returned)
-from coscrew_codegen.targets.precision import Precision
+from coscrew_codegen.targets.c import (
+    STRUCTS,
+    c_name,
+    c_type,
+    is_pointer,
+    member,
+    parameters,
+    returned,
+)
 
 
 @dataclass(frozen=True)

@@ -8,13 +8,22 @@ import textwrap
 from collections import Counter
 from dataclasses import dataclass
 
-from coscrew_codegen import bounds
+from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.program import (Constant, Input, Instruction, NotANumber, Op, Operand, Program,
-                                     Ref, counts_in_words)
+from coscrew_codegen.program import (
+    Constant,
+    Input,
+    Instruction,
+    NotANumber,
+    Op,
+    Operand,
+    Program,
+    Ref,
+    bounds,
+    counts_in_words,
+)
 from coscrew_codegen.quantity import Argument, in_words
 from coscrew_codegen.targets.c_statements import WIDTH, listed
-from coscrew_codegen.targets.precision import DOUBLE, Precision
 
 # spelling, and how tightly it binds
 SPELLING = {

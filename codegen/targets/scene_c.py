@@ -10,15 +10,15 @@ from dataclasses import dataclass
 from functools import partial
 
 from coscrew_codegen import version
+from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.integrators import STEPS
-from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.program import Input, Instruction, Operand
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
+from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, listed, product
-from coscrew_codegen.targets.precision import Precision, named
 from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, function_named, size
 
 

@@ -8,10 +8,10 @@ without its headers.
 
 from dataclasses import dataclass
 
-from coscrew_codegen.scene_functions import SceneFunctions
+from coscrew_codegen.formats import PRECISIONS, Precision, named
 from coscrew_codegen.render import render
+from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.targets import scene_text
-from coscrew_codegen.targets.precision import PRECISIONS, Precision, named
 from coscrew_codegen.targets.scene_c import c_name
 
 # Times and steps are those of steps called one by one: rounded from double.

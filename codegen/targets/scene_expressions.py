@@ -6,12 +6,12 @@ keep the Program's order.  Takes time in proportion to the Program's length.
 
 from collections import Counter
 
-from coscrew_codegen.scene_functions import Function
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, Input, Instruction, NotANumber, Operand, Ref
+from coscrew_codegen.scene_functions import Function
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_statements import WIDTH
 from coscrew_codegen.targets.numpy import CALLS, SPELLING, is_choice_of_constants
-from coscrew_codegen.targets.precision import Precision
 
 _LINE = WIDTH - 4
 _RESULT = 40  # characters of a result that is no line of its own

@@ -8,15 +8,15 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from textwrap import wrap
 
+from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.integrators import STEPS
-from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
+from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.numpy import NUMPY_NAMES
-from coscrew_codegen.targets.precision import Precision, named
 from coscrew_codegen.targets.scene_expressions import Expressions
 from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, function_named
 from coscrew_codegen.version import VERSION

@@ -10,11 +10,11 @@ from fractions import Fraction
 from functools import partial
 from math import prod
 
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.integrators import STEPS
-from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.program import Constant, counts_in_words
 from coscrew_codegen.quantity import Argument
-from coscrew_codegen.targets.precision import Precision
+from coscrew_codegen.scene_functions import Function, SceneFunctions
 
 _UNITS = {
     "revolute": "q in rad; v in rad/s",

@@ -15,9 +15,16 @@ that fewer meet the roundings of lo.
 from dataclasses import replace
 from fractions import Fraction
 
-from coscrew_codegen.bounds import bounds_of
-from coscrew_codegen.program import (Constant, Instruction, Op, Operand, Program, Ref,
-                                     without_dead_steps)
+from coscrew_codegen.program import (
+    Constant,
+    Instruction,
+    Op,
+    Operand,
+    Program,
+    Ref,
+    without_dead_steps,
+)
+from coscrew_codegen.program.bounds import bounds_of
 from coscrew_codegen.tiers.compensated import Compensator
 
 _ZERO, _ONE = (Constant(Fraction(n), Fraction(n)) for n in (0, 1))

@@ -13,14 +13,13 @@ from tqdm import tqdm
 
 import coscrew
 import coscrew.accurate
+from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.targets.precision import DOUBLE
 from tests.benchmarks.peers import Peer, peers
 from tests.corpus import TABLE
 from tests.domains import directions
 from tests.judge import groups
-from tests.motions import (DIGITS, TRUTHS, exponential_series, hstack, norm, quaternion_exp,
-                           skew)
+from tests.motions import DIGITS, TRUTHS, exponential_series, hstack, norm, quaternion_exp, skew
 from tests.truths import Components, other_way, truth
 
 U = 2.0**-53

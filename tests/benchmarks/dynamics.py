@@ -17,16 +17,16 @@ import mujoco
 import numpy as np
 import pinocchio as pin
 from tabulate import tabulate
-from tests.benchmarks.words import said
-from tests.robots import FOLDER, path_of, robot, scene_of
 
-from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.scene import Applied, Scene
 from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.mechanics import derive
 from coscrew_codegen.native.timing import Timing, timed_calls
 from coscrew_codegen.program import Op
+from coscrew_codegen.scene.scene import Applied, Scene
 from coscrew_codegen.scene_layout import c_files
 from coscrew_codegen.simulate.load import Kernels, kernels_of
+from tests.benchmarks.words import said
+from tests.robots import FOLDER, path_of, robot, scene_of
 
 ROBOTS = {"ur5": ("ur_description/urdf/ur5_robot.urdf", False),
           "panda": ("panda_description/urdf/panda.urdf", False),

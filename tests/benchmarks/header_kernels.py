@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 from tabulate import tabulate
 
+from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.native.buffers import aligned
 from coscrew_codegen.native.timing import Loop, driver, pointers, timed_loops
-from coscrew_codegen.targets.precision import PRECISIONS
 from tests.benchmarks.words import said
 
 HERE = Path(__file__).parent

@@ -9,13 +9,13 @@ from pathlib import Path
 
 from tabulate import tabulate
 
+from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.report import inputs
 from coscrew_codegen.report.c_text import Variant
 from coscrew_codegen.report.native import Library, compilers, libraries
 from coscrew_codegen.report.timing import contests
 from coscrew_codegen.report.variants import variants_of
 from coscrew_codegen.selection import operations_named
-from coscrew_codegen.targets.precision import PRECISIONS
 from tests.benchmarks.words import said
 
 NAMES = ("product_CoAdc", "cross_sc", "dot_cs")

@@ -53,7 +53,7 @@ def solution(moments: tuple[str, ...], start: tuple[str, ...]) -> Solution:
     """Of moments I1 < I2 < I3 and ω at t = 0, with ω of dn's axis above zero."""
     I, w = tuple(map(mpf, moments)), tuple(map(mpf, start))
     L2, T2 = (sum(i**n * x**2 for i, x in zip(I, w, strict=True)) for n in (2, 1))
-    swapped = L2 < T2 * I[1]
+    swapped = T2 * I[1] > L2
     a, b, c = (I[2], I[1], I[0]) if swapped else I
     wa, wb, wc = (w[2], w[1], w[0]) if swapped else w
     A = mp.sqrt((T2 * c - L2) / (a * (c - a)))

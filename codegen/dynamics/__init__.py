@@ -1,5 +1,0 @@
-"""From scenes to the functions of their dynamics, recorded with the library's own operations."""
-
-from coscrew_codegen.dynamics.functions import derive
-
-__all__ = ["derive"]

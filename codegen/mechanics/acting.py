@@ -1,0 +1,209 @@
+"""What a scene's effects do to a motion: torques at joints, forces on links, energies, powers."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from coscrew_codegen.mechanics.motion import Motion
+from coscrew_codegen.mechanics.states import BodyOfLink
+from coscrew_codegen.program.folding import constant_pi
+from coscrew_codegen.recording import numbers as n
+from coscrew_codegen.recording.numbers import Number, Vector, add, cross, dot, negative, rotated
+from coscrew_codegen.recording.recorder import Recorder
+from coscrew_codegen.scene.effect import Effect, Force, JointState, Line, Torque
+from coscrew_codegen.scene.formulas import Formula
+from coscrew_codegen.scene.model import Parameter
+from coscrew_codegen.scene.scene import Applied, Scene, Setting
+
+
+@dataclass(frozen=True)
+class Pushed:
+    """A force where it acts."""
+
+    state: BodyOfLink
+    force: Force
+
+    @property
+    def on_link(self) -> tuple[Vector, Vector]:
+        """Force and moment about the link's origin, in its frame."""
+        R = self.state.place[0]
+        force = rotated(R, self.force.force)
+        moment = cross(self.state.in_link(self.force.point), force)
+        return force, add(moment, rotated(R, self.force.moment)) if self.force.moment else moment
+
+    @property
+    def power(self) -> Number:
+        """f·v + τ·ω."""
+        power = dot(self.force.force, self.state.velocity(self.force.point))
+        return power + dot(self.force.moment, self.state.turning) if self.force.moment else power
+
+
+@dataclass(frozen=True)
+class Paired:
+    """How the forces between two points fall with their distance."""
+
+    states: tuple[BodyOfLink, BodyOfLink]
+    points: tuple[Vector, Vector]
+    line: Line
+
+    @property
+    def apart(self) -> list[tuple[int, tuple[Vector, Vector]]]:
+        """Links, with the force and moment on each of forces of 1 N that push the points apart."""
+        first, second = self.states
+        u = self.line.direction
+        forces = (Force(self.points[0], first.own_direction(negative(u))),
+                  Force(self.points[1], second.own_direction(u)))
+        return [(state.link, Pushed(state, force).on_link)
+                for state, force in zip(self.states, forces, strict=True)]
+
+
+class Acting:
+    """The effects of a scene on one motion, at its time or at another; each is evaluated once.
+
+    `later` are by how much joints see it later, by link."""
+
+    def __init__(self, scene: Scene, motion: Motion, t: Number | None = None,
+                 later: Mapping[int, Number] | None = None):
+        self.scene, self.motion = scene, motion
+        recorder = motion.recorder
+        self.recorder = recorder
+        self.t = t if t else recorder.argument("t")[0] if recorder.has("t") else recorder.number(0)
+        self.later = later or {}
+        self.torques: dict[int, list[Torque]] = {}
+        self.pushes: dict[int, list[Pushed]] = {}
+        self.pairs: list[Paired] = []
+
+    def act(self) -> "Acting":
+        """Evaluates the effects, in the order of their files' names and of the scene."""
+        for number, applied in enumerate(self.scene.effects):
+            name = f"{applied.effect.name}_{number}"
+            with self.recorder.part(name, f"{applied.effect.name}"
+                                    + (f" at {applied.on}" if applied.on else "")):
+                self._apply(applied.effect, applied)
+        return self
+
+    def _apply(self, effect: Effect, applied: Applied) -> None:
+        if effect.joint_torque:
+            link = self.motion.tree.links.index(self.motion.tree.link_of(applied.on))
+            t = self.t + self.later.get(link, 0)
+            state = JointState(self.motion.coordinates(link)[0], self.motion.speeds(link)[0], t)
+            values = settings(self.recorder, applied.values, t)
+            self.torques.setdefault(link, []).append(effect.joint_torque(state, values))
+        values = settings(self.recorder, applied.values, self.t)
+        if effect.body_force:
+            state = self._body(applied.on)
+            self._push(state, effect.body_force(state, values))
+        if effect.pair_force:
+            states = tuple(self._body(name) for name in applied.values["bodies"])
+            first, second, line = effect.pair_force(*states, values)
+            self._push(states[0], first)
+            self._push(states[1], second)
+            if line:
+                self.pairs.append(Paired(states, (first.point, second.point), line))
+
+    def _body(self, name: str) -> BodyOfLink:
+        link, placement = self.motion.tree.seat_of(name)
+        place = self.recorder.numbers(placement.R), self.recorder.numbers(placement.t)
+        return BodyOfLink(self.motion, link, place, self.t)
+
+    def _push(self, state: BodyOfLink, force: Force) -> None:
+        self.pushes.setdefault(state.link, []).append(Pushed(state, force))
+
+    # what comes of it
+
+    def torque(self, link: int) -> Number:
+        """The sum of the torques at the joint before a link with one coordinate."""
+        return self._sum(x.torque for x in self.torques.get(link, ()))
+
+    def damping(self, link: int) -> Number:
+        """-∂/∂v of it."""
+        return self._sum(x.damping for x in self.torques.get(link, ()) if x.damping)
+
+    def stiffness(self, link: int) -> Number:
+        """-∂/∂q of it."""
+        return self._sum(x.stiffness for x in self.torques.get(link, ()) if x.stiffness)
+
+    def force(self, link: int) -> tuple[Vector, Vector]:
+        """The sum of the forces on a link: force, moment about its origin, in its frame."""
+        total = self.motion.zero, self.motion.zero
+        for push in self.pushes.get(link, ()):
+            total = tuple(map(add, total, push.on_link))
+        return total
+
+    def resisting(self, link: int) -> list[tuple[Number, Vector]]:
+        """(damping, point in the link) of the forces that have a damping."""
+        return [(push.force.damping, push.state.in_link(push.force.point))
+                for push in self.pushes.get(link, ()) if push.force.damping]
+
+    def potential(self) -> Number:
+        """The energy of the effects that have one."""
+        torques = [x.energy for link in sorted(self.torques) for x in self.torques[link]]
+        pushes = [x.force.energy for link in sorted(self.pushes) for x in self.pushes[link]]
+        return self._sum(x for x in (*torques, *pushes) if x)
+
+    def power(self) -> Number:
+        """What the effects without potential energy feed in, in W; below zero it is dissipated."""
+        total = self.recorder.number(0)
+        for link in sorted(self.torques):
+            speed = self.motion.speeds(link)[0]
+            for x in self.torques[link]:
+                total = total + _own_power(x, lambda x=x, speed=speed: x.torque * speed)
+        for link in sorted(self.pushes):
+            for push in self.pushes[link]:
+                total = total + _own_power(push.force, lambda push=push: push.power)
+        return total
+
+    def _sum(self, values) -> Number:
+        total = self.recorder.number(0)
+        for value in values:
+            total = total + value
+        return total
+
+
+def _own_power(x: Torque | Force, whole) -> Number | int:
+    if x.power is not None:
+        return x.power
+    return whole() if x.energy is None else 0
+
+
+def gravity(scene: Scene, recorder: Recorder) -> Vector | None:
+    """The sum of what the scene's effects say of gravity, in the world's frame."""
+    total = None
+    for applied in scene.effects:
+        if applied.effect.gravity:
+            values = settings(recorder, applied.values, recorder.number(0))
+            own = applied.effect.gravity(values)
+            total = own if total is None else add(total, own)
+    return total
+
+
+def joint_inertias(scene: Scene, recorder: Recorder) -> dict[str, Number]:
+    """What effects add to the inertias of joints, by joint."""
+    total: dict[str, Number] = {}
+    for applied in scene.effects:
+        if applied.effect.joint_inertia:
+            values = settings(recorder, applied.values, recorder.number(0))
+            own = applied.effect.joint_inertia(values)
+            total[applied.on] = total[applied.on] + own if applied.on in total else own
+    return total
+
+
+def settings(recorder: Recorder, values: Mapping[str, Setting], t: Number) -> dict[str, object]:
+    """The values as Numbers, tuples of them, words."""
+    return {name: _setting(recorder, value, t) for name, value in values.items()}
+
+
+def _setting(recorder: Recorder, value: Setting, t: Number) -> object:
+    if isinstance(value, Formula):
+        return value.value(t, _functions(recorder))
+    if isinstance(value, (Fraction, Parameter)):
+        return recorder.number(value)
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return tuple(_setting(recorder, x, t) for x in value)
+    return value
+
+
+def _functions(recorder: Recorder) -> dict[str, object]:
+    return {"sin": n.sin, "cos": n.cos, "exp": n.exp, "tanh": n.tanh, "sqrt": n.sqrt,
+            "abs": n.absolute, "min": n.minimum, "max": n.maximum, "number": recorder.number,
+            "pi": recorder.number(constant_pi())}

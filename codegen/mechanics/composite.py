@@ -1,0 +1,73 @@
+"""The mass matrix by composite bodies (CRBA): what lies behind a joint moves as one rigid body.
+
+A column is the wrenches that a unit acceleration of one joint needs, at it and at all before it.
+Followers' columns and rows are merged into those of the joints they follow.
+"""
+
+from collections.abc import Mapping, Sequence
+
+from coscrew_codegen.mechanics.articulated import freedoms
+from coscrew_codegen.mechanics.bodies import Rigid
+from coscrew_codegen.mechanics.inverse import along, handed_on
+from coscrew_codegen.mechanics.motion import Motion
+from coscrew_codegen.recording.numbers import Number, add, row_by_row
+
+
+def composites(motion: Motion, rigids: Sequence[Rigid]) -> list[Rigid]:
+    """The inertia of each link and all beyond it, in its frame."""
+    found = list(rigids)
+    for number in reversed(range(len(found))):
+        link = motion.tree.links[number]
+        if link.parent >= 0:
+            with motion.recorder.part(f"{motion.names[number]}_moved", link.name):
+                R, t = motion.frame(number)
+                moved = motion.recorder.call("spatial_inertia_transformed", row_by_row(R, t),
+                                             found[number].numbers)
+                total = add(found[link.parent].numbers, moved)
+                found[link.parent] = Rigid(total[0], tuple(total[1:4]), tuple(total[4:]))
+    return found
+
+
+def mass_matrix(motion: Motion, rigids: Sequence[Rigid],
+                inertias: Mapping[str, Number]) -> list[list[Number]]:
+    """M, with the inertias of the joints alone on its diagonal."""
+    tree, zero = motion.tree, motion.zero[0]
+    M = [[zero] * tree.nv for _ in range(tree.nv)]
+    bodies = composites(motion, rigids)
+    for number, link in enumerate(tree.links):
+        with motion.recorder.part(f"{motion.names[number]}_mass", link.name):
+            for freedom, screw in enumerate(freedoms(motion, number)):
+                column = motion.recorder.call("product_Bs", bodies[number].numbers, screw)
+                _enter(motion, number, freedom, column, M)
+            if link.joint.name in inertias:
+                own, factor = _speed(motion, number, 0)
+                M[own][own] = M[own][own] + inertias[link.joint.name] * (factor * factor)
+    return [[M[max(i, j)][min(i, j)] for j in range(tree.nv)] for i in range(tree.nv)]
+
+
+def _enter(motion: Motion, number: int, freedom: int, column: Sequence[Number],
+           M: list[list[Number]]) -> None:
+    """Enters what a unit acceleration of one freedom needs at its joint and those before it."""
+    wrench, at = (tuple(column[:3]), tuple(column[3:])), number
+    j, factor_j = _speed(motion, number, freedom)
+    while at >= 0:
+        parts = along(motion, at, wrench)
+        for k in range(freedom + 1 if at == number else len(parts)):
+            i, factor_i = _speed(motion, at, k)
+            value = parts[k] * (factor_i * factor_j)
+            twice = i == j and (at, k) != (number, freedom)
+            row, place = max(i, j), min(i, j)
+            M[row][place] = M[row][place] + (value * 2 if twice else value)
+        if motion.tree.links[at].parent >= 0:
+            with motion.recorder.part(f"{motion.names[number]}_column",
+                                      motion.tree.links[number].name):
+                wrench = handed_on(motion, at, wrench)
+        at = motion.tree.links[at].parent
+
+
+def _speed(motion: Motion, number: int, freedom: int):
+    """The speed a freedom belongs to, and by how much it is multiplied there."""
+    link = motion.tree.links[number]
+    if link.driver:
+        return motion.tree.links[link.driver.link].v.start, link.driver.multiplier
+    return link.v.start + freedom, 1

@@ -1,0 +1,127 @@
+"""What floats free: trees of links whose first joint is free, and on which nothing from outside
+acts but uniform gravity.  Their momentum is known for all times: p(t) = p + m g t, and the angular
+momentum about the centre of mass stays."""
+
+from dataclasses import dataclass, replace
+
+from coscrew_codegen.mechanics import composite, inverse
+from coscrew_codegen.mechanics.acting import Acting, gravity
+from coscrew_codegen.mechanics.bodies import Rigid
+from coscrew_codegen.mechanics.linear import factored
+from coscrew_codegen.mechanics.motion import Motion
+from coscrew_codegen.mechanics.recorded import Recording
+from coscrew_codegen.recording.numbers import (
+    Number,
+    Vector,
+    add,
+    cross,
+    rotated,
+    rotated_back,
+    scaled,
+    subtract,
+)
+from coscrew_codegen.recording.recorder import Recorder, array
+from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.scene.scene import Applied, Scene
+from coscrew_codegen.scene.tree import Tree
+
+
+def floating(scene: Scene, tree: Tree) -> tuple[int, ...]:
+    """The first links of the trees that float free."""
+    roots = [n for n, link in enumerate(tree.links)
+             if link.parent < 0 and link.joint.kind is Kind.FREE]
+    tied = {root for applied in scene.effects for root in _tied(applied, tree)
+            if not _idle(scene, tree, applied)}
+    for number, link in enumerate(tree.links):
+        if link.driver and _root(tree, number) != _root(tree, link.driver.link):
+            tied |= {_root(tree, number), _root(tree, link.driver.link)}
+    return tuple(root for root in roots if root not in tied)
+
+
+def _tied(applied: Applied, tree: Tree) -> set[int]:
+    """The trees that an effect pushes from outside."""
+    if applied.effect.body_force:
+        return {_root(tree, tree.seat_of(applied.on)[0])}
+    if applied.effect.pair_force:
+        ends = {_root(tree, tree.seat_of(body)[0]) for body in applied.values["bodies"]}
+        return ends if len(ends) > 1 else set()
+    return set()
+
+
+def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
+    """Whether an effect's forces are zero whatever happens: its numbers say so."""
+    recorder = Recorder([array("t", ()), array("p", (len(scene.parameters),)),
+                         array("q", (tree.nq,)), array("v", (tree.nv,))])
+    motion = Motion(recorder, tree, [f"link{n}" for n in range(len(tree.links))],
+                    gravity(scene, recorder))
+    acting = Acting(replace(scene, effects=(applied,)), motion).act()
+    return all(x.is_zero for link in acting.pushes for part in acting.force(link) for x in part)
+
+
+def _root(tree: Tree, number: int) -> int:
+    """The first link of a link's tree; -1 of the world."""
+    while number >= 0 and tree.links[number].parent >= 0:
+        number = tree.links[number].parent
+    return number
+
+
+@dataclass(frozen=True)
+class _Whole:
+    """A tree that floats free as one body, in its first link's frame."""
+
+    rigid: Rigid
+    com: Vector
+    p: Vector  # linear momentum
+    L: Vector  # angular momentum about the centre of mass
+
+
+def _wholes(x: Recording, motion: Motion) -> list[_Whole]:
+    momenta = []
+    for number, rigid in enumerate(x.rigids):
+        with x.recorder.part(f"{x.names[number]}_momentum", x.tree.links[number].name):
+            screw = (*motion.velocity(number), *motion.turning(number))
+            own = x.recorder.call("product_Bs", rigid.numbers, screw)
+            momenta.append((tuple(own[:3]), tuple(own[3:])))
+    momenta, bodies = inverse.transmitted(motion, momenta), composite.composites(motion, x.rigids)
+    found = []
+    for root in floating(x.scene, x.tree):
+        with x.recorder.part(f"{x.names[root]}_whole", x.tree.links[root].name):
+            com = scaled(1 / bodies[root].m, bodies[root].h)
+            p, moment = momenta[root]
+            found.append(_Whole(bodies[root], com, p, subtract(moment, cross(com, p))))
+    return found
+
+
+def momentum(x: Recording) -> list[Number]:
+    """(p; L) of each tree that floats free, in the world's axes, L about its centre of mass."""
+    motion = x.motion(accelerating=False)
+    found: list[Number] = []
+    for root, whole in zip(floating(x.scene, x.tree), _wholes(x, motion), strict=True):
+        with x.recorder.part(f"{x.names[root]}_c", x.tree.links[root].name):
+            R = motion.pose(root)[0]
+            found += [*rotated(R, whole.p), *rotated(R, whole.L)]
+    return found
+
+
+def corrected(x: Recording) -> list[Number]:
+    """v with the base velocities that give momentum (p + m g t; L) for c = (p; L)."""
+    motion = x.motion(accelerating=False)
+    (t,), c, v = x.recorder.argument("t"), x.recorder.argument("c"), list(motion.v)
+    for n, (root, whole) in enumerate(zip(floating(x.scene, x.tree), _wholes(x, motion),
+                                          strict=True)):
+        with x.recorder.part(f"{x.names[root]}_kept", x.tree.links[root].name):
+            R, m = motion.pose(root)[0], whole.rigid.m
+            p = add(c[6 * n:6 * n + 3], scaled(m * t, motion.gravity))
+            faster = scaled(1 / m, subtract(rotated_back(R, p), whole.p))
+            turning = _about_com(whole).solve(
+                subtract(rotated_back(R, tuple(c[6 * n + 3:6 * n + 6])), whole.L))
+            change = (*subtract(faster, cross(tuple(turning), whole.com)), *turning)
+            places = x.tree.links[root].v
+            v[places.start:places.stop] = add(v[places.start:places.stop], change)
+    return v
+
+
+def _about_com(whole: _Whole):
+    """The moments of inertia about the centre of mass, factored."""
+    nine = whole.rigid.m.recorder.call("spatial_inertia_about_com", whole.rigid.numbers)
+    return factored([nine[3 * i:3 * i + 3] for i in range(3)])

@@ -1,0 +1,209 @@
+"""Forward dynamics of a scene, explicit or implicit.
+
+An implicit step solves (M + m) a = tau - c v, where the inertia m and the torque c v stand for how
+the effects' forces fall with speeds and coordinates within the step: on the diagonal where they act
+at joints, as point masses where they resist the motion of a point, and as rows e^T of constraints
+that give way, e^T v = l', where they act between two bodies: what moves both together must not
+feel them.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from coscrew_codegen.mechanics import articulated, composite, inverse
+from coscrew_codegen.mechanics.acting import Acting, Paired
+from coscrew_codegen.mechanics.articulated import Articulated, Joint
+from coscrew_codegen.mechanics.bodies import Rigid
+from coscrew_codegen.mechanics.inverse import Wrench
+from coscrew_codegen.mechanics.linear import factored
+from coscrew_codegen.mechanics.motion import Motion
+from coscrew_codegen.recording.numbers import Number, add, cross, maximum, scaled, subtract
+
+Weights = Callable[[Number, Number, Number], tuple[Number, Number]]
+"""(m, c) of a damping, a stiffness, and the damping by the inertia that feels it, in 1/s."""
+
+_LEAST = Fraction(1, 10**30)
+"""kg: bodies without mass count as having this."""
+
+_Solve = Callable[[Joint, Sequence[Wrench]], list[Number]]
+
+
+@dataclass(frozen=True)
+class Implicit:
+    """a, and of each speed its damping by the inertia that feels it."""
+
+    a: list[Number]
+    rates: list[Number]
+
+
+def accelerations(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
+                  inertias: Mapping[str, Number], tau: Sequence[Number]) -> list[Number]:
+    """a with M a + bias = tau."""
+    own = _own(motion, inertias)
+    torques = add(tau, _gathered(motion, {n: acting.torque(n) for n in sorted(acting.torques)}))
+    return _solver(motion, rigids)(lambda k, _: (torques[k], own[k]),
+                                   inverse.net_wrenches(motion, rigids, acting))
+
+
+def implicit(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
+             inertias: Mapping[str, Number], weights: Weights,
+             slopes: Acting | None = None) -> Implicit:
+    """a with (M + m) a = -bias - c v.
+
+    Slopes are taken at `slopes`, effects on another motion through the same q whose speeds the step
+    starts with: linear are the forces then about those speeds."""
+    start, own = slopes or acting, _own(motion, inertias)
+    torques = _gathered(motion, {n: _torque(acting, start, n) for n in sorted(acting.torques)})
+    damping = _gathered(motion, {n: start.damping(n) for n in sorted(start.torques)}, 2)
+    stiffness = _gathered(motion, {n: start.stiffness(n) for n in sorted(start.torques)}, 2)
+    rates = list(damping)
+
+    def joint(k: int, inertia: Number) -> tuple[Number, Number]:
+        rates[k] = damping[k] / (inertia + own[k])
+        mass, fall = weights(damping[k], stiffness[k], rates[k])
+        return torques[k] - fall * start.motion.v[k], own[k] + mass
+
+    solve = _solver(motion, _heavier(motion, start, rigids, weights))
+    for number, pair in enumerate(start.pairs):
+        with motion.recorder.part(f"pair_{number}", "pairs of bodies"):
+            solve, joint = _with_pair(motion, pair, acting.pairs[number], weights, solve, joint)
+    wrenches = inverse.net_wrenches(motion, rigids, acting)
+    return Implicit(solve(joint, _about(motion, wrenches, acting, start)), rates)
+
+
+def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number],
+                    number: int) -> Number:
+    """∂a/∂tau of a joint with one coordinate, all others free to move."""
+    own = _own(motion, inertias)
+    unit = _gathered(motion, {number: motion.recorder.number(1)})
+    still = [(motion.zero, motion.zero)] * len(motion.tree.links)
+    a = _solver(motion, rigids)(lambda k, _: (unit[k], own[k]), still)
+    return _product(unit, a)
+
+
+def _own(motion: Motion, inertias: Mapping[str, Number]) -> list[Number]:
+    """What speeds have of their own, beside the bodies' inertia."""
+    return _gathered(motion, {n: inertias[link.joint.name]
+                              for n, link in enumerate(motion.tree.links)
+                              if link.joint.name in inertias}, 2)
+
+
+def _torque(acting: Acting, start: Acting, number: int) -> Number:
+    """A joint's torque, or about the speeds of the start: torque + d (v - v_start)."""
+    if start is acting:
+        return acting.torque(number)
+    faster = acting.motion.speeds(number)[0] - start.motion.speeds(number)[0]
+    return acting.torque(number) + start.damping(number) * faster
+
+
+def _gathered(motion: Motion, of_links: Mapping[int, Number], power: int = 1) -> list[Number]:
+    """What joints with one coordinate have, by speed: a follower's goes to what it follows, times
+    its multiplier to this power."""
+    found = [motion.zero[0]] * motion.tree.nv
+    for number, value in of_links.items():
+        link = motion.tree.links[number]
+        with motion.recorder.part(f"{motion.names[number]}_own", link.name):
+            if power == 2 and link.driver:
+                value = value * link.driver.multiplier
+            inverse.gather(motion, number, [value], found)
+    return found
+
+
+def _heavier(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
+             weights: Weights) -> list[Rigid]:
+    """The links with point masses where forces resist points' motion."""
+    found = list(rigids)
+    for number, link in enumerate(motion.tree.links):
+        with motion.recorder.part(f"{motion.names[number]}_own", link.name):
+            for damping, point in acting.resisting(number):
+                rate = damping / maximum(rigids[number].m, _LEAST)
+                mass, _ = weights(damping, damping.like(0), rate)
+                found[number] = _with_mass(found[number], mass, point)
+    return found
+
+
+def _about(motion: Motion, wrenches: Sequence[Wrench], acting: Acting,
+           start: Acting) -> list[Wrench]:
+    """The wrenches links need, where forces that resist a point act with d (u - u_start) besides,
+    u the point's velocity."""
+    found = list(wrenches)
+    for number, link in enumerate(motion.tree.links):
+        if start is acting:
+            break
+        with motion.recorder.part(f"{motion.names[number]}_about", link.name):
+            for damping, point in start.resisting(number):
+                turning = subtract(motion.turning(number), start.motion.turning(number))
+                velocity = subtract(motion.velocity(number), start.motion.velocity(number))
+                force = scaled(damping, add(velocity, cross(turning, point)))
+                found[number] = tuple(map(subtract, found[number], (force, cross(point, force))))
+    return found
+
+
+def _solver(motion: Motion, rigids: Sequence[Rigid]) -> _Solve:
+    """From what acts at the joints, and wrenches the links need at a = 0, to a.  What depends on
+    neither is issued once."""
+    if not motion.tree.follows:
+        bodies = [Articulated.of(body) for body in rigids]
+        return lambda joint, wrenches: articulated.accelerations(motion, bodies, wrenches, joint)
+    M = composite.mass_matrix(motion, rigids, {})
+
+    def solve(joint: Joint, wrenches: Sequence[Wrench]) -> list[Number]:
+        bias = inverse.joint_torques(motion, inverse.transmitted(motion, wrenches), None, {})
+        with motion.recorder.part("solution", "M a = tau"):
+            torques, heavier = [], [list(row) for row in M]
+            for k, row in enumerate(heavier):
+                torque, own = joint(k, row[k])
+                torques.append(torque)
+                row[k] = row[k] + own
+            return factored(heavier).solve(subtract(torques, bias))
+
+    return solve
+
+
+def _with_pair(motion: Motion, pair: Paired, now: Paired, weights: Weights, solve: _Solve,
+               joint: Joint) -> tuple[_Solve, Joint]:
+    """Adds m e e^T to what `solve` inverts, and to the torques -c l' e and, about the rate l' at
+    the start, d (l'_now - l') e.
+
+    a = a' - w (m e·a')/(1 + m e·w), w = solve(e): Sherman and Morrison; nothing divides by zero,
+    and 1/(e·w) is the inertia that feels the pair."""
+    still = [(motion.zero, motion.zero)] * len(motion.tree.links)
+    wrenches = list(still)
+    for link, wrench in pair.apart:
+        if link >= 0:
+            wrenches[link] = tuple(map(add, wrenches[link], wrench))
+    apart = inverse.joint_torques(motion, inverse.transmitted(motion, wrenches), None, {})
+    w = solve(lambda k, inertia: (apart[k], joint(k, inertia)[1]), still)
+    line, product = pair.line, _product(apart, w)
+    mass, fall = weights(line.damping, line.stiffness, line.damping * product)
+    share = mass / (1 + mass * product)
+    pull = fall * line.rate
+    if now is not pair:
+        pull = pull - line.damping * (now.line.rate - line.rate)
+    less = scaled(pull, apart)
+
+    def coupled(joint: Joint, wrenches: Sequence[Wrench]) -> list[Number]:
+        a = solve(joint, wrenches)
+        return list(subtract(a, scaled(share * _product(apart, a), w)))
+
+    def felt(k: int, inertia: Number) -> tuple[Number, Number]:
+        torque, own = joint(k, inertia)
+        return torque - less[k], own
+
+    return coupled, felt
+
+
+def _product(a: Sequence[Number], b: Sequence[Number]) -> Number:
+    total = a[0].like(0)
+    for x, y in zip(a, b, strict=True):
+        total = total + x * y
+    return total
+
+
+def _with_mass(body: Rigid, mass: Number, point) -> Rigid:
+    """The body with a point mass."""
+    zero = mass.like(0)
+    total = add(body.numbers, mass.recorder.call(
+        "spatial_inertia_from_com", mass, point, [zero] * 9))
+    return Rigid(total[0], tuple(total[1:4]), tuple(total[4:]))

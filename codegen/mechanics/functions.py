@@ -1,0 +1,331 @@
+"""The functions of a scene: each a recording of its own, which holds what its outputs need."""
+
+from collections.abc import Callable, Iterator, Sequence
+
+from coscrew_codegen.identifiers import identifiers
+from coscrew_codegen.integrators import STEPS
+from coscrew_codegen.mechanics import (
+    composite,
+    coordinates,
+    energies,
+    floating,
+    forward,
+    frames,
+    inverse,
+    leapfrog,
+)
+from coscrew_codegen.mechanics.acting import Acting
+from coscrew_codegen.mechanics.ranges import refuse_numbers, refuse_products, refuse_quotients
+from coscrew_codegen.mechanics.recorded import Recording
+from coscrew_codegen.quantity import Argument
+from coscrew_codegen.recording.numbers import Number, row_by_row
+from coscrew_codegen.recording.recorder import Recorder, array, headings
+from coscrew_codegen.scene.assembly import ModelError
+from coscrew_codegen.scene.formulas import Formula
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.tree import Tree, tree_of
+from coscrew_codegen.scene_functions import Function, SceneFunctions
+
+_BODY_FRAME = "in the frame of the body, at its origin"
+
+
+def derive(scene: Scene) -> SceneFunctions:
+    """All functions of a scene.
+
+    Raises RangeError for numbers that a precision it is generated in cannot hold, ModelError for a
+    model whose mass matrix is singular whatever q is."""
+    refuse_numbers(scene)
+    return _Derivation(scene).functions()
+
+
+def is_timed(scene: Scene) -> bool:
+    """Whether any effect is a function of time."""
+    def timed(value) -> bool:
+        if isinstance(value, tuple):
+            return any(map(timed, value))
+        return isinstance(value, Formula) and value.timed
+
+    return any(timed(value) for x in scene.effects for value in x.values.values())
+
+
+def tree_for(scene: Scene) -> Tree:
+    """The tree a scene simulates: joints follow others where an effect lets them."""
+    return tree_of(scene.model, any(x.effect.mimic for x in scene.effects))
+
+
+class _Derivation:
+    """The functions one by one, each recorded from its inputs."""
+
+    def __init__(self, scene: Scene):
+        self.scene, self.tree = scene, tree_for(scene)
+        self.names = identifiers([link.name for link in self.tree.links])
+        bodies = [body.name for body in scene.model.bodies]
+        self.bodies = dict(zip(bodies, identifiers(bodies), strict=True))
+        nq, nv, units = self.tree.nq, self.tree.nv, "positions in m, angles in rad"
+        self.inputs = {
+            "t": array("t", (), "time in s"), "h": array("h", (), "step in s"),
+            "p": array("p", (len(scene.parameters),), "parameters"),
+            "q": array("q", (nq,), f"coordinates: {units}, unit quaternions (x, y, z, w)"),
+            "v": array("v", (nv,), "speeds in m/s, rad/s"),
+            "a": array("a", (nv,), "accelerations in m/s^2, rad/s^2"),
+            "tau": array("tau", (nv,), "forces and torques of joints in N, N m"),
+            "phi": array("phi", (nv,), "displacements along the speeds, in m, rad"),
+        }
+        self.timed = is_timed(scene)
+
+    def functions(self) -> SceneFunctions:
+        """What targets need."""
+        scene, tree = self.scene, self.tree
+        return SceneFunctions(
+            scene.name, tree.nq, tree.nv, tree.coordinates, tuple(self.bodies),
+            tuple((p.name, float(p.value)) for p in scene.parameters), coordinates.neutral(tree),
+            tuple(self._all()), tuple(STEPS), scene.precisions)
+
+    def _all(self):
+        yield from (self._inverse(), self._forward(), self._mass(), self._bias(), self._gravity(),
+                    self._energy(), self._power(), self._momentum(), self._poses(), self._twists())
+        moving = [body for body in self.bodies if self.tree.seat_of(body)[0] >= 0]
+        yield from map(self._jacobian, moving)
+        asked = [x.on for x in self.scene.effects if x.effect.reaction]
+        joints = [link.joint.name for link in self.tree.links]
+        yield from (self._reaction(joint, name) for joint, name in
+                    zip(joints, identifiers(joints), strict=True) if joint in asked)
+        yield from (self._integrated(), self._implicit(), self._leapfrog())
+        if any(c.kind in ("spherical", "free") for c in self.tree.coordinates):
+            yield self._chart()
+        if floating.floating(self.scene, self.tree):
+            yield from self._kept()
+        yield from self._split()
+
+    # one function
+
+    def _function(self, name: str, words: str, inputs: str, outputs: Sequence[Argument],
+                  compute: Callable[[Recording], Sequence[Sequence[Number]]],
+                  dynamic: bool = True, acted: bool = False, internal: bool = False) -> Function:
+        """A function of these inputs, with p if it is of the dynamics, t if effects act in it."""
+        given = [*(["t"] if acted and self.timed or "t" in inputs.split() else []),
+                 *(["h"] if "h" in inputs.split() else []),
+                 *(["p"] if dynamic and self.scene.parameters else []),
+                 *(x for x in inputs.split() if x not in ("t", "h"))]
+        recorder = Recorder([self.inputs[x] for x in given])
+        try:
+            results = compute(Recording(self.scene, self.tree, self.names, recorder))
+        except ZeroDivisionError:
+            where = recorder.heading or self.scene.model.name
+            raise ModelError(f"{self.scene.name}: {where}", "its numbers make a division by zero "
+                             f"in {name}, whatever q is: the mass matrix is singular; wanted "
+                             "masses or armatures that resist every joint, and no joint that "
+                             "mimics another with multiplier 0") from None
+        program = recorder.program(name, list(zip(outputs, results, strict=True)))
+        function = Function(name, words, program, headings(program), internal)
+        refuse_products(self.scene, function)
+        refuse_quotients(self.scene, function, self._at_rest())
+        return function
+
+    def _at_rest(self) -> dict[str, tuple[float, ...]]:
+        """Inputs by name: neutral coordinates, parameters' values, nothing moves."""
+        zero = {name: (0.0,) * a.quantity.size for name, a in self.inputs.items()}
+        return {**zero, "q": coordinates.neutral(self.tree), "h": (self.scene.run.step,),
+                "p": tuple(float(x.value) for x in self.scene.parameters)}
+
+    def _tau(self) -> Argument:
+        return self.inputs["tau"]
+
+    def _inverse(self) -> Function:
+        def compute(x: Recording):
+            motion = x.motion()
+            return [x.torques(motion, Acting(self.scene, motion).act())]
+
+        return self._function(
+            "inverse_dynamics", "tau = M(q) a + bias_torques(q, v): what the joints must supply "
+            "for the accelerations a, beside the effects", "q v a", [self._tau()], compute,
+            acted=True)
+
+    def _bias(self) -> Function:
+        def compute(x: Recording):
+            motion = x.motion(accelerating=False)
+            return [x.torques(motion, Acting(self.scene, motion).act())]
+
+        return self._function(
+            "bias_torques", "tau = inverse_dynamics(q, v, 0): Coriolis, centrifugal, gravity and "
+            "all effects' torques", "q v", [self._tau()], compute, acted=True)
+
+    def _gravity(self) -> Function:
+        def compute(x: Recording):
+            return [x.torques(x.motion(moving=False, accelerating=False), None)]
+
+        return self._function("gravity_torques", "tau that holds the model still against gravity "
+                              "alone", "q", [self._tau()], compute)
+
+    def _forward(self) -> Function:
+        def compute(x: Recording):
+            motion = x.motion(accelerating=False)
+            acting = Acting(self.scene, motion).act()
+            return [forward.accelerations(motion, acting, x.rigids, x.inertias,
+                                          x.recorder.argument("tau"))]
+
+        return self._function(
+            "forward_dynamics", "a with M(q) a + bias_torques(q, v) = tau", "q v tau",
+            [self.inputs["a"]], compute, acted=True)
+
+    def _leapfrog(self) -> Function:
+        def compute(x: Recording):
+            q, v = leapfrog.step(x)
+            return [*([[x.recorder.argument("t")[0] + x.recorder.argument("h")[0]]]
+                      if self.timed else []), q, v]
+
+        return self._function(
+            "leapfrog", "t, q and v after drift, kick and drift", "h q v",
+            [self.inputs[x] for x in (*(["t"] if self.timed else []), "q", "v")], compute,
+            acted=True, internal=True)
+
+    def _kept(self) -> Iterator[Function]:
+        count = len(floating.floating(self.scene, self.tree))
+        c = array("c", (count, 6), "in kg m/s, kg m^2/s")
+        free = ", ".join(self.tree.links[n].name
+                         for n in floating.floating(self.scene, self.tree))
+        yield self._function(
+            "free_momentum", f"c = (p; L) of what floats free ({free}, and what hangs on it): "
+            "linear momentum, and angular momentum about its centre of mass, in the world's axes",
+            "q v", [c], lambda x: [floating.momentum(x)])
+        self.inputs["c"] = c
+        yield self._function(
+            "with_free_momentum", "v, where what floats free moves as a whole so that its momentum "
+            "is c = (p; L) after t seconds of gravity, (p + m g t; L): after each step it undoes "
+            "what integration and rounding change, for all times", "t q v c", [self.inputs["v"]],
+            lambda x: [floating.corrected(x)])
+
+    def _split(self) -> Iterator[Function]:
+        closing = self._function(
+            "closing_contacts", "count: how many limits are closed, or would be if joints moved on "
+            "with v for h", "h q v", [array("count", ())], lambda x: [[leapfrog.closing(x)]])
+        if not closing.program.instructions:
+            return
+        yield closing
+        yield self._function(
+            "parts", "count, part = h/count: in how many parts a step of h is taken, to resolve "
+            "the limits that close; part is not a number where that would be more than "
+            f"{leapfrog.MOST}", "h q v", [array("count", ()), array("part", (), "in s")],
+            lambda x: [[y] for y in leapfrog.split(x)])
+
+    def _implicit(self) -> Function:
+        def compute(x: Recording):
+            motion = x.motion(accelerating=False)
+            acting = Acting(self.scene, motion).act()
+            h, = x.recorder.argument("h")
+
+            def weights(d: Number, k: Number, _: Number) -> tuple[Number, Number]:
+                return (d + k * h) * h, k * h
+
+            return [forward.implicit(motion, acting, x.rigids, x.inertias, weights).a]
+
+        return self._function(
+            "implicit_acceleration", "a with (M + h d + h^2 k) a = -bias_torques(q, v) - h k v, "
+            "where d, k are how the effects' torques fall with v and q", "h q v",
+            [self.inputs["a"]], compute, acted=True, internal=True)
+
+    def _mass(self) -> Function:
+        def compute(x: Recording):
+            M = composite.mass_matrix(x.motion(False, False, False), x.rigids, x.inertias)
+            return [[entry for row in M for entry in row]]
+
+        nv = self.tree.nv
+        return self._function("mass_matrix", "M(q), row by row; symmetric, positive definite", "q",
+                              [array("M", (nv, nv), "masses in kg, kg m, kg m^2")], compute)
+
+    def _energy(self) -> Function:
+        def compute(x: Recording):
+            motion = x.motion(accelerating=False)
+            acting = Acting(self.scene, motion).act()
+            return [[energies.kinetic(x, motion),
+                     energies.potential(x, motion) + acting.potential()]]
+
+        return self._function(
+            "energy", "e = (kinetic, potential) energy; of gravity zero where centres of mass are "
+            "at the world's origin", "q v", [array("e", (2,), "energies in J")], compute,
+            acted=True)
+
+    def _power(self) -> Function:
+        def compute(x: Recording):
+            motion = x.motion(accelerating=False)
+            return [[Acting(self.scene, motion).act().power()]]
+
+        return self._function(
+            "power", "P, what effects without potential energy feed in; negative where they "
+            "dissipate", "q v", [array("P", (), "power in W")], compute, acted=True)
+
+    def _momentum(self) -> Function:
+        def compute(x: Recording):
+            return [energies.momentum(x, x.motion(accelerating=False))]
+
+        return self._function(
+            "momentum", "c = (p; L): linear momentum, angular momentum about the world's origin, "
+            "in the world's frame", "q v", [array("c", (6,), "in kg m/s, kg m^2/s")], compute)
+
+    def _poses(self) -> Function:
+        def compute(x: Recording):
+            motion, found = x.motion(falling=False), []
+            for body in self.bodies:
+                found += row_by_row(*frames.pose(x, motion, body))
+            return [found]
+
+        return self._function(
+            "body_poses", "D[i] = [R | t] of each body in the world, row by row", "q",
+            [array("D", (len(self.bodies), 3, 4), "displacements, t in m")], compute,
+            dynamic=False)
+
+    def _twists(self) -> Function:
+        def compute(x: Recording):
+            motion, found = x.motion(accelerating=False, falling=False), []
+            for body, name in self.bodies.items():
+                with x.recorder.part(f"{name}_twist", body):
+                    found += frames.twist(x, motion, body)
+            return [found]
+
+        return self._function(
+            "body_twists", f"s[i] = (v; w) of each body {_BODY_FRAME}", "q v",
+            [array("s", (len(self.bodies), 6), "screws in m/s, rad/s")], compute, dynamic=False)
+
+    def _jacobian(self, body: str) -> Function:
+        def compute(x: Recording):
+            with x.recorder.part(f"{self.bodies[body]}_J", body):
+                columns = frames.jacobian(x, x.motion(False, False, False), body)
+            return [[columns[j][i] for i in range(6) for j in range(self.tree.nv)]]
+
+        return self._function(
+            f"jacobian_{self.bodies[body]}", f"J with J v = (v; w) of {body} {_BODY_FRAME}", "q",
+            [array("J", (6, self.tree.nv), "screws of the speeds")], compute, dynamic=False)
+
+    def _reaction(self, joint: str, name: str) -> Function:
+        def compute(x: Recording):
+            motion = x.motion()
+            acting = Acting(self.scene, motion).act()
+            wrenches = inverse.transmitted(
+                motion, inverse.net_wrenches(motion, x.rigids, acting))
+            force, moment = wrenches[self.tree.links.index(self.tree.link_of(joint))]
+            return [(*force, *moment)]
+
+        return self._function(
+            f"reaction_{name}", f"f = (force; moment) that {joint} exerts on the body behind it, "
+            f"{_BODY_FRAME}, while it accelerates with a", "q v a",
+            [array("f", (6,), "coscrew in N, N m")], compute, acted=True)
+
+    def _integrated(self) -> Function:
+        def compute(x: Recording):
+            q, phi = x.recorder.argument("q"), x.recorder.argument("phi")
+            return [coordinates.integrated(x.recorder, self.tree, self.names, q, phi)]
+
+        return self._function(
+            "integrated", "qo = q moved by phi: by exponentials where there are quaternions, else "
+            "q + phi", "q phi", [array("qo", (self.tree.nq,), "coordinates")], compute,
+            dynamic=False)
+
+    def _chart(self) -> Function:
+        def compute(x: Recording):
+            return [coordinates.chart_rate(x.recorder, self.tree, self.names)]
+
+        return self._function(
+            "chart_rate", "u = phi' while q = integrated(q0, phi) moves with v: v + [phi, v]/2 + "
+            "[phi, [phi, v]]/12, enough for four orders", "v phi",
+            [array("u", (self.tree.nv,), "in m/s, rad/s")], compute, dynamic=False, internal=True)
+

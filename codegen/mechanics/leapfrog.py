@@ -1,0 +1,139 @@
+"""The default integrator: drift, kick, drift.
+
+Half a step the coordinates move with the speeds v0 the step starts with, to q_m; then all speeds
+change at once, at q_m; then the coordinates move on with the new ones, v1 = v0 + h a:
+
+    q_m = q0 ⊕ h/2 v0,   M(q_m) a = f(q_m, (v0 + v1)/2, t + h/2),   q1 = q_m ⊕ h/2 v1.
+
+The kick is solved in two passes: a' with the forces of v0, then a with those of v0 + h/2 a'.  Both
+are implicit in damping d and stiffness k of the effects, taken at v0: with z = h d/inertia and
+θ = (1 + z)/(2 + z) forces act as after θ h, which adds θ (h d + h² k/2) to the inertia and
+-(θ - ½) h k v0 to the torques.  So a damped speed shrinks by 1/(1 + z + z²/2) for any z, and
+springs without damping keep ½ v·M v + ½ q·K q.  Of second order.
+"""
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+from coscrew_codegen.mechanics import coordinates, forward
+from coscrew_codegen.mechanics.acting import Acting, settings
+from coscrew_codegen.mechanics.recorded import Recording
+from coscrew_codegen.program import NotANumber
+from coscrew_codegen.recording.numbers import Number, add, less, scaled, sqrt, where
+from coscrew_codegen.scene.effect import Contact, JointState
+
+FINE = 12
+"""A step is split so that a contact's frequency ω at its deepest times a part's length s is at most
+1/FINE: the implicit midpoint rule, which an elastic kick is, has energy off there by
+s²/24 ∫ v² d³V/dq³ dq = 5/72 (ω s)² of what the bounce holds: 0.0005, half of what `check` allows.
+Where the bounce ends it is far less."""
+MOST = 1024
+"""Parts of a step, at most."""
+
+
+def weights(h: Number) -> forward.Weights:
+    """What stands for a damping d and a stiffness k within a step."""
+    def found(d: Number, k: Number, rate: Number) -> tuple[Number, Number]:
+        beyond = _beyond(h, rate)
+        return (beyond + Fraction(1, 2)) * (h * (d + h * k / 2)), beyond * (h * k)
+    return found
+
+
+def _beyond(h: Number, rate: Number) -> Number:
+    """θ - ½, right also where the rate is infinite."""
+    return Fraction(1, 2) - 1 / (2 + h * rate)
+
+
+def step(x: Recording) -> tuple[list[Number], list[Number]]:
+    """q1 and v1."""
+    recorder = x.recorder
+    h, = recorder.argument("h")
+    q, v = recorder.argument("q"), recorder.argument("v")
+    middle = recorder.argument("t")[0] + h / 2 if recorder.has("t") else None
+    half = h / 2
+
+    def moved(q: Sequence[Number], v: Sequence[Number]) -> list[Number]:
+        return coordinates.integrated(recorder, x.tree, x.names, q, scaled(half, v))
+
+    q = moved(q, v)
+    first = x.motion(at=(q, v))
+    start = Acting(x.scene, first, middle).act()
+    guess = forward.implicit(first, start, x.rigids, x.inertias, weights(h))
+    second = x.motion(at=(q, _sum(v, scaled(half, guess.a))))
+    acting = Acting(x.scene, second, middle, _later(x, h, guess.rates)).act()
+    kick = forward.implicit(second, acting, x.rigids, x.inertias, weights(h), start)
+    v = _sum(v, scaled(h, kick.a))
+    return moved(q, v), v
+
+
+def _later(x: Recording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:
+    """(θ - ½) h of each joint: its motor's target is where the motor's slopes act."""
+    found = {}
+    for number, link in enumerate(x.tree.links):
+        own = x.tree.links[link.driver.link] if link.driver else link
+        if not (rate := rates[own.v.start]).is_zero:
+            with x.recorder.part(f"{x.names[number]}_later", link.name):
+                found[number] = h * _beyond(h, rate)
+    return found
+
+
+def closing(x: Recording) -> Number:
+    """How many contacts of joints are closed now or, if they moved on with v, after h."""
+    count = x.recorder.number(0)
+    for link, before, after in _contacts(x):
+        with x.recorder.part(f"{x.names[link]}_closing", x.tree.links[link].name):
+            count = count + where(less(count.like(0), before.depth + after.depth), 1, 0)
+    return count
+
+
+def split(x: Recording) -> tuple[Number, Number]:
+    """n = 2^j parts of a step h, so that n >= FINE h ω, and their length; NaN where n is over MOST.
+
+    A contact gets as deep as δ_p = (δ^2.5 + 1.25 m v²/k)^0.4 if the joint feels the inertia m, and
+    there ω² = 1.5 k √δ_p/m.  Several that are closed at once add up to at most their number times
+    the largest.  Fifth roots are avoided: (FINE h ω)^5 is compared with 32^j."""
+    recorder = x.recorder
+    (h,), motion = recorder.argument("h"), x.motion(accelerating=False)
+    number, worst = closing(x), recorder.number(0)
+    for link, before, after in _contacts(x):
+        with recorder.part(f"{x.names[link]}_split", x.tree.links[link].name):
+            mobility = forward.inverse_inertia(motion, x.rigids, x.inertias, link)
+            deepest = _power(before.depth, 2) * sqrt(before.depth)
+            v = motion.speeds(link)[0]
+            deepest = deepest + v * v * Fraction(5, 4) / (mobility * before.k)
+            rate = h * h * before.k * mobility * number * Fraction(3 * FINE**2, 2)
+            fifth = _power(rate, 2) * sqrt(rate * deepest)
+            fifth = where(less(fifth.like(0), before.depth + after.depth), fifth, 0)
+            worst = where(less(worst, fifth), fifth, worst)
+    with recorder.part("parts", "parts of the step"):
+        parts, n = recorder.number(1), 1
+        while n < MOST:
+            parts, n = where(less(recorder.number(n**5), worst), 2 * n, parts), 2 * n
+        too_many = less(recorder.number(MOST**5), worst)
+        return parts, h / where(too_many, Number(recorder, NotANumber()), parts)
+
+
+def _contacts(x: Recording) -> Iterator[tuple[int, Contact, Contact]]:
+    """The links behind joints with contacts, and these before and after h."""
+    recorder = x.recorder
+    motion, zero = x.motion(accelerating=False), recorder.number(0)
+    for applied in x.scene.effects:
+        if applied.effect.joint_torque:
+            link = x.tree.links.index(x.tree.link_of(applied.on))
+            with recorder.part(f"{x.names[link]}_contact", x.tree.links[link].name):
+                values = settings(recorder, applied.values, zero)
+                q, v = motion.coordinates(link)[0], motion.speeds(link)[0]
+                before = applied.effect.joint_torque(JointState(q, v, zero), values).contact
+                if before:
+                    h, = recorder.argument("h")
+                    after = applied.effect.joint_torque(JointState(q + h * v, v, zero), values)
+                    yield link, before, after.contact
+
+
+def _power(x: Number, n: int) -> Number:
+    return x if n == 1 else x * _power(x, n - 1)
+
+
+def _sum(v: Sequence[Number], change: Sequence[Number]) -> list[Number]:
+    with v[0].recorder.part("faster", "speeds"):
+        return list(add(v, change))

@@ -1,0 +1,48 @@
+"""Symmetric positive definite systems of Numbers: L D L^T, zeros left out."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from coscrew_codegen.recording.numbers import Number
+
+
+@dataclass(frozen=True)
+class Factors:
+    """A = L D L^T: the rows of L below its diagonal of ones, and 1/D."""
+
+    L: tuple[tuple[Number, ...], ...]
+    inverse: tuple[Number, ...]
+
+    def solve(self, b: Sequence[Number]) -> list[Number]:
+        """x with A x = b."""
+        x: list[Number] = []
+        for i, row in enumerate(self.L):
+            value = b[i]
+            for k in range(i):
+                value = value - row[k] * x[k]
+            x.append(value)
+        x = [value * d for value, d in zip(x, self.inverse, strict=True)]
+        for i in reversed(range(len(x))):
+            for k in range(i + 1, len(x)):
+                x[i] = x[i] - self.L[k][i] * x[k]
+        return x
+
+
+def factored(A: Sequence[Sequence[Number]]) -> Factors:
+    """The factors of a symmetric positive definite matrix, of which the lower half is read."""
+    L: list[list[Number]] = []
+    inverse: list[Number] = []
+    for i, row in enumerate(A):
+        scaled: list[Number] = []  # L[i][k] D[k]
+        for k in range(i):
+            value = row[k]
+            for j in range(k):
+                value = value - scaled[j] * L[k][j]
+            scaled.append(value)
+        own = [x * d for x, d in zip(scaled, inverse, strict=True)]
+        pivot = row[i]
+        for x, y in zip(scaled, own, strict=True):
+            pivot = pivot - x * y
+        L.append(own)
+        inverse.append(1 / pivot)
+    return Factors(tuple(map(tuple, L)), tuple(inverse))

@@ -1,0 +1,170 @@
+"""Numbers that a precision cannot hold are refused before anything is emitted with them.
+
+What a scene says must be 0 or normal in its precisions: what is larger would become infinite, what
+is smaller would lose digits or become 0.  What its numbers are multiplied to may also be subnormal,
+as products of what files hold where they mean zero are: 1.7e-19 kg m².  Quotients are no constants
+where a denominator is max(|v|, eps): they are looked at where everything is at rest.
+"""
+
+import math
+import operator
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from coscrew_codegen.formats import Precision, named
+from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.scene.model import Scalar, value
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene_functions import Function
+
+NORMAL, SUBNORMAL = "smallest_normal", "smallest_subnormal"
+_AXES = ("x", "y", "z")
+_MOMENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
+_REMEDY = ('; precision = "double" in the scene file, or --precision double, leaves single '
+           "precision out")
+
+
+class RangeError(ValueError):
+    """"SCENE: body 'tool': mass 1e+60 kg is outside single precision's range: …"."""
+
+
+@dataclass(frozen=True)
+class _Written:
+    """A number of the scene, and where it stands: "body 'tool'", "mass"."""
+
+    where: str
+    name: str
+    number: Scalar
+    unit: str
+
+
+def refuse_numbers(scene: Scene) -> None:
+    """Raise RangeError for the first number of the scene that a precision it is generated in cannot
+    hold."""
+    for x in _written(scene):
+        number = value(x.number)
+        _refuse(scene, Constant(number, number), NORMAL,
+                f"{x.where}: {x.name} {float(number):g} {x.unit}".rstrip())
+
+
+def refuse_products(scene: Scene, function: Function) -> None:
+    """Raise RangeError for the first constant of the function that a precision it is generated in
+    cannot hold: what numbers of the scene are multiplied to."""
+    for where, constant in _constants(function):
+        _refuse(scene, constant, SUBNORMAL, f"{_place(scene, where)}: its numbers are multiplied "
+                f"to {_shown(constant.double)} in {function.name}, which")
+
+
+def _place(scene: Scene, where: str) -> str:
+    return f"body {where!r}" if any(where == x.name for x in scene.model.bodies) else where
+
+
+def refuse_quotients(scene: Scene, function: Function, inputs: Mapping[str, Sequence[float]]
+                     ) -> None:
+    """Raise RangeError for the first quotient of the function that a precision it is generated in
+    cannot hold at these inputs, by their arguments' names."""
+    program = function.program
+    if not any(step.op is Op.DIV for step in program.instructions):
+        return
+    for precision in named(scene.precisions):
+        largest = precision.limit("max")
+        for where, quotient in _quotients(program, precision, inputs):
+            if abs(quotient) > largest:
+                _refuse(scene, Constant(quotient, quotient), SUBNORMAL,
+                        f"{_place(scene, where or function.name)}: its numbers are divided to "
+                        f"{_shown(quotient)} at rest in {function.name}, which")
+
+
+def _quotients(program: Program, precision: Precision, inputs: Mapping[str, Sequence[float]]
+               ) -> Iterator[tuple[str, Fraction]]:
+    """Each quotient of finite numbers, exactly, and the part of the scene it belongs to.  What has
+    no value is not a number, and neither is what follows from it."""
+    known: dict[str, float] = {}
+
+    def value(x: Operand) -> float:
+        if isinstance(x, Ref):
+            return known[x.name]
+        if isinstance(x, Input):
+            return inputs[program.inputs[x.argument].name][x.index]
+        return float(precision.value(x)) if isinstance(x, Constant) else math.nan
+
+    for step in program.instructions:
+        operands = [value(x) for x in step.operands]
+        try:
+            known[step.name] = float(_VALUES[step.op](*operands))
+        except (ArithmeticError, ValueError):
+            known[step.name] = math.nan
+        if step.op is Op.DIV and all(map(math.isfinite, operands)) and operands[1]:
+            yield _part(step), Fraction(operands[0]) / Fraction(operands[1])
+
+
+_VALUES: Mapping[Op, Callable[..., float]] = {
+    Op.ADD: operator.add, Op.SUB: operator.sub, Op.MUL: operator.mul, Op.DIV: operator.truediv,
+    Op.NEG: operator.neg, Op.ABS: abs, Op.SQRT: math.sqrt, Op.SIN: math.sin, Op.COS: math.cos,
+    Op.ATAN2: math.atan2, Op.EXP: math.exp, Op.TANH: math.tanh, Op.SCALE: operator.mul,
+    Op.LESS: operator.lt, Op.EQUAL: operator.eq, Op.SELECT: lambda a, b, c: b if a else c}
+"""Of the operations that recordings of scenes have."""
+
+
+def _refuse(scene: Scene, constant: Constant, least: str, what: str) -> None:
+    for precision in named(scene.precisions):
+        smallest, largest = precision.limit(least), precision.limit("max")
+        number = precision.value(constant)
+        if number and not smallest <= abs(number) <= largest:
+            remedy = _REMEDY if precision.name == "single" and "double" in scene.precisions else ""
+            raise RangeError(f"{scene.name}: {what} is outside {precision.name} precision's range: "
+                             f"0, and {float(smallest):.2g} to {float(largest):.2g} in size"
+                             f"{remedy}")
+
+
+def _shown(x: Fraction) -> str:
+    """Three digits; of what is no float, the power of ten."""
+    try:
+        if near := float(x):
+            return f"{near:.3g}"
+    except OverflowError:
+        pass
+    digits = len(str(abs(x.numerator))) - len(str(x.denominator))
+    return f"about {'-' if x < 0 else ''}1e{digits:+d}"
+
+
+def _written(scene: Scene) -> Iterator[_Written]:
+    for body in scene.model.bodies:
+        if inertia := body.inertia:
+            where = f"body {body.name!r}"
+            yield _Written(where, "mass", inertia.mass, "kg")
+            for name, x in zip(_AXES, inertia.com, strict=True):
+                yield _Written(where, f"com {name}", x, "m")
+            for name, x in zip(_MOMENTS, inertia.moments, strict=True):
+                yield _Written(where, f"inertia {name}", x, "kg m²")
+    for joint in scene.model.joints:
+        where = f"joint {joint.name!r}"
+        for name, x in zip(_AXES, joint.placement.t, strict=True):
+            yield _Written(where, f"origin {name}", x, "m")
+        if joint.mimic and any(applied.effect.mimic for applied in scene.effects):
+            yield _Written(where, "mimic's multiplier", joint.mimic.multiplier, "")
+            yield _Written(where, "mimic's offset", joint.mimic.offset, "")
+    for applied in scene.effects:
+        for parameter in applied.effect.parameters:
+            given = applied.values.get(parameter.name)
+            for x in given if isinstance(given, tuple) else (given,):
+                if isinstance(x, Scalar):
+                    yield _Written(f"effect {applied.name}", parameter.name, x, parameter.unit)
+
+
+def _constants(function: Function) -> Iterator[tuple[str, Constant]]:
+    """The constants of a function, with the part of the scene they belong to."""
+    program = function.program
+    for step in program.instructions:
+        for x in step.operands:
+            if isinstance(x, Constant):
+                yield _part(step) or function.name, x
+    for x in program.results:
+        if isinstance(x, Constant):
+            yield f"result of {function.name}", x
+
+
+def _part(step: Instruction) -> str:
+    """The part of the scene that an instruction belongs to."""
+    return step.component.rpartition(":")[0]

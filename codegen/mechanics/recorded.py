@@ -1,0 +1,50 @@
+"""One function of a scene while it is recorded, and what most functions start from."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from coscrew_codegen.mechanics import inverse
+from coscrew_codegen.mechanics.acting import Acting, gravity, joint_inertias
+from coscrew_codegen.mechanics.bodies import Rigid, lumped
+from coscrew_codegen.mechanics.motion import Motion
+from coscrew_codegen.recording.numbers import Number
+from coscrew_codegen.recording.recorder import Recorder
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.tree import Tree
+
+
+@dataclass
+class Recording:
+    """One function while it is recorded, and what most functions start from."""
+
+    scene: Scene
+    tree: Tree
+    names: tuple[str, ...]
+    recorder: Recorder
+
+    def motion(self, moving: bool = True, accelerating: bool = True, falling: bool = True,
+               at: tuple[Sequence[Number], Sequence[Number]] | None = None) -> Motion:
+        """The motion for the function's inputs, or at a q and v of its own; `falling`: in the
+        scene's gravity."""
+        down = gravity(self.scene, self.recorder) if falling else None
+        return Motion(self.recorder, self.tree, self.names, down, moving, accelerating, at)
+
+    @cached_property
+    def rigids(self) -> list[Rigid]:
+        """The inertia of each link."""
+        found = []
+        for name, link in zip(self.names, self.tree.links, strict=True):
+            with self.recorder.part(f"{name}_inertia", link.name):
+                found.append(lumped(self.recorder, link.seats))
+        return found
+
+    @cached_property
+    def inertias(self) -> dict[str, Number]:
+        """What joints have of their own, by joint."""
+        return joint_inertias(self.scene, self.recorder)
+
+    def torques(self, motion: Motion, acting: Acting | None) -> list[Number]:
+        """Inverse dynamics."""
+        wrenches = inverse.transmitted(motion, inverse.net_wrenches(motion, self.rigids, acting))
+        return inverse.joint_torques(motion, wrenches, acting, self.inertias)

@@ -1,0 +1,244 @@
+"""What an instruction folds to: exact rules on constants, zeros, ones and signs.
+
+A sum takes signs up (a + (-b) is a - b), a product hands them on ((-a) b is -(a b)), so
+that none is left but where a result needs it.  Rules change no value but the sign of
+zero, and NaN times zero.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+
+import mpmath
+
+from coscrew_codegen.program import Constant, Instruction, Op, Operand, Ref
+
+DIGITS = 60
+"""Decimal digits of constants that are no short fractions: far beyond double precision."""
+
+_ZERO, _ONE = Constant(Fraction(0), Fraction(0)), Constant(Fraction(1), Fraction(1))
+_LONGEST = 1 << 1200
+
+
+@dataclass(frozen=True)
+class Folded:
+    """What remains to be issued."""
+
+    op: Op
+    operands: tuple[Operand, ...]
+
+
+@dataclass(frozen=True)
+class Sign:
+    """The negative of what remains to be issued."""
+
+    of: tuple[Op, tuple[Operand, ...]]
+
+
+def fraction(value: Fraction | int) -> Fraction:
+    """The number; refuses floats, which stand for other numbers than they were written as."""
+    if isinstance(value, float):
+        raise TypeError(f"{value!r} is a float; numbers of scenes are exact fractions")
+    return Fraction(value)
+
+
+def folded(op: Op, operands: tuple[Operand, ...],
+           known: Mapping[str, Instruction]) -> Operand | Folded | Sign:
+    """What op(operands) folds to: an operand, or what remains to be issued."""
+    if op is not Op.SELECT and all(isinstance(x, Constant) for x in operands):
+        return _constant(op, operands)
+    rule = _RULES.get(op)
+    result = rule(known, *operands) if rule else None
+    return Folded(op, operands) if result is None else result
+
+
+def _constant(op: Op, operands: tuple[Constant, ...]) -> Constant:
+    double = _evaluated(op, tuple(x.double for x in operands))
+    if all(x.single is x.double or x.single == x.double for x in operands):
+        return Constant(double, double)
+    return Constant(double, _evaluated(op, tuple(x.single for x in operands)))
+
+
+def _is(x: Operand, number: int) -> bool:
+    return isinstance(x, Constant) and x.double == number and x.single == number
+
+
+def _negated(x: Operand, known: Mapping[str, Instruction]) -> Operand | None:
+    """y where x is -y, issued or constant below zero; else None."""
+    if isinstance(x, Constant):
+        return _constant(Op.NEG, (x,)) if x.double.numerator < 0 else None
+    if isinstance(x, Ref) and known[x.name].op is Op.NEG:
+        return known[x.name].operands[0]
+    return None
+
+
+def _add(known, a, b):
+    if _is(a, 0):
+        return b
+    if _is(b, 0):
+        return a
+    x, y = _negated(a, known), _negated(b, known)
+    if x is not None and y is not None:
+        return Sign((Op.ADD, (x, y)))
+    if y is not None:
+        return _sub(known, a, y) or Folded(Op.SUB, (a, y))
+    if x is not None:
+        return _sub(known, b, x) or Folded(Op.SUB, (b, x))
+    return _joined(known, a, b, 1)
+
+
+def _joined(known, a, b, sign):
+    """c x ± k x is (c ± k) x, for constants c, k: products of the same number, or it alone."""
+    (c, x), (k, y) = _scaled(known, a), _scaled(known, b)
+    if x != y or isinstance(x, Constant):
+        return None
+    both = _constant(Op.ADD if sign > 0 else Op.SUB, (c, k))
+    return _mul(known, both, x) or Folded(Op.MUL, (both, x))
+
+
+def _scaled(known, x):
+    """(c, y) where x is the product c y with a constant; else (1, x)."""
+    if isinstance(x, Ref) and known[x.name].op is Op.MUL:
+        c, y = known[x.name].operands
+        if isinstance(c, Constant):
+            return c, y
+    return _ONE, x
+
+
+def _sub(known, a, b):
+    if _is(b, 0):
+        return a
+    if a == b:
+        return _ZERO
+    if _is(a, 0):
+        return _neg(known, b) or Folded(Op.NEG, (b,))
+    if (y := _negated(b, known)) is not None:
+        return _add(known, a, y) or Folded(Op.ADD, (a, y))
+    if (x := _negated(a, known)) is not None:
+        return Sign((Op.ADD, (x, b)))
+    return _joined(known, a, b, -1)
+
+
+def _mul(known, a, b):
+    if _is(a, 0) or _is(b, 0):
+        return _ZERO
+    if _is(a, 1):
+        return b
+    if _is(b, 1):
+        return a
+    negative_a, negative_b = _negated(a, known), _negated(b, known)
+    if negative_a is not None and negative_b is not None:
+        return _mul(known, negative_a, negative_b) or Folded(Op.MUL, (negative_a, negative_b))
+    if negative_a is not None:
+        return Sign((Op.MUL, (negative_a, b)))
+    if negative_b is not None:
+        return Sign((Op.MUL, (a, negative_b)))
+    return _constants_joined(known, a, b) or _constants_joined(known, b, a)
+
+
+def _constants_joined(known, c, x):
+    """c (k y) is (c k) y."""
+    if not (isinstance(c, Constant) and isinstance(x, Ref) and known[x.name].op is Op.MUL):
+        return None
+    k, y = known[x.name].operands
+    if not isinstance(k, Constant):
+        return None
+    both = _constant(Op.MUL, (c, k))
+    return y if _is(both, 1) else Folded(Op.MUL, (both, y))
+
+
+def _div(known, a, b):
+    if _is(a, 0):
+        return _ZERO
+    if _is(b, 1):
+        return a
+    negative_a, negative_b = _negated(a, known), _negated(b, known)
+    if negative_a is not None:
+        return Sign((Op.DIV, (negative_a, b)))
+    if negative_b is not None:
+        return Sign((Op.DIV, (a, negative_b)))
+    if isinstance(b, Constant) and _is_power_of_two(b):
+        return Folded(Op.MUL, (Constant(1 / b.double, 1 / b.single), a))
+    return None
+
+
+def _neg(known, a):
+    return _negated(a, known)
+
+
+def _abs(known, a):
+    y = _negated(a, known)
+    return None if y is None else Folded(Op.ABS, (y,))
+
+
+def _odd(op):
+    def rule(known, a):
+        y = _negated(a, known)
+        return None if y is None else Sign((op, (y,)))
+    return rule
+
+
+def _even(op):
+    def rule(known, a):
+        y = _negated(a, known)
+        return None if y is None else Folded(op, (y,))
+    return rule
+
+
+def _select(known, test, a, b):
+    if a == b:
+        return a
+    if isinstance(test, Constant) and test.double == test.single:
+        return a if test.double else b
+    return None
+
+
+_RULES = {Op.ADD: _add, Op.SUB: _sub, Op.MUL: _mul, Op.SCALE: _mul, Op.DIV: _div, Op.NEG: _neg,
+          Op.ABS: _abs, Op.SELECT: _select, Op.SIN: _odd(Op.SIN), Op.TANH: _odd(Op.TANH),
+          Op.COS: _even(Op.COS)}
+
+
+def _is_power_of_two(x: Constant) -> bool:
+    return x.double == x.single > 0 and all(
+        n & (n - 1) == 0 for n in x.double.as_integer_ratio())
+
+
+def _evaluated(op: Op, values: tuple[Fraction, ...]) -> Fraction:
+    exact = _EXACT.get(op)
+    return _shortened(exact(*values)) if exact else _approximated(op, values)
+
+
+@cache
+def _approximated(op: Op, values: tuple[Fraction, ...]) -> Fraction:
+    with mpmath.workdps(DIGITS):
+        numbers = [mpmath.mpf(x.numerator) / x.denominator for x in values]
+        return _rational(_FUNCTIONS[op](*numbers))
+
+
+_EXACT = {Op.ADD: lambda a, b: a + b, Op.SUB: lambda a, b: a - b, Op.MUL: lambda a, b: a * b,
+          Op.SCALE: lambda a, b: a * b, Op.DIV: lambda a, b: a / b, Op.NEG: lambda a: -a,
+          Op.ABS: abs, Op.LESS: lambda a, b: Fraction(a < b),
+          Op.EQUAL: lambda a, b: Fraction(a == b)}
+_FUNCTIONS = {Op.SQRT: mpmath.sqrt, Op.SIN: mpmath.sin, Op.COS: mpmath.cos, Op.EXP: mpmath.exp,
+              Op.TANH: mpmath.tanh, Op.ATAN2: mpmath.atan2}
+
+
+def _rational(x: mpmath.mpf) -> Fraction:
+    if not mpmath.isfinite(x):
+        raise ZeroDivisionError(f"a constant of the scene is {x}")
+    return Fraction(*map(int, mpmath.libmp.to_rational(x._mpf_)))
+
+
+def _shortened(x: Fraction) -> Fraction:
+    """x, or where its terms grow long, x to 60 digits."""
+    if abs(x.numerator) < _LONGEST and x.denominator < _LONGEST:
+        return x
+    with mpmath.workdps(DIGITS):
+        return _rational(mpmath.mpf(x.numerator) / x.denominator)
+
+
+def constant_pi() -> Fraction:
+    """π to 60 digits."""
+    with mpmath.workdps(DIGITS):
+        return _rational(+mpmath.pi)

@@ -1,0 +1,129 @@
+"""Numbers of a recording, which a scene's equations are written with, and vectors of three."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from coscrew_codegen.program import Constant, Op, Operand
+
+if TYPE_CHECKING:
+    from coscrew_codegen.recording.recorder import Recorder
+
+Vector = tuple["Number", "Number", "Number"]
+
+
+@dataclass(frozen=True)
+class Number:
+    """An operand with the recorder that holds it.  Arithmetic on it is recorded."""
+
+    recorder: "Recorder"
+    operand: Operand
+
+    def _with(self, op: Op, *others: "Number | Fraction | int") -> "Number":
+        operands = tuple(self.like(x).operand for x in others)
+        return Number(self.recorder, self.recorder.issue(op, operands))
+
+    def like(self, x: "Number | Fraction | int") -> "Number":
+        """x as a Number of the same recording."""
+        return x if isinstance(x, Number) else self.recorder.number(x)
+
+    @property
+    def constant(self) -> Fraction | None:
+        """Its value, where that is the same constant in both precisions."""
+        x = self.operand
+        return x.double if isinstance(x, Constant) and x.double == x.single else None
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether it is the constant zero."""
+        return self.constant == 0
+
+    def __add__(self, other): return self._with(Op.ADD, self, other)
+    def __radd__(self, other): return self._with(Op.ADD, other, self)
+    def __sub__(self, other): return self._with(Op.SUB, self, other)
+    def __rsub__(self, other): return self._with(Op.SUB, other, self)
+    def __mul__(self, other): return self._with(Op.MUL, self, other)
+    def __rmul__(self, other): return self._with(Op.MUL, other, self)
+    def __truediv__(self, other): return self._with(Op.DIV, self, other)
+    def __rtruediv__(self, other): return self._with(Op.DIV, other, self)
+    def __neg__(self): return self._with(Op.NEG, self)
+
+
+def _function(op: Op):
+    def apply(x: Number) -> Number:
+        return x._with(op, x)
+    apply.__doc__ = f"{op.value} x."
+    return apply
+
+
+sin, cos, sqrt, exp, tanh, absolute = map(
+    _function, (Op.SIN, Op.COS, Op.SQRT, Op.EXP, Op.TANH, Op.ABS))
+
+
+def less(a: Number, b: "Number | Fraction | int") -> Number:
+    """a < b, for `where`."""
+    return a._with(Op.LESS, a, b)
+
+
+def where(test: Number, a: "Number | Fraction | int", b: "Number | Fraction | int") -> Number:
+    """a where the test holds, else b."""
+    return test._with(Op.SELECT, test, a, b)
+
+
+def maximum(a: Number, b: "Number | Fraction | int") -> Number:
+    """The larger of both."""
+    return where(less(a, b), b, a)
+
+
+def minimum(a: Number, b: "Number | Fraction | int") -> Number:
+    """The smaller of both."""
+    return where(less(a.like(b), a), b, a)
+
+
+# Vectors: the library's operations on three Numbers.
+
+
+def cross(a: Vector, b: Vector) -> Vector:
+    """a × b."""
+    return a[0].recorder.call("cross_vv", a, b)
+
+
+def dot(a: Vector, b: Vector) -> Number:
+    """a·b."""
+    return a[0].recorder.call("dot_vv", a, b)[0]
+
+
+def add(a: Sequence[Number], b: Sequence[Number]) -> tuple[Number, ...]:
+    """a + b."""
+    return tuple(x + y for x, y in zip(a, b, strict=True))
+
+
+def subtract(a: Sequence[Number], b: Sequence[Number]) -> tuple[Number, ...]:
+    """a - b."""
+    return tuple(x - y for x, y in zip(a, b, strict=True))
+
+
+def scaled(k: Number, a: Sequence[Number]) -> tuple[Number, ...]:
+    """k a."""
+    return tuple(k * x for x in a)
+
+
+def negative(a: Sequence[Number]) -> tuple[Number, ...]:
+    """-a."""
+    return tuple(-x for x in a)
+
+
+def row_by_row(R: Sequence[Number], t: Vector) -> tuple[Number, ...]:
+    """[R | t], as the library's operations take a displacement."""
+    return (*R[:3], t[0], *R[3:6], t[1], *R[6:], t[2])
+
+
+def rotated(R: Sequence[Number], a: Vector) -> Vector:
+    """R a."""
+    return a[0].recorder.call("product_drv", R, a)
+
+
+def rotated_back(R: Sequence[Number], a: Vector) -> Vector:
+    """R^T a."""
+    return a[0].recorder.call("product_drinvv", R, a)

@@ -1,0 +1,157 @@
+"""What an effect is: its catalogue entry, and the slots of the dynamics it fills.
+
+An effect's file knows no other effect and no algorithm: it gets the state where it acts as Numbers,
+and answers with accelerations, forces and inertias.  Slots it leaves None cost nothing.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from enum import Enum
+from typing import Protocol
+
+from coscrew_codegen.recording.numbers import Number, Vector
+
+Values = Mapping[str, object]  # parameter → Number, tuple of Numbers, Formula's Number, str or None
+
+
+class Place(Enum):
+    """What an effect acts on."""
+
+    SCENE = "the whole scene"
+    JOINT = "a joint with one coordinate; of `reaction`, any that is not fixed"
+    BODY = "a body"
+    PAIR = "two bodies, named by the value `bodies`"
+
+
+@dataclass(frozen=True)
+class ParameterOf:
+    """A parameter of an effect, as scene files write it."""
+
+    name: str
+    unit: str
+    words: str
+    kind: str = "number"  # number, vector (three numbers), formula (number or function of t),
+    # formulas (three of them), choice, body
+    default: object = None  # a number or a tuple of them as int or Fraction, or a word; None: none
+    required: bool = True  # without default; if not, the value may stay None, also where the model
+    # has no such number
+    model: str = ""  # the joint's field that "model" stands for: damping, friction, effort, …
+    choices: tuple[str, ...] = ()
+    of: tuple[str, ...] = ()  # choices of the effect's `kind` it belongs to; with others it may not
+    # be given, and its value is None; (): to all
+    positive: bool = False  # refused if zero or below
+    nonnegative: bool = False
+
+
+@dataclass(frozen=True)
+class JointState:
+    """A joint with one coordinate: q in rad or m, v, time t in s."""
+
+    q: Number
+    v: Number
+    t: Number
+
+
+class BodyState(Protocol):
+    """A body: where it is and how it moves; time t in s.
+
+    Points and vectors are in the body's frame unless a name says `world`."""
+
+    t: Number
+
+    @property
+    def gravity(self) -> Vector:
+        """The scene's acceleration of free fall, in the world's frame; zero without gravity."""
+
+    @property
+    def turning(self) -> Vector:
+        """ω."""
+
+    def world_direction(self, vector: Vector) -> Vector:
+        """R x: a vector of the body as the world sees it."""
+
+    def own_direction(self, vector: Vector) -> Vector:
+        """R^T x: a vector of the world as the body sees it."""
+
+    def world_position(self, point: Vector) -> Vector:
+        """R x + t: where a point of the body is."""
+
+    def velocity(self, point: Vector) -> Vector:
+        """v + ω × x of a point of the body."""
+
+    def apart(self, point: Vector, other: "BodyState", other_point: Vector) -> Vector:
+        """From a point of this body to one of another, in the world's frame."""
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Contact by Hertz's law, k δ^1.5: steps are split while it is closed or closes."""
+
+    k: Number
+    depth: Number  # δ, zero where it is open
+
+
+@dataclass(frozen=True)
+class Torque:
+    """What acts on a joint: force or torque; -∂/∂v and -∂/∂q of it, or bounds of these, all at
+    least 0, for implicit steps; its potential energy, where it has one; the power of what has none
+    (left out: all of the torque's power if there is no energy, else none).
+
+    A bound may be larger than the slope where the torque saturates: |torque| / |v| keeps a step
+    from leaping across the point where the torque changes sign, a vanishing slope would not."""
+
+    torque: Number
+    damping: Number | None = None
+    stiffness: Number | None = None
+    energy: Number | None = None
+    power: Number | None = None
+    contact: Contact | None = None
+
+
+@dataclass(frozen=True)
+class Force:
+    """What acts on a body: a force at a point of it, and a moment, in the body's frame; energy and
+    power as of Torque.
+
+    `damping` is a bound of -∂force/∂(the point's velocity), in N s/m: implicit steps take it in as
+    a point mass h · damping there."""
+
+    point: Vector
+    force: Vector
+    moment: Vector | None = None
+    energy: Number | None = None
+    power: Number | None = None
+    damping: Number | None = None
+
+
+@dataclass(frozen=True)
+class Line:
+    """How the pull between two points grows along the line from the first to the second, for
+    implicit steps: with the rate l' at which they part, and with their distance l."""
+
+    direction: Vector  # of length 1, in the world's frame
+    rate: Number  # l'
+    damping: Number  # ∂pull/∂l', at least 0
+    stiffness: Number  # ∂pull/∂l, at least 0
+
+
+@dataclass(frozen=True)
+class Effect:
+    """One entry of the catalogue."""
+
+    name: str
+    words: str  # one line
+    equation: str
+    place: Place
+    parameters: tuple[ParameterOf, ...]
+    any_of: tuple[str, ...] = ()  # one of these parameters, at least, must have a value
+    ascending: tuple[str, str] | None = None  # the ends of the range it keeps a
+    # joint in, of which the first is not above the second
+    gravity: Callable[[Values], Vector] | None = None  # in the world's frame
+    joint_torque: Callable[[JointState, Values], Torque] | None = None
+    joint_inertia: Callable[[Values], Number] | None = None
+    body_force: Callable[[BodyState, Values], Force] | None = None
+    pair_force: Callable[[BodyState, BodyState, Values],
+                         tuple[Force, Force, Line | None]] | None = None
+    reaction: bool = False  # asks for the joint's reaction function
+    mimic: bool = False  # lets followers follow

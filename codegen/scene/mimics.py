@@ -1,0 +1,38 @@
+"""Joints that follow others."""
+
+from dataclasses import replace
+
+from coscrew_codegen.scene.assembly import ModelError
+from coscrew_codegen.scene.model import Joint, Kind, Mimic, Model
+from coscrew_codegen.scene.names import did_you_mean
+
+
+def without_chains(model: Model) -> Model:
+    """The model, where joints that follow a follower follow its leader.
+
+    q2 = α2 q1 + β2, q1 = α1 q0 + β1: q2 = α1 α2 q0 + α2 β1 + β2.  Raises ModelError for leaders
+    that do not exist or are no joints with one coordinate, and for followers in a circle."""
+    by_name = {joint.name: joint for joint in model.joints}
+    return replace(model, joints=tuple(
+        replace(joint, mimic=_resolved(joint, by_name)) if joint.mimic else joint
+        for joint in model.joints))
+
+
+def _resolved(follower: Joint, by_name: dict[str, Joint]) -> Mimic:
+    element, mimic = f"joint {follower.name!r}", follower.mimic
+    passed = {follower.name}
+    while True:
+        leader = by_name.get(mimic.joint)
+        if leader is None:
+            raise ModelError(element, f"mimics {mimic.joint!r}, which is no joint; "
+                             f"{did_you_mean(mimic.joint, by_name)}")
+        if leader.kind not in (Kind.REVOLUTE, Kind.PRISMATIC):
+            raise ModelError(element, f"mimics {leader.name!r}, which is {leader.kind.value}; "
+                             "wanted a revolute or prismatic joint")
+        if leader.name in passed:
+            raise ModelError(element, f"mimics itself, through {leader.name!r}")
+        if leader.mimic is None:
+            return mimic
+        passed.add(leader.name)
+        mimic = Mimic(leader.mimic.joint, mimic.multiplier * leader.mimic.multiplier,
+                      mimic.multiplier * leader.mimic.offset + mimic.offset)

@@ -1,0 +1,164 @@
+"""Whether a model is physically possible: inertias of bodies, and masses for joints to move.
+
+A scene that says `implausible = "warn"` has impossible bodies let through, each named.
+
+All in exact fractions; parameters count with their values.
+"""
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+from coscrew_codegen.scene.assembly import ModelError
+from coscrew_codegen.scene.model import Joint, Kind, Model, Scalar, value
+from coscrew_codegen.scene.rotations import rotated
+from coscrew_codegen.scene.tree import Seat, tree_of
+
+SLACK = Fraction(1, 10**6)
+"""By how much of xx + yy + zz the inequalities may fail: files round moments to six digits, and
+thin plates, for which xx + yy = zz, are then as often beyond as within."""
+
+FINEST = Fraction(1, 10**6)
+"""Radius of gyration in m below which moments are residues, as those of point masses in files that
+programs write: -5.4e-20 kg m²."""
+
+_Six = tuple[Fraction, ...]
+
+
+ERROR, WARN = "error", "warn"
+"""What a scene's `implausible` may be."""
+
+
+def judged(model: Model, implausible: str) -> Model:
+    """The model; if `implausible` is WARN, with a line on each body that cannot exist.
+
+    Raises ModelError for the first such body if it is ERROR, and for a negative mass always.
+
+    Bodies that fixed joints make one are judged together, since only their sum moves: files give
+    frames and sensors moments that are not even definite, and these disappear in it.  Point masses,
+    rods and plates are allowed: moments that are zero, or of which two sum to the third."""
+    for body in model.bodies:
+        if body.inertia and value(body.inertia.mass) < 0:
+            raise ModelError(f"body {body.name!r}",
+                             f"mass {_shown(value(body.inertia.mass))} kg; wanted a positive mass")
+    faults = tuple(_faults(model))
+    if faults and implausible == ERROR:
+        raise ModelError(faults[0].element, f'{faults[0].problem}; implausible = "{WARN}" lets it '
+                                            "through")
+    return replace(model, implausible=(*model.implausible, *map(str, faults)))
+
+
+def _faults(model: Model) -> Iterator[ModelError]:
+    """What is wrong with each body that cannot exist, also with one that the world holds."""
+    tree = tree_of(model, False)
+    for seats in (tree.ground, *(link.seats for link in tree.links)):
+        heavy = [seat.body.name for seat in seats if seat.body.inertia]
+        if not heavy:
+            continue
+        mass, first, moments = _composite(seats)
+        problem = "its mass is zero, its moments are not" if not mass else _wrong(
+            mass, tuple(a - b / mass for a, b in zip(moments, _steiner(first), strict=True)))
+        if problem and (mass or any(moments)):
+            joined = f" (with what is fixed to it: {', '.join(heavy)})" if len(heavy) > 1 else ""
+            yield ModelError(f"body {heavy[0]!r}", f"{problem}{joined}")
+
+
+def _wrong(mass: Fraction, moments: _Six) -> str | None:
+    """What no rigid body has, of these moments about its centre of mass."""
+    xx, yy, zz, xy, xz, yz = moments
+    slack = SLACK * abs(xx + yy + zz) + mass * FINEST**2
+    if not _positive((xx + slack, yy + slack, zz + slack, xy, xz, yz)):
+        return f"{_in_words(moments)}: not positive definite"
+    half = (xx + yy + zz) / 2 + slack
+    if not _positive((half - xx, half - yy, half - zz, -xy, -xz, -yz)):
+        return (f"{_in_words(moments)}: the largest principal moment is above the sum of the other "
+                "two, as for no distribution of mass")
+    return None
+
+
+def unmoved_mass(model: Model, carried: Collection[str]) -> tuple[Joint, str] | None:
+    """The first joint whose forces would move nothing, with the reason; None if there is none.
+
+    Its forward dynamics would divide by zero.  `carried` are names of joints that have an inertia
+    of their own (an armature), follow others or are followed."""
+    links = tree_of(model, False).links
+    inner = {link.parent for link in links}
+    massive = set()
+    for number, link in reversed(tuple(enumerate(links))):
+        if number in massive or any(seat.body.inertia for seat in link.seats):
+            massive |= {number, link.parent}
+    for number, link in enumerate(links):
+        if link.joint.name in carried:
+            continue
+        if number not in massive:
+            return link.joint, "neither what it moves nor what moves on that has a mass"
+        if number not in inner and not _resists(link.joint, *_composite(link.seats)):
+            return link.joint, "what it moves has no inertia against its motion"
+    return None
+
+
+def _values(numbers: tuple[Scalar, ...]) -> tuple[Fraction, ...]:
+    return tuple(value(x) for x in numbers)
+
+
+def _composite(seats: Sequence[Seat]) -> tuple[Fraction, tuple[Fraction, ...], _Six]:
+    """Mass, first moments and second moments of bodies that are one, about their link's origin."""
+    mass, first, moments = Fraction(0), (Fraction(0),) * 3, (Fraction(0),) * 6
+    for seat in seats:
+        if inertia := seat.body.inertia:
+            m, R, com = value(inertia.mass), seat.placement.R, _values(inertia.com)
+            at = tuple(sum((R[3 * i + k] * com[k] for k in range(3)), value(seat.placement.t[i]))
+                       for i in range(3))
+            own = rotated(R, _values(inertia.moments))
+            mass += m
+            first = tuple(a + m * b for a, b in zip(first, at, strict=True))
+            moments = tuple(a + b + m * c
+                            for a, b, c in zip(moments, own, _steiner(at), strict=True))
+    return mass, first, moments
+
+
+def _steiner(at: tuple[Fraction, ...]) -> _Six:
+    """-c~²: the second moments of a unit mass at c about the origin."""
+    x, y, z = at
+    return (y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z)
+
+
+def _resists(joint: Joint, mass: Fraction, first: tuple[Fraction, ...], moments: _Six) -> bool:
+    """Whether a joint's motion is resisted by what it alone moves."""
+    xx, yy, zz, xy, xz, yz = moments
+    if joint.kind is Kind.REVOLUTE:
+        a, b, c = joint.axis
+        about = xx*a*a + yy*b*b + zz*c*c + 2 * (xy*a*b + xz*a*c + yz*b*c)
+        return about > 0
+    if joint.kind is Kind.SPHERICAL:
+        return _definite(moments)
+    if joint.kind is Kind.PRISMATIC or not mass:
+        return mass > 0
+    return _definite(tuple(a - b / mass for a, b in zip(moments, _steiner(first), strict=True)))
+
+
+def _definite(moments: _Six) -> bool:
+    return min(_minors(moments)) > 0
+
+
+def _minors(moments: _Six) -> tuple[Fraction, ...]:
+    """All principal minors of a symmetric matrix."""
+    xx, yy, zz, xy, xz, yz = moments
+    yz_minor = yy * zz - yz * yz
+    return (xx, yy, zz, xx * yy - xy * xy, xx * zz - xz * xz, yz_minor,
+            xx * yz_minor - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz))
+
+
+def _positive(moments: _Six) -> bool:
+    """Whether a symmetric matrix is positive semidefinite: no principal minor is negative."""
+    return min(_minors(moments)) >= 0
+
+
+def _in_words(moments: _Six) -> str:
+    names = ("xx", "yy", "zz", "xy", "xz", "yz")
+    return "moments " + ", ".join(f"{name} {_shown(x)}" for name, x in zip(names, moments,
+                                                                          strict=True)) + " kg m²"
+
+
+def _shown(x: Fraction) -> str:
+    return f"{float(x):.6g}"

@@ -1,0 +1,173 @@
+"""Quantities of a simulation, as `record` and `expect` name them.
+
+    q, v, a                   of all joints;  q.JOINT of one,  q.JOINT.2 one component
+    energy                    kinetic, potential, total, in J;  energy.kinetic one of them
+    momentum, momentum.2      linear and angular, about the world's origin
+    power                     what effects without potential energy feed in, in W
+    pose.BODY                 its 12 numbers [R | t], row by row;  pose.BODY.3 one of them
+    position.BODY             its origin in the world;  position.BODY.x is position.BODY.0
+    twist.BODY                velocity and angular velocity in its own frame
+    reaction.JOINT            force and moment it transmits, in its child's frame
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from coscrew_codegen.scene.model import Joint, Kind
+from coscrew_codegen.scene.names import did_you_mean, or_mean
+from coscrew_codegen.scene.scene import Scene
+
+ENERGIES = ("kinetic", "potential", "total")
+XYZ = ("x", "y", "z")
+"""Other names of the components 0, 1 and 2 of what is a vector of three."""
+
+_UNITS = {"q": {"revolute": ("rad",), "prismatic": ("m",), "spherical": ("1",) * 4,
+                "free": ("m",) * 3 + ("1",) * 4},
+          "v": {"revolute": ("rad/s",), "prismatic": ("m/s",), "spherical": ("rad/s",) * 3,
+                "free": ("m/s",) * 3 + ("rad/s",) * 3},
+          "a": {"revolute": ("rad/s^2",), "prismatic": ("m/s^2",), "spherical": ("rad/s^2",) * 3,
+                "free": ("m/s^2",) * 3 + ("rad/s^2",) * 3}}
+_OF_BODY = {"pose": (("1",) * 3 + ("m",)) * 3, "position": ("m",) * 3,
+            "twist": ("m/s",) * 3 + ("rad/s",) * 3}
+_OF_JOINT = {"reaction": ("N",) * 3 + ("N m",) * 3}
+_OF_SCENE = {"energy": ("J",) * 3, "momentum": ("N s",) * 3 + ("N m s",) * 3, "power": ("W",)}
+QUANTITIES = (*_UNITS, *_OF_SCENE, *_OF_BODY, *_OF_JOINT)
+
+
+class QuantityError(ValueError):
+    """A text that names no quantity of the scene."""
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """A quantity, or components of it: columns of what a simulation writes."""
+
+    text: str  # as the scene names it
+    quantity: str  # one of QUANTITIES
+    target: str  # joint or body; "" for the whole scene
+    places: tuple[int, ...]  # in the whole q, v or a of the scene; else in the quantity itself
+    names: tuple[str, ...]  # of the columns: "q.elbow", "pose.hand.3", "energy.kinetic"
+    units: tuple[str, ...]  # of the columns
+
+
+def recorded(text: str, scene: Scene) -> Recorded:
+    """What a text such as "q.elbow" names; raises QuantityError with the nearest name."""
+    quantity, _, rest = text.partition(".")
+    if quantity in _UNITS:
+        return _of_joints(text, quantity, rest, scene)
+    if quantity in _OF_SCENE:
+        units = _OF_SCENE[quantity]
+        words = ENERGIES if quantity == "energy" else ()
+        picked = _picked(text, rest, len(units), words)
+        return _columns(text, quantity, "", picked, units, words)
+    if quantity in _OF_BODY:
+        names = tuple(body.name for body in scene.model.bodies)
+        return _of_target(text, quantity, rest, "body", names, _OF_BODY[quantity])
+    if quantity in _OF_JOINT:
+        names = tuple(j.name for j in scene.model.joints if j.kind is not Kind.FIXED)
+        return _of_target(text, quantity, rest, "joint", names, _OF_JOINT[quantity])
+    raise QuantityError(f"{text!r} is no quantity; wanted one of {', '.join(QUANTITIES)}"
+                        f"{or_mean(quantity, QUANTITIES)}")
+
+
+def expected(text: str, scene: Scene) -> Recorded:
+    """The one component that an expectation is about; "energy" is the total."""
+    found = recorded("energy.total" if text == "energy" else text, scene)
+    if len(found.places) != 1:
+        last = found.names[-1]
+        raise QuantityError(f"{text!r} has {len(found.places)} components; wanted one, as {last!r}")
+    return found
+
+
+def coordinates(scene: Scene) -> tuple[tuple[Joint, range, range], ...]:
+    """Joints with coordinates of their own, and their places in q and v: neither fixed ones, nor
+    those that follow others."""
+    found, q, v = [], 0, 0
+    follow = followers(scene)
+    for joint in scene.model.joints:
+        if joint.kind is not Kind.FIXED and joint.name not in follow:
+            nq, nv = joint.kind.nq, joint.kind.nv
+            found.append((joint, range(q, q + nq), range(v, v + nv)))
+            q, v = q + nq, v + nv
+    return tuple(found)
+
+
+def followers(scene: Scene) -> Mapping[str, Joint]:
+    """The joints that follow others, by name: where a mimic effect lets them, all."""
+    if not any(applied.effect.mimic for applied in scene.effects):
+        return {}
+    return {joint.name: joint for joint in scene.model.joints if joint.mimic}
+
+
+def carried(scene: Scene) -> set[str]:
+    """The joints that have an inertia of their own (an armature), follow others or are followed."""
+    follow = followers(scene)
+    return ({applied.on for applied in scene.effects if applied.effect.joint_inertia}
+            | {*follow, *(joint.mimic.joint for joint in follow.values())})
+
+
+def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
+    """Components of q, v or a: of all joints, of one, or one of its."""
+    joints = coordinates(scene)
+    follow = followers(scene)
+    names = (*(joint.name for joint, _, _ in joints), *follow)
+    target, index = ("", "") if text == quantity else _target(text, rest, "joint", names)
+    if target in follow:
+        raise QuantityError(f"{text!r}: joint {target!r} follows another; it has no coordinates")
+    places, columns, units = [], [], []
+    for joint, q, v in joints:
+        if target in ("", joint.name):
+            all_units = _UNITS[quantity][joint.kind.value]
+            picked = _picked(text, index, len(all_units), ())
+            places += [(q if quantity == "q" else v)[i] for i in picked]
+            units += [all_units[i] for i in picked]
+            single = len(all_units) == 1
+            columns += [f"{quantity}.{joint.name}" + ("" if single else f".{i}") for i in picked]
+    return Recorded(text, quantity, target, tuple(places), tuple(columns), tuple(units))
+
+
+def _of_target(text: str, quantity: str, rest: str, what: str, names: tuple[str, ...],
+               units: tuple[str, ...]) -> Recorded:
+    target, index = _target(text, rest, what, names)
+    return _columns(text, quantity, target, _picked(text, index, len(units), ()), units, ())
+
+
+def _columns(text: str, quantity: str, target: str, picked: tuple[int, ...], units: tuple[str, ...],
+             words: tuple[str, ...]) -> Recorded:
+    stem = f"{quantity}.{target}" if target else quantity
+    names = tuple(stem if len(units) == 1 else f"{stem}.{words[i] if words else i}" for i in picked)
+    return Recorded(text, quantity, target, picked, names, tuple(units[i] for i in picked))
+
+
+def _target(text: str, rest: str, what: str, names: tuple[str, ...]) -> tuple[str, str]:
+    """Name and component: names may hold dots themselves."""
+    if rest in names:
+        return rest, ""
+    name, _, index = rest.rpartition(".")
+    if name in names:
+        return name, index
+    near = did_you_mean(name if index.isdecimal() or index in XYZ else rest, names)
+    if not rest:
+        raise QuantityError(f"{text!r} lacks its {what}; wanted {text.rstrip('.')}.{what.upper()}; "
+                            f"{near}")
+    raise QuantityError(f"{text!r}: no {what} {rest!r} that has it; {near}")
+
+
+def _picked(text: str, index: str, count: int, words: tuple[str, ...]) -> tuple[int, ...]:
+    if not index and not text.endswith("."):
+        return tuple(range(count))
+    if index in words:
+        return (words.index(index),)
+    if count == 3 and not words and index in XYZ:
+        return (XYZ.index(index),)
+    if len(index) < 4 and index.isascii() and index.isdecimal() and int(index) < count:
+        return (int(index),)
+    wanted = f"one of {', '.join(words)}" if words else _numbered(count)
+    raise QuantityError(f"{text!r}: no component {index!r}; wanted {wanted}")
+
+
+def _numbered(count: int) -> str:
+    """The components there are, by number."""
+    if count == 1:
+        return "none"
+    return f"0 to {count - 1}" + (f", or {', '.join(XYZ)}" if count == 3 else "")

@@ -1,0 +1,125 @@
+"""Tree: a model as algorithms walk it, fixed joints merged away, coordinates numbered.
+
+Links are numbered so that parents come first; link -1 is the world.
+"""
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from coscrew_codegen.scene.model import HERE, WORLD, Body, Joint, Kind, Model, Placement
+from coscrew_codegen.scene_functions import Coordinate
+
+
+@dataclass(frozen=True)
+class Driver:
+    """Where a link's coordinate comes from: multiplier · q[own of `link`] + offset."""
+
+    link: int
+    multiplier: Fraction = Fraction(1)
+    offset: Fraction = Fraction(0)
+
+
+@dataclass(frozen=True)
+class Seat:
+    """A body as part of a link: its frame in the link's."""
+
+    body: Body
+    placement: Placement
+
+
+@dataclass(frozen=True)
+class Link:
+    """What moves as one behind a joint that is not fixed."""
+
+    joint: Joint
+    parent: int
+    placement: Placement  # of the joint's frame in the parent link's
+    seats: tuple[Seat, ...]
+    q: range
+    v: range
+    driver: Driver | None  # None for the world's seats and for links with coordinates of their own
+
+    @property
+    def name(self) -> str:
+        """The name of the body behind the joint."""
+        return self.joint.child
+
+
+@dataclass(frozen=True)
+class Tree:
+    """The links, what is fixed to the world, and how many coordinates there are."""
+
+    links: tuple[Link, ...]
+    ground: tuple[Seat, ...]
+    nq: int
+    nv: int
+
+    @property
+    def coordinates(self) -> tuple[Coordinate, ...]:
+        """The joints with coordinates of their own, in order."""
+        return tuple(Coordinate(link.joint.name, link.joint.kind.value, link.q, link.v)
+                     for link in self.links if link.driver is None)
+
+    @property
+    def follows(self) -> bool:
+        """Whether any joint follows another."""
+        return any(link.driver for link in self.links)
+
+    def link_of(self, joint: str) -> Link:
+        """The link behind the joint of this name."""
+        return next(link for link in self.links if link.joint.name == joint)
+
+    def seat_of(self, body: str) -> tuple[int, Placement]:
+        """The link a body belongs to (-1: the world, a body here as well), and its frame in it."""
+        if body == WORLD:
+            return -1, HERE
+        for number, seats in [(-1, self.ground), *((i, x.seats) for i, x in enumerate(self.links))]:
+            for seat in seats:
+                if seat.body.name == body:
+                    return number, seat.placement
+        raise KeyError(body)
+
+
+def composed(outer: Placement, inner: Placement) -> Placement:
+    """The frame `inner` of the frame `outer`: D1 D2, exactly."""
+    R, t = outer.R, outer.t
+    rows = range(3)
+    return Placement(
+        tuple(sum(R[3 * i + k] * inner.R[3 * k + j] for k in rows) for i in rows for j in rows),
+        tuple(sum(R[3 * i + k] * inner.t[k] for k in rows) + t[i] for i in rows))
+
+
+def tree_of(model: Model, mimics: bool) -> Tree:
+    """The model's tree; with `mimics`, joints that mimic others have no coordinates.  (No leader of
+    a model that was read follows another joint.)"""
+    bodies = {body.name: body for body in model.bodies}
+    where: dict[str, tuple[int, Placement]] = {WORLD: (-1, HERE)}
+    seats: dict[int, list[Seat]] = {-1: []}
+    moving: list[tuple[Joint, int, Placement]] = []
+    for joint in model.joints:
+        parent, placement = where[joint.parent]
+        placement = composed(placement, joint.placement)
+        if joint.kind is Kind.FIXED:
+            where[joint.child] = parent, placement
+        else:
+            moving.append((joint, parent, placement))
+            where[joint.child] = len(moving) - 1, HERE
+        number, seat = where[joint.child]
+        seats.setdefault(number, []).append(Seat(bodies[joint.child], seat))
+    return _numbered(moving, seats, mimics)
+
+
+def _numbered(moving: list[tuple[Joint, int, Placement]], seats: dict[int, list[Seat]],
+              mimics: bool) -> Tree:
+    names = {joint.name: number for number, (joint, _, _) in enumerate(moving)}
+    links: list[Link] = []
+    nq = nv = 0
+    for number, (joint, parent, placement) in enumerate(moving):
+        driver, wide_q, wide_v = None, joint.kind.nq, joint.kind.nv
+        if mimics and joint.mimic:
+            driver = Driver(names[joint.mimic.joint], joint.mimic.multiplier, joint.mimic.offset)
+            wide_q = wide_v = 0
+        links.append(Link(joint, parent, placement, tuple(seats[number]), range(nq, nq + wide_q),
+                          range(nv, nv + wide_v), driver))
+        nq, nv = nq + wide_q, nv + wide_v
+    return Tree(tuple(links), tuple(seats[-1]), nq, nv)
