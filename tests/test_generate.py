@@ -169,7 +169,8 @@ def test_imports_run_one_way():
              "kernel", "passes", "program", "formats", "scene_functions", "schedule", "programs",
              "recording", "tiers", "render", "native", "targets", "special", "exact", "selection",
              "extension", "layout", "documentation", "emit", "report", "scene", "mechanics",
-             "effects", "scene_files", "scene_layout", "simulate", "cost", "command_line", "console", "extras", "__main__"]
+             "effects", "scene_files", "scene_layout", "simulate", "cost", "command_line",
+             "console", "extras", "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
 
