@@ -102,7 +102,7 @@ def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str
 
 def _functions(scene: SceneFunctions, precision: Precision) -> list[CText]:
     """All functions that are emitted, in the order in which they call each other."""
-    functions = [_Writer(scene, f, precision).text() for f in scene_text.used_functions(scene)]
+    functions = [_Writer(scene, f, precision).text() for f in scene.functions]
     return functions + [_step(scene, name, precision) for name in scene.steps]
 
 
