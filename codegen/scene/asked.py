@@ -59,13 +59,14 @@ def names(scene: Scene) -> tuple[str, ...]:
 
 def by_default(scene: Scene) -> tuple[str, ...]:
     """What a scene has if it asks for nothing: its dynamics; reactions where effects or records ask
-    for them; the step of its integrator (of SciPy's: the default one's) and what that calls."""
+    for them; momenta of what floats free, contacts; the step of its integrator (of SciPy's: the
+    default one's)."""
     integrator = named(scene.run.integrator)
     if not integrator.step_name:
         integrator = named(DEFAULT_INTEGRATOR)
     recorded = {x.on for x in scene.effects if x.effect.reaction}
     asked = {*DYNAMICS, *(name for name, joint in reactions(scene).items() if joint in recorded),
-             MOVED, *integrator.needs, integrator.step_name}
+             MOVED, *FREE, *CONTACTS, integrator.step_name}
     return tuple(name for name in names(scene) if name in asked)
 
 

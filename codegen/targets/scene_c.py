@@ -212,7 +212,7 @@ def _step(scene: SceneFunctions, name: str, precision: Precision) -> CText:
         timed=scene_text.takes(accelerated, "t"), pushed=scene_text.takes(accelerated, "tau"),
         unused=[x for x in inputs if x in ("t", "p") and not scene_text.takes(accelerated, x)],
         accelerate=partial(call, accelerated),
-        integrate=partial(call, function_named(scene, INTEGRATED)),
+        integrate=lambda **values: call(function_named(scene, INTEGRATED), **values),
         rate=partial(_rate, scene, precision),
         **scene_text.step_calls(scene, call)).rstrip("\n")
     return CText(f"step_{name}", comment_of([f"{step.equation}.  In place."]),

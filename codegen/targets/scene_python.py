@@ -122,7 +122,8 @@ def _step(scene: SceneFunctions, name: str, precision: Precision) -> dict[str, s
     body = render(
         f"scene/{step.template}.py", timed=scene_text.takes(accelerated, "t"),
         pushed=scene_text.takes(accelerated, "tau"), accelerate=partial(_call, accelerated),
-        integrate=partial(_call, function_named(scene, INTEGRATED)), rate=partial(_rate, scene),
+        integrate=lambda **values: _call(function_named(scene, INTEGRATED), **values),
+        rate=partial(_rate, scene),
         **scene_text.step_calls(scene, _call))
     lines = [_unpacking("arrays", [(x, str(shapes[x])) for x in inputs], precision),
              "q, v = spread(lead, q, v)", *body.rstrip("\n").split("\n")]
