@@ -1,9 +1,10 @@
 """Statements and equations of the tables, plain text, as Markdown with formulas in LaTeX.
 
-    "R = exp v~, θ = |v|; singular at 2π"  →  "$R = \\exp \\tilde{v},\\; \\theta = |v|$; singular at …"
+    "R = exp v~, θ = |v|; singular at 2π"
+    "$R = \\exp\\tilde{v},\\;\\theta = |v|$; singular at $2\\pi$"
 
-What is a formula is found word by word: names of arguments, single letters, functions, numbers and the
-signs between them; the rest is prose.
+What is a formula is found word by word: names of arguments, single letters, functions, numbers and
+the signs between them; the rest is prose.
 """
 
 import re

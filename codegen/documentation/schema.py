@@ -1,7 +1,7 @@
 """The JSON Schema of scene files, for editors, from the tables the reader uses.
 
-Whatever the reader takes, the schema takes; it refuses unknown keys, wrong types and unknown words, and
-leaves to the reader what depends on the model or on other keys.
+Whatever the reader takes, the schema takes; it refuses unknown keys, wrong types and unknown words,
+and leaves to the reader what depends on the model or on other keys.
 """
 
 import json
@@ -22,13 +22,14 @@ _NONNEGATIVE: Schema = {"$ref": "#/definitions/nonnegative"}
 
 def schema_text(banner: str) -> str:
     """The schema as a file holds it."""
-    document = {"$comment": "\n".join((banner, *LICENSE)), "$schema": "http://json-schema.org/draft-07/schema#",
-                "title": "coscrew scene", **_table(SCENE), "definitions": {
-                    "number": {"type": ["number", "string"]},  # a text is a constant formula
-                    "positive": _bounded("exclusiveMinimum"), "nonnegative": _bounded("minimum"),
-                    "vector": _array(3, _NUMBER),
-                    "texts": {"type": "array", "items": {"type": "string"}, "uniqueItems": True},
-                    **{effect.name: _one(effect) for effect in EFFECTS}}}
+    definitions = {"number": {"type": ["number", "string"]},  # a text is a constant formula
+                   "positive": _bounded("exclusiveMinimum"), "nonnegative": _bounded("minimum"),
+                   "vector": _array(3, _NUMBER),
+                   "texts": {"type": "array", "items": {"type": "string"}, "uniqueItems": True},
+                   **{effect.name: _one(effect) for effect in EFFECTS}}
+    document = {"$comment": "\n".join((banner, *LICENSE)),
+                "$schema": "http://json-schema.org/draft-07/schema#", "title": "coscrew scene",
+                **_table(SCENE), "definitions": definitions}
     return json.dumps(document, indent=1, ensure_ascii=False) + "\n"
 
 

@@ -93,8 +93,8 @@ JOINT = TableOf("joints.NAME", "A joint between two bodies.", (
 START = TableOf("start", "Where a run starts; zero, and no turn, where nothing is given.", (
     Key("q", "by joint: angle in rad or position in m; of a spherical joint a unit quaternion (x, "
         "y, z, w); of a free one position and quaternion", "coordinates"),
-    Key("v", "by joint: speed in rad/s or m/s; of a spherical joint the angular velocity, of a free "
-        "one linear and angular velocity, in the body's own frame", "coordinates")))
+    Key("v", "by joint: speed in rad/s or m/s; of a spherical joint the angular velocity, of a "
+        "free one linear and angular velocity, in the body's own frame", "coordinates")))
 
 OUTPUTS = TableOf("outputs", "What a run records.", (
     Key("record", 'quantities: "q", "v", "energy", "momentum", "position.BODY", "pose.BODY", '
