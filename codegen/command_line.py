@@ -8,11 +8,10 @@ from tqdm import tqdm
 
 from coscrew_codegen.cost import CostError
 from coscrew_codegen.cost import command as cost
-from coscrew_codegen.documentation import with_table
+from coscrew_codegen.documentation import reference_files
 from coscrew_codegen.emit import (
     EmitError,
     differences,
-    read,
     refuse_others,
     stale_files,
     write,
@@ -88,13 +87,8 @@ def _generate(options: argparse.Namespace) -> int:
     programs = _programs(selection)
     files = generated_files(selection, programs)
     whole = selection == Selection()
+    files |= reference_files(programs, selection.banner) if whole else {}
     stale = stale_files(files, folder) if whole else ()
-    if whole and folder == Path(DEFAULT_OUTPUT) and (
-            readme := with_table(read(Path(), "README.md"), programs)):
-        files = {f"{DEFAULT_OUTPUT}/{path}": text for path, text in files.items()}
-        files["README.md"] = readme
-        stale = tuple(f"{DEFAULT_OUTPUT}/{path}" for path in stale)
-        return _deliver(selection.command, files, Path(), stale, check, DEFAULT_OUTPUT)
     option = "" if folder == Path(DEFAULT_OUTPUT) else f" --output {folder}"
     return _deliver(selection.command + option, files, folder, stale, check, str(folder))
 

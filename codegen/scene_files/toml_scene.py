@@ -22,18 +22,13 @@ from coscrew_codegen.scene.scene import Expectation, Run, Scene
 from coscrew_codegen.scene_files.effect_table import Use
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.identifiers import identifier, refused
+from coscrew_codegen.scene_files.keys import BASES, EXPECT, OUTPUTS, PRECISIONS, RUN, SCENE, START
 from coscrew_codegen.scene_files.runtime import with_parameters
 from coscrew_codegen.scene_files.tables import Table, described, read_toml
 from coscrew_codegen.scene_files.toml_effects import read_effects, with_reactions
 from coscrew_codegen.scene_files.toml_model import read_model, refuse_not_unit
 from coscrew_codegen.scene_files.unused import unused
 from coscrew_codegen.scene_files.urdf import read_urdf
-
-PRECISIONS = ("double", "single", "both")
-BASES = {"fixed": Kind.FIXED, "free": Kind.FREE}
-
-_KEYS = ("model", "base", "name", "precision", "implausible", "functions", "runtime", "effects",
-         "start", "outputs", "run", "expect", "bodies", "joints")
 
 
 @dataclass(frozen=True)
@@ -89,7 +84,7 @@ def _said(beside: str | None, file: Table, key: str, choices: tuple[str, ...]) -
 
 
 def _scene(file: Table, catalogue: tuple[Effect, ...], said: Said) -> Scene:
-    file.only(*_KEYS)
+    file.only(*SCENE.names)
     name = _name(file)
     implausible = _said(said.implausible, file, "implausible", (ERROR, WARN)) or ERROR
     precision = _said(said.precision, file, "precision", PRECISIONS)
@@ -102,8 +97,8 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], said: Said) -> Scene:
                   unused=unused(model, use.of_model, catalogue, effects))
     _refuse_unmoved(file.file, model, scene)
     start, outputs = file.table("start"), file.table("outputs")
-    start.only("q", "v")
-    outputs.only("record", "every")
+    start.only(*START.names)
+    outputs.only(*OUTPUTS.names)
     scene = replace(scene, start_q=_start_q(start.table("q"), scene),
                     start_v=_start_v(start.table("v"), scene), record=_record(outputs, scene),
                     every=float(outputs.positive("every", Fraction(1, 100))),
@@ -221,7 +216,7 @@ def _record(outputs: Table, scene: Scene) -> tuple[str, ...]:
 
 
 def _run(table: Table) -> Run:
-    table.only("duration", "integrator", "step", "rtol", "atol")
+    table.only(*RUN.names)
     run = Run()
     duration, step, rtol, atol = (
         float(table.positive(key, Fraction(getattr(run, key))))
@@ -256,7 +251,7 @@ def _quotes(quantity: str, value: object) -> str:
 
 
 def _expectation(table: Table, quantity: str, duration: float) -> Expectation:
-    table.only("at", "value", "rtol", "atol")
+    table.only(*EXPECT.names)
     at = float(table.nonnegative("at", None) if "at" in table else table.number("at"))
     if at > duration:
         table.refuse("at", f"{at:g} s is after the end of the run, {duration:g} s")
