@@ -16,7 +16,7 @@ from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function
 from coscrew_codegen.scene_layout import banner_of, c_files
 from coscrew_codegen.simulate.native import Compiler, library
-from coscrew_codegen.targets.scene_c import c_name
+from coscrew_codegen.targets.scene_text import c_name
 from coscrew_codegen.targets.scene_text import outputs, size, step_inputs
 
 ELEMENTS = 64  # states a loop goes through: they stay in the first-level cache
@@ -76,7 +76,7 @@ def compiled(part: Part, functions: Sequence[Function], compiler: Compiler) -> C
     files = {**c_files(part.functions, banner_of(name)), "loops.c": text(part, functions),
              "driver.c": driver()}
     units = {"scene": (f"{name}.c",), "loops": ("loops.c",), "driver": ("driver.c",)}
-    return Compiled(part, library(units, files, compiler))
+    return Compiled(part, library(units, files, compiler).opened)
 
 
 def text(part: Part, functions: Sequence[Function]) -> str:

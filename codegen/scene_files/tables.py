@@ -7,7 +7,6 @@ from fractions import Fraction
 from pathlib import Path
 from typing import NoReturn
 
-from coscrew_codegen.scene.constants import constant
 from coscrew_codegen.scene.names import did_you_mean, or_mean
 from coscrew_codegen.scene_files.decimals import LARGEST, bounded, decimal
 from coscrew_codegen.scene_files.errors import SceneError, shown
@@ -150,6 +149,7 @@ class Table:
             if isinstance(value, int) and not isinstance(value, bool):
                 return bounded(Fraction(value), "the number")
             if isinstance(value, str):
+                from coscrew_codegen.scene.constants import constant
                 return constant(value)
         except ValueError as error:
             self.refuse(key, str(error))

@@ -19,7 +19,7 @@ from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, listed, product
-from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, function_named, size
+from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, c_name, function_named, size
 
 
 @dataclass(frozen=True)
@@ -52,11 +52,6 @@ def texts(scene: SceneFunctions, banner: str) -> tuple[str, str]:
               "sections": sections}
     return (render("scene/scene.h", about=comment_of(_about(scene)), macros=macros, **shared),
             render("scene/scene.c", products=named(scene.precisions), **shared))
-
-
-def c_name(scene: SceneFunctions, name: str, precision: Precision) -> str:
-    """arm_forward_dynamics, arm_forward_dynamicsf."""
-    return f"{scene.name}_{name}{precision.suffix}"
 
 
 def _about(scene: SceneFunctions) -> list[str]:

@@ -14,7 +14,7 @@ from coscrew_codegen.formats import Precision
 from coscrew_codegen.integrators import STEPS
 from coscrew_codegen.program import Constant, counts_in_words
 from coscrew_codegen.quantity import Argument
-from coscrew_codegen.scene_functions import Function, SceneFunctions
+from coscrew_codegen.scene_functions import Function, SceneCalls, SceneFunctions
 
 _UNITS = {
     "revolute": "q in rad; v in rad/s",
@@ -46,6 +46,11 @@ CLOSING, PARTS = "closing_contacts", "parts"
 INTEGRATED = "integrated"
 
 
+def c_name(scene: SceneFunctions | SceneCalls, name: str, precision: Precision) -> str:
+    """arm_forward_dynamics, arm_forward_dynamicsf."""
+    return f"{scene.name}_{name}{precision.suffix}"
+
+
 def count(shape: tuple[int, ...]) -> int:
     """How many numbers an array of this shape has."""
     return prod(shape)
@@ -63,7 +68,7 @@ def outputs(function: Function) -> tuple[Argument, ...]:
                  for a in function.program.outputs)
 
 
-def step_inputs(scene: SceneFunctions) -> tuple[str, ...]:
+def step_inputs(scene: SceneFunctions | SceneCalls) -> tuple[str, ...]:
     """Names of what a step takes: t where forces depend on it, h, p where there are any, q, v."""
     return (*(["t"] if scene.timed else []), "h", *(["p"] if scene.parameters else []), "q", "v")
 

@@ -8,7 +8,7 @@ import pytest
 
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.targets import scene_calls
-from coscrew_codegen.targets.scene_c import c_name
+from coscrew_codegen.targets.scene_text import c_name
 from coscrew_codegen.targets.scene_text import count
 from tests.support.compiled.c_harness import C11, COMPILERS, DIALECTS, EXACT, STRICT, run
 from tests.support.compiled.flags import SANITIZERS, has_sanitizers

@@ -18,7 +18,7 @@ from coscrew_codegen.scene.model import HERE, Kind, Parameter
 from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.scene_layout import c_files
 from coscrew_codegen.targets import scene_calls
-from coscrew_codegen.targets.scene_c import c_name
+from coscrew_codegen.targets.scene_text import c_name
 from coscrew_codegen.targets.scene_text import count
 from tests.support.compiled import stand_ins
 from tests.support.compiled.bits_program import HEAD, ROWS, hashed, numbers, numbers_and_hashes
