@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterator, Sequence
 
 from coscrew_codegen.identifiers import identifiers
-from coscrew_codegen.integrators import STEPS
 from coscrew_codegen.mechanics import (
     composite,
     coordinates,
@@ -17,6 +16,7 @@ from coscrew_codegen.mechanics import (
 from coscrew_codegen.mechanics.acting import Acting
 from coscrew_codegen.mechanics.ranges import refuse_numbers, refuse_products, refuse_quotients
 from coscrew_codegen.mechanics.recorded import Recording
+from coscrew_codegen.mechanics.steps import stepped
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.recording.numbers import Number, row_by_row
 from coscrew_codegen.recording.recorder import Recorder, array, headings
@@ -76,10 +76,10 @@ class _Derivation:
     def functions(self) -> SceneFunctions:
         """What targets need."""
         scene, tree = self.scene, self.tree
-        return SceneFunctions(
+        return stepped(SceneFunctions(
             scene.name, tree.nq, tree.nv, tree.coordinates, tuple(self.bodies),
             tuple((p.name, float(p.value)) for p in scene.parameters), coordinates.neutral(tree),
-            tuple(self._all()), tuple(STEPS), scene.precisions)
+            tuple(self._all()), precisions=scene.precisions))
 
     def _all(self):
         yield from (self._inverse(), self._forward(), self._mass(), self._bias(), self._gravity(),
@@ -90,7 +90,7 @@ class _Derivation:
         joints = [link.joint.name for link in self.tree.links]
         yield from (self._reaction(joint, name) for joint, name in
                     zip(joints, identifiers(joints), strict=True) if joint in asked)
-        yield from (self._integrated(), self._implicit(), self._leapfrog())
+        yield from (self._integrated(), self._implicit(), self._kick())
         if any(c.kind in ("spherical", "free") for c in self.tree.coordinates):
             yield self._chart()
         if floating.floating(self.scene, self.tree):
@@ -168,16 +168,11 @@ class _Derivation:
             "forward_dynamics", "a with M(q) a + bias_torques(q, v) = tau", "q v tau",
             [self.inputs["a"]], compute, acted=True)
 
-    def _leapfrog(self) -> Function:
-        def compute(x: Recording):
-            q, v = leapfrog.step(x)
-            return [*([[x.recorder.argument("t")[0] + x.recorder.argument("h")[0]]]
-                      if self.timed else []), q, v]
-
+    def _kick(self) -> Function:
         return self._function(
-            "leapfrog", "t, q and v after drift, kick and drift", "h q v",
-            [self.inputs[x] for x in (*(["t"] if self.timed else []), "q", "v")], compute,
-            acted=True, internal=True)
+            "midpoint_acceleration", "a with M(q) a = -bias_torques(q, v + h/2 a) as the default "
+            "integrator solves it, in two passes, implicit in damping and stiffness of the effects",
+            "h q v", [self.inputs["a"]], lambda x: [leapfrog.kick(x)], acted=True, internal=True)
 
     def _kept(self) -> Iterator[Function]:
         count = len(floating.floating(self.scene, self.tree))

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coscrew_codegen.integrators import ADAPTIVE
+from coscrew_codegen.integrators import ADAPTIVE, named
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.system import System
@@ -36,7 +36,7 @@ class Plan:
     @property
     def adaptive(self) -> bool:
         """Whether SciPy integrates."""
-        return self.integrator in ADAPTIVE
+        return not named(self.integrator).emitted
 
     def steps(self, interval: float) -> tuple[int, float]:
         """How many steps are taken from a sample to the next, and how long each is: as few as are
@@ -78,7 +78,7 @@ def plan(system: System, until: float | None = None, step: float | None = None,
     made = Plan(run.duration if until is None else until, every,
                 run.integrator if integrator is None else integrator,
                 run.step if step is None else step, *tolerances(system), also)
-    known = (*(name.replace("_", "-") for name in system.functions.steps), *ADAPTIVE)
+    known = (*(step.integrator for step in system.functions.steps), *(x.name for x in ADAPTIVE))
     if made.integrator not in known:
         hint = did_you_mean(made.integrator, known)
         raise SimulateError(f"integrator: {made.integrator!r}; wanted one of {', '.join(known)}; "
