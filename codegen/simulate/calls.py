@@ -56,6 +56,7 @@ class Functions(Generic[Real]):
         body_poses: Function[Real]
         body_twists: Function[Real]
         integrated: Function[Real]
+        step_leapfrog: Step[Real]
         step_semi_implicit_euler: Step[Real]
         step_linear_implicit_euler: Step[Real]
         step_rk4: Step[Real]
