@@ -8,7 +8,7 @@ from tqdm import tqdm
 
 from coscrew_codegen.cost import CostError
 from coscrew_codegen.cost import command as cost
-from coscrew_codegen.documentation import reference_files
+from coscrew_codegen.documentation import reference_files, schema
 from coscrew_codegen.emit import (
     EmitError,
     differences,
@@ -68,7 +68,7 @@ def _parser() -> argparse.ArgumentParser:
                           help=f"{' or '.join(LANGUAGES)} (default: both, and the extension)")
     simulate.add_implausible(generate)
     generate.set_defaults(run=_generate)
-    for subcommand in (simulate, check_command, cost, catalogue, command):
+    for subcommand in (simulate, check_command, cost, catalogue, schema, command):
         subcommand.add_parser(commands)
     return parser
 
