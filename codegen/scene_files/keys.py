@@ -130,6 +130,8 @@ SCENE = TableOf("", "The file itself.", (
         "which else is an error", choices=PRECISIONS),
     Key("implausible", '"warn" lets through inertias that no body has, that are massless or '
         "incomplete, and names them", choices=(ERROR, WARN)),
+    Key("functions", "what is generated: names of functions; \"default\" and \"all\" stand for "
+        "several", "texts", default='["default"]'),
     Key("runtime", "what stays an argument of the functions: BODY.mass, BODY.com, BODY.inertia, "
         "EFFECT.WHERE.PARAMETER", "texts", default="[]"),
     Key("bodies", "the bodies, by name", "tables", table=BODY),

@@ -6,6 +6,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from coscrew_codegen.integrators import NAMES
+from coscrew_codegen.scene.asked import AskedError, resolved
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.model import Joint, Kind, Model
 from coscrew_codegen.scene.possible import ERROR, WARN, unmoved_mass
@@ -36,6 +37,7 @@ class Said:
 
     precision: str | None = None  # double, single, both
     implausible: str | None = None  # error, warn
+    functions: tuple[str, ...] | None = None  # names, "default", "all"
 
     def __post_init__(self) -> None:
         for key, choices in (("precision", PRECISIONS), ("implausible", (ERROR, WARN))):
@@ -56,9 +58,9 @@ def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
         implausible = said.implausible or ERROR
         model = read_urdf(path, implausible=implausible)
         _refuse_unmoved(path, model, Scene(path.stem, model))
-        return Scene(identifier(path.stem), model, unused=unused(model, set(), effects),
-                     implausible=implausible, precision=said.precision or "double",
-                     precisions=_emitted(said.precision))
+        return _asking(Scene(identifier(path.stem), model, unused=unused(model, set(), effects),
+                             implausible=implausible, precision=said.precision or "double",
+                             precisions=_emitted(said.precision)), said.functions or ())
     if suffix != ".toml":
         raise SceneError(path, "", f"suffix {shown(path.suffix)}; wanted a .toml or .urdf file")
     return _scene(read_toml(path), effects, said)
@@ -101,9 +103,28 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], said: Said) -> Scene:
                     start_v=_start_v(start.table("v"), scene), record=_record(outputs, scene),
                     every=float(outputs.positive("every", Fraction(1, 100))),
                     expectations=_expectations(file, scene))
+    functions = said.functions or _functions(file, scene)
     effects = with_reactions(scene, catalogue)
     model, effects, parameters = with_parameters(file, model, effects, catalogue)
-    return replace(scene, model=model, effects=effects, parameters=parameters)
+    return _asking(replace(scene, model=model, effects=effects, parameters=parameters), functions)
+
+
+def _functions(file: Table, scene: Scene) -> tuple[str, ...]:
+    """The functions that the file asks for; none: the default ones."""
+    names = file.texts("functions", ())
+    if "functions" in file and not names:
+        file.refuse("functions", 'an empty list; wanted names, as ["inverse_dynamics"], "default" '
+                                 'or "all" among them')
+    try:
+        return _asking(scene, names).functions
+    except AskedError as error:
+        file.refuse("functions", str(error))
+
+
+def _asking(scene: Scene, functions: tuple[str, ...]) -> Scene:
+    """The scene with these functions.  Raises AskedError for names that it has no function of."""
+    resolved(scene, functions)
+    return replace(scene, functions=functions)
 
 
 def _name(file: Table) -> str:
