@@ -26,6 +26,7 @@ name = "full"
 base = "fixed"
 precision = "both"
 implausible = "error"
+functions = ["default"]
 runtime = ["b.mass"]
 [bodies.a]
 mass = 1
