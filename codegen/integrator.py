@@ -106,9 +106,9 @@ class Integrator:
         return not isinstance(self.scheme, Adaptive)
 
     @property
-    def function(self) -> str:
-        """The name of its step's function."""
-        return f"step_{self.name.replace('-', '_')}"
+    def step_name(self) -> str:
+        """The step's function; "" of those that are not emitted."""
+        return f"step_{self.name.replace('-', '_')}" if self.emitted else ""
 
     @property
     def splits(self) -> bool:

@@ -22,7 +22,7 @@ class Function:
     The program's inputs are, of those it has, in this order: t, h (scalars), p (parameters), q, v,
     then a, tau, phi or others; its outputs follow in C and are returned in Python.  `headings` are
     (index of an instruction, words that stand above it): sections per body.  `internal` ones serve
-    the steps and are not declared in the header.
+    the steps alone and are not declared in the header.
     """
 
     name: str  # inverse_dynamics, jacobian_hand
@@ -93,11 +93,7 @@ class SceneFunctions:
     functions: tuple[Function, ...]
     steps: tuple[Step, ...] = ()  # of each integrator
     precisions: tuple[str, ...] = ("double", "single")  # those it is emitted in
-
-    @property
-    def timed(self) -> bool:
-        """Whether forward dynamics depends on time."""
-        return self.named("forward_dynamics").takes("t")
+    timed: bool = False  # whether what acts depends on time
 
     def named(self, name: str) -> Function:
         """The function of this name; a ValueError if there is none."""
@@ -109,9 +105,3 @@ class SceneFunctions:
     def has(self, name: str) -> bool:
         """Whether there is a function of this name."""
         return any(f.name == name for f in self.functions)
-
-    @property
-    def used(self) -> tuple[Function, ...]:
-        """The functions to emit: internal ones only if a step calls them."""
-        called = {call.function for step in self.steps for call in step.calls}
-        return tuple(f for f in self.functions if not f.internal or f.name in called)

@@ -16,18 +16,27 @@ from fractions import Fraction
 from math import lcm
 
 from coscrew_codegen.identifiers import identifiers
-from coscrew_codegen.integrator import Composition, Drift, Integrator, Tableau
+from coscrew_codegen.integrator import Composition, Drift, Integrator, Kick, Tableau
 from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.recording.numbers import Number
 from coscrew_codegen.recording.recorder import Recorder, array, headings
+from coscrew_codegen.scene.asked import CONTACTS, FREE, MOVED
 from coscrew_codegen.scene_functions import Call, Function, SceneFunctions, Split, Step
 
 ACCELERATION = "forward_dynamics"
-MOVED, RATE = "integrated", "chart_rate"
-MOMENTUM, CORRECTED = "free_momentum", "with_free_momentum"
-CLOSING, PARTS = "closing_contacts", "parts"
+RATE = "chart_rate"
+(MOMENTUM, CORRECTED), (CLOSING, PARTS) = FREE, CONTACTS
 CHART_ORDER = 4
 """The order to which `chart_rate` is true."""
+
+
+def needs(integrator: Integrator) -> tuple[str, ...]:
+    """The functions of a scene that a step may call, of those that the scene has."""
+    scheme = integrator.scheme
+    if isinstance(scheme, Tableau):
+        return ACCELERATION, MOVED, RATE
+    return (*(x.by for x in scheme.stages if isinstance(x, Kick)), MOVED,
+            *(CONTACTS if scheme.splits else ()), *(FREE if scheme.keeps_momentum else ()))
 
 
 def stepped(scene: SceneFunctions, integrators: Iterable[Integrator] = EMITTED) -> SceneFunctions:
@@ -102,7 +111,7 @@ class _Writer:
         scheme = self.integrator.scheme
         body = (self._runge_kutta(scheme) if isinstance(scheme, Tableau)
                 else self._composed(scheme))
-        return Step(self.integrator.name, self.integrator.function, self.integrator.equation,
+        return Step(self.integrator.name, self.integrator.step_name, self.integrator.equation,
                     tuple(body), self.zeros)
 
     def _call(self, name: str, *results: str, **given: str) -> None:

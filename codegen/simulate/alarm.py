@@ -106,7 +106,7 @@ class Alarm:
                 and its.call("closing_contacts", h=h, q=q, v=v) > 0:
             return None
         once = self._stepped(t, h, q, v)[1]
-        twice = its.stepper(named(DEFAULT).function)(2, t, h / 2, q, v)[1]
+        twice = its.stepper(named(DEFAULT).step_name)(2, t, h / 2, q, v)[1]
         apart = np.asarray(twice, float) - once
         now = float(its.energies(t, q, v)[0])
         off = self._size(q, apart, max(now, _SLOW * self.kinetic))
@@ -119,7 +119,7 @@ class Alarm:
             f"speeds; {self._remedy(off / allowed)}")
 
     def _stepped(self, t: float, h: float, q: np.ndarray, v: np.ndarray) -> State:
-        return self.system.stepper(self._integrator.function)(1, t, h, q, v)
+        return self.system.stepper(self._integrator.step_name)(1, t, h, q, v)
 
     def _size(self, q: np.ndarray, v: np.ndarray, kinetic: float) -> float:
         """√(T(v)/T) for T = kinetic."""

@@ -60,7 +60,7 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
           watch: Watch | None = None, alarm: Alarming | None = None) -> Sampled:
     """(q, v, steps so far, "") at each sample after the first, or where and why it stopped."""
     integrator = named(plan.integrator)
-    step, taken = system.stepper(integrator.function, watch), 0
+    step, taken = system.stepper(integrator.step_name, watch), 0
     if plan.finer > 1 and integrator.splits and system.has("parts"):
         step = _in_finer_parts(system, integrator, plan.finer)
     look = alarm(system, plan, (q, v)) if alarm else None
@@ -89,7 +89,7 @@ def _in_finer_parts(system: System, integrator: Integrator, finer: int
                     ) -> Callable[[int, float, float, np.ndarray, np.ndarray], State]:
     """An integrator that splits steps, with as many parts of a step as one has that is `finer`
     times as long."""
-    step = system.stepper(integrator.function)
+    step = system.stepper(integrator.step_name)
 
     def steps(n: int, t: float, h: float, q: np.ndarray, v: np.ndarray) -> State:
         for k in range(n):
@@ -106,7 +106,7 @@ def _where(system: System, plan: Plan, start: float, h: float, count: int, q: np
            v: np.ndarray) -> str:
     """When, after how many of `count` steps from `start`, and in which joint the state stops being
     finite; why, and what helps."""
-    step = system.stepper(named(plan.integrator).function)
+    step = system.stepper(named(plan.integrator).step_name)
     for i in range(count):
         before, (q, v) = (q, v), step(1, start + i * h, h, q, v)
         if lacking := system.lacking(q, v):

@@ -102,7 +102,7 @@ def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str
 
 def _functions(scene: SceneFunctions, precision: Precision) -> list[CText]:
     """All functions that are emitted, in the order in which they call each other."""
-    return [*(_Writer(scene, f, precision).text() for f in scene.used),
+    return [*(_Writer(scene, f, precision).text() for f in scene.functions),
             *(_step(scene, step, precision) for step in scene.steps)]
 
 

@@ -44,7 +44,7 @@ def _dictionary(name: str, entries: Sequence[tuple[str, float]]) -> str:
 
 
 def _module(scene: SceneFunctions, banner: str, precision: Precision) -> str:
-    functions = scene.used
+    functions = scene.functions
     called = {op for f in functions for op in f.program.counts} & set(NUMPY_NAMES)
     names = {NUMPY_NAMES[op] for op in called} | {"errstate", precision.numpy_type}
     if any(NotANumber() in x.operands for f in functions for x in f.program.instructions):

@@ -81,7 +81,7 @@ def words(function: Function) -> tuple[str, ...]:
 
 def check_names(scene: SceneFunctions) -> None:
     """Raises ValueError for names that are no variables' or are given twice in a function."""
-    for function in scene.used:
+    for function in scene.functions:
         _check(function)
 
 

@@ -31,6 +31,7 @@ from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.system import system
 from tests.support.scenes import scene_texts as texts
+from tests.support.scenes.asking import STEPPED
 
 
 @pytest.fixture(scope="module")
@@ -39,7 +40,7 @@ def kernels(tmp_path_factory):
     for name in ("PENDULUM", "SPRING", "BRICK"):
         path = folder / f"{name.lower()}.toml"
         path.write_text(getattr(texts, name).replace("duration = 10", "duration = 2"))
-        found[name] = load_scene(path)
+        found[name] = load_scene(path, functions=STEPPED)
     return found
 
 
@@ -109,7 +110,7 @@ def test_runs_in_c_are_the_steps_of_the_kernels(kernels, precision, integrator):
     whole = parts(kernels["BRICK"].scene)[0]
     its = system(kernels["BRICK"], precision.name)
     library = compiled(whole, whole.public, native.compiler())
-    step = next(x for x in whole.functions.steps if x.name == integrator.function)
+    step = next(x for x in whole.functions.steps if x.name == integrator.step_name)
     q, v, seconds = library.run(step, precision, 50, 1e-3, its.p, its.start())
     wanted = its.stepper(step.name)(50, 0.0, 1e-3, *its.start())
     assert (q.tobytes(), v.tobytes()) == (wanted[0].tobytes(), wanted[1].tobytes())
@@ -172,7 +173,7 @@ tau_c = 1
 eps = 1e-9
 """)
     with pytest.raises(CostError, match="--digits is for smooth scenes"):
-        exact_end(system(load_scene(path), "double"), 2.0, 20)
+        exact_end(system(load_scene(path, functions=STEPPED), "double"), 2.0, 20)
 
 
 def test_the_sign_of_a_quaternion_is_no_error(kernels):

@@ -273,7 +273,7 @@ def test_adding_heun_is_one_file(tmp_path: Path):
         assert done.returncode == 0, done.stderr
         return done.stdout
 
-    said("generate", "pendulum.toml", "-o", "out")
+    said("generate", "pendulum.toml", "-o", "out", "--functions", "default", "step_heun")
     header = (tmp_path / "out/pendulum.h").read_text()
     assert "pendulum_step_heun(double h" in header and "pendulum_step_heunf(float h" in header
     assert "def step_heun(h" in (tmp_path / "out/pendulum/double.py").read_text()

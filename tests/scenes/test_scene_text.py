@@ -131,10 +131,6 @@ def test_internal_functions_are_not_offered():
     names = {node.name for node in ast.parse(text["slider/double.py"]).body
              if isinstance(node, ast.FunctionDef)}
     assert "_implicit_acceleration" in names and "implicit_acceleration" not in names
-    slider = CASES["slider"]()
-    without = replace(slider, steps=tuple(x for x in slider.steps if x.integrator == "rk4"))
-    text = files(without)["slider.c"]
-    assert "implicit_acceleration" not in text
 
 
 @pytest.mark.parametrize("name", ("class", "lambda", "two words", "1st", "", "größe", "a-b"))

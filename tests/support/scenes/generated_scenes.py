@@ -132,7 +132,8 @@ def slider() -> SceneFunctions:
     return _stepping(SceneFunctions(
         "slider", 2, 2, coordinates, ("carriage", 'lambda """'), (("carriage.mass", 1.5),
                                                                   ("unused", 0.1)),
-        (0.0, 0.25), (inverse, forward, mass, energy, poses, swapped, _additive(2), implicit)),
+        (0.0, 0.25), (inverse, forward, mass, energy, poses, swapped, _additive(2), implicit),
+        timed=True),
         "semi-implicit-euler", "linear-implicit-euler", "rk4")
 
 
