@@ -143,7 +143,8 @@ def _closely(system: System, t: np.ndarray, interval: np.ndarray, count: np.ndar
     h, total, before = interval / count, np.zeros(len(t)), _power(system, t, q, v)
     for k in range(count.max(initial=0)):
         i = np.flatnonzero(k < count)
-        q[i], v[i] = system.call(named(DEFAULT).step_name, t=t[i] + k * h[i], h=h[i], q=q[i], v=v[i])
+        q[i], v[i] = system.call(named(DEFAULT).step_name, t=t[i] + k * h[i], h=h[i], q=q[i],
+                                 v=v[i])
         after = _power(system, t[i] + (k + 1) * h[i], q[i], v[i])
         total[i] += h[i] / 2 * (before[i] + after)
         before[i] = after
