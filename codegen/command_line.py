@@ -15,6 +15,7 @@ COMMANDS = {
     "check": "coscrew_codegen.simulate.check_command",
     "cost": "coscrew_codegen.cost.command",
     "effects": "coscrew_codegen.scene_files.catalogue",
+    "schema": "coscrew_codegen.documentation.schema",
     "report": "coscrew_codegen.report.command",
     "cache": "coscrew_codegen.native.cache_command"}
 """The module of each: it adds its options, and runs."""

@@ -19,6 +19,7 @@ myst_heading_anchors = 4
 html_theme = "alabaster"
 html_theme_options = {"page_width": "70em", "sidebar_width": "16em", "fixed_sidebar": True}
 html_show_sourcelink = False
+smartquotes = False
 html_math_renderer = "mathml"
 
 
@@ -28,7 +29,7 @@ def _inline(translator: HTML5Translator, node: nodes.math) -> None:
 
 
 def _block(translator: HTML5Translator, node: nodes.math_block) -> None:
-    translator.body.append(f'<div style="overflow-x: auto">{_mathml(node, True)}</div>\n')
+    translator.body.append(f'<div style="overflow: auto hidden">{_mathml(node, True)}</div>\n')
     raise nodes.SkipNode
 
 

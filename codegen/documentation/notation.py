@@ -57,11 +57,11 @@ def markdown(text: str, names: Collection[str], code: Collection[str] = ()) -> s
 
 
 def latex_name(name: str, index: str = "") -> str:
-    """v1 → v_{1}, vo → \\mathit{vo}, tau_c → \\tau_{c}; with a component's index behind it."""
+    """v1 → v_{1}, vo → \\mathrm{vo}, tau_c → \\tau_{c}; with a component's index behind it."""
     base, number, below = re.fullmatch(r"([^\W\d_]+?\u0304?)(\d\w*?)?(?:_(\w+))?", name).groups()
     plain = base.removesuffix("\u0304")
     symbol = (rf"\{_GREEK[plain]}" if plain in _GREEK else
-              plain if len(plain) == 1 else rf"\mathit{{{plain}}}")
+              plain if len(plain) == 1 else rf"\mathrm{{{plain}}}")
     symbol = symbol if plain == base else rf"\bar{{{symbol}}}"
     subscript = ",".join(filter(None, (number, below, index)))
     return f"{symbol}_{{{subscript}}}" if subscript else symbol

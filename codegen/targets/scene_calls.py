@@ -30,10 +30,10 @@ def callables(scene: SceneFunctions) -> tuple[Call, ...]:
                   scene_text.words(f), computes=bool(f.program.instructions))
              for f in scene.functions if not f.internal]
     shapes = scene_text.step_shapes(scene)
-    for name in scene.steps:
+    for step in scene.steps:
         inputs = tuple((x, shapes[x]) for x in scene_text.step_inputs(scene))
-        found.append(Call(f"step_{name}", inputs, (("q", shapes["q"]), ("v", shapes["v"])),
-                          scene_text.step_words(scene, name), moved=True))
+        found.append(Call(step.name, inputs, (("q", shapes["q"]), ("v", shapes["v"])),
+                          scene_text.step_words(scene, step), moved=True))
     return tuple(found)
 
 

@@ -109,8 +109,8 @@ def evaluated(latex: str, values: dict[str, float]) -> float:
 
 
 def plain(latex: str) -> str:
-    """LaTeX as SymPy writes it, as Python: \\mathit{ci}_{0} \\left(…\\right) → ci_0*(…)."""
-    text = re.sub(r"\\mathit\{(\w+)\}", r"\1", latex)
+    """LaTeX as SymPy writes it, as Python: \\mathrm{ci}_{0} \\left(…\\right) → ci_0*(…)."""
+    text = re.sub(r"\\mathrm\{(\w+)\}", r"\1", latex)
     text = re.sub(r"_\{([\w,]+)\}", lambda m: "_" + m[1].replace(",", "_"), text)
     text = text.replace(r"\left(", "(").replace(r"\right)", ")")
     text = re.sub(r"\^\{(\d+)\}", r"**\1", text)
@@ -121,7 +121,7 @@ def plain(latex: str) -> str:
 
 
 @pytest.mark.parametrize("text, wanted", (
-    ("co = [ad]*(s) c = (ω×f ; v×f + ω×τ)", r"$\mathit{co} = [\mathrm{ad}]^{*}(s)\,c = "
+    ("co = [ad]*(s) c = (ω×f ; v×f + ω×τ)", r"$\mathrm{co} = [\mathrm{ad}]^{*}(s)\,c = "
      r"(\omega \times f;\;v \times f + \omega \times \tau)$"),
     ("|v| = sqrt(v·v)", r"$|v| = \sqrt{v \cdot v}$"),
     ("R by a turn, a~ y = a × y", r"$R$ by a turn, $\tilde{a}\,y = a \times y$"),
