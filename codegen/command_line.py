@@ -7,7 +7,6 @@ import sys
 from importlib import import_module
 
 from coscrew_codegen.errors import Told
-from coscrew_codegen.version import VERSION
 
 COMMANDS = {
     "generate": "coscrew_codegen.generate_command",
@@ -36,8 +35,11 @@ def _parser(command: str = "") -> argparse.ArgumentParser:
     """Of one command; of all where the word is none."""
     parser = argparse.ArgumentParser(
         prog="coscrew", description="Derives spatial algebra and emits C and Python kernels.")
-    parser.add_argument("--version", action="version", version=f"coscrew {VERSION}",
-                        help="print the version")
+    if command not in COMMANDS:
+        from coscrew_codegen.version import VERSION
+
+        parser.add_argument("--version", action="version", version=f"coscrew {VERSION}",
+                            help="print the version")
     commands = parser.add_subparsers(required=True, dest="command", metavar="COMMAND")
     for name in (command,) if command in COMMANDS else COMMANDS:
         import_module(COMMANDS[name]).add_parser(commands)

@@ -83,7 +83,7 @@ class Step:
 
 
 @dataclass(frozen=True)
-class Call:
+class Signature:
     """What a function takes and returns: names, shapes; those of `moved` are changed in place."""
 
     name: str
@@ -100,7 +100,7 @@ class Call:
 
 
 @dataclass(frozen=True)
-class SceneCalls:
+class SceneInterface:
     """A scene as those see it who call its functions: sizes, names and places; no Programs."""
 
     name: str
@@ -112,7 +112,7 @@ class SceneCalls:
     neutral: tuple[float, ...]
     precisions: tuple[str, ...]
     timed: bool
-    calls: tuple[Call, ...]  # the public functions, steps behind the others
+    signatures: tuple[Signature, ...]  # the public functions, steps behind the others
 
 
 @dataclass(frozen=True)

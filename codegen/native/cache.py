@@ -78,12 +78,17 @@ def key_of(*parts: str) -> str:
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
 
 
+def hashed(content: bytes) -> str:
+    """The hash of an entry's content, in its name."""
+    return hashlib.sha256(content).hexdigest()[:16]
+
+
 def found(key: str, suffix: str) -> Path | None:
     """The entry of this key, which counts as used now; None if there is none, or none that is what
     it was when it was made."""
     for path in sorted(folder().glob(f"{key}-*{suffix}")):
         with suppress(OSError):
-            if _digest(path) == path.name.removesuffix(suffix).rpartition("-")[2]:
+            if hashed(path.read_bytes()) == path.name.removesuffix(suffix).rpartition("-")[2]:
                 os.utime(path)
                 return path
         with suppress(OSError):
@@ -95,7 +100,7 @@ def keep(made: Path, key: str, suffix: str) -> Path:
     """The entry that a file, made in a folder of `building`, becomes; others go where there are too
     many."""
     most = limit()
-    path = folder() / f"{key}-{_digest(made)}{suffix}"
+    path = folder() / f"{key}-{hashed(made.read_bytes())}{suffix}"
     os.replace(made, path)
     evict(most, path)
     return path
@@ -167,21 +172,17 @@ def _size(path: Path) -> int:
     return path.stat().st_size
 
 
-def _digest(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
-
-
 @functools.cache
 def generator() -> str:
     """The hash of the generator's own sources and templates: what it makes may change with any."""
     package = Path(__file__).resolve().parents[1]
-    hashed = hashlib.sha256()
+    total = hashlib.sha256()
     for root in (package, _templates()):
         for path in sorted(root.rglob("*")):
             if path.suffix in (".py", ".jinja"):
-                hashed.update(f"{path.relative_to(root)}\0".encode())
-                hashed.update(path.read_bytes())
-    return hashed.hexdigest()
+                total.update(f"{path.relative_to(root)}\0".encode())
+                total.update(path.read_bytes())
+    return total.hexdigest()
 
 
 def _templates() -> Path:

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import NoReturn
 
 from coscrew_codegen.scene.names import did_you_mean, or_mean
+from coscrew_codegen.scene_files.contents import read_bytes
 from coscrew_codegen.scene_files.decimals import LARGEST, bounded, decimal
 from coscrew_codegen.scene_files.errors import SceneError, shown
-from coscrew_codegen.scene_files.xml import read_bytes
 
 SIZE = 2**20  # bytes
 _MESSAGE = 300  # characters of a message of tomllib

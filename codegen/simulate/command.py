@@ -111,7 +111,7 @@ def run(options: argparse.Namespace) -> int:
         print(f"coscrew: {line}", file=sys.stderr)
     outcomes = outcome.simulated(kernels, outcome.Asked(
         options.until, options.step, options.integrator, options.precision,
-        tuple(options.settings)))
+        tuple(options.settings)), told=bool(options.output or options.plot or options.view))
     for note in (outcome.outside(outcomes[0].system), outcome.bounces(outcomes[0])):
         if note:
             print(f"coscrew: {note}", file=sys.stderr)

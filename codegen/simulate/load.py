@@ -23,7 +23,7 @@ from coscrew_codegen.formats import PRECISIONS, Precision, named
 from coscrew_codegen.native import cache
 from coscrew_codegen.scene.content import content_hash
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene_functions import Call, SceneCalls, SceneFunctions
+from coscrew_codegen.scene_functions import SceneFunctions, SceneInterface, Signature
 from coscrew_codegen.simulate import calls, native
 
 BOTH = tuple(p.name for p in PRECISIONS)
@@ -42,7 +42,7 @@ class Kernels:
     """
 
     scene: Scene | None
-    calls: SceneCalls
+    interface: SceneInterface
     double: calls.Functions[np.float64]
     single: calls.Functions[np.float32]
     compiler: str  # its version and flags; "" where the generated Python runs
@@ -61,32 +61,32 @@ class Kernels:
     @property
     def NQ(self) -> int:
         """How many numbers q holds."""
-        return self.calls.nq
+        return self.interface.nq
 
     @property
     def NV(self) -> int:
         """How many numbers v, a and tau hold."""
-        return self.calls.nv
+        return self.interface.nv
 
     @property
     def joints(self) -> tuple[str, ...]:
         """Names of the joints that move, in the order of q and v."""
-        return tuple(c.joint for c in self.calls.coordinates)
+        return tuple(c.joint for c in self.interface.coordinates)
 
     @property
     def bodies(self) -> tuple[str, ...]:
         """Bodies' names, in the order of body_poses' and body_twists' rows."""
-        return self.calls.bodies
+        return self.interface.bodies
 
     @property
     def parameters(self) -> dict[str, float]:
         """Default values by name, in the order of p."""
-        return dict(self.calls.parameters)
+        return dict(self.interface.parameters)
 
     @property
     def neutral_q(self) -> NDArray[np.float64]:
         """q where every joint is at rest in its placement, in double.  (NQ)."""
-        return np.array(self.calls.neutral, float)
+        return np.array(self.interface.neutral, float)
 
     @property
     def compiled(self) -> bool:
@@ -110,7 +110,7 @@ class Kernels:
         return self
 
     def __repr__(self) -> str:
-        return f"<kernels of {self.calls.name}: {self.compiler or 'pure NumPy'}>"
+        return f"<kernels of {self.interface.name}: {self.compiler or 'pure NumPy'}>"
 
 
 def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
@@ -159,15 +159,15 @@ def kernels_for(scene: Scene, functions: Collection[str] = (),
     compiler = _compiler(scene.name)
     key = compiler and _key(scene, functions, precisions, compiler)
     if key and (kept := _kept(key)):
-        calls_of, library = kept
-        return _compiled(scene, tuple(functions), calls_of, library, precisions, compiler)
+        interface, library = kept
+        return _compiled(scene, tuple(functions), interface, library, precisions, compiler)
     with doing(f"deriving {scene.name}") as tell:
         from coscrew_codegen.mechanics import derive  # imports SymPy
 
         derived = derive(scene, functions, lambda name: tell(f"deriving {name}"))
     made = _made(derived, scene, tuple(functions), precisions, compiler)
     if key and made.compiled:
-        cache.write(key, ".scene", pickle.dumps((made.calls, made.library)))
+        cache.write(key, ".scene", pickle.dumps((made.interface, made.library)))
     return made
 
 
@@ -210,25 +210,26 @@ def _key(scene: Scene, functions: Collection[str], precisions: tuple[str, ...],
                         " ".join(precisions), *functions)
 
 
-def _kept(key: str) -> tuple[SceneCalls, native.Library] | None:
+def _kept(key: str) -> tuple[SceneInterface, native.Library] | None:
     """What the cache has of this key, if that can be read and its library is there."""
     path = cache.found(key, ".scene")
     if path is None:
         return None
     try:
-        calls_of, library_key = pickle.loads(path.read_bytes())
-    except (OSError, pickle.UnpicklingError, AttributeError, EOFError, ImportError):
+        interface, library_key = pickle.loads(path.read_bytes())
+    except Exception:  # of what is no pickle of ours, pickle raises anything
+        path.unlink(missing_ok=True)
         return None
     library = native.kept(library_key)
-    return (calls_of, library) if library else None
+    return (interface, library) if library else None
 
 
 def _made(functions: SceneFunctions, scene: Scene | None, asked: tuple[str, ...],
           precisions: tuple[str, ...], compiler: native.Compiler | None) -> Kernels:
     """The kernels: compiled, or where that fails generated Python."""
-    from coscrew_codegen.targets.scene_calls import scene_calls
+    from coscrew_codegen.targets.scene_calls import interface
 
-    found = scene_calls(functions)
+    found = interface(functions)
     if compiler:
         try:
             library = _library(functions, compiler, precisions)
@@ -240,17 +241,17 @@ def _made(functions: SceneFunctions, scene: Scene | None, asked: tuple[str, ...]
         calls.in_numpy(getattr(modules[p.name], x.name), x)))
 
 
-def _compiled(scene: Scene | None, asked: tuple[str, ...], found: SceneCalls,
+def _compiled(scene: Scene | None, asked: tuple[str, ...], found: SceneInterface,
               library: native.Library, precisions: tuple[str, ...], compiler: native.Compiler,
               functions: SceneFunctions | None = None) -> Kernels:
     return _kernels(scene, asked, found, str(compiler), library.key, functions, precisions,
                     lambda x, p: calls.compiled(found, library.opened, x, p))
 
 
-def _kernels(scene: Scene | None, asked: tuple[str, ...], found: SceneCalls, compiler: str,
+def _kernels(scene: Scene | None, asked: tuple[str, ...], found: SceneInterface, compiler: str,
              library: str, functions: SceneFunctions | None, precisions: tuple[str, ...],
-             made: Callable[[Call, Precision], Callable]) -> Kernels:
-    each = [calls.gathered(found, p, {x.name: made(x, p) for x in found.calls
+             made: Callable[[Signature, Precision], Callable]) -> Kernels:
+    each = [calls.gathered(found, p, {x.name: made(x, p) for x in found.signatures
                                       if p.name in found.precisions and p.name in precisions})
             for p in PRECISIONS]
     kernels = Kernels(scene, found, *each, compiler, library, asked, functions)

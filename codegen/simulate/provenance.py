@@ -3,9 +3,8 @@
 from coscrew_codegen.report.machine import coscrew_version
 from coscrew_codegen.scene.content import content_hash
 from coscrew_codegen.simulate.plan import Plan, Trajectory
+from coscrew_codegen.simulate.recording import Provenance
 from coscrew_codegen.simulate.system import System
-
-Provenance = tuple[tuple[str, str], ...]
 
 
 def provenance(system: System, plan: Plan, trajectory: Trajectory, compiled: str) -> Provenance:

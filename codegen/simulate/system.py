@@ -13,7 +13,7 @@ import numpy as np
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.program import Program
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene_functions import SceneCalls
+from coscrew_codegen.scene_functions import SceneInterface
 from coscrew_codegen.simulate.settings import refuse_settings
 from coscrew_codegen.targets.scene_text import step_inputs
 
@@ -27,7 +27,7 @@ class System:
     """A scene's functions: `kernels` has a callable for each, in `precision`; p are parameters."""
 
     scene: Scene
-    functions: SceneCalls
+    functions: SceneInterface
     kernels: SimpleNamespace
     precision: Precision
     p: tuple[float, ...] = ()
@@ -41,7 +41,7 @@ class System:
     @cached_property
     def inputs(self) -> Mapping[str, tuple[str, ...]]:
         """The names of each function's inputs, in order."""
-        return {x.name: tuple(name for name, _ in x.inputs) for x in self.functions.calls}
+        return {x.name: tuple(name for name, _ in x.inputs) for x in self.functions.signatures}
 
     @property
     def programs(self) -> Mapping[str, Program]:
@@ -50,7 +50,7 @@ class System:
 
     def computes(self, name: str) -> bool:
         """Whether the function's results are more than inputs and constants."""
-        return any(x.name == name and x.computes for x in self.functions.calls)
+        return any(x.name == name and x.computes for x in self.functions.signatures)
 
     def has(self, name: str) -> bool:
         """Whether the scene has this function."""
@@ -138,7 +138,7 @@ def system(kernels: object, precision: str, settings: Mapping[str, float] | None
 
     `settings` are values for parameters that the scene keeps at run time; raises SimulateError for
     others, and for values that a scene's file is refused for."""
-    functions, scene = kernels.calls, kernels.scene
+    functions, scene = kernels.interface, kernels.scene
     found = next(x for x in PRECISIONS if x.name == precision)
     refuse_settings(scene, settings or {}, found)
     values = tuple((settings or {}).get(name, value) for name, value in functions.parameters)

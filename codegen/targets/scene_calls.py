@@ -8,7 +8,7 @@ without its headers.
 
 from coscrew_codegen.formats import PRECISIONS, Precision, named
 from coscrew_codegen.render import render
-from coscrew_codegen.scene_functions import Call, SceneCalls, SceneFunctions
+from coscrew_codegen.scene_functions import SceneFunctions, SceneInterface, Signature
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.scene_text import c_name
 
@@ -16,23 +16,23 @@ from coscrew_codegen.targets.scene_text import c_name
 _RUN = {"t": "({real})(t + (double)k * h)", "h": "({real})h"}
 
 
-def scene_calls(scene: SceneFunctions) -> SceneCalls:
+def interface(scene: SceneFunctions) -> SceneInterface:
     """The scene as its callers see it."""
-    return SceneCalls(scene.name, scene.nq, scene.nv, scene.coordinates, scene.bodies,
+    return SceneInterface(scene.name, scene.nq, scene.nv, scene.coordinates, scene.bodies,
                       scene.parameters, scene.neutral, scene.precisions, scene.timed,
                       callables(scene))
 
 
-def callables(scene: SceneFunctions) -> tuple[Call, ...]:
+def callables(scene: SceneFunctions) -> tuple[Signature, ...]:
     """All public functions, steps behind the others."""
-    found = [Call(f.name, tuple((a.name, tuple(a.quantity.shape)) for a in f.program.inputs),
+    found = [Signature(f.name, tuple((a.name, tuple(a.quantity.shape)) for a in f.program.inputs),
                   tuple((a.name, tuple(a.quantity.shape)) for a in scene_text.outputs(f)),
                   scene_text.words(f), computes=bool(f.program.instructions))
              for f in scene.functions if not f.internal]
     shapes = scene_text.step_shapes(scene)
     for step in scene.steps:
         inputs = tuple((x, shapes[x]) for x in scene_text.step_inputs(scene))
-        found.append(Call(step.name, inputs, (("q", shapes["q"]), ("v", shapes["v"])),
+        found.append(Signature(step.name, inputs, (("q", shapes["q"]), ("v", shapes["v"])),
                           scene_text.step_words(scene, step), moved=True))
     return tuple(found)
 
@@ -46,7 +46,7 @@ def source(scene: SceneFunctions) -> str:
     return render("scene/calls.c", name=scene.name, upper=scene.name.upper(), sections=sections)
 
 
-def _function(scene: SceneFunctions, function: Call, precision: Precision) -> dict[str, object]:
+def _function(scene: SceneFunctions, function: Signature, precision: Precision) -> dict[str, object]:
     real, name = precision.c_type, c_name(scene, function.name, precision)
     scalars = [x for x, shape in function.read if not shape]
     read = [_array(x, shape) for x, shape in function.read if shape]
