@@ -21,6 +21,7 @@ from coscrew_codegen.cost.plot import _accuracy, plot
 from coscrew_codegen.cost.table import table
 from coscrew_codegen.cost.work_precision import Point, Reference, error, reference
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE
+from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.program.interpreter import evaluate
 from coscrew_codegen.report.variants import flops
@@ -103,15 +104,15 @@ def test_the_loops_compile_without_warnings(kernels, tmp_path):
         subprocess.run(["cc", *flags, "loops.c"], cwd=tmp_path, check=True)
 
 
-@pytest.mark.parametrize("step", ("leapfrog", "semi_implicit_euler", "linear_implicit_euler",
-                                  "rk4"))
+@pytest.mark.parametrize("integrator", EMITTED, ids=lambda x: x.name)
 @pytest.mark.parametrize("precision", (DOUBLE, SINGLE), ids=lambda x: x.name)
-def test_runs_in_c_are_the_steps_of_the_kernels(kernels, precision, step):
+def test_runs_in_c_are_the_steps_of_the_kernels(kernels, precision, integrator):
     whole = parts(kernels["BRICK"].scene)[0]
     its = system(kernels["BRICK"], precision.name)
     library = compiled(whole, whole.public, native.compiler())
+    step = next(x for x in whole.functions.steps if x.name == integrator.step_name)
     q, v, seconds = library.run(step, precision, 50, 1e-3, its.p, its.start())
-    wanted = its.stepper(f"step_{step}")(50, 0.0, 1e-3, *its.start())
+    wanted = its.stepper(step.name)(50, 0.0, 1e-3, *its.start())
     assert (q.tobytes(), v.tobytes()) == (wanted[0].tobytes(), wanted[1].tobytes())
     assert seconds > 0
 

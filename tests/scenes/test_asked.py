@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import coscrew_codegen
-from coscrew_codegen.integrators import INTEGRATORS, STEPS
-from coscrew_codegen.mechanics import derive, functions
+from coscrew_codegen.integrators import EMITTED, INTEGRATORS
+from coscrew_codegen.mechanics import derive, functions, steps
 from coscrew_codegen.scene.asked import (
     CONTACTS,
     DYNAMICS,
@@ -193,4 +193,4 @@ def test_runs_have_all_that_they_call_and_tell_what_they_lack(file: Path):
 
 def test_steps_need_what_the_derivation_has():
     known: dict[str, Callable] = functions._Derivation(arm())._makers()
-    assert {name for step in STEPS.values() for name in step.needs} <= known.keys()
+    assert {name for x in EMITTED for name in steps.needs(x)} <= known.keys()
