@@ -13,7 +13,7 @@ from coscrew_codegen.scene.asked import DYNAMICS, MOVED
 from coscrew_codegen.scene_files.keys import TYPES
 
 ROOT = Path(__file__).parents[2]
-GLOSSARY = (ROOT / "docs/glossary.md").read_text(encoding="utf-8").partition("\nWords of our own")[0]
+GLOSSARY = (ROOT / "docs/glossary.md").read_text(encoding="utf-8").split("\nWords of our own")[0]
 ROWS = [[cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
         for line in GLOSSARY.splitlines() if line.startswith("|")]
 HEADERS = "".join(path.read_text(encoding="utf-8")
