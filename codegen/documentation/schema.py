@@ -79,17 +79,20 @@ def _table(table: TableOf) -> Schema:
 def _key(key: Key) -> Schema:
     if key.table:
         inner = _table(key.table)
-        return {"table": inner, "tables": _by_name(inner), "expectations": _by_name(
-            {"anyOf": [inner, {"type": "array", "items": inner}]})}[key.kind]
+        several: Schema = {"anyOf": [inner, {"type": "array", "items": inner}]}
+        holding: dict[str, Schema] = {"table": inner, "tables": _by_name(inner),
+                                      "expectations": _by_name(several)}
+        return holding[key.kind]
     if key.choices:
         return {"enum": list(key.choices)}
-    moments = {"type": "array", "anyOf": [_array(3, _NUMBER), _array(6, _NUMBER),
-                                          _array(3, _array(3, _NUMBER))]}
-    return {"text": {"type": "string"}, "texts": _TEXTS, "number": _NUMBER,
-            "positive": _POSITIVE, "nonnegative": _NONNEGATIVE, "vector": _VECTOR,
-            "quaternion": _array(4, _NUMBER), "moments": moments,
-            "coordinates": _by_name({"anyOf": [_NUMBER, {"type": "array", "items": _NUMBER}]}),
-            "effects": _effects()}[key.kind]
+    moments: Schema = {"type": "array", "anyOf": [_array(3, _NUMBER), _array(6, _NUMBER),
+                                                  _array(3, _array(3, _NUMBER))]}
+    kinds: dict[str, Schema] = {
+        "text": {"type": "string"}, "texts": _TEXTS, "number": _NUMBER,
+        "positive": _POSITIVE, "nonnegative": _NONNEGATIVE, "vector": _VECTOR,
+        "quaternion": _array(4, _NUMBER), "moments": moments,
+        "coordinates": _by_name({"anyOf": [_NUMBER, {"type": "array", "items": _NUMBER}]})}
+    return _effects() if key.kind == "effects" else kinds[key.kind]
 
 
 def _effects() -> Schema:
@@ -112,7 +115,7 @@ def _one(effect: Effect) -> Schema:
 
 def _effect(effect: Effect) -> Schema:
     """The table of the effect, of all places."""
-    one = {"$ref": f"#/definitions/{effect.name}"}
+    one: Schema = {"$ref": f"#/definitions/{effect.name}"}
     if effect.place is Place.SCENE:
         return one
     if effect.place is Place.PAIR:

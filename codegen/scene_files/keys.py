@@ -134,7 +134,8 @@ SCENE = TableOf("", "The file itself.", (
         'says "double": needed where single\'s range (1.2e-38 to 3.4e38) cannot hold a number, '
         "which else is an error", choices=PRECISIONS),
     Key("implausible", '"warn" lets through inertias that no body has, that are massless or '
-        "incomplete, and names them; on the command line --implausible warn", choices=(ERROR, WARN)),
+        "incomplete, and names them; on the command line --implausible warn",
+        choices=(ERROR, WARN)),
     Key("functions", "what is generated: names of functions; \"default\" and \"all\" stand for "
         "several", "texts", default='["default"]'),
     Key("runtime", "what stays an argument of the functions: BODY.mass, BODY.com, BODY.inertia, "
