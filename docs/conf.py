@@ -3,6 +3,8 @@
 Formulas become MathML by docutils, which browsers show without a script or a network.
 """
 
+import re
+
 from docutils import nodes
 from docutils.utils.math import MathError
 from docutils.utils.math.latex2mathml import tex2mathml
@@ -41,5 +43,13 @@ def _mathml(node: nodes.Element, block: bool) -> str:
         return ""
 
 
+def _dollars(_: Sphinx, __: str, source: list[str]) -> None:
+    """Formulas as GitHub and GitLab write them, $`…`$ and fences, as MyST does."""
+    source[0] = re.sub(r"\$`(.+?)`\$", r"$\1$", source[0])
+    source[0] = re.sub(r"^```math\n(.*?)\n```$", r"$$\n\1\n$$", source[0],
+                       flags=re.MULTILINE | re.DOTALL)
+
+
 def setup(app: Sphinx) -> None:
+    app.connect("source-read", _dollars)
     app.add_html_math_renderer("mathml", (_inline, None), (_block, None))

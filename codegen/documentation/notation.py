@@ -1,7 +1,7 @@
 """Statements and equations of the tables, plain text, as Markdown with formulas in LaTeX.
 
     "R = exp v~, θ = |v|; singular at 2π"
-    "$R = \\exp\\tilde{v},\\;\\theta = |v|$; singular at $2\\pi$"
+    "$`R = \\exp\\tilde{v},\\;\\theta = |v|`$; singular at $`2\\pi`$"
 
 What is a formula is found word by word: names of arguments, single letters, functions, numbers and
 the signs between them; the rest is prose.
@@ -49,8 +49,8 @@ class _Token:
 
 
 def markdown(text: str, names: Collection[str], code: Collection[str] = ()) -> str:
-    """The text with its formulas between dollar signs; `names` are symbols in it, `code` names of
-    functions."""
+    """The text with its formulas between $` and `$, which GitHub and GitLab know, and in which
+    Markdown leaves backslashes alone; `names` are symbols in it, `code` names of functions."""
     tokens = _classified(text, names, code)
     runs = [(math, list(group)) for math, group in groupby(tokens, key=lambda token: token.math)]
     return "".join(_formula(run) if math else _prose(run, code) for math, run in runs)
@@ -163,7 +163,7 @@ def escaped(text: str) -> str:
 def _formula(run: list[_Token]) -> str:
     while run[-1].kind in ("space", "mark"):
         run = run[:-1]
-    return f"${_latex(run)}$"
+    return f"$`{_latex(run)}`$"
 
 
 def _latex(run: list[_Token]) -> str:
