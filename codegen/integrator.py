@@ -39,7 +39,7 @@ class Tableau:
     @cached_property
     def c(self) -> Row:
         """When each stage is, in steps; the first at 0."""
-        return (Fraction(0), *map(sum, self.a))
+        return (Fraction(0), *(sum(row, Fraction(0)) for row in self.a))
 
 
 def tableau(*rows: str) -> Tableau:

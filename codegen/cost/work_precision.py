@@ -19,7 +19,7 @@ from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import System, system
 
 _TIGHTEST, _TIGHTEST_IMPLICIT = 1e-13, 1e-11
-_ADAPTIVE = tuple(sorted(ADAPTIVE, key=lambda x: x.scheme.implicit))
+_ADAPTIVE = sorted(ADAPTIVE.items(), key=lambda x: x[1].implicit)
 _PATIENCE = 20.0  # s that a reference, or a run of SciPy's, may take
 _MOST_STEPS = 1_000_000
 _DOUBLINGS = range(-6, 5, 2)  # of the scene's step
@@ -70,11 +70,11 @@ def reference(system: System, until: float, digits: int | None) -> Reference | N
 
         q, v, apart = exact_end(system, until, digits)
         return Reference(f"extrapolation with {digits} digits", until, q, v, apart)
-    for x in _ADAPTIVE:
-        tightest = _TIGHTEST_IMPLICIT if x.scheme.implicit else _TIGHTEST
-        ends = [_end(system, until, x.name, tightest * slack) for slack in (1, 10)]
+    for name, scheme in _ADAPTIVE:
+        tightest = _TIGHTEST_IMPLICIT if scheme.implicit else _TIGHTEST
+        ends = [_end(system, until, name, tightest * slack) for slack in (1, 10)]
         if None not in ends:
-            truth = Reference(f"{x.name}, rtol {tightest:g}", until, ends[0].q[-1].astype(float),
+            truth = Reference(f"{name}, rtol {tightest:g}", until, ends[0].q[-1].astype(float),
                               ends[0].v[-1].astype(float), 0.0)
             return replace(truth, error=error(system, ends[1].q[-1], truth))
     return None
@@ -106,17 +106,17 @@ def work_precision(kernels: object, library: Compiled, planned: Plan, asked: Ask
                    truth: Reference) -> Iterator[Point]:
     """A point for each integrator, precision and step."""
     yield from _in_c(kernels, library, planned, asked, truth)
-    for x in _ADAPTIVE:
+    for name, scheme in _ADAPTIVE:
         its = system(kernels, "double", dict(asked.settings))
-        for tolerance in _TOLERANCES[:4] if x.scheme.implicit else _TOLERANCES:
+        for tolerance in _TOLERANCES[:4] if scheme.implicit else _TOLERANCES:
             samples: list[float] = []
             while len(samples) < (_REPEATS if sum(samples) < _SHORT else 1):
                 began = time.thread_time()
-                run = _end(its, planned.until, x.name, tolerance)
+                run = _end(its, planned.until, name, tolerance)
                 samples.append(time.thread_time() - began)
             if run is None:
                 break  # tighter ones would take longer still
-            yield Point(x.name, "double", tolerance, run.steps, interval(np.array(samples)),
+            yield Point(name, "double", tolerance, run.steps, interval(np.array(samples)),
                         error(its, run.q[-1], truth), "Python")
 
 

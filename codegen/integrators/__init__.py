@@ -6,7 +6,7 @@ A file put here is an integrator of every scene, in all languages and precisions
 from importlib import import_module
 from pkgutil import iter_modules
 
-from coscrew_codegen.integrator import Integrator
+from coscrew_codegen.integrator import Adaptive, Integrator
 
 DEFAULT = "leapfrog"
 
@@ -22,7 +22,7 @@ INTEGRATORS: tuple[Integrator, ...] = tuple(sorted(
 
 NAMES = tuple(x.name for x in INTEGRATORS)
 EMITTED = tuple(x for x in INTEGRATORS if x.emitted)
-ADAPTIVE = tuple(x for x in INTEGRATORS if not x.emitted)
+ADAPTIVE = {x.name: x.scheme for x in INTEGRATORS if isinstance(x.scheme, Adaptive)}
 
 
 def named(name: str) -> Integrator:

@@ -32,11 +32,14 @@ CHART_ORDER = 4
 
 def needs(integrator: Integrator) -> tuple[str, ...]:
     """The functions of a scene that a step may call, of those that the scene has."""
-    scheme = integrator.scheme
-    if isinstance(scheme, Tableau):
-        return ACCELERATION, MOVED, RATE
-    return (*(x.by for x in scheme.stages if isinstance(x, Kick)), MOVED,
-            *(CONTACTS if scheme.splits else ()), *(FREE if scheme.keeps_momentum else ()))
+    match integrator.scheme:
+        case Tableau():
+            return ACCELERATION, MOVED, RATE
+        case Composition() as scheme:
+            return (*(x.by for x in scheme.stages if isinstance(x, Kick)), MOVED,
+                    *(CONTACTS if scheme.splits else ()),
+                    *(FREE if scheme.keeps_momentum else ()))
+    return ()
 
 
 def stepped(scene: SceneFunctions, integrators: Iterable[Integrator] = EMITTED) -> SceneFunctions:
@@ -108,9 +111,14 @@ class _Writer:
 
     def step(self) -> Step:
         """The calls."""
-        scheme = self.integrator.scheme
-        body = (self._runge_kutta(scheme) if isinstance(scheme, Tableau)
-                else self._composed(scheme))
+        body: Sequence[Call | Split]
+        match self.integrator.scheme:
+            case Tableau() as scheme:
+                body = self._runge_kutta(scheme)
+            case Composition() as scheme:
+                body = self._composed(scheme)
+            case _:
+                raise ValueError(f"{self.integrator.name} is SciPy's: it has no step to emit")
         return Step(self.integrator.name, self.integrator.step_name, self.integrator.equation,
                     tuple(body), self.zeros)
 

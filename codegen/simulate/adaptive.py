@@ -12,7 +12,7 @@ import scipy.integrate
 from scipy.integrate import OdeSolver
 
 import coscrew
-from coscrew_codegen.integrators import named
+from coscrew_codegen.integrators import ADAPTIVE
 from coscrew_codegen.simulate.plan import Plan
 from coscrew_codegen.simulate.system import State, System, Watch
 
@@ -23,7 +23,7 @@ def adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np
              watch: Watch | None = None) -> Iterator[tuple[np.ndarray, np.ndarray, int, str]]:
     """(q, v, steps so far, "") at each sample after the first, or where and why it stopped."""
     rates, steps, sample = rates_of(system), 0, 1
-    scheme = named(plan.integrator).scheme
+    scheme = ADAPTIVE[plan.integrator]
     options = {"jac": jacobian_of(system, rates)} if scheme.implicit else {}
     y = np.concatenate((q, v)).astype(float)
     with np.errstate(all="ignore"):

@@ -269,12 +269,12 @@ def restored(pickled: bytes) -> Kernels:
 
 def _library(functions: SceneFunctions, compiler: native.Compiler, precisions: tuple[str, ...]
              ) -> native.Library:
-    from coscrew_codegen.scene_layout import banner_of, c_files
-    from coscrew_codegen.targets import scene_calls
+    from coscrew_codegen.scene_layout import banner_of
+    from coscrew_codegen.targets import scene_c, scene_calls
 
     with doing(f"writing {functions.name}"):
         source = f"{functions.name}_calls.c"
-        files = {**c_files(functions, banner_of(functions.name)),
+        files = {**scene_c.files(functions, banner_of(functions.name)),
                  source: scene_calls.source(functions)}
     units = {p.name: (source, *(f"-D{functions.name.upper()}_NO_{other.name.upper()}"
                                 for other in PRECISIONS if other != p))
@@ -285,9 +285,10 @@ def _library(functions: SceneFunctions, compiler: native.Compiler, precisions: t
 def _modules(functions: SceneFunctions) -> dict[str, ModuleType]:
     """The generated package's modules, imported from a folder where it stays."""
     from coscrew_codegen import emit
-    from coscrew_codegen.scene_layout import banner_of, python_files
+    from coscrew_codegen.scene_layout import banner_of
+    from coscrew_codegen.targets import scene_python
 
-    files = python_files(functions, banner_of(functions.name))
+    files = scene_python.files(functions, banner_of(functions.name))
     key = sha256("\0".join(x for pair in sorted(files.items()) for x in pair).encode()).hexdigest()
     folder = cache.folder() / f"python-{key[:32]}"
     emit.write(files, folder)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coscrew_codegen.integrators import NAMES, named
+from coscrew_codegen.integrators import ADAPTIVE, NAMES, named
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.system import System
@@ -36,7 +36,7 @@ class Plan:
     @property
     def adaptive(self) -> bool:
         """Whether SciPy integrates."""
-        return not named(self.integrator).emitted
+        return self.integrator in ADAPTIVE
 
     def steps(self, interval: float) -> tuple[int, float]:
         """How many steps are taken from a sample to the next, and how long each is: as few as are

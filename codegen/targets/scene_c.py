@@ -37,8 +37,9 @@ _IN_WORDS = {("double",): "double precision alone, as the scene says",
              ("double", "single"): "double and (names that end in f) single precision"}
 
 
-def texts(scene: SceneFunctions, banner: str) -> tuple[str, str]:
-    """The texts of arm.h and arm.c."""
+def files(scene: SceneFunctions, banner: str) -> dict[str, str]:
+    """arm.h and arm.c.  Raises ValueError for a name that they cannot bear."""
+    scene_text.check_names(scene)
     sections = [{"precision": p, "functions": _functions(scene, p)}
                 for p in named(scene.precisions)]
     macros = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
@@ -50,8 +51,10 @@ def texts(scene: SceneFunctions, banner: str) -> tuple[str, str]:
     macros += [entry for p in named(scene.precisions) for entry in _defaults(scene, p)]
     shared = {"banner": banner, "name": scene.name, "upper": scene.name.upper(),
               "sections": sections}
-    return (render("scene/scene.h", about=comment_of(_about(scene)), macros=macros, **shared),
-            render("scene/scene.c", products=named(scene.precisions), **shared))
+    return {
+        f"{scene.name}.h": render("scene/scene.h", about=comment_of(_about(scene)), macros=macros,
+                                  **shared),
+        f"{scene.name}.c": render("scene/scene.c", products=named(scene.precisions), **shared)}
 
 
 def _about(scene: SceneFunctions) -> list[str]:

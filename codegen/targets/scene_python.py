@@ -20,19 +20,20 @@ from coscrew_codegen.targets.scene_python_steps import python_name, step_lines
 from coscrew_codegen.version import VERSION
 
 
-def package(scene: SceneFunctions, banner: str) -> dict[str, str]:
-    """The package's files by name."""
+def files(scene: SceneFunctions, banner: str) -> dict[str, str]:
+    """The package arm/.  Raises ValueError for a name that it cannot bear."""
+    scene_text.check_names(scene)
     about = [row for line in scene_text.order_in_words(scene)
              for row in wrap(_quoted(line), WIDTH, subsequent_indent="    ")]
     head = render(
         "scene/package.py", banner=banner, name=scene.name, about=about, version=VERSION,
-        nq=scene.nq,
-        nv=scene.nv, precisions=scene.precisions,
+        nq=scene.nq, nv=scene.nv, precisions=scene.precisions,
         tables=[_tuple("JOINTS", [x.joint for x in scene.coordinates]),
                 _tuple("BODIES", scene.bodies), _dictionary("PARAMETERS", scene.parameters),
                 _tuple("NEUTRAL_Q", scene.neutral)])
-    files = {"__init__.py": head, "_arrays.py": render("scene/arrays.py", banner=banner)}
-    return files | {f"{p.name}.py": _module(scene, banner, p) for p in named(scene.precisions)}
+    modules = {"__init__": head, "_arrays": render("scene/arrays.py", banner=banner),
+               **{p.name: _module(scene, banner, p) for p in named(scene.precisions)}}
+    return {f"{scene.name}/{name}.py": text for name, text in modules.items()}
 
 
 def _tuple(name: str, values: Sequence[object]) -> str:

@@ -86,7 +86,11 @@ def words(function: Function) -> tuple[str, ...]:
 
 
 def check_names(scene: SceneFunctions) -> None:
-    """Raises ValueError for names that are no variables' or are given twice in a function."""
+    """Raises ValueError for names that are no variables' or are given twice in a function, and for
+    a scene's that no file can bear."""
+    name = scene.name
+    if not (name.isascii() and name.isidentifier()) or keyword.iskeyword(name):
+        raise ValueError(f"scene {name!r}: a name that C and Python can import is wanted")
     for function in scene.functions:
         _check(function)
 

@@ -26,10 +26,11 @@ from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.program.interpreter import evaluate
 from coscrew_codegen.report.variants import flops
 from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.scene_layout import banner_of, c_files
+from coscrew_codegen.scene_layout import banner_of
 from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.system import system
+from coscrew_codegen.targets import scene_c
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.asking import STEPPED
 
@@ -97,7 +98,7 @@ def test_the_loops_call_the_scenes_functions(kernels, name, precision):
 def test_the_loops_compile_without_warnings(kernels, tmp_path):
     for name in kernels:
         whole = parts(kernels[name].scene)[0]
-        for file, content in {**c_files(whole.functions, banner_of(name)),
+        for file, content in {**scene_c.files(whole.functions, banner_of(name)),
                               "loops.c": text(whole, whole.public)}.items():
             (tmp_path / file).write_text(content)
         flags = ("-std=c11", "-Wall", "-Wextra", "-pedantic", "-Werror", "-fsyntax-only")

@@ -12,7 +12,7 @@ import pytest
 
 from coscrew_codegen.program import Constant, Op, counts_in_words
 from coscrew_codegen.scene_functions import Coordinate, SceneFunctions
-from coscrew_codegen.scene_layout import c_files
+from coscrew_codegen.targets import scene_c
 from tests.support.scenes.generated_scenes import (
     BANNER,
     CASES,
@@ -186,7 +186,7 @@ def test_negated_negative_numbers_are_no_decrements():
     minus = w.do("minus", Op.NEG, Constant(-3, -3))
     function = w.function("forward_dynamics", "3", (argument("a", 1),), [minus])
     scene = replace(CASES["pendulum"](), functions=(function,), steps=())
-    assert "minus = -(-3.0);" in c_files(scene, BANNER)["pendulum.c"]
+    assert "minus = -(-3.0);" in scene_c.files(scene, BANNER)["pendulum.c"]
 
 
 def test_long_robots_are_written_quickly(benchmark_seconds):

@@ -18,7 +18,7 @@ from coscrew_codegen.mechanics.steps import stepped
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.quantity import Argument, Part, Quantity
 from coscrew_codegen.scene_functions import Coordinate, Function, SceneFunctions
-from coscrew_codegen.scene_layout import c_files, python_files
+from coscrew_codegen.targets import scene_c, scene_python
 
 BANNER = "Made by `coscrew generate scene.toml`; changes are overwritten."
 
@@ -263,7 +263,7 @@ CASES: dict[str, Callable[[], SceneFunctions]] = {
 
 def files(functions: SceneFunctions) -> dict[str, str]:
     """All files of the functions, by path."""
-    return c_files(functions, BANNER) | python_files(functions, BANNER)
+    return scene_c.files(functions, BANNER) | scene_python.files(functions, BANNER)
 
 
 def written(functions: SceneFunctions, folder: Path) -> Path:

@@ -16,10 +16,8 @@ from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene.model import HERE, Kind, Parameter
 from coscrew_codegen.scene_functions import SceneFunctions, Signature
-from coscrew_codegen.scene_layout import c_files
-from coscrew_codegen.targets import scene_calls
-from coscrew_codegen.targets.scene_text import c_name
-from coscrew_codegen.targets.scene_text import count
+from coscrew_codegen.targets import scene_c, scene_calls
+from coscrew_codegen.targets.scene_text import c_name, count
 from tests.support.compiled import stand_ins
 from tests.support.compiled.bits_program import HEAD, ROWS, hashed, numbers, numbers_and_hashes
 from tests.support.scenes.generated_scenes import BANNER, imported
@@ -50,7 +48,7 @@ def functions() -> SceneFunctions:
 
 def source(folder: Path) -> Path:
     """The program, one file beside the scene's own."""
-    for path, written in c_files(functions(), BANNER).items():
+    for path, written in scene_c.files(functions(), BANNER).items():
         (folder / path).write_text(written)
     (folder / "bits.c").write_text(_text())
     return folder / "bits.c"
