@@ -11,6 +11,7 @@ from pathlib import Path
 
 import jsonschema
 import pytest
+from PIL import Image, ImageChops
 
 ROOT = Path(__file__).parents[2]
 README = ROOT / "README.md"
@@ -121,6 +122,25 @@ def test_links_lead_somewhere():
 def test_every_guide_is_reached_from_the_readme():
     for path in WRITTEN[1:]:
         assert f"]({path.relative_to(ROOT).as_posix()}" in TEXTS["README.md"], path.name
+
+
+def test_the_picture_is_made_by_its_command(tmp_path):
+    """Of a scene that is quicker to derive and shorter."""
+    command = re.search(r"`python (examples/playback.py) (\S+) (\S+)`", TEXTS["README.md"])
+    assert (ROOT / command[2]).exists() and (ROOT / command[3]).exists()
+    scene = tmp_path / "swing.toml"
+    scene.write_text("[bodies]\nbob = { mass = 2, com = [0, 0, -0.5], inertia = [1, 1, 1] }\n"
+                     '[joints]\npin = { type = "continuous", child = "bob", axis = [0, 1, 0] }\n'
+                     "[effects.gravity]\n[start.q]\npin = 1\n")
+    done = subprocess.run([sys.executable, command[1], str(scene), str(tmp_path / "motion.gif")],
+                          cwd=ROOT, text=True, capture_output=True)
+    assert done.returncode == 0, done.stderr
+    for path in (tmp_path / "motion.gif", ROOT / command[3]):
+        with Image.open(path) as image:
+            assert image.n_frames >= 20
+            first = image.convert("RGB")
+            image.seek(10)
+            assert ImageChops.difference(first, image.convert("RGB")).getbbox(), "nothing moves"
 
 
 def test_the_documentation_builds_without_a_warning(tmp_path):
