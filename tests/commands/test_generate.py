@@ -165,12 +165,12 @@ def imported_modules(node: ast.AST) -> list[str]:
 
 def test_imports_run_one_way():
     """version < … < algebra < … < kernel < passes < schedule < tiers < targets < … < emit."""
-    order = ["version", "errors", "parameter", "integrator", "integrators", "identifiers",
-             "algebra", "quantity", "operations", "kernel", "passes", "program", "formats",
-             "scene_functions", "schedule", "programs", "recording", "tiers", "render", "native",
-             "targets", "special", "exact", "selection", "extension", "layout", "emit", "report",
-             "scene", "mechanics", "effects", "scene_files", "scene_layout", "documentation",
-             "simulate", "cost", "generate_command", "command_line", "console", "extras",
+    order = ["version", "errors", "console", "parameter", "integrator", "integrators",
+             "identifiers", "algebra", "quantity", "operations", "kernel", "passes", "program",
+             "formats", "scene_functions", "schedule", "programs", "recording", "tiers", "render",
+             "native", "targets", "special", "exact", "selection", "extension", "layout", "emit",
+             "report", "scene", "mechanics", "effects", "scene_files", "scene_layout",
+             "documentation", "simulate", "cost", "generate_command", "command_line", "extras",
              "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
