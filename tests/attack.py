@@ -44,7 +44,7 @@ def bounds(operation: Operation, precision: Precision, tier: str) -> tuple[Bound
     """The emitted bounds of the operation's results."""
     program = plain_program(operation)
     if tier != "plain":
-        program = next(t for t in TIERS if t.name == tier).program(program, precision.name)
+        program = next(t for t in TIERS if t.name == tier).program(program, precision)
     return bounds_of(program)
 
 

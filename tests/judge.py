@@ -55,7 +55,7 @@ JUDGED = tuple(op for op in OPERATIONS if op in TIERED or op.normwise
 def tier_program(operation: Operation, precision: Precision, tier: str) -> Program:
     """What the tier computes."""
     plain = plain_program(operation)
-    return next((t.program(plain, precision.name) for t in TIERS if t.name == tier), plain)
+    return next((t.program(plain, precision) for t in TIERS if t.name == tier), plain)
 
 
 @functools.cache

@@ -46,7 +46,7 @@ def negated_fused_sums(program: Program) -> list[str]:
 def test_no_fused_sum_is_negated(tier: Tier, precision: Precision):
     plain = [p for p in map(plain_program, OPERATIONS) if tier.has(p)]
     assert len(plain) > 100
-    found = {p.name: negated_fused_sums(tier.program(p, precision.name)) for p in plain}
+    found = {p.name: negated_fused_sums(tier.program(p, precision)) for p in plain}
     assert {name: sums for name, sums in found.items() if sums} == {}
 
 
