@@ -17,7 +17,7 @@ from coscrew_codegen.emit import (
     stale_files,
     write,
 )
-from coscrew_codegen.layout import Files, Programs, generated_files
+from coscrew_codegen.layout import Files, Programs, generated_files, scene_files
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.mechanics.ranges import RangeError
 from coscrew_codegen.operations import FAMILIES
@@ -26,7 +26,6 @@ from coscrew_codegen.report import ReportError, command
 from coscrew_codegen.scene.assembly import ModelError
 from coscrew_codegen.scene_files import catalogue
 from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_layout import scene_files
 from coscrew_codegen.selection import LANGUAGES, Selection, SelectionError, select
 from coscrew_codegen.simulate import SimulateError, check_command
 from coscrew_codegen.simulate import command as simulate
@@ -109,7 +108,7 @@ def _generate_scene(options: argparse.Namespace) -> int:
         print(f"{options.scene.name}: {line}", file=sys.stderr)
     said = "".join(f" --{name} {word}" for name in ("precision", "implausible")
                    if (word := getattr(options, name)))
-    files = scene_files(scene, derive(scene), f"coscrew generate {options.scene.name}{said}")
+    files = scene_files(derive(scene), f"coscrew generate {options.scene.name}{said}")
     folder = Path(options.output)
     if not options.check:
         refuse_others(files, folder)

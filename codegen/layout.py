@@ -4,8 +4,10 @@ from collections.abc import Iterable
 
 from coscrew_codegen.library import Library
 from coscrew_codegen.program import Program
+from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.selection import Selection
 from coscrew_codegen.targets import targets
+from coscrew_codegen.targets.scene_text import banner_of
 from coscrew_codegen.targets.target import Files
 
 Programs = dict[str, Program]
@@ -18,6 +20,14 @@ def generated_files(selection: Selection, programs: Programs) -> Files:
     asked = set(selection.languages)
     return _gathered((target.name, target.library(library)) for target in targets()
                      if target.asked and target.library and asked.issuperset(target.languages))
+
+
+def scene_files(functions: SceneFunctions, command: str = "") -> Files:
+    """Every file of a scene, by its path in the output folder; `command` makes them, as their
+    first lines say.  Raises ValueError for a name that a file cannot bear."""
+    banner = banner_of(functions.name, command)
+    return _gathered((target.name, target.scene(functions, banner)) for target in targets()
+                     if target.asked and target.scene)
 
 
 def _gathered(made: Iterable[tuple[str, Files]]) -> Files:

@@ -14,10 +14,10 @@ from coscrew_codegen.native.timing import Loop, driver, pointers
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function
-from coscrew_codegen.scene_layout import banner_of, c_files
 from coscrew_codegen.simulate.native import Compiler, library
+from coscrew_codegen.targets import scene_c
 from coscrew_codegen.targets.scene_c import c_name
-from coscrew_codegen.targets.scene_text import outputs, size, step_inputs
+from coscrew_codegen.targets.scene_text import banner_of, outputs, size, step_inputs
 
 ELEMENTS = 64  # states a loop goes through: they stay in the first-level cache
 State = tuple[np.ndarray, np.ndarray]
@@ -73,7 +73,7 @@ def _made(function: Function, precision: Precision) -> list[np.ndarray]:
 def compiled(part: Part, functions: Sequence[Function], compiler: Compiler) -> Compiled:
     """A part's loops over these functions, compiled as load_scene does; CompilationError if not."""
     name = part.functions.name
-    files = {**c_files(part.functions, banner_of(name)), "loops.c": text(part, functions),
+    files = {**scene_c.files(part.functions, banner_of(name)), "loops.c": text(part, functions),
              "driver.c": driver()}
     units = {"scene": (f"{name}.c",), "loops": ("loops.c",), "driver": ("driver.c",)}
     return Compiled(part, library(units, files, compiler))

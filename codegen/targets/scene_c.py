@@ -20,6 +20,7 @@ from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, listed, product
 from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, function_named, size
+from coscrew_codegen.targets.target import Files, Target
 
 
 @dataclass(frozen=True)
@@ -37,8 +38,9 @@ _IN_WORDS = {("double",): "double precision alone, as the scene says",
              ("double", "single"): "double and (names that end in f) single precision"}
 
 
-def texts(scene: SceneFunctions, banner: str) -> tuple[str, str]:
-    """The texts of arm.h and arm.c."""
+def files(scene: SceneFunctions, banner: str) -> Files:
+    """arm.h and arm.c."""
+    scene_text.check_names(scene)
     sections = [{"precision": p, "functions": _functions(scene, p)}
                 for p in named(scene.precisions)]
     macros = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
@@ -50,8 +52,9 @@ def texts(scene: SceneFunctions, banner: str) -> tuple[str, str]:
     macros += [entry for p in named(scene.precisions) for entry in _defaults(scene, p)]
     shared = {"banner": banner, "name": scene.name, "upper": scene.name.upper(),
               "sections": sections}
-    return (render("scene/scene.h", about=comment_of(_about(scene)), macros=macros, **shared),
-            render("scene/scene.c", products=named(scene.precisions), **shared))
+    return {f"{scene.name}.h": render("scene/scene.h", about=comment_of(_about(scene)),
+                                      macros=macros, **shared),
+            f"{scene.name}.c": render("scene/scene.c", products=named(scene.precisions), **shared)}
 
 
 def c_name(scene: SceneFunctions, name: str, precision: Precision) -> str:
@@ -232,3 +235,6 @@ def _rate(scene: SceneFunctions, precision: Precision, out: str, **values: str) 
     if found is None:
         return f"memcpy({out}, {values['v']}, sizeof {out});"
     return _call(scene, precision, found, out, **values)
+
+
+TARGET = Target("scene in C", ("c",), scene=files)

@@ -13,10 +13,10 @@ from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.scene_c import c_name
+from coscrew_codegen.targets.target import Files, Target
 
 # Times and steps are those of steps called one by one: rounded from double.
 _RUN = {"t": "({real})(t + (double)k * h)", "h": "({real})h"}
-_FORMAT = {"double": "d", "single": "f"}  # as the buffer protocol writes it
 
 
 @dataclass(frozen=True)
@@ -48,9 +48,14 @@ def callables(scene: SceneFunctions) -> tuple[Callable, ...]:
     return tuple(found)
 
 
+def files(scene: SceneFunctions, banner: str) -> Files:
+    """arm_calls.c, which is compiled with arm.c for Python, and bears no banner."""
+    return {f"{scene.name}_calls.c": source(scene)}
+
+
 def source(scene: SceneFunctions) -> str:
     """The text of the file that is compiled for Python."""
-    sections = [{"precision": p, "format": _FORMAT[p.name],
+    sections = [{"precision": p, "format": p.buffer_format,
                  "other": next(x.c_type for x in PRECISIONS if x != p),
                  "functions": [_function(scene, f, p) for f in callables(scene)]}
                 for p in named(scene.precisions)]
@@ -85,3 +90,6 @@ def _array(name: str, shape: tuple[int, ...]) -> dict[str, str]:
     size = scene_text.count(shape)
     return {"name": name, "size": str(size), "room": str(max(size, 1)), "axes": str(len(shape)),
             "shape": ", ".join(map(str, shape)) or "1"}
+
+
+TARGET = Target("calls of a scene", ("c", "python"), scene=files, asked=False)

@@ -19,10 +19,17 @@ from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.numpy import NUMPY_NAMES
 from coscrew_codegen.targets.scene_expressions import Expressions
 from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, function_named
+from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.version import VERSION
 
 
-def package(scene: SceneFunctions, banner: str) -> dict[str, str]:
+def files(scene: SceneFunctions, banner: str) -> Files:
+    """The package arm/."""
+    scene_text.check_names(scene)
+    return {f"{scene.name}/{file}": text for file, text in _package(scene, banner).items()}
+
+
+def _package(scene: SceneFunctions, banner: str) -> Files:
     """The package's files by name."""
     about = [row for line in scene_text.order_in_words(scene)
              for row in wrap(_quoted(line), WIDTH, subsequent_indent="    ")]
@@ -33,8 +40,8 @@ def package(scene: SceneFunctions, banner: str) -> dict[str, str]:
         tables=[_tuple("JOINTS", [x.joint for x in scene.coordinates]),
                 _tuple("BODIES", scene.bodies), _dictionary("PARAMETERS", scene.parameters),
                 _tuple("NEUTRAL_Q", scene.neutral)])
-    files = {"__init__.py": head, "_arrays.py": render("scene/arrays.py", banner=banner)}
-    return files | {f"{p.name}.py": _module(scene, banner, p) for p in named(scene.precisions)}
+    shared = {"__init__.py": head, "_arrays.py": render("scene/arrays.py", banner=banner)}
+    return shared | {f"{p.name}.py": _module(scene, banner, p) for p in named(scene.precisions)}
 
 
 def _tuple(name: str, values: Sequence[object]) -> str:
@@ -143,3 +150,6 @@ def _rate(scene: SceneFunctions, **values: str) -> str:
     """φ' for the speeds v; without quaternions that is v."""
     found = next((f for f in scene.functions if f.name == RATE), None)
     return values["v"] if found is None else _call(found, **values)
+
+
+TARGET = Target("scene in Python", ("python",), scene=files)

@@ -113,8 +113,18 @@ def used_functions(scene: SceneFunctions) -> tuple[Function, ...]:
     return tuple(f for f in scene.functions if not f.internal or f.name in called)
 
 
+def banner_of(name: str, command: str = "") -> str:
+    """The first line of a scene's files, as a comment's text; `command` makes them."""
+    made = printable(command or f"coscrew generate {name}.toml")
+    return f"Made by `{made}`; changes are overwritten."
+
+
 def check_names(scene: SceneFunctions) -> None:
-    """Raises ValueError for names that are no variables' or are given twice in a function."""
+    """Raises ValueError for a name of the scene that files in C and Python cannot bear, and for
+    names that are no variables' or are given twice in a function."""
+    name = scene.name
+    if not (name.isascii() and name.isidentifier()) or keyword.iskeyword(name):
+        raise ValueError(f"scene {name!r}: a name that C and Python can import is wanted")
     for function in used_functions(scene):
         _check(function)
 

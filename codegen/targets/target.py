@@ -1,10 +1,14 @@
 """What a target is: given Programs, it returns files."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from coscrew_codegen.library import Library
-from coscrew_codegen.scene_functions import SceneFunctions
+if TYPE_CHECKING:
+    from coscrew_codegen.library import Library
+    from coscrew_codegen.scene_functions import SceneFunctions
 
 Files = dict[str, str]  # by path in the output folder, with forward slashes
 

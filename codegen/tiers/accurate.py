@@ -18,9 +18,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 
-import numpy as np
-
-from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
 from coscrew_codegen.program import (
     Constant,
     Instruction,
@@ -61,7 +59,7 @@ def widened(program: Program) -> Program:
     def narrow(x: Operand) -> Operand:
         if not isinstance(x, Constant):
             return x
-        value = Fraction(float(np.float32(x.single.numerator / x.single.denominator)))
+        value = Fraction(float(SINGLE.rounded(x.single)))
         return Constant(value, value)
 
     program = negating_terms(program)  # C fuses exact products into sums

@@ -7,9 +7,7 @@ from functools import cache
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Constant, Op, Operand, Program
-
-POLYNOMIAL = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG})
-_UNROUNDED = {Op.NEG, Op.ABS, Op.SELECT, Op.LESS, Op.EQUAL, Op.SCALE}
+from coscrew_codegen.program.ops import POLYNOMIAL
 
 
 def is_polynomial(program: Program) -> bool:
@@ -20,9 +18,9 @@ def is_polynomial(program: Program) -> bool:
 def rounds_by(ops: frozenset[Op], program: Program) -> bool:
     """Whether it rounds, by these alone, and computes with no constant that is rounded: no tier
     can make up for that."""
-    held = set(program.counts)
-    return bool(held - _UNROUNDED) and held <= ops and not any(
-        _is_rounded(x) for step in program.instructions if step.op not in _UNROUNDED
+    held = program.counts.keys()
+    return any(op.rounds for op in held) and held <= ops and not any(
+        _is_rounded(x) for step in program.instructions if step.op.rounds
         for x in step.operands)
 
 

@@ -1,0 +1,175 @@
+"""Numbers that a precision cannot hold are refused by name before anything is generated."""
+
+import subprocess
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from coscrew_codegen import load_scene
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.formats import DOUBLE, SINGLE
+from coscrew_codegen.layout import scene_files
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.mechanics.ranges import RangeError
+from coscrew_codegen.program import Constant
+from coscrew_codegen.scene_files.toml_scene import Said, read_scene
+
+SCENE = """
+{precision}
+runtime = []
+[bodies.bob]
+mass = 2
+com = [0, 0, -0.5]
+inertia = [0.01, 0.01, 0.01]
+[bodies.tip]
+mass = 0.5
+inertia = [0.01, 0.01, 0.01]
+[joints.pivot]
+type = "continuous"
+child = "bob"
+axis = [0, 1, 0]
+[joints.wrist]
+type = "revolute"
+parent = "bob"
+child = "tip"
+axis = [0, 1, 0]
+origin = {{ xyz = [0, 0, -1] }}
+mimic = {{ joint = "pivot", multiplier = 2, offset = 3 }}
+[effects.gravity]
+[effects.mimic]
+[effects.viscous.pivot]
+d = 0.25
+[effects.drag.tip]
+rho = 1.25
+area = 0.125
+point = [0, 0, 7]
+[effects.wrench.tip]
+force = ["4*t", 0, 6]
+[run]
+duration = 0.01
+"""
+DOUBLE_SAID = 'precision = "double"'
+
+CASES = [
+    ("mass = 2", "mass = 1e60", "body 'bob': mass 1e+60 kg"),
+    ("mass = 2", "mass = 1e-40", "body 'bob': mass 1e-40 kg"),
+    ("inertia = [0.01, 0.01, 0.01]\n[bodies.tip]",
+     "inertia = [0.01, 0.01, 1e-39]\n[bodies.tip]", "body 'bob': inertia zz 1e-39 kg m²"),
+    ("com = [0, 0, -0.5]", "com = [0, 0, -1e39]", "body 'bob': com z -1e+39 m"),
+    ("xyz = [0, 0, -1]", "xyz = [0, 1e200, 0]", "joint 'wrist': origin y 1e+200 m"),
+    ("multiplier = 2", "multiplier = 1e-39", "joint 'wrist': mimic's multiplier 1e-39"),
+    ("offset = 3", "offset = 1e39", "joint 'wrist': mimic's offset 1e+39"),
+    ("d = 0.25", "d = 1e40", "effect viscous.pivot: d 1e+40 N m s/rad or N s/m"),
+    ("area = 0.125", "area = 1e-45", "effect drag.tip: area 1e-45 m^2"),
+    ("[0, 0, 7]", "[0, 0, 7e50]", "effect drag.tip: point 7e+50 m"),
+    ("0, 6]", "0, 6e50]", "effect wrench.tip: force 6e+50 N"),
+    ("[effects.gravity]", "[effects.gravity]\ng = [0, 0, 1e39]", "effect gravity: g 1e+39 m/s^2"),
+    # products
+    ("com = [0, 0, -0.5]", "com = [0, 0, -1e25]", "body 'bob': its numbers are multiplied to"),
+    ("rho = 1.25\narea = 0.125", "rho = 1e30\narea = 1e20",
+     "drag at tip: its numbers are multiplied to 1e+50"),
+    ('"4*t"', '"4e50*t"', "wrench at tip: its numbers are multiplied to 4e+50"),
+    # quotients that no constant holds: tau/max(|v|, eps) is tau/eps at rest
+    ("[effects.viscous.pivot]", "[effects.coulomb.pivot]\ntau_c = 1e5\neps = 1e-37\n"
+     "[effects.viscous.pivot]", "coulomb at pivot: its numbers are divided to 1e+42 at rest"),
+    ("[effects.viscous.pivot]", "[effects.stribeck.pivot]\ntau_c = 1\ntau_s = 1e5\nv_s = 0.1\n"
+     "eps = 1e-37\n[effects.viscous.pivot]",
+     "stribeck at pivot: its numbers are divided to 1e+42 at rest"),
+]
+
+
+@pytest.fixture
+def path(tmp_path):
+    def path(old="", new="", precision=""):
+        assert old in SCENE
+        (tmp_path / "arm.toml").write_text(
+            SCENE.format(precision=precision).replace(old.replace("{{", "{"), new, 1))
+        return tmp_path / "arm.toml"
+    return path
+
+
+@pytest.mark.parametrize("old, new, words", CASES)
+def test_what_single_precision_cannot_hold_is_named(path, old, new, words):
+    with pytest.raises(RangeError) as caught:
+        derive(read_scene(path(old, new)))
+    message = str(caught.value)
+    assert message.startswith(f"arm: {words}") and "\n" not in message
+    assert "is outside single precision's range: 0, and 1." in message
+    assert 'precision = "double" in the scene file, or --precision double' in message
+
+
+@pytest.mark.parametrize("old, new, words", CASES)
+def test_double_precision_alone_is_not_refused_for_single(path, old, new, words):
+    functions = derive(read_scene(path(old, new, DOUBLE_SAID)))
+    files = scene_files(functions)
+    assert set(files) == {"arm.h", "arm.c", "arm/__init__.py", "arm/_arrays.py", "arm/double.py"}
+    assert "3.4028235e+38" not in files["arm.c"] and " float " not in files["arm.c"]
+    assert derive(read_scene(path(old, new), said=Said("double"))) == functions
+
+
+@pytest.mark.parametrize("old, new", [("com = [0, 0, -0.5]", "com = [0, 0, 1e200]"),
+                                      ("xyz = [0, 0, -1]", "xyz = [1e200, 0, 0]"),
+                                      ("rho = 1.25\narea = 0.125", "rho = 1e200\narea = 1e200")])
+def test_what_double_precision_cannot_hold_has_no_such_way_round(path, old, new):
+    with pytest.raises(RangeError, match="outside double precision's range: 0, and 4.9e-324 to "
+                                         r"1.8e\+308 in size$"):
+        derive(read_scene(path(old, new, DOUBLE_SAID)))
+
+
+@pytest.mark.parametrize("eps, tau_c", [("1e-30", "1e8"), ("1e-3", "1e-30"), ("1e30", "1e-30")])
+def test_quotients_within_range_are_not_refused(path, eps, tau_c):
+    """Nor are those that round to 0."""
+    its = load_scene(path("[effects.viscous.pivot]", f"[effects.coulomb.pivot]\ntau_c = {tau_c}\n"
+                          f"eps = {eps}\n[effects.viscous.pivot]"))
+    assert all(np.isfinite(x).all() for x in its.single.step_leapfrog(0.0, 1e-3, [0.1], [0.0]))
+
+
+def test_parameters_values_count(path):
+    with pytest.raises(RangeError, match="body 'bob': mass 1e-40 kg"):
+        file = path("mass = 2", "mass = 1e-40")
+        file.write_text(file.read_text().replace("runtime = []", 'runtime = ["bob.mass"]'))
+        derive(read_scene(file))
+
+
+@pytest.mark.parametrize("command", ["generate {} -o {}/out", "simulate {}", "check {}", "cost {}"])
+def test_every_command_says_it_in_a_line(path, capsys, command):
+    file = path("mass = 2", "mass = 1e60")
+    words = command.format(file, file.parent).split()
+    assert main(words) == 2
+    told = capsys.readouterr()
+    assert told.out == "" and told.err.count("\n") == 1
+    assert told.err.startswith("coscrew: arm: body 'bob': mass 1e+60 kg is outside single")
+    assert not (file.parent / "out").exists()
+
+
+def test_double_alone_runs_and_single_says_why_it_does_not(path, capsys):
+    file = path("mass = 2", "mass = 1e60")
+    assert main(["simulate", str(file), "--precision", "double"]) == 0
+    file = path("mass = 2", "mass = 1e60", DOUBLE_SAID)
+    kernels = load_scene(file)
+    assert np.isfinite(kernels.double.forward_dynamics(0.0, [0.1], [0.0], [0.0])).all()
+    with pytest.raises(AttributeError, match="arm in single precision is not there: the scene is "
+                                             "of double precision alone"):
+        kernels.single.forward_dynamics
+    with pytest.raises(RangeError):
+        load_scene(path("mass = 2", "mass = 1e60"))
+
+
+def test_files_of_double_alone_compile(path, tmp_path):
+    out = tmp_path / "out"
+    assert main(["generate", str(path()), "-o", str(out), "--precision", "double"]) == 0
+    assert (out / "arm.h").read_text().startswith(
+        "/* Made by `coscrew generate arm.toml --precision double`;")
+    subprocess.run(["cc", "-std=c11", "-Wall", "-Wextra", "-Werror", "-c", "arm.c"], cwd=out,
+                   check=True)
+    assert main(["generate", str(path()), "-o", str(out)]) == 0 and (out / "arm/single.py").exists()
+
+
+@pytest.mark.parametrize("precision, value", [
+    (SINGLE, Fraction(10)**39), (SINGLE, Fraction(1, 10**46)), (SINGLE, -Fraction(10)**60),
+    (DOUBLE, Fraction(10)**400), (DOUBLE, Fraction(1, 10**400))])
+def test_no_literal_is_infinite_or_zero_that_is_not(precision, value):
+    with pytest.raises(ValueError, match=f"outside {precision.name} precision's range"):
+        precision.literal(Constant(value, value))
+    assert precision.literal(Constant(Fraction(0), Fraction(0))) == "0.0"
