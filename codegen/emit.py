@@ -8,12 +8,13 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
+from coscrew_codegen.errors import Told
 from coscrew_codegen.layout import Files
 
 MARK = "Made by `coscrew generate"
 
 
-class EmitError(OSError):
+class EmitError(Told, OSError):
     """The files cannot be written; those on disk are as they were."""
 
 
@@ -45,7 +46,7 @@ def stale_files(files: Files, folder: Path) -> tuple[str, ...]:
     """Files that an earlier generator made and this one does not, in the folders it writes to."""
     owned = sorted({Path(path).parts[0] for path in files})
     found = (p for name in owned for p in (folder / name).rglob("*")
-             if p.is_file() and p.suffix in (".h", ".c", ".py", ".pyi"))
+             if p.is_file() and p.suffix in (".h", ".c", ".py", ".pyi", ".md", ".json"))
     names = sorted(p.relative_to(folder).as_posix() for p in found)
     return tuple(name for name in names
                  if name not in files and MARK in (read(folder, name) or "")[:200])

@@ -1,25 +1,34 @@
 """Renders the templates; they stand beside this package and hold file shapes only."""
 
+from functools import cache
 from importlib.resources import files
-
-import jinja2
+from typing import TYPE_CHECKING
 
 from coscrew_codegen.version import VERSION
 
-_ENVIRONMENT = jinja2.Environment(
-    loader=jinja2.FunctionLoader(
-        lambda name: files("coscrew_codegen.templates").joinpath(name).read_text("utf-8")),
-    undefined=jinja2.StrictUndefined, autoescape=False, trim_blocks=False, lstrip_blocks=False,
-    keep_trailing_newline=True)
+if TYPE_CHECKING:  # imported where it is used: what is cached is rendered no more
+    import jinja2
 
 
-_COMMENTS = {"c": " */\n/* ", "h": " */\n/* ", "py": "\n# ", "pyi": "\n# "}
+_COMMENTS = {"c": " */\n/* ", "h": " */\n/* ", "py": "\n# ", "pyi": "\n# ",
+             "md": " -->\n<!-- "}
 """What stands between the lines of a comment, by the ending of a template's name."""
 
 LICENSE = ("SPDX-License-Identifier: MIT",
            f"coscrew {VERSION}.  Copyright (c) 2026 The coscrew authors.")
 """Lines 2 and 3 of every generated file.  What is generated for a user's scene holds coscrew's
 code, and so bears its license; numbers and names in it are the scene's."""
+
+
+@cache
+def _environment() -> "jinja2.Environment":
+    import jinja2
+
+    return jinja2.Environment(
+        loader=jinja2.FunctionLoader(
+            lambda name: files("coscrew_codegen.templates").joinpath(name).read_text("utf-8")),
+        undefined=jinja2.StrictUndefined, autoescape=False, trim_blocks=False,
+        lstrip_blocks=False, keep_trailing_newline=True)
 
 
 def render(template: str, **holes: object) -> str:
@@ -29,5 +38,5 @@ def render(template: str, **holes: object) -> str:
     if "banner" in holes:
         between = _COMMENTS[template.rpartition(".")[2]]
         holes["banner"] = between.join((str(holes["banner"]), *LICENSE))
-    text = _ENVIRONMENT.get_template(f"{template}.jinja").render(**holes)
+    text = _environment().get_template(f"{template}.jinja").render(**holes)
     return text.rstrip("\n") + "\n"

@@ -5,11 +5,11 @@ issued once; signs move outwards until a sum takes them up.  Knows no mechanics.
 """
 
 import string
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
-from fractions import Fraction
+from functools import partial
 
+from coscrew_codegen.parameter import Parameter, Scalar
 from coscrew_codegen.program import (
     Constant,
     Input,
@@ -22,24 +22,13 @@ from coscrew_codegen.program import (
     without_dead_steps,
 )
 from coscrew_codegen.program.folding import Folded, Sign, folded, fraction
-from coscrew_codegen.program.interpreter import Arithmetic, evaluate
+from coscrew_codegen.program.interpreter import Arithmetic, interpreter
 from coscrew_codegen.programs import library_program
 from coscrew_codegen.quantity import Argument, Quantity
 from coscrew_codegen.recording.numbers import Number
 
 Numbers = Sequence[Number]
 
-
-@dataclass(frozen=True)
-class Parameter:
-    """A number that stays an argument of the kernels: element `index` of their argument p."""
-
-    name: str  # as in a scene's `runtime`: tool.mass
-    index: int
-    value: Fraction  # where nothing else is given
-
-
-Scalar = Fraction | Parameter
 
 
 
@@ -61,8 +50,8 @@ class Recorder:
         self.heading = ""  # of the part in which something was divided by zero
         self._taken: dict[str, int] = {}
         self._arithmetic: Arithmetic[Operand] = Arithmetic(
-            lambda x: x, lambda step, _, operands: self.issue(step.op, tuple(operands)),
-            NotANumber())
+            lambda x: x, lambda step, _: partial(self._issued_of, step.op), NotANumber())
+        self._replays: dict[str, Callable[[Sequence[Sequence[Operand]]], list[Operand]]] = {}
 
     # what goes in
 
@@ -105,8 +94,12 @@ class Recorder:
     def call(self, operation: str, *arguments: Number | Numbers) -> tuple[Number, ...]:
         """All components of the operation's outputs, its plain program replayed."""
         given = [[x.operand for x in ([a] if isinstance(a, Number) else a)] for a in arguments]
-        results = evaluate(library_program(operation), given, self._arithmetic)
-        return tuple(Number(self, x) for x in results)
+        if operation not in self._replays:
+            self._replays[operation] = interpreter(library_program(operation), self._arithmetic)
+        return tuple(Number(self, x) for x in self._replays[operation](given))
+
+    def _issued_of(self, op: Op, *operands: Operand) -> Operand:
+        return self.issue(op, operands)
 
     def issue(self, op: Op, operands: tuple[Operand, ...]) -> Operand:
         """The operand that holds op(operands): folded, found, or issued anew."""

@@ -44,7 +44,7 @@ def files(library: Library) -> Files:
 
 
 def has_extension(library: Library, tier: Tier) -> bool:
-    """Whether there is one: Python has the tier, C and Python are asked for, and it is not empty."""
+    """Whether there is one: Python has the tier, both languages are asked for, it is not empty."""
     return (tier.in_python and bool(library.documented(tier))
             and set(TARGET.languages) <= set(library.languages))
 

@@ -165,12 +165,12 @@ def imported_modules(node: ast.AST) -> list[str]:
 
 def test_imports_run_one_way():
     """version < … < algebra < … < kernel < passes < schedule < tiers < targets < … < emit."""
-    order = ["version", "integrators", "identifiers", "algebra", "quantity", "operations",
-             "kernel", "passes", "program", "formats", "scene_functions", "schedule", "programs",
-             "recording", "found", "tiers", "library", "render", "native", "targets", "special",
-             "exact", "selection", "layout", "documentation", "emit", "report", "scene", "mechanics",
-             "effects", "scene_files", "simulate", "cost", "command_line",
-             "console", "extras", "__main__"]
+    order = ["version", "errors", "parameter", "integrator", "integrators", "identifiers",
+             "algebra", "quantity", "operations", "kernel", "passes", "program", "formats",
+             "scene_functions", "schedule", "programs", "recording", "found", "tiers", "library",
+             "render", "native", "targets", "special", "exact", "selection", "layout", "emit",
+             "report", "scene", "mechanics", "effects", "scene_files", "documentation", "console",
+             "simulate", "cost", "generate_command", "command_line", "extras", "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
 
@@ -188,10 +188,10 @@ def test_imports_run_one_way():
                 name, _, rest = module.partition(".")
                 assert name != "coscrew" or here in ("report", "simulate"), (
                     f"{path} imports what is generated")
-                if name == "coscrew_codegen":
+                if name == "coscrew_codegen" and rest != "templates":
                     assert order.index(rest.split(".")[0]) <= order.index(here), f"{path}: {module}"
                 if name == "sympy":
-                    known = here in ("schedule", "tiers", "exact", "report")
+                    known = here in ("schedule", "tiers", "exact", "documentation", "report")
                     assert known or order.index(here) < order.index("program"), path
     assert seen == set(order)
 

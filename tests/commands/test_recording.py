@@ -11,14 +11,15 @@ import pyarrow.parquet
 import pytest
 
 from coscrew_codegen import load_scene
+from coscrew_codegen.scene.content import content_hash
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import SimulateError, write
 from coscrew_codegen.simulate.outcome import Asked, simulated
 from coscrew_codegen.simulate.plot import plot
-from coscrew_codegen.simulate.provenance import scene_hash
 from coscrew_codegen.simulate.record import differences
 from coscrew_codegen.simulate.recording import Column, Recording
 from tests.support.scenes import scene_texts as texts
+from tests.support.scenes.asking import STEPPED
 
 ENDINGS = tuple(write.FORMATS)
 EVERYTHING = """record = ["q", "v", "a", "energy", "momentum", "power", "pose.bob", "position.bob",
@@ -28,7 +29,7 @@ EVERYTHING = """record = ["q", "v", "a", "energy", "momentum", "power", "pose.bo
 def outcomes(folder: Path, text: str, **asked):
     path = folder / "scene.toml"
     path.write_text(text)
-    return simulated(load_scene(path), Asked(**asked))
+    return simulated(load_scene(path, functions=STEPPED), Asked(**asked))
 
 
 @pytest.fixture(scope="module")
@@ -214,7 +215,7 @@ def test_the_hash_is_of_what_the_scene_says_not_of_its_layout(tmp_path):
     def hashed(text: str) -> str:
         path = tmp_path / "scene.toml"
         path.write_text(text)
-        return scene_hash(read_scene(path))
+        return content_hash(read_scene(path))
 
     own = hashed(texts.SPRING)
     assert hashed("# a comment\n" + texts.SPRING.replace("mass = 2", "mass = 2.0")) == own

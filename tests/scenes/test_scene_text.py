@@ -97,7 +97,8 @@ def test_operations_are_counted_above_each_function():
     text = files(functions)
     for f in functions.functions:
         words = counts_in_words(f.program).capitalize()
-        for path in ("pendulum.h", "pendulum.c", "pendulum/double.py"):
+        declared = [] if f.internal else ["pendulum.h"]
+        for path in (*declared, "pendulum.c", "pendulum/double.py"):
             assert f"{words}." in text[path]
     assert "1 exp, 1 tanh" in text["pendulum.h"]
 
@@ -130,8 +131,6 @@ def test_internal_functions_are_not_offered():
     names = {node.name for node in ast.parse(text["slider/double.py"]).body
              if isinstance(node, ast.FunctionDef)}
     assert "_implicit_acceleration" in names and "implicit_acceleration" not in names
-    without = replace(CASES["slider"](), steps=("semi_implicit_euler",))
-    assert "implicit_acceleration" not in files(without)["slider.c"]
 
 
 @pytest.mark.parametrize("name", ("class", "lambda", "two words", "1st", "", "größe", "a-b"))
