@@ -13,16 +13,20 @@ import jsonschema
 import pytest
 from PIL import Image, ImageChops
 
+from coscrew_codegen.__main__ import main
+
 ROOT = Path(__file__).parents[2]
 README = ROOT / "README.md"
 WRITTEN = (README, *sorted((ROOT / "docs").glob("*.md")))
 TEXTS = {path.relative_to(ROOT).as_posix(): path.read_text(encoding="utf-8") for path in WRITTEN}
 
 
-def snippets(language: str) -> list:
-    return [pytest.param(snippet, id=f"{name}-{number}") for name, text in TEXTS.items()
-            for number, snippet in enumerate(re.findall(rf"```{language}\n(.*?)```", text,
-                                                        re.DOTALL))]
+def snippets(language: str, holding: str = "") -> list:
+    found = [pytest.param(snippet, id=f"{name}-{number}") for name, text in TEXTS.items()
+             for number, snippet in enumerate(re.findall(rf"```{language}\n(.*?)```", text,
+                                                         re.DOTALL)) if holding in snippet]
+    assert found
+    return found
 
 
 def test_the_readme_is_a_first_screen():
@@ -49,7 +53,21 @@ def test_python_snippets_print_what_their_comments_say(snippet, tmp_path):
     assert done.stdout.splitlines() == re.findall(r"^# (.*)$", snippet, re.MULTILINE)
 
 
-@pytest.mark.parametrize("snippet", snippets("c"))
+@pytest.mark.parametrize("snippet", snippets("c", '"swing.h"'))
+def test_c_snippets_of_scenes_print_what_their_comments_say(snippet, tmp_path):
+    """The scene stands above in the same guide."""
+    (scene,) = re.findall(r"```toml\n(.*?)```", TEXTS["docs/c.md"], re.DOTALL)
+    (tmp_path / "swing.toml").write_text(scene)
+    (tmp_path / "program.c").write_text(snippet)
+    assert main(["generate", str(tmp_path / "swing.toml"), "-o", str(tmp_path / "firmware")]) == 0
+    subprocess.run(["cc", "-std=c11", "-Wall", "-Wextra", "-Wdouble-promotion", "-Werror",
+                    "-DSWING_NO_DOUBLE", "-I", "firmware", "program.c", "firmware/swing.c", "-o",
+                    "program", "-lm"], cwd=tmp_path, check=True)
+    done = subprocess.run([str(tmp_path / "program")], text=True, capture_output=True, check=True)
+    assert done.stdout.splitlines() == re.findall(r"/\* (.*?) \*/", snippet)
+
+
+@pytest.mark.parametrize("snippet", snippets("c", "ksl/coscrew.h"))
 @pytest.mark.parametrize("include", ("generated/c/include", "amalgamation"))
 def test_c_snippets_compile_and_run(snippet, include, tmp_path):
     if include == "amalgamation":
