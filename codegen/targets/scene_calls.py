@@ -11,6 +11,7 @@ from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import SceneFunctions, SceneInterface, Signature
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.scene_text import c_name
+from coscrew_codegen.targets.target import Files, Target
 
 # Times and steps are those of steps called one by one: rounded from double.
 _RUN = {"t": "({real})(t + (double)k * h)", "h": "({real})h"}
@@ -35,6 +36,11 @@ def callables(scene: SceneFunctions) -> tuple[Signature, ...]:
         found.append(Signature(step.name, inputs, (("q", shapes["q"]), ("v", shapes["v"])),
                           scene_text.step_words(scene, step), moved=True))
     return tuple(found)
+
+
+def files(scene: SceneFunctions, banner: str) -> Files:
+    """arm_calls.c, which is compiled with arm.c for Python, and bears no banner."""
+    return {f"{scene.name}_calls.c": source(scene)}
 
 
 def source(scene: SceneFunctions) -> str:
@@ -74,3 +80,6 @@ def _array(name: str, shape: tuple[int, ...]) -> dict[str, str]:
     size = scene_text.count(shape)
     return {"name": name, "size": str(size), "room": str(max(size, 1)), "axes": str(len(shape)),
             "shape": ", ".join(map(str, shape)) or "1"}
+
+
+TARGET = Target("calls of a scene", ("c", "python"), scene=files, asked=False)
