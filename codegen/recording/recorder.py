@@ -5,15 +5,17 @@ issued once; signs move outwards until a sum takes them up.  Knows no mechanics.
 """
 
 import string
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 
 from coscrew_codegen.program import (
     Constant,
     Input,
     Instruction,
+    NotANumber,
     Op,
     Operand,
     Program,
@@ -21,6 +23,7 @@ from coscrew_codegen.program import (
     without_dead_steps,
 )
 from coscrew_codegen.program.folding import Folded, Sign, folded, fraction
+from coscrew_codegen.program.interpreter import Arithmetic, interpreter
 from coscrew_codegen.programs import library_program
 from coscrew_codegen.quantity import Argument, Quantity
 from coscrew_codegen.recording.numbers import Number
@@ -39,7 +42,6 @@ class Parameter:
 
 Scalar = Fraction | Parameter
 
-_COMMUTATIVE = {Op.ADD, Op.MUL, Op.EQUAL}
 
 
 def array(name: str, shape: tuple[int, ...], words: str = "") -> Argument:
@@ -59,6 +61,9 @@ class Recorder:
         self._heading = ""
         self.heading = ""  # of the part in which something was divided by zero
         self._taken: dict[str, int] = {}
+        self._arithmetic: Arithmetic[Operand] = Arithmetic(
+            lambda x: x, lambda step, _: partial(self._issued_of, step.op), NotANumber())
+        self._replays: dict[str, Callable[[Sequence[Sequence[Operand]]], list[Operand]]] = {}
 
     # what goes in
 
@@ -100,18 +105,13 @@ class Recorder:
 
     def call(self, operation: str, *arguments: Number | Numbers) -> tuple[Number, ...]:
         """All components of the operation's outputs, its plain program replayed."""
-        program = library_program(operation)
         given = [[x.operand for x in ([a] if isinstance(a, Number) else a)] for a in arguments]
-        known: dict[str, Operand] = {}
+        if operation not in self._replays:
+            self._replays[operation] = interpreter(library_program(operation), self._arithmetic)
+        return tuple(Number(self, x) for x in self._replays[operation](given))
 
-        def operand(x: Operand) -> Operand:
-            if isinstance(x, Ref):
-                return known[x.name]
-            return given[x.argument][x.index] if isinstance(x, Input) else x
-
-        for step in program.instructions:
-            known[step.name] = self.issue(step.op, tuple(map(operand, step.operands)))
-        return tuple(Number(self, operand(x)) for x in program.results)
+    def _issued_of(self, op: Op, *operands: Operand) -> Operand:
+        return self.issue(op, operands)
 
     def issue(self, op: Op, operands: tuple[Operand, ...]) -> Operand:
         """The operand that holds op(operands): folded, found, or issued anew."""
@@ -121,7 +121,7 @@ class Recorder:
         if not isinstance(result, Folded):
             return result
         op, operands = result.op, result.operands
-        if op in _COMMUTATIVE:
+        if op.meaning.commutes:
             operands = tuple(sorted(operands, key=_order))
         key = (op, operands)
         if key not in self._issued:

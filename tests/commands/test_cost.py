@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.cost import CostError
-from coscrew_codegen.cost.exact_run import evaluate, exact_end
+from coscrew_codegen.cost.exact_run import MULTIPRECISE, exact_end
 from coscrew_codegen.cost.leaving_out import TELLING, parts
 from coscrew_codegen.cost.loops import ELEMENTS, compiled, text
 from coscrew_codegen.cost.measure import measure
@@ -22,6 +22,7 @@ from coscrew_codegen.cost.table import table
 from coscrew_codegen.cost.work_precision import Point, Reference, error, reference
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE
 from coscrew_codegen.native.intervals import Interval
+from coscrew_codegen.program.interpreter import evaluate
 from coscrew_codegen.report.variants import flops
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.scene_layout import banner_of, c_files
@@ -29,6 +30,7 @@ from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.system import system
 from tests.support.scenes import scene_texts as texts
+from tests.support.scenes.asking import STEPPED
 
 
 @pytest.fixture(scope="module")
@@ -37,7 +39,7 @@ def kernels(tmp_path_factory):
     for name in ("PENDULUM", "SPRING", "BRICK"):
         path = folder / f"{name.lower()}.toml"
         path.write_text(getattr(texts, name).replace("duration = 10", "duration = 2"))
-        found[name] = load_scene(path)
+        found[name] = load_scene(path, functions=STEPPED)
     return found
 
 
@@ -158,7 +160,7 @@ def test_programs_are_evaluated_with_all_digits(kernels):
     with mp.workdps(60):
         q = mp.mpf(1) / 3
         (a,) = evaluate(forward, [{"q": [q], "v": [mp.mpf(2)], "tau": [mp.mpf(0)]}[x.name]
-                                  for x in forward.inputs])
+                                  for x in forward.inputs], MULTIPRECISE)
         assert abs(a + mp.mpf("9.81") * mp.sin(q)) < mp.mpf(10)**-58
 
 
@@ -170,7 +172,7 @@ tau_c = 1
 eps = 1e-9
 """)
     with pytest.raises(CostError, match="--digits is for smooth scenes"):
-        exact_end(system(load_scene(path), "double"), 2.0, 20)
+        exact_end(system(load_scene(path, functions=STEPPED), "double"), 2.0, 20)
 
 
 def test_the_sign_of_a_quaternion_is_no_error(kernels):
