@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import coscrew
+from tests.conftest import LONG
 
 TESTS = Path(__file__).parent
 SUBJECTS = ("laws", "emitted", "tiers", "scenes", "commands", "peers")
@@ -59,6 +60,10 @@ def test_folders_say_what_they_hold():
     for folder in {path.parent for path in MODULES}:
         assert (folder / "__init__.py").exists(), f"{folder} has no __init__.py"
         assert ast.get_docstring(MODULES[folder / "__init__.py"]), f"{folder}: no docstring"
+
+
+def test_what_quick_leaves_out_is_there():
+    assert {path.stem for path in MODULES if is_test(path)} >= LONG
 
 
 def collected(site: Path, *words: str) -> subprocess.CompletedProcess[str]:
