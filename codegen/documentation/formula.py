@@ -13,7 +13,7 @@ _AXES = {"vec3": "xyz", "vec4": "xyzw", "quaternion": "xyzw"}
 
 
 def formulas(operation: Operation) -> tuple[str, ...]:
-    """'\\mathit{vo} = \\begin{pmatrix} … \\end{pmatrix}' of each output; none where the components
+    """'\\mathrm{vo} = \\begin{pmatrix} … \\end{pmatrix}' of each output; none where the components
     are longer than people read, or choose between cases."""
     values = operation.formula(*(a.value for a in operation.inputs))
     values = values if isinstance(values, tuple) else (values,)

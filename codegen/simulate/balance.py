@@ -11,9 +11,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.integrate import cumulative_simpson
 
-from coscrew_codegen.integrators import DEFAULT
+from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.simulate.plan import Trajectory
 from coscrew_codegen.simulate.record import largest
 from coscrew_codegen.simulate.system import System
@@ -67,13 +66,15 @@ def _balance(system: System, trajectory: Trajectory, among: np.ndarray | None) -
     energy, work = kinetic + potential, np.zeros(len(t))
     power = np.broadcast_to(np.asarray(system.call("power", t=t, q=q, v=v), float), t.shape)
     if len(t) > 2 and np.any(power):
+        from scipy.integrate import cumulative_simpson  # takes longer to import than short runs
+
         work = cumulative_simpson(power, x=t, initial=0)
     elif len(t) == 2:
         work[1] = (t[1] - t[0]) * power.mean()
     change = energy - energy[0]
     scale = max(np.max(np.abs(x)) for x in (kinetic, change))
     parts = _parts(system, trajectory)
-    if system.programs["power"].instructions:
+    if system.computes("power"):
         work = _refined(system, trajectory, np.diff(energy), work, scale, parts)
     defect = np.abs(change - work)
     at = largest(defect if among is None else np.where(np.isin(t, among), defect, 0))
@@ -143,7 +144,8 @@ def _closely(system: System, t: np.ndarray, interval: np.ndarray, count: np.ndar
     h, total, before = interval / count, np.zeros(len(t)), _power(system, t, q, v)
     for k in range(count.max(initial=0)):
         i = np.flatnonzero(k < count)
-        q[i], v[i] = system.call(f"step_{DEFAULT}", t=t[i] + k * h[i], h=h[i], q=q[i], v=v[i])
+        q[i], v[i] = system.call(named(DEFAULT).step_name, t=t[i] + k * h[i], h=h[i], q=q[i],
+                                 v=v[i])
         after = _power(system, t[i] + (k + 1) * h[i], q[i], v[i])
         total[i] += h[i] / 2 * (before[i] + after)
         before[i] = after

@@ -11,9 +11,9 @@ from functools import partial
 
 import numpy as np
 
+from coscrew_codegen.integrator import Integrator
 from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.simulate import SimulateError
-from coscrew_codegen.simulate.adaptive import adaptive
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.system import State, System, Watch
@@ -35,7 +35,7 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
     `watch` is called with each sample as it is reached, and often enough in between to tell how far
     the run is: after every step of SciPy's and of pure NumPy's, else after 10000."""
     times, (q, v) = plan.samples, system.start()
-    run = adaptive if plan.adaptive else partial(fixed, alarm=alarm)
+    run = _adaptive if plan.adaptive else partial(fixed, alarm=alarm)
     sampled, stopped, interrupted, steps = [(q, v)], "", False, 0
     began, at = time.perf_counter(), 0.0
     if lacking := system.lacking(q, v):
@@ -55,14 +55,21 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
     return Trajectory(times[:len(sampled)], qs, vs, steps, seconds, stopped, interrupted)
 
 
+def _adaptive(system: System, plan: Plan, *others: object) -> Sampled:
+    from coscrew_codegen.simulate.adaptive import adaptive  # imports SciPy
+
+    return adaptive(system, plan, *others)
+
+
 def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
           watch: Watch | None = None, alarm: Alarming | None = None) -> Sampled:
     """(q, v, steps so far, "") at each sample after the first, or where and why it stopped."""
-    step, taken = system.stepper(f"step_{named(plan.integrator).step}", watch), 0
-    if plan.finer > 1 and plan.integrator == DEFAULT and system.has("parts"):
-        step = _in_finer_parts(system, plan.finer)
+    integrator = named(plan.integrator)
+    step, taken = system.stepper(integrator.step_name, watch), 0
+    if plan.finer > 1 and integrator.splits and system.has("parts"):
+        step = _in_finer_parts(system, integrator, plan.finer)
     look = alarm(system, plan, (q, v)) if alarm else None
-    kept = system.kept(q, v) if plan.integrator == DEFAULT else None
+    kept = system.kept(q, v) if integrator.keeps_momentum else None
     at_once = _KEPT if kept else _AT_ONCE
     with np.errstate(all="ignore"):
         for start, end in zip(times, times[1:]):
@@ -83,11 +90,11 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
             yield q, v, taken, stopped
 
 
-def _in_finer_parts(system: System, finer: int
+def _in_finer_parts(system: System, integrator: Integrator, finer: int
                     ) -> Callable[[int, float, float, np.ndarray, np.ndarray], State]:
-    """The default integrator, with as many parts of a step as one has that is `finer` times as
-    long."""
-    step = system.stepper(f"step_{DEFAULT}")
+    """An integrator that splits steps, with as many parts of a step as one has that is `finer`
+    times as long."""
+    step = system.stepper(integrator.step_name)
 
     def steps(n: int, t: float, h: float, q: np.ndarray, v: np.ndarray) -> State:
         for k in range(n):
@@ -104,7 +111,7 @@ def _where(system: System, plan: Plan, start: float, h: float, count: int, q: np
            v: np.ndarray) -> str:
     """When, after how many of `count` steps from `start`, and in which joint the state stops being
     finite; why, and what helps."""
-    step = system.stepper(f"step_{named(plan.integrator).step}")
+    step = system.stepper(named(plan.integrator).step_name)
     for i in range(count):
         before, (q, v) = (q, v), step(1, start + i * h, h, q, v)
         if lacking := system.lacking(q, v):

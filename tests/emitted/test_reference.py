@@ -22,7 +22,8 @@ PAGES = {family: (FOLDER / f"operations/{family}.md").read_text(encoding="utf-8"
          for family in FAMILIES}
 ENTRIES = {entry.split("\n", 1)[0]: entry for page in PAGES.values()
            for entry in page.split("\n## ")[1:]}
-BLOCK = re.compile(r"^\$\$\n(.*?)\n\$\$$", re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(r"^```math\n(.*?)\n```$", re.MULTILINE | re.DOTALL)
+INLINE = re.compile(r"\$`(.+?)`\$")
 
 
 def test_every_operation_has_an_entry():
@@ -33,10 +34,10 @@ def test_every_operation_has_an_entry():
 
 def test_all_formulas_are_latex_that_docutils_knows():
     for path in sorted(FOLDER.rglob("*.md")):
-        text = re.sub(r"```.*?```", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+        text = path.read_text(encoding="utf-8")
         for formula in BLOCK.findall(text):
             tex2mathml(formula, as_block=True)
-        for formula in re.findall(r"(?<!\\)\$(.+?)(?<!\\)\$", BLOCK.sub("", text)):
+        for formula in INLINE.findall(text):
             tex2mathml(formula)
 
 
@@ -62,6 +63,22 @@ def test_calls_are_those_of_the_modules():
         for module in re.findall(r"`([\w.]+)`", modules):
             assert hasattr(__import__(module, fromlist=["_"]), name), (module, name)
         assert len(arguments.split(", ")) == len(operation.inputs)
+
+
+def test_costs_and_bounds_are_those_of_the_docstrings():
+    for operation in OPERATIONS:
+        rows = re.findall(r"^\| (\w+) \| (.*?) \| ((?:\\\||[^|])*) \|$", ENTRIES[operation.name],
+                          re.MULTILINE)
+        assert [row[0] for row in rows[:2]] == ["tier", "plain"]
+        for tier, cost, error in rows[1:]:
+            if tier == "fused":  # C alone has it
+                continue
+            module = coscrew.double if tier == "plain" else __import__(
+                f"coscrew.{tier}.double", fromlist=["_"])
+            said = " ".join(inspect.getdoc(getattr(module, operation.name)).split())
+            assert cost.capitalize() in said, (operation.name, tier)
+            wanted = " ".join(re.sub(r"\\(?=[|<>*_\[\]])", "", error).split())
+            assert wanted in said or "returned" in error, (operation.name, tier)
 
 
 def shown(operation: Operation) -> list[str]:
@@ -109,8 +126,8 @@ def evaluated(latex: str, values: dict[str, float]) -> float:
 
 
 def plain(latex: str) -> str:
-    """LaTeX as SymPy writes it, as Python: \\mathit{ci}_{0} \\left(…\\right) → ci_0*(…)."""
-    text = re.sub(r"\\mathit\{(\w+)\}", r"\1", latex)
+    """LaTeX as SymPy writes it, as Python: \\mathrm{ci}_{0} \\left(…\\right) → ci_0*(…)."""
+    text = re.sub(r"\\mathrm\{(\w+)\}", r"\1", latex)
     text = re.sub(r"_\{([\w,]+)\}", lambda m: "_" + m[1].replace(",", "_"), text)
     text = text.replace(r"\left(", "(").replace(r"\right)", ")")
     text = re.sub(r"\^\{(\d+)\}", r"**\1", text)
@@ -121,13 +138,13 @@ def plain(latex: str) -> str:
 
 
 @pytest.mark.parametrize("text, wanted", (
-    ("co = [ad]*(s) c = (ω×f ; v×f + ω×τ)", r"$\mathit{co} = [\mathrm{ad}]^{*}(s)\,c = "
-     r"(\omega \times f;\;v \times f + \omega \times \tau)$"),
-    ("|v| = sqrt(v·v)", r"$|v| = \sqrt{v \cdot v}$"),
-    ("R by a turn, a~ y = a × y", r"$R$ by a turn, $\tilde{a}\,y = a \times y$"),
-    ("M = [[R, t~R], [0, R]] of D = [R | t]", r"$M = \begin{bmatrix} R & \tilde{t}R \\ "
-     r"0 & R \end{bmatrix}$ of $D = [R \mid t]$"),
-    ("below 1e-9 (single: 1e-6), with screw_norm", r"below $10^{-9}$ (single: $10^{-6}$), "
+    ("co = [ad]*(s) c = (ω×f ; v×f + ω×τ)", r"$`\mathrm{co} = [\mathrm{ad}]^{*}(s)\,c = "
+     r"(\omega \times f;\;v \times f + \omega \times \tau)`$"),
+    ("|v| = sqrt(v·v)", r"$`|v| = \sqrt{v \cdot v}`$"),
+    ("R by a turn, a~ y = a × y", r"$`R`$ by a turn, $`\tilde{a}\,y = a \times y`$"),
+    ("M = [[R, t~R], [0, R]] of D = [R | t]", r"$`M = \begin{bmatrix} R & \tilde{t}R \\ "
+     r"0 & R \end{bmatrix}`$ of $`D = [R \mid t]`$"),
+    ("below 1e-9 (single: 1e-6), with screw_norm", r"below $`10^{-9}`$ (single: $`10^{-6}`$), "
      "with `screw_norm`")))
 def test_statements_become_formulas_and_prose(text, wanted):
     found = markdown(text, {"co", "s", "c", "v", "R", "M", "D"}, {"screw_norm"})

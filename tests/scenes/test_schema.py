@@ -10,6 +10,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 
+from coscrew_codegen.__main__ import main
 from coscrew_codegen.effects import EFFECTS
 from coscrew_codegen.scene.effect import Place
 from coscrew_codegen.scene_files.errors import SceneError
@@ -25,6 +26,7 @@ name = "full"
 base = "fixed"
 precision = "both"
 implausible = "error"
+functions = ["default"]
 runtime = ["b.mass"]
 [bodies.a]
 mass = 1
@@ -154,6 +156,11 @@ def test_example_scenes_are_valid(path):
     scene = tomllib.loads(path.read_text(encoding="utf-8"))
     assert not errors(scene)
     assert errors(scene | {"efects": {}})
+
+
+def test_the_command_prints_it(capsys):
+    assert main(["schema"]) == 0
+    assert json.loads(capsys.readouterr().out) == SCHEMA
 
 
 def test_a_scene_with_every_key_is_read_and_valid(tmp_path):
