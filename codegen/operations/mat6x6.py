@@ -3,11 +3,15 @@
 import sympy as sp
 
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.quantity import MAT6X6, Argument
+from coscrew_codegen.quantity import (
+    ANY,
+    MAT6X6,
+    Argument,
+)
 
 FAMILY = "mat6x6"
 
-_M, _self, _Mo = (Argument(name, MAT6X6) for name in ("M", "self", "Mo"))
+_M, _self, _Mo = (Argument(name, MAT6X6, ANY) for name in ("M", "self", "Mo"))
 
 OPERATIONS = (
     Operation("mat6x6_copy", FAMILY, "Mo = M", (_M,), (_Mo,), lambda M: M),

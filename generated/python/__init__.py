@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "9b3cb2c0330099eb")
+COMPILED: bool = is_compiled("coscrew._gufunc", "b466f7dfce21eb9f")
 
 if COMPILED:
     from coscrew._gufunc import (

@@ -901,8 +901,8 @@ def SE3_log(D):
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
     50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.  Error <=
-    lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved.  Sums
-    on the way may overflow where |t| is above 2e306, in single precision 5e36.
+    lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not proved.
+    Sums on the way may overflow where |t| is above 2e306, in single precision 5e36.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     p_0 = D_21 - D_12
@@ -1780,8 +1780,8 @@ def SE3_interpolated(D1, D2, k):
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
     208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
     select.  Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is
-    larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on
-    the way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36.
+    larger for R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.
+    Sums on the way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36.
     """
     D1_00, D1_01, D1_02, D1_03, D1_10, D1_11, D1_12, D1_13, D1_20, D1_21, D1_22, D1_23 = D1
     D2_00, D2_01, D2_02, D2_03, D2_10, D2_11, D2_12, D2_13, D2_20, D2_21, D2_22, D2_23 = D2
