@@ -48,6 +48,11 @@ def ordinary(argument: Argument) -> Ordinary | None:
     return _ORDINARY.get(argument.domain)
 
 
+def holds_less(argument: Argument) -> bool:
+    """Whether what is drawn may be made smaller by any factor."""
+    return argument.domain == HALF_TURN or ordinary(argument) is None
+
+
 @dataclass(frozen=True)
 class Free:
     """Draws rows of parameters for a dtype; turns parameters into rows of input components."""
@@ -138,6 +143,13 @@ def _spatial_inertias(numbers: Generator, angles: np.ndarray, _: int) -> np.ndar
         1, x, y, z, y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z)], axis=1)
 
 
+def _half_turns(numbers: Generator, angles: np.ndarray, size: int) -> np.ndarray:
+    """Normally distributed; what turns by more than π, by π."""
+    x = numbers.normal(size=(len(angles), size))
+    x[:, -3:] = _within_pi(x[:, -3:])
+    return x
+
+
 def _fractions(numbers: Generator, angles: np.ndarray, size: int) -> np.ndarray:
     """Of the way from one to another."""
     return numbers.random((len(angles), size))
@@ -159,7 +171,7 @@ _ORDINARY: dict[Domain, Ordinary] = {
     ROTATION: _rotations, NEAR_ROTATION: _rotations, DISPLACEMENT: _displacements,
     SINE_COSINE: _sines_and_cosines, UNIT_QUATERNION: _quaternions, NONZERO: _quaternions,
     ORDINARY: _quaternions, UNIT_VECTOR: _unit_vectors, FRACTION: _fractions, MASS: _masses,
-    POSITIVE_DEFINITE: _positive_definite, SYMMETRIC: _positive_definite, LDL_FACTOR: _factors}
+    HALF_TURN: _half_turns, POSITIVE_DEFINITE: _positive_definite, SYMMETRIC: _positive_definite, LDL_FACTOR: _factors}
 
 
 # Directions and angles, with what makes them hard.

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from gmpy2 import mpq
 
-from coscrew_codegen.domains import Generator, ordinary
+from coscrew_codegen.domains import Generator, holds_less, ordinary
 from coscrew_codegen.exact import exact_functions, is_polynomial
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
@@ -45,7 +45,7 @@ def hard(operation: Operation, precision: Precision, count: int, seed: int) -> n
     angles = np.where(numbers.random(count) < 0.5, small, np.pi - small)
     rows = _drawn(operation, precision, numbers, angles)
     scales = np.exp2(numbers.uniform(-_SPREAD[precision.name], 0, (count, len(operation.inputs))))
-    free = [ordinary(a) is None for a in operation.inputs]
+    free = [holds_less(a) for a in operation.inputs]
     sizes = [a.quantity.size for a in operation.inputs]
     factors = np.repeat(np.where(free, scales, 1.0), sizes, axis=1)
     return (rows * factors).astype(precision.numpy_type)

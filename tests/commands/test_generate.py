@@ -165,13 +165,12 @@ def imported_modules(node: ast.AST) -> list[str]:
 
 def test_imports_run_one_way():
     """version < … < algebra < … < kernel < passes < schedule < tiers < targets < … < emit."""
-    order = ["version", "integrator", "integrators", "identifiers", "algebra", "quantity",
-             "operations", "kernel", "passes", "program", "formats", "scene_functions",
-             "schedule", "programs",
-             "recording", "tiers", "render", "native", "targets", "special", "exact", "selection",
-             "extension", "layout", "emit", "report", "scene", "mechanics", "effects",
-             "scene_files", "scene_layout", "documentation", "simulate", "cost", "command_line",
-             "console", "extras", "__main__"]
+    order = ["version", "errors", "parameter", "found", "integrator", "integrators", "identifiers",
+             "algebra", "quantity", "operations", "kernel", "passes", "program", "formats",
+             "scene_functions", "schedule", "programs", "recording", "tiers", "library", "render",
+             "native", "targets", "special", "exact", "selection", "layout", "emit",
+             "report", "scene", "mechanics", "effects", "scene_files", "documentation", "console",
+             "simulate", "cost", "generate_command", "command_line", "extras", "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
 
@@ -189,7 +188,7 @@ def test_imports_run_one_way():
                 name, _, rest = module.partition(".")
                 assert name != "coscrew" or here in ("report", "simulate"), (
                     f"{path} imports what is generated")
-                if name == "coscrew_codegen":
+                if name == "coscrew_codegen" and rest != "templates":
                     assert order.index(rest.split(".")[0]) <= order.index(here), f"{path}: {module}"
                 if name == "sympy":
                     known = here in ("schedule", "tiers", "exact", "documentation", "report")
