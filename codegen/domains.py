@@ -171,7 +171,8 @@ _ORDINARY: dict[Domain, Ordinary] = {
     ROTATION: _rotations, NEAR_ROTATION: _rotations, DISPLACEMENT: _displacements,
     SINE_COSINE: _sines_and_cosines, UNIT_QUATERNION: _quaternions, NONZERO: _quaternions,
     ORDINARY: _quaternions, UNIT_VECTOR: _unit_vectors, FRACTION: _fractions, MASS: _masses,
-    HALF_TURN: _half_turns, POSITIVE_DEFINITE: _positive_definite, SYMMETRIC: _positive_definite, LDL_FACTOR: _factors}
+    HALF_TURN: _half_turns, POSITIVE_DEFINITE: _positive_definite, SYMMETRIC: _positive_definite,
+    LDL_FACTOR: _factors}
 
 
 # Directions and angles, with what makes them hard.
