@@ -287,8 +287,9 @@ def test_adding_heun_is_one_file(tmp_path: Path):
     (package / "integrators" / "heun.py").write_text(HEUN)
     shutil.copy(ROOT / "examples/scenes/pendulum.toml", tmp_path)
     program = ("import sys; sys.path.insert(0, '.'); from coscrew_codegen.__main__ import main; "
-               "import coscrew_codegen; assert coscrew_codegen.__file__.startswith({!r}); "
-               "sys.exit(main(sys.argv[1:]))").format(str(tmp_path))
+               "import coscrew_codegen; "
+               f"assert coscrew_codegen.__file__.startswith({str(tmp_path)!r}); "
+               "sys.exit(main(sys.argv[1:]))")
 
     def said(*words: str) -> str:
         done = subprocess.run([sys.executable, "-c", program, *words], cwd=tmp_path,
