@@ -52,7 +52,8 @@ def source(scene: SceneFunctions) -> str:
     return render("scene/calls.c", name=scene.name, upper=scene.name.upper(), sections=sections)
 
 
-def _function(scene: SceneFunctions, function: Signature, precision: Precision) -> dict[str, object]:
+def _function(scene: SceneFunctions, function: Signature, precision: Precision
+              ) -> dict[str, object]:
     real, name = precision.c_type, c_name(scene, function.name, precision)
     scalars = [x for x, shape in function.read if not shape]
     read = [_array(x, shape) for x, shape in function.read if shape]
