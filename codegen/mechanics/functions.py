@@ -18,7 +18,7 @@ from coscrew_codegen.mechanics.acting import Acting
 from coscrew_codegen.mechanics.ranges import refuse_numbers, refuse_products, refuse_quotients
 from coscrew_codegen.mechanics.recorded import Recording
 from coscrew_codegen.quantity import Argument
-from coscrew_codegen.recording.numbers import Number, row_by_row
+from coscrew_codegen.recording.numbers import Number
 from coscrew_codegen.recording.recorder import Recorder, array, headings
 from coscrew_codegen.scene.assembly import ModelError
 from coscrew_codegen.scene.formulas import Formula
@@ -266,7 +266,7 @@ class _Derivation:
         def compute(x: Recording):
             motion, found = x.motion(falling=False), []
             for body in self.bodies:
-                found += row_by_row(*frames.pose(x, motion, body))
+                found += frames.pose(x, motion, body)
             return [found]
 
         return self._function(
@@ -278,7 +278,7 @@ class _Derivation:
         def compute(x: Recording):
             motion, found = x.motion(accelerating=False, falling=False), []
             for body, name in self.bodies.items():
-                with x.recorder.part(f"{name}_twist", body):
+                with x.recorder.part(name, "v", body):
                     found += frames.twist(x, motion, body)
             return [found]
 
@@ -288,7 +288,7 @@ class _Derivation:
 
     def _jacobian(self, body: str) -> Function:
         def compute(x: Recording):
-            with x.recorder.part(f"{self.bodies[body]}_J", body):
+            with x.recorder.part(self.bodies[body], "J", body):
                 columns = frames.jacobian(x, x.motion(False, False, False), body)
             return [[columns[j][i] for i in range(6) for j in range(self.tree.nv)]]
 
@@ -302,8 +302,7 @@ class _Derivation:
             acting = Acting(self.scene, motion).act()
             wrenches = inverse.transmitted(
                 motion, inverse.net_wrenches(motion, x.rigids, acting))
-            force, moment = wrenches[self.tree.links.index(self.tree.link_of(joint))]
-            return [(*force, *moment)]
+            return [wrenches[self.tree.links.index(self.tree.link_of(joint))]]
 
         return self._function(
             f"reaction_{name}", f"f = (force; moment) that {joint} exerts on the body behind it, "
