@@ -14,16 +14,17 @@ import numpy as np
 import sympy as sp
 from gmpy2 import mpq
 
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import PER_PRECISION, Operation
 from coscrew_codegen.program import Constant
 from coscrew_codegen.special import SPECIAL, rational
 
-UNIT = {"double": mpq(1, 2**53), "single": mpq(1, 2**24)}
+UNIT = {x.name: mpq(x.u.numerator, x.u.denominator) for x in PRECISIONS}
 CONDITION = {"double": mpq(9 * 10**14), "single": mpq(16 * 10**6)}
 DIGITS = 120
 
-_LEAST = {"double": mpq(1, 2**1074), "single": mpq(1, 2**149)}  # the subnormals' spacing
+_LEAST = {x.name: 2 * mpq(x.eta.numerator, x.eta.denominator)
+          for x in PRECISIONS}  # the subnormals' spacing
 
 
 @dataclass(frozen=True)

@@ -1,1 +1,1 @@
-"""What was emitted, held against its definition."""
+"""What was emitted, held against its definition; by folder, what a test is about."""

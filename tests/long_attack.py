@@ -5,9 +5,9 @@
 next to those with the largest errors so far, and prints how close errors come to their bounds.
 
 That it is rigorous: for each row all tiers share one truth, enclosed in a radius that is proved
-(tests.wide), and S from the same polynomial.  |result - truth| + radius is compared to the bound,
+(wide.py), and S from the same polynomial.  |result - truth| + radius is compared to the bound,
 each rounded to the unsafe side by more than their arithmetic's errors; where it is not smaller, the
-row counts only once exact rationals of the formula (tests.judge) have spoken, and so for the worst
+row counts only once exact rationals of the formula (judge.py) have spoken, and so for the worst
 row of each batch.  What is enclosed is the plain program; that it is identically the formula other
 tests show symbolically.
 """
@@ -31,14 +31,22 @@ from coscrew_codegen.exact import CONDITION, UNIT
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Program
-from tests.attack import TIERED, Implementation, Worst, bounds, compare, extreme_rows, plain_program
-from tests.c_harness import COMPILERS
-from tests.calls import FLAGS
-from tests.corpus import load
-from tests.implementations import compiled, gufuncs
-from tests.judge import ratio
+from tests.hard_cases.corpus import load
 from tests.search import joined, split, varied
-from tests.wide import IS_WIDE, WIDE, Enclosed, enclosed, linear
+from tests.support.compiled.c_harness import COMPILERS
+from tests.support.compiled.calls import FLAGS
+from tests.support.compiled.implementations import compiled, gufuncs
+from tests.support.truth.attack import (
+    TIERED,
+    Implementation,
+    Worst,
+    bounds,
+    compare,
+    extreme_rows,
+    plain_program,
+)
+from tests.support.truth.judge import ratio
+from tests.support.truth.wide import IS_WIDE, WIDE, Enclosed, enclosed, linear
 
 BATCH = 12_000  # rows
 PARENTS = 8  # of each tier: the rows with the largest errors, which others are varied from
@@ -107,7 +115,7 @@ def _attack(operation: Operation, precision: Precision, tier: str, way: Implemen
 
 def _judge(operation: Operation, precision: Precision, tier: str, row: list[float],
            got: list[float], into: Attacked, counted: int = 1) -> None:
-    """Exactly; over- and underflow as tests.judge allows for."""
+    """Exactly; over- and underflow as judge.py allows for."""
     exact = ratio(operation, precision, tier, row, got)
     into.violations += exact > 1
     into.worst.outputs += counted * (len(got) // (2 if tier == "certified" else 1))

@@ -3,7 +3,7 @@
 `python -m tests.search [--operation NAME …] [--precision P] [--tier T] [--seconds S] [--seed N]
 [--append]` draws inputs from each operation's domain and climbs from the worst: it changes last
 bits, exponents, signs and parameters, and keeps what is worse.  Errors of whole batches are
-estimated in a wider precision; the worst of each batch are judged exactly (tests.judge).
+estimated in a wider precision; the worst of each batch are judged exactly (support/truth/judge.py).
 """
 
 import argparse
@@ -19,8 +19,11 @@ from tqdm import tqdm
 
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
-from tests import climb
-from tests.attack import (
+from tests.hard_cases import climb
+from tests.hard_cases.corpus import TABLE, Case, load, save
+from tests.support.compiled.calls import TIER_NAMES, of_tier, tiers_of
+from tests.support.domains import Generator, Rows, angle, domains
+from tests.support.truth.attack import (
     TIERED,
     UNIT,
     Arrays,
@@ -29,13 +32,10 @@ from tests.attack import (
     exact_functions,
     plain_program,
 )
-from tests.attack import rows as attacking_rows
-from tests.backward import BACKWARD
-from tests.calls import TIER_NAMES, of_tier, tiers_of
-from tests.corpus import TABLE, Case, load, save
-from tests.domains import Generator, Rows, angle, domains
-from tests.extended import evaluate
-from tests.judge import JUDGED, groups, ratio
+from tests.support.truth.attack import rows as attacking_rows
+from tests.support.truth.backward import BACKWARD
+from tests.support.truth.extended import evaluate
+from tests.support.truth.judge import JUDGED, groups, ratio
 
 BATCH, PARENTS = 768, 24
 EXACT_EACH_ROUND = 2  # judged exactly where estimates tell which; else this many times 24
@@ -221,7 +221,7 @@ def main() -> None:
     parser.add_argument("kernels", nargs="*", metavar="KERNEL",
                         help="with --minutes: kernels whose bounds are searched; all if none")
     parser.add_argument("--minutes", type=float, help="of processor time a kernel and precision: "
-                        "climb in C (tests.climb), going on from what was found before")
+                        "climb in C (tests.hard_cases.climb), going on from what was found before")
     parser.add_argument("--append", action="store_true", help="add what is worse to the corpus")
     options = parser.parse_args()
     if unknown := set(options.kernels) - set(climb.NAMES):

@@ -3,8 +3,7 @@
 Independent of the emitted texts, of their precisions and of SciPy; not of the recorded dynamics.
 """
 
-import operator
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import mpmath
@@ -12,7 +11,7 @@ import numpy as np
 from mpmath import mpf
 
 from coscrew_codegen.cost import CostError
-from coscrew_codegen.program import Constant, Input, Op, Operand, Program, Ref
+from coscrew_codegen.program.interpreter import by_operation, evaluate, exactly
 from coscrew_codegen.simulate.system import System
 
 _ROWS = 10  # of the extrapolation, of order 20
@@ -22,31 +21,9 @@ _GUARD = 10  # digits beyond those asked for
 Numbers = list[mpf]
 Rates = Callable[[mpf, Numbers], Numbers]
 
-_ARITHMETIC: Mapping[Op, Callable[..., object]] = {
-    Op.ADD: operator.add, Op.SUB: operator.sub, Op.MUL: operator.mul, Op.DIV: operator.truediv,
-    Op.NEG: operator.neg, Op.ABS: abs, Op.SQRT: mpmath.sqrt, Op.SIN: mpmath.sin, Op.COS: mpmath.cos,
-    Op.ATAN2: mpmath.atan2, Op.EXP: mpmath.exp, Op.TANH: mpmath.tanh, Op.SCALE: operator.mul,
-    Op.FMA: lambda a, b, c: a * b + c, Op.FMS: lambda a, b, c: a * b - c,
-    Op.FNMA: lambda a, b, c: c - a * b, Op.LESS: operator.lt, Op.EQUAL: operator.eq,
-    Op.SELECT: lambda a, b, c: b if a else c}
-
-
-def evaluate(program: Program, inputs: Sequence[Sequence[mpf]]) -> Numbers:
-    """The results of a program on numbers of mpmath's precision."""
-    known: dict[str, object] = {}
-
-    def value(x: Operand) -> object:
-        if isinstance(x, Ref):
-            return known[x.name]
-        if isinstance(x, Input):
-            return inputs[x.argument][x.index]
-        if isinstance(x, Constant):
-            return mpf(x.double.numerator) / x.double.denominator
-        return mpf("nan")
-
-    for step in program.instructions:
-        known[step.name] = _ARITHMETIC[step.op](*map(value, step.operands))
-    return [value(x) for x in program.results]
+MULTIPRECISE = by_operation(lambda x: mpf(x.double.numerator) / x.double.denominator,
+                             exactly(mpmath), mpf("nan"))
+"""Numbers of mpmath's precision."""
 
 
 def exact_end(system: System, until: float, digits: int) -> tuple[np.ndarray, np.ndarray, float]:
@@ -70,7 +47,7 @@ def _rates(system: System) -> Rates:
         q, v = y[:nq], y[nq:]
         values = {"t": [t], "p": p, "q": _normalized(system, q), "v": v, "tau": tau}
         return [*_q_rates(system, q, v),
-                *evaluate(forward, [values[a.name] for a in forward.inputs])]
+                *evaluate(forward, [values[a.name] for a in forward.inputs], MULTIPRECISE)]
 
     return rates
 

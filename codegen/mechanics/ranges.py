@@ -7,13 +7,13 @@ where a denominator is max(|v|, eps): they are looked at where everything is at 
 """
 
 import math
-import operator
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
 from coscrew_codegen.formats import Precision, named
-from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program import Constant, Instruction, Op, Program
+from coscrew_codegen.program.interpreter import Arithmetic, evaluate, exactly
 from coscrew_codegen.scene.model import Scalar, value
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import Function
@@ -77,34 +77,25 @@ def refuse_quotients(scene: Scene, function: Function, inputs: Mapping[str, Sequ
 
 
 def _quotients(program: Program, precision: Precision, inputs: Mapping[str, Sequence[float]]
-               ) -> Iterator[tuple[str, Fraction]]:
+               ) -> list[tuple[str, Fraction]]:
     """Each quotient of finite numbers, exactly, and the part of the scene it belongs to.  What has
     no value is not a number, and neither is what follows from it."""
-    known: dict[str, float] = {}
+    found: list[tuple[str, Fraction]] = []
 
-    def value(x: Operand) -> float:
-        if isinstance(x, Ref):
-            return known[x.name]
-        if isinstance(x, Input):
-            return inputs[program.inputs[x.argument].name][x.index]
-        return float(precision.value(x)) if isinstance(x, Constant) else math.nan
-
-    for step in program.instructions:
-        operands = [value(x) for x in step.operands]
-        try:
-            known[step.name] = float(_VALUES[step.op](*operands))
-        except (ArithmeticError, ValueError):
-            known[step.name] = math.nan
+    def apply(step: Instruction, _: int, operands: Sequence[float]) -> float:
         if step.op is Op.DIV and all(map(math.isfinite, operands)) and operands[1]:
-            yield _part(step), Fraction(operands[0]) / Fraction(operands[1])
+            found.append((_part(step), Fraction(operands[0]) / Fraction(operands[1])))
+        try:
+            return float(_VALUES[step.op](*operands))
+        except (ArithmeticError, ValueError):
+            return math.nan
+
+    evaluate(program, [inputs[a.name] for a in program.inputs],
+             Arithmetic(lambda x: float(precision.value(x)), apply, math.nan))
+    return found
 
 
-_VALUES: Mapping[Op, Callable[..., float]] = {
-    Op.ADD: operator.add, Op.SUB: operator.sub, Op.MUL: operator.mul, Op.DIV: operator.truediv,
-    Op.NEG: operator.neg, Op.ABS: abs, Op.SQRT: math.sqrt, Op.SIN: math.sin, Op.COS: math.cos,
-    Op.ATAN2: math.atan2, Op.EXP: math.exp, Op.TANH: math.tanh, Op.SCALE: operator.mul,
-    Op.LESS: operator.lt, Op.EQUAL: operator.eq, Op.SELECT: lambda a, b, c: b if a else c}
-"""Of the operations that recordings of scenes have."""
+_VALUES = exactly(math)
 
 
 def _refuse(scene: Scene, constant: Constant, least: str, what: str) -> None:

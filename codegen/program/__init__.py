@@ -1,18 +1,18 @@
 """Programs: kernels with their order of evaluation, what is proved of them, and how they fold."""
 
+from coscrew_codegen.program.ops import Op
 from coscrew_codegen.program.program import (
-                                             Constant,
-                                             Input,
-                                             Instruction,
-                                             NotANumber,
-                                             Op,
-                                             Operand,
-                                             Program,
-                                             Ref,
-                                             by_component,
-                                             counts_in_words,
-                                             scales,
-                                             without_dead_steps,
+    Constant,
+    Input,
+    Instruction,
+    NotANumber,
+    Operand,
+    Program,
+    Ref,
+    by_component,
+    counts_in_words,
+    scales,
+    without_dead_steps,
 )
 
 __all__ = ["Constant", "Input", "Instruction", "NotANumber", "Op", "Operand", "Program", "Ref",

@@ -16,12 +16,22 @@ first order counts as second.  Valid barring overflow and underflow.
 """
 
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cache
 
-from coscrew_codegen.program import Constant, Input, Op, Operand, Program, Ref, scales
+from coscrew_codegen.program import (
+    Constant,
+    Input,
+    Instruction,
+    Op,
+    Operand,
+    Program,
+    Ref,
+    scales,
+)
+from coscrew_codegen.program.interpreter import Arithmetic, evaluate
 
 Monomial = tuple[Input, ...]  # sorted; a power repeats its variable
 Number = int | Fraction  # whole numbers, which most coefficients are, as int: many times faster
@@ -54,17 +64,16 @@ class _Series:
 @cache  # every language, and every precision of a program that is the same in both, asks again
 def bounds_of(program: Program) -> tuple[Bound, ...] | None:
     """A bound per result component; None where the program is not polynomial in exact constants."""
-    values: dict[str, _Series] = {}
-    for number, step in enumerate(program.instructions):
-        if step.op not in _RULES or any(map(_is_rounded_constant, step.operands)):
-            return None
-        operands = [_value(x, values) for x in step.operands]
-        values[step.name] = (_product(*operands) if scales(step) else
-                             _RULES[step.op](operands, number))
-    found = [(_value(result, values), _last_rounding(result, program))
-             for result in program.results]
-    return tuple(_wide_bound(value) if program.wide else _bound(value, last)
-                 for value, last in found)
+    if any(step.op not in _RULES or any(map(_is_rounded_constant, step.operands))
+           for step in program.instructions):
+        return None
+    inputs = [[_Series({(): {(Input(number, i),): 1}}) for i in range(argument.quantity.size)]
+              for number, argument in enumerate(program.inputs)]
+    values = evaluate(program, inputs, _SERIES)
+    if program.wide:
+        return tuple(map(_wide_bound, values))
+    return tuple(_bound(value, _last_rounding(result, program))
+                 for value, result in zip(values, program.results, strict=True))
 
 
 def in_words(program: Program) -> str:
@@ -103,7 +112,7 @@ def _last_rounding(result: Operand, program: Program) -> int | None:
         number, step = steps[result.name]
         if scales(step):
             result = next(x for x in step.operands if not isinstance(x, Constant))
-        elif step.op in _ROUNDING:
+        elif step.op.rounds:
             return number
         elif step.op is Op.NEG:
             result = step.operands[0]
@@ -141,13 +150,15 @@ def _unbounded(monomial: Monomial) -> Fraction:
     raise ValueError(f"an error term in {monomial} that the exact value does not have")
 
 
-def _value(operand: Operand, values: Mapping[str, _Series]) -> _Series:
-    if isinstance(operand, Input):
-        return _Series({(): {(operand,): 1}})
-    if isinstance(operand, Constant):
-        number = operand.double.numerator if operand.double.denominator == 1 else operand.double
-        return _Series({(): {(): number}} if number else {})
-    return values[operand.name]
+def _exact(constant: Constant) -> _Series:
+    value = constant.double
+    number = value.numerator if value.denominator == 1 else value
+    return _Series({(): {(): number}} if number else {})
+
+
+def _applied(step: Instruction, number: int, operands: Sequence[_Series]) -> _Series:
+    """What instruction `number` does; its rounding is δ of that number."""
+    return _product(*operands) if scales(step) else _RULES[step.op](operands, number)
 
 
 def _is_rounded_constant(operand: Operand) -> bool:
@@ -192,8 +203,6 @@ def _rounded(value: _Series, number: int) -> _Series:
     return _Series({**value.terms, **_roundoff(value, number).terms})
 
 
-_ROUNDING = (Op.ADD, Op.SUB, Op.MUL, Op.FMA, Op.FMS, Op.FNMA)
-
 _RULES = {
     Op.ADD: lambda x, n: _rounded(_combined((1, x[0]), (1, x[1])), n),
     Op.SUB: lambda x, n: _rounded(_combined((1, x[0]), (-1, x[1])), n),
@@ -207,3 +216,5 @@ _RULES = {
     Op.PRODUCT_ERROR: lambda x, n: _combined((1, _product(x[0], x[1])), (-1, x[2])),
     Op.PRODUCT_REST: lambda x, n: _rounded(_combined((1, _product(x[0], x[1])), (-1, x[3])), n),
 }
+
+_SERIES = Arithmetic(_exact, _applied)

@@ -13,6 +13,7 @@ from functools import cache
 import mpmath
 
 from coscrew_codegen.program import Constant, Instruction, Op, Operand, Ref
+from coscrew_codegen.program.interpreter import exactly
 
 DIGITS = 60
 """Decimal digits of constants that are no short fractions: far beyond double precision."""
@@ -214,23 +215,20 @@ def _is_power_of_two(x: Constant) -> bool:
 
 
 def _evaluated(op: Op, values: tuple[Fraction, ...]) -> Fraction:
-    exact = _EXACT.get(op)
-    return _shortened(exact(*values)) if exact else _approximated(op, values)
+    if op in _APPROXIMATED:
+        return _approximated(op, values)
+    return _shortened(Fraction(_EXACTLY[op](*values)))
 
 
 @cache
 def _approximated(op: Op, values: tuple[Fraction, ...]) -> Fraction:
     with mpmath.workdps(DIGITS):
         numbers = [mpmath.mpf(x.numerator) / x.denominator for x in values]
-        return _rational(_FUNCTIONS[op](*numbers))
+        return _rational(_EXACTLY[op](*numbers))
 
 
-_EXACT = {Op.ADD: lambda a, b: a + b, Op.SUB: lambda a, b: a - b, Op.MUL: lambda a, b: a * b,
-          Op.SCALE: lambda a, b: a * b, Op.DIV: lambda a, b: a / b, Op.NEG: lambda a: -a,
-          Op.ABS: abs, Op.LESS: lambda a, b: Fraction(a < b),
-          Op.EQUAL: lambda a, b: Fraction(a == b)}
-_FUNCTIONS = {Op.SQRT: mpmath.sqrt, Op.SIN: mpmath.sin, Op.COS: mpmath.cos, Op.EXP: mpmath.exp,
-              Op.TANH: mpmath.tanh, Op.ATAN2: mpmath.atan2}
+_EXACTLY = exactly(mpmath)
+_APPROXIMATED = {Op.SQRT, Op.SIN, Op.COS, Op.EXP, Op.TANH, Op.ATAN2}
 
 
 def _rational(x: mpmath.mpf) -> Fraction:

@@ -7,41 +7,13 @@ single precision, on NumPy arrays, on exact rationals or on symbols alike.
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from enum import Enum
 from fractions import Fraction
 from functools import cached_property
 from itertools import groupby
 from typing import NamedTuple
 
+from coscrew_codegen.program.ops import Op
 from coscrew_codegen.quantity import Argument
-
-
-class Op(Enum):
-    """What an instruction does with its operands."""
-
-    ADD = "add"
-    SUB = "sub"
-    MUL = "mul"
-    DIV = "div"
-    NEG = "neg"
-    ABS = "abs"
-    SQRT = "sqrt"
-    SIN = "sin"
-    COS = "cos"
-    ATAN2 = "atan2"
-    EXP = "exp"
-    TANH = "tanh"
-    SCALE = "scale"  # a b, b a power of two: exact unless the result over- or underflows
-    FMA = "fma"  # a b + c, rounded once
-    FMS = "fms"  # a b - c, rounded once
-    FNMA = "fnma"  # c - a b, rounded once
-    EXACT_ADD = "exact add"  # a + b where that is a number of the precision
-    EXACT_SUB = "exact sub"  # a - b where that is a number of the precision
-    PRODUCT_ERROR = "product error"  # a b - p exactly, p the rounded product
-    PRODUCT_REST = "product rest"  # a b - h rounded once, where p - h is exact, p as above
-    LESS = "less"  # a < b
-    EQUAL = "equal"  # a == b
-    SELECT = "select"  # a ? b : c
 
 
 class Input(NamedTuple):

@@ -21,6 +21,7 @@ from coscrew_codegen.program import (
     Constant,
     Input,
     Instruction,
+    NotANumber,
     Op,
     Operand,
     Program,
@@ -28,6 +29,7 @@ from coscrew_codegen.program import (
     without_dead_steps,
 )
 from coscrew_codegen.program.folding import Folded, Sign, folded, fraction
+from coscrew_codegen.program.interpreter import Arithmetic, evaluate
 from coscrew_codegen.programs import library_program
 from coscrew_codegen.quantity import Argument, Quantity
 from coscrew_codegen.recording.naming import Part, named
@@ -51,8 +53,6 @@ COMPONENTS = {1: ("",), 3: ("x", "y", "z"), 6: ("xx", "yy", "zz", "xy", "xz", "y
               9: ("xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz")}
 """What components are called behind a symbol, by their number."""
 
-_COMMUTATIVE = {Op.ADD, Op.MUL, Op.EQUAL}
-
 
 def array(name: str, shape: tuple[int, ...], words: str = "") -> Argument:
     """An argument of this shape, stored row by row: the last index runs fastest."""
@@ -71,6 +71,9 @@ class Recorder:
         self._parts: dict[str, Part] = {}  # by the instruction's name
         self._labels: dict[str, Part] = {}  # of values: by the name of what holds them
         self.heading = ""  # of the part in which something was divided by zero
+        self._arithmetic: Arithmetic[Operand] = Arithmetic(
+            lambda x: x, lambda step, _, operands: self.issue(step.op, tuple(operands)),
+            NotANumber())
 
     # what goes in
 
@@ -122,18 +125,9 @@ class Recorder:
 
     def call(self, operation: str, *arguments: Number | Numbers) -> tuple[Number, ...]:
         """All components of the operation's outputs, its plain program replayed."""
-        program = library_program(operation)
         given = [[x.operand for x in ([a] if isinstance(a, Number) else a)] for a in arguments]
-        known: dict[str, Operand] = {}
-
-        def operand(x: Operand) -> Operand:
-            if isinstance(x, Ref):
-                return known[x.name]
-            return given[x.argument][x.index] if isinstance(x, Input) else x
-
-        for step in program.instructions:
-            known[step.name] = self.issue(step.op, tuple(map(operand, step.operands)))
-        return tuple(Number(self, operand(x)) for x in program.results)
+        results = evaluate(library_program(operation), given, self._arithmetic)
+        return tuple(Number(self, x) for x in results)
 
     def issue(self, op: Op, operands: tuple[Operand, ...]) -> Operand:
         """The operand that holds op(operands): folded, found, or issued anew."""
@@ -143,7 +137,7 @@ class Recorder:
         if not isinstance(result, Folded):
             return result
         op, operands = result.op, result.operands
-        if op in _COMMUTATIVE:
+        if op.meaning.commutes:
             operands = tuple(sorted(operands, key=_order))
         key = (op, operands)
         if key not in self._issued:

@@ -9,6 +9,7 @@ import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.report.overview import (
     PRECISIONS,
     TIERS,
@@ -22,7 +23,6 @@ from coscrew_codegen.report.schema import Entry, ProvenBound, Report
 _COLOURS = {"plain": "#6b7280", "fused": "#0072b2", "accurate": "#c2570c", "certified": "#00805d"}
 _MARKERS = {"double": "o", "single": "s"}
 _DASHES = {"double": "-", "single": "--"}
-_UNIT_ROUNDOFF = {"double": 2.0**-53, "single": 2.0**-24}
 _LINEAR_BELOW = 0.1  # ulp: zero has its place on a symmetrical logarithmic axis
 
 # Text as paths, so that it looks alike everywhere; ids from a fixed salt, no date.
@@ -144,7 +144,7 @@ def _bound_line(axes: Axes, entry: Entry, bound: ProvenBound, conditions: list[f
     """In ulp, as in u |x|: |err| <= u |x̂| + (c1 u + c2 u²) S and 1 ulp >= u |x|."""
     low, high = min(conditions), max(conditions)
     steps = [low * (high / low) ** (i / 60) for i in range(61)]
-    slope = bound.c1 + bound.c2 * _UNIT_ROUNDOFF[entry.precision]
+    slope = bound.c1 + bound.c2 * float(BY_NAME[entry.precision].u)
     axes.plot(steps, [bound.rounded + slope * x for x in steps], _DASHES[entry.precision],
               color=_COLOURS[entry.tier], linewidth=1.2)
 

@@ -4,10 +4,11 @@ from collections.abc import Iterator
 from decimal import ROUND_HALF_UP, Context
 from math import inf, isfinite, isnan, log
 
+from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.report.schema import Change, Comparison, Entry, Report, Time
 
 TIERS = ("plain", "fused", "accurate", "certified")
-PRECISIONS = ("double", "single")
+PRECISIONS = tuple(BY_NAME)
 HEADLINE = ("product_CoAdc", "cross_sc", "dot_cs")
 
 MOST_CHANGES = 60

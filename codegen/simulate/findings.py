@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass
 
+from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.integrators import Integrator
 from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulate.balance import Balance
@@ -83,7 +84,7 @@ class Along:
     def rounding(self) -> bool:
         """Whether it is no more than rounding adds up to, and neither the step's nor that of double
         precision."""
-        u = 2.0 ** (-53 if self.precision == "double" else -24)
+        u = float(BY_NAME[self.precision].u)
         return self.rounded or (self.coarse.relative <= 1e4 * u
                                        and not (self.shrinks or self.as_double))
 

@@ -43,8 +43,8 @@ MARK = "/* What KSL declares beside formulas. */"
 _NEEDED = {"vec3": (), "vec4": (), "trig": (), "screw": (), "array": (), "axis": ("vec3",),
            "quaternion": (), "inertia": ("mat3x3",),
            "mat3x3": ("vec3", "axis")}  # header → those its text calls
-NOISE = {"double": Fraction(1, 2**46), "single": Fraction(1, 2**17)}
-"""128 u: eigenvalues of moments that are less, beside the largest, count as zero."""
+NOISE = 128
+"""In u: eigenvalues of moments that are less, beside the largest, count as zero."""
 
 _PARTS = {"mat3x3": ("mat3x3", "euler")}  # header → its templates, where they are several
 
@@ -70,7 +70,7 @@ def _holes(precision: Precision) -> dict[str, object]:
         return precision.literal(Constant(*(Fraction(number),) * 2)) + precision.suffix
 
     return {"suffix": precision.suffix, "c_type": precision.c_type, "one": literal(1),
-            "few": literal(Fraction(16, 2**{"double": 53, "single": 24}[precision.name])),
+            "few": literal(16 * precision.u),
             "eighth": literal(pi / 4), "half": literal(pi), "whole": literal(2 * pi),
             "turns": (("Degrees", literal(360), "360"), ("Radians", literal(2 * pi), "2 π")),
-            "noise": literal(NOISE[precision.name]), "times": partial(product, precision)}
+            "noise": literal(NOISE * precision.u), "times": partial(product, precision)}

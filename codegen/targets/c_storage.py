@@ -79,7 +79,7 @@ TYPES = (VEC3, VEC4, MAT3X3, MAT4X4, SE3, SCREW, COSCREW, MAT6X6, QUATERNION, IN
          SPATIAL_INERTIA)
 """The struct types, each after those it is made of."""
 
-INTEGER = Precision("integer", "int", "i", "int32", 4)
+INTEGER = Precision(31, 0, "integer", "int", "i", "int32", "i", 4)
 INTEGRAL = (VEC3, VEC4)
 """The types that exist with integer members, too: ksl_vec3i_t."""
 
@@ -97,8 +97,7 @@ def meaning(quantity: Quantity) -> str:
 
 def selfcheck_numbers(precision: Precision) -> dict[str, str]:
     """What ksl_selfcheck reads at run time, so that no compiler computes with it before."""
-    digits = {"double": 53, "single": 24}[precision.name]
-    exponent = {"double": 1022, "single": 126}[precision.name]
+    digits, exponent = precision.digits, -precision.least_exponent
     near_one = 1 + Fraction(1, 2**((digits + 1) // 2))
     odd = (Fraction(n) for n in count(3, 2))
     numbers = {

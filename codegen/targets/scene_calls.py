@@ -16,7 +16,6 @@ from coscrew_codegen.targets.scene_c import c_name
 
 # Times and steps are those of steps called one by one: rounded from double.
 _RUN = {"t": "({real})(t + (double)k * h)", "h": "({real})h"}
-_FORMAT = {"double": "d", "single": "f"}  # as the buffer protocol writes it
 
 
 @dataclass(frozen=True)
@@ -50,7 +49,7 @@ def callables(scene: SceneFunctions) -> tuple[Callable, ...]:
 
 def source(scene: SceneFunctions) -> str:
     """The text of the file that is compiled for Python."""
-    sections = [{"precision": p, "format": _FORMAT[p.name],
+    sections = [{"precision": p, "format": p.buffer_format,
                  "other": next(x.c_type for x in PRECISIONS if x != p),
                  "functions": [_function(scene, f, p) for f in callables(scene)]}
                 for p in named(scene.precisions)]

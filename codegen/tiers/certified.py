@@ -27,44 +27,13 @@ Where something overflows, s is infinite or NaN, the bound with it, and says not
 
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from math import ceil
 
+from coscrew_codegen.formats import Format
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.quantity import Argument
 
 _ZERO = Constant(Fraction(0), Fraction(0))
-
-
-@dataclass(frozen=True)
-class Format:
-    """A binary floating-point format: significant bits, exponent of the least normal number."""
-
-    digits: int
-    least_exponent: int
-
-    @property
-    def u(self) -> Fraction:
-        return Fraction(1, 2**self.digits)
-
-    @property
-    def eta(self) -> Fraction:
-        return Fraction(2)**self.least_exponent * self.u
-
-    @property
-    def padding(self) -> Fraction:
-        return Fraction(2)**self.least_exponent / self.u
-
-    def rounded_up(self, x: Fraction) -> Fraction:
-        """The least number of this format, with any exponent, that is not below x >= 0."""
-        exponent = x.numerator.bit_length() - x.denominator.bit_length() - self.digits - 1
-        unit = Fraction(2)**exponent  # too small by 1 bit, or 2
-        while x / unit > 2**self.digits:
-            unit *= 2
-        return ceil(x / unit) * unit
-
-
-DOUBLE, SINGLE = Format(53, -1022), Format(24, -126)
 
 
 def bounds_of_outputs(outputs: tuple[Argument, ...]) -> tuple[Argument, ...]:
@@ -82,9 +51,9 @@ def certified_operation(operation: Operation) -> Operation:
                    outputs=(*operation.outputs, *bounds), order=order)
 
 
-def certified(program: Program, number: Format) -> Program:
-    """The polynomial plain program and, in this format, the bounds of its results."""
-    certifier = _Certifier(program, number)
+def certified(program: Program, precision: Format) -> Program:
+    """The polynomial plain program and, in this precision, the bounds of its results."""
+    certifier = _Certifier(program, precision)
     for step in program.instructions:
         certifier.follow(step)
     bounds = tuple(map(certifier.bound, program.results))
@@ -106,15 +75,16 @@ class _Size:
 class _Certifier:
     """Issues the instructions of sizes and bounds, each once."""
 
-    def __init__(self, program: Program, number: Format):
+    def __init__(self, program: Program, precision: Format):
         self.steps: list[Instruction] = []
-        self._inputs, self._number = program.inputs, number
+        self._inputs, self._precision = program.inputs, precision
         self._sizes: dict[Operand, _Size] = {}
         self._issued: set[str] = set()
+        self._padding = precision.smallest_normal / precision.u  # τ
 
     def follow(self, step: Instruction) -> None:
         """The size of one plain instruction's result."""
-        x, u, eta = Ref(step.name), self._number.u, self._number.eta
+        x, u, eta = Ref(step.name), self._precision.u, self._precision.eta
         a, b = (self._size(y) for y in (*step.operands, *step.operands)[:2])
         if step.op is Op.NEG:
             self._sizes[x] = a
@@ -137,12 +107,12 @@ class _Certifier:
             return _ZERO
         name = f"{self._name(size.x)}_error_bound"
         size = self._padded(size, name)
-        constant = self._number.rounded_up((1 + self._number.u) * size.growth)
+        constant = self._precision.rounded_up((1 + self._precision.u) * size.growth)
         return self._issue(name, Op.MUL, (_constant(constant), self._s(size, name)), name)
 
     def _size(self, x: Operand) -> _Size:
         if (isinstance(x, Constant)
-                and not x.double == x.single == self._number.rounded_up(x.double)):
+                and not x.double == x.single == self._precision.rounded_up(x.double)):
             raise ValueError(f"{x} is rounded: no bound is known")
         return self._sizes.get(x, _Size(x))
 
@@ -155,12 +125,13 @@ class _Certifier:
         """s' = fl(s + τ) where there is slack."""
         if not size.slack:
             return size
-        tau = self._number.padding
+        tau = self._padding
         if 2 * size.slack > tau:
             raise ValueError(f"{self._name(size.x)}: too many products for the padding")
         operands = self._s(size, component), _constant(tau)
         s = self._issue(f"{self._name(size.x)}_padded", Op.ADD, operands, component)
-        return _Size(size.x, size.growth * (1 + 4 * self._number.u * size.slack / tau), operand=s)
+        lost = 4 * self._precision.u * size.slack / tau
+        return _Size(size.x, size.growth * (1 + lost), operand=s)
 
     def _s(self, size: _Size, component: str) -> Operand:
         """The operand that holds s."""

@@ -5,17 +5,14 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache, partial
 
-import numpy as np
-
+from coscrew_codegen.formats import DOUBLE, SINGLE
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Constant, Op, Operand, Program
+from coscrew_codegen.program.ops import POLYNOMIAL
 from coscrew_codegen.tiers.accurate import COMPENSATED, accurate
-from coscrew_codegen.tiers.certified import DOUBLE, SINGLE, certified, certified_operation
+from coscrew_codegen.tiers.certified import certified, certified_operation
 from coscrew_codegen.tiers.fused import fused
 from coscrew_codegen.tiers.negation import negating_terms
-
-_POLYNOMIAL = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG})
-_UNROUNDED = {Op.NEG, Op.ABS, Op.SELECT, Op.LESS, Op.EQUAL, Op.SCALE}
 
 
 @dataclass(frozen=True)
@@ -30,7 +27,7 @@ class Tier:
     single: Callable[[Program], Program]
     operation: Callable[[Operation], Operation] = lambda plain: plain
     in_words: str = ""  # of the Python package; none where there is no such package
-    operations: frozenset[Op] = _POLYNOMIAL  # what a program may hold
+    operations: frozenset[Op] = POLYNOMIAL  # what a program may hold
 
     @property
     def in_python(self) -> bool:
@@ -45,8 +42,8 @@ class Tier:
     def has(self, program: Program) -> bool:
         """Whether the tier makes anything else of a plain program than it is."""
         ops = set(program.counts)
-        return bool(ops - _UNROUNDED) and ops <= self.operations and not any(
-            _is_rounded(x) for step in program.instructions if step.op not in _UNROUNDED
+        return any(op.rounds for op in ops) and ops <= self.operations and not any(
+            _is_rounded(x) for step in program.instructions if step.op.rounds
             for x in step.operands)
 
     @cache  # every language asks again
@@ -60,7 +57,7 @@ def widened(program: Program) -> Program:
     def narrow(x: Operand) -> Operand:
         if not isinstance(x, Constant):
             return x
-        value = Fraction(float(np.float32(x.single.numerator / x.single.denominator)))
+        value = Fraction(float(SINGLE.rounded(x.single)))
         return Constant(value, value)
 
     program = negating_terms(program)  # C fuses exact products into sums
@@ -78,7 +75,7 @@ def _is_rounded(operand: Operand) -> bool:
 def has_tiers(program: Program) -> bool:
     """Polynomial, and rounded at all: what every tier has, and error bounds are proved for."""
     ops = set(program.counts)
-    return ops <= _POLYNOMIAL and bool(ops - {Op.NEG})
+    return ops <= POLYNOMIAL and bool(ops - {Op.NEG})
 
 
 FUSED = Tier("fused", "Fused tier: products fused into sums.", "ksl_types", fused, fused)
@@ -89,7 +86,8 @@ float64 and rounded once.  The same bits as the C kernels, with fma or without."
                 operations=COMPENSATED)
 CERTIFIED = Tier("certified",
                  "Certified tier: plain results, and bounds of their errors that hold.",
-                 "ksl_types", partial(certified, number=DOUBLE), partial(certified, number=SINGLE),
+                 "ksl_types", partial(certified, precision=DOUBLE),
+                 partial(certified, precision=SINGLE),
                  certified_operation, """\
 The certified tier: every operation returns the plain result, bit for bit, and a bound of each
 component's error, whatever the numbers are, under- and overflow included: (result, bound).  \

@@ -16,11 +16,19 @@ import coscrew.accurate
 from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.operations import Operation
 from tests.benchmarks.peers import Peer, peers
-from tests.corpus import TABLE
-from tests.domains import directions
-from tests.judge import groups
-from tests.motions import DIGITS, TRUTHS, exponential_series, hstack, norm, quaternion_exp, skew
-from tests.truths import Components, other_way, truth
+from tests.hard_cases.corpus import TABLE
+from tests.support.domains import directions
+from tests.support.truth.judge import groups
+from tests.support.truth.motions import (
+    DIGITS,
+    TRUTHS,
+    exponential_series,
+    hstack,
+    norm,
+    quaternion_exp,
+    skew,
+)
+from tests.support.truth.truths import Components, other_way, truth
 
 U = 2.0**-53
 SAMPLES = 16

@@ -26,7 +26,7 @@ from coscrew_codegen.scene.scene import Applied, Scene
 from coscrew_codegen.scene_layout import c_files
 from coscrew_codegen.simulate.load import Kernels, kernels_of
 from tests.benchmarks.words import said
-from tests.robots import FOLDER, path_of, robot, scene_of
+from tests.support.scenes.robots import FOLDER, path_of, robot, scene_of
 
 ROBOTS = {"ur5": ("ur_description/urdf/ur5_robot.urdf", False),
           "panda": ("panda_description/urdf/panda.urdf", False),

@@ -1,0 +1,339 @@
+"""coscrew check: what it passes is right, what it fails is wrong."""
+
+import math
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from coscrew_codegen import load_scene
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.scene.scene import Expectation
+from coscrew_codegen.simulate.check import check
+from coscrew_codegen.simulate.findings import Met
+from coscrew_codegen.simulate.outcome import Asked
+from coscrew_codegen.simulate.verdict import table
+from tests.support.scenes import scene_texts as texts
+from tests.support.scenes.simulated import told
+
+
+def expecting(text: str, **expected: str) -> str:
+    lines = [f'"{name}" = {{ {value} }}' for name, value in expected.items()]
+    return "\n".join((text, "[expect]", *lines))
+
+
+@pytest.fixture(scope="module")
+def loaded(tmp_path_factory):
+    """Kernels of a scene's text."""
+    folder = tmp_path_factory.mktemp("check")
+
+    def load(text: str):
+        path = folder / f"scene{len(list(folder.iterdir()))}.toml"
+        path.write_text(text)
+        return load_scene(path)
+
+    return load
+
+
+Q, V = (float(x) for x in texts.spring(1.2345))
+RIGHT = expecting(texts.SPRING, **{
+    "q.slide": f"at = 1.2345, value = {Q!r}, rtol = 1e-8",
+    "v.slide": f"at = 1.2345, value = {V!r}, rtol = 1e-8",
+    "energy": f"at = 0, value = {texts.STIFFNESS * 0.005!r}, rtol = 1e-12",
+    "power": f"at = 1.2345, value = {-texts.DAMPING * V**2!r}, rtol = 1e-8"})
+
+
+def test_what_is_expected_rightly_is_met(tmp_path, capsys):
+    path = tmp_path / "scene.toml"
+    path.write_text(RIGHT)
+    assert main(["check", str(path)]) == 0
+    out = capsys.readouterr().out
+    assert out.count("pass  ") == 4
+    assert "FAIL" not in out
+
+
+@pytest.mark.parametrize("right, wrong", ((repr(Q), repr(Q * (1 + 1e-7))), (repr(V), repr(-V))))
+def test_what_is_expected_wrongly_is_not(tmp_path, capsys, right, wrong):
+    path = tmp_path / "scene.toml"
+    path.write_text(RIGHT.replace(f"value = {right}", f"value = {wrong}"))
+    assert main(["check", str(path)]) == 1
+    out = capsys.readouterr().out
+    assert (out.count("pass  "), out.count("FAIL  ")) == (3, 1)
+
+
+def test_what_a_run_does_not_reach_is_not_met(loaded):
+    findings = check(loaded(RIGHT), Asked(until=1.0))
+    assert [math.isnan(x.came) for x in findings.met] == [True, True, False, True]
+    assert not findings.passed
+
+
+def test_a_run_that_stops_does_not_pass(loaded):
+    findings = check(loaded(texts.UNSTABLE), Asked())
+    assert not findings.passed
+    assert "double: energy is not finite at t = " in table(findings)
+
+
+@pytest.mark.parametrize("apart, passed", ((0.0, True), (0.2099, True), (0.2101, False),
+                                           (math.nan, False)))
+def test_expectations_allow_their_tolerances(apart, passed):
+    assert Met(Expectation("q.a", 1.0, -2.0, 0.1, 0.01), -2.0 + apart, "rad").passed == passed
+
+
+@pytest.mark.parametrize("integrator, order", (("semi-implicit-euler", 1), ("rk4", 4)))
+def test_a_defect_of_energy_has_the_integrators_order(loaded, integrator, order):
+    """Of a damped spring: E - E(0) + ∫ d v² dt, the largest, falls with the step."""
+    findings = check(loaded(texts.SPRING), Asked(integrator=integrator, step=1e-2))
+    double = findings.along[0]
+    found = math.log2(double.coarse.relative / double.fine.relative)
+    assert found == pytest.approx(order, abs=0.3)
+    assert f"of order {found:.1f}" in table(findings)
+
+
+def test_the_work_of_damping_is_the_energy_lost(loaded):
+    findings = check(loaded(texts.SPRING), Asked())
+    for along, error in zip(findings.along, (1e-10, 1e-5), strict=True):
+        q, v = (float(x) for x in texts.spring(2))
+        lost = texts.STIFFNESS * (q**2 - 0.1**2) / 2 + texts.MASS * v**2 / 2
+        assert along.coarse.work == pytest.approx(lost, abs=error)
+        assert along.coarse.after - along.coarse.before == pytest.approx(lost, abs=error)
+
+
+def test_power_that_does_not_account_for_the_loss_is_found(loaded):
+    """Were an effect's power wrong by 1 %, no smaller step would help."""
+    kernels = loaded(texts.SPRING)
+
+    def wrong(functions):
+        own = {name: getattr(functions, name) for name in functions}
+        return SimpleNamespace(**{**own, "power": lambda *x: 1.01 * own["power"](*x)})
+
+    broken = replace(kernels, double=wrong(kernels.double), single=wrong(kernels.single))
+    text = table(check(broken, Asked()))
+    assert text.count("DOUBTFUL: it does not shrink") == 2
+    assert "energy off by, from the work of effects" in text
+    assert "DOUBTFUL" not in table(check(kernels, Asked()))
+
+
+def test_dynamics_that_are_no_inverses_are_found(loaded):
+    kernels = loaded(texts.BRICK)
+    right = check(kernels, Asked())
+    assert all(x.round_trip < 100 for x in right.along)
+
+    def wrong(functions):
+        own = {name: getattr(functions, name) for name in functions}
+        return SimpleNamespace(**{**own, "inverse_dynamics": lambda q, v, a: (
+            own["inverse_dynamics"](q, v, a) * np.float32(1 + 2.0**-12))})
+
+    broken = replace(kernels, double=wrong(kernels.double), single=wrong(kernels.single))
+    found = check(broken, Asked())
+    assert found.along[0].round_trip > 1e10
+    assert found.along[1].round_trip > 1e3
+
+
+TWO_LINKS = """
+[bodies.upper]
+mass = 3
+com = [0, 0, -0.4]
+inertia = [0.1, 0.1, 0.01]
+[bodies.lower]
+mass = 1
+com = [0, 0, -0.3]
+inertia = [0.02, 0.02, 0.001]
+[joints.shoulder]
+type = "revolute"
+child = "upper"
+axis = [0, 1, 0]
+[joints.elbow]
+type = "revolute"
+parent = "upper"
+child = "lower"
+axis = [0, 1, 0]
+origin.xyz = [0, 0, -0.8]
+[effects.gravity]
+[start.q]
+shoulder = 1
+elbow = 0.7
+[run]
+duration = 1
+integrator = "rk4"
+"""
+
+
+def test_the_condition_is_that_of_the_mass_matrix(loaded):
+    """Of two links in a plane: M = [[a + 2 b cos θ, c + b cos θ], [c + b cos θ, c]]."""
+    kernels = loaded(TWO_LINKS)
+    along = check(kernels, Asked()).along[0]
+    from coscrew_codegen.simulate.plan import plan
+    from coscrew_codegen.simulate.run import integrate
+    from coscrew_codegen.simulate.system import system
+
+    its = system(kernels, "double")
+    theta = integrate(its, plan(its, every=1e-3)).q[:, 1]
+    a = 0.1 + 3 * 0.4**2 + 0.02 + 1 * (0.3**2 + 0.8**2)
+    b, c = 1 * 0.8 * 0.3, 0.02 + 0.3**2
+    conditions = []
+    for x in b * np.cos(theta):
+        trace, determinant = a + 2 * x + c, (a + 2 * x) * c - (c + x)**2
+        root = math.sqrt(trace**2 / 4 - determinant)
+        conditions.append((trace / 2 + root) / (trace / 2 - root))
+    assert along.condition == pytest.approx(max(conditions), rel=1e-3)
+    assert along.at == pytest.approx(int(np.argmax(conditions)) * 1e-3, abs=2e-3)
+
+
+def test_both_precisions_are_compared(loaded):
+    findings = check(loaded(texts.SPRING), Asked())
+    assert [x.precision for x in findings.along] == ["double", "single"]
+    gap = {x.quantity: x for x in findings.apart}
+    assert 0 < gap["q"].apart < 1e-6
+    assert gap["q"].size == pytest.approx(0.1)
+    assert set(gap) == {"q", "v", "a", "energy", "power"}
+
+
+@pytest.mark.parametrize("precision, other", (("double", "single"), ("single", "double")))
+def test_only_the_precision_asked_for_is_checked(tmp_path, capsys, precision, other):
+    path = tmp_path / "scene.toml"
+    path.write_text(texts.SPRING)
+    assert main(["check", str(path), "--precision", precision]) == 0
+    out = capsys.readouterr().out
+    assert f"{precision}, step 0.001 s" in out
+    assert other not in out
+
+
+# A stop so stiff that the time of contact is far below the step: no energy is kept.
+BUMP = texts.SPRING + """
+[effects.limit.slide]
+lower = -0.05
+upper = 1
+k = 1e8
+"""
+
+
+def test_a_balance_that_is_off_fails(tmp_path, capsys):
+    path = tmp_path / "scene.toml"
+    path.write_text(BUMP)
+    words = ["check", str(path), "--precision", "double", "--until", "0.6", "--step", "0.01",
+             "--integrator", "rk4"]
+    assert main(words) == 1
+    said = capsys.readouterr().out
+    assert "FALSE: double: energy is off by" in said and ", or integrator leapfrog" in said
+    assert main([*words[:-3], "0.0001", "--integrator", "leapfrog"]) == 0  # resolved
+    assert main([*words, "--strict"]) == 1
+    path.write_text(texts.SPRING)
+    assert main([*words, "--strict"]) == 0
+
+
+def test_help_tells_exit_statuses(capsys):
+    with pytest.raises(SystemExit):
+        main(["check", "--help"])
+    said = " ".join(capsys.readouterr().out.split())
+    assert "The exit status is 0 if all expectations are met; 1 if one is not" in said
+
+
+def test_expectations_of_a_single_scene_are_of_single_precision(loaded):
+    text = RIGHT.replace('precision = "both"', 'precision = "single"')
+    findings = check(loaded(text), Asked())
+    came = findings.met[0].came
+    assert came == float(np.float32(came))
+    assert not findings.passed  # 1e-8 is more than single precision has
+
+
+def test_a_scene_of_double_precision_alone_is_checked_in_it(tmp_path, capsys):
+    status, said = told(tmp_path / "nut.toml", capsys, "check", 'precision = "double"\n' + NUT)
+    assert status == 0 and "double" in said and "single" not in said
+
+
+NUT = """
+base = "free"
+[bodies]
+nut = { mass = 0.05, inertia = [1e-4, 2e-4, 2.5e-4] }
+[start.v]
+base = [0.02, 0, 0, 0.1, 10, 0]
+[run]
+duration = 10
+"""
+MOTORS = """
+[bodies]
+upper = { mass = 0.1, com = [0, 0, -0.01], inertia = [1e-4, 1e-4, 1e-4] }
+lower = { mass = 0.1, com = [0, 0, -0.01], inertia = [1e-4, 1e-4, 1e-4] }
+[joints]
+shoulder = { type = "continuous", child = "upper", axis = [0, 1, 0] }
+elbow = { type = "continuous", parent = "upper", child = "lower", axis = [0, 1, 0] }
+[effects.gravity]
+[effects.actuator]
+joints = "all"
+kind = "pd"
+kp = 400
+kd = 40
+target = 0
+limit = 50
+[start.q]
+shoulder = 0.5
+"""
+BALL = """
+[bodies]
+ball = { mass = 1 }
+[joints]
+fall = { type = "prismatic", child = "ball", axis = [0, 0, 1], limits = { lower = 0 } }
+[effects.gravity]
+[effects.limit.fall]
+k = 1e9
+alpha = 0.1
+[start.q]
+fall = 0.5
+"""
+
+
+@pytest.mark.parametrize("precision", ("double", "single", "both"))
+def test_energy_and_momentum_are_judged_against_a_stated_size(tmp_path, capsys, precision):
+    """Of a wing nut on which nothing acts: with the old default they are a few percent off after
+    ten seconds, and a smaller step would make that less."""
+    path, old = tmp_path / "nut.toml", ("--integrator", "semi-implicit-euler")
+    which = () if precision == "both" else ("--precision", precision)
+    assert told(path, capsys, "check", NUT, *which)[0] == 0
+    for strict in ((), ("--strict",)):
+        status, said = told(path, capsys, "check", NUT, *which, *old, *strict)
+        assert status == 1 and "rounding" not in said
+        assert "energy is off by 0.037, allowed is 0.001: the step is too large" in said
+        assert "or integrator leapfrog" in said and "momentum of what floats free off by" in said
+
+
+def test_single_precision_is_not_excused_as_rounding(tmp_path, capsys):
+    """4e-5 is 700 u, but double precision shows the same: --strict fails."""
+    path = tmp_path / "nut.toml"
+    words = ("--integrator", "semi-implicit-euler", "--until", "0.4")
+    status, said = told(path, capsys, "check", NUT, *words)
+    found = [float(x) for x in said.split("relative, at most")[1].split()[:2]]
+    assert status == 0 and all(3e-5 < x < 6e-4 for x in found)
+    assert said.count("the integrator's, of order") == 2 and "rounding" not in said
+    for precision in ("both", "single"):
+        which = () if precision == "both" else ("--precision", precision)
+        assert told(path, capsys, "check", NUT, *words, *which, "--strict")[0] == 1
+
+
+def test_work_within_steps_counts(tmp_path, capsys):
+    """A bounce begins and ends within one step: what it dissipates is known all the same."""
+    status, said = told(tmp_path / "ball.toml", capsys, "check", BALL)
+    assert status == 0, said
+    assert told(tmp_path / "ball.toml", capsys, "check", BALL, "--integrator", "rk4")[0] == 1
+
+
+@pytest.mark.parametrize("text, integrator, words", (
+    (NUT.replace("duration = 10", "duration = 20"), "semi-implicit-euler",
+     "energy is not kept at t = "),
+    (NUT.replace("[run]", "[effects.spring_damper.tie]\nbodies = ['world', 'nut']\nk = 1e-9\n"
+                 "d = 1e-9\n[run]").replace("duration = 10", "duration = 20"), "leapfrog", ""),
+    (MOTORS, "semi-implicit-euler", "the step is too large at t = "),
+    (MOTORS, "rk4", "the step is too large at t = "),
+    (MOTORS, "leapfrog", ""), (MOTORS, "linear-implicit-euler", ""),
+    (texts.SPRING.replace(f"k = {texts.STIFFNESS}", "k = 8e6"), "leapfrog",
+     "the step is too large at t = "),
+    (BALL, "leapfrog", ""), (BALL.replace("1e9", "1e17"), "leapfrog",
+                             "a limit closes that is too stiff")))
+def test_false_motion_stops_with_time_joint_cause_and_remedy(tmp_path, capsys, text, integrator,
+                                                             words):
+    status, said = told(tmp_path / "scene.toml", capsys, "simulate", text, "--integrator",
+                        integrator, "--precision", "double")
+    assert status == (1 if words else 0), said
+    if words:
+        assert words in said and "step" in said.split(words)[1] and "samples kept" in said
+        assert "joint" in said or words.startswith("energy")

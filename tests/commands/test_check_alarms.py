@@ -1,0 +1,134 @@
+"""`coscrew check` stops where `coscrew simulate` does, and neither where only rounding is seen."""
+
+import pytest
+
+from tests.support.scenes.simulated import told
+
+SLIDE = """
+[bodies]
+b = { mass = 1, inertia = [1, 1, 1] }
+[joints]
+z = { type = "prismatic", child = "b", axis = [0, 0, 1] }
+"""
+SPRING = SLIDE + """
+[effects.spring]
+joints = "all"
+k = 1e8
+[start.q]
+z = 1
+[run]
+"""
+
+
+@pytest.mark.parametrize("run", (
+    "duration = 0.5", "duration = 0.095", "duration = 1e-3", "duration = 3e-3",
+    "duration = 0.5\n[outputs]\nevery = 0.5", "duration = 0.9\nstep = 0.01"))
+def test_a_spring_that_turns_by_ten_radians_a_step_is_false(tmp_path, capsys, run):
+    """Though its energy is kept to rounding: `check` looks at steps as `simulate` does, and either
+    twice, however short the run is and however few its samples."""
+    text = SPRING.replace("1e8", "1e6" if "step" in run else "1e8")
+    for command in ("simulate", "check"):
+        status, said = told(tmp_path / "spring.toml", capsys, command, text + run)
+        assert status == 1 and "the step is too large" in said
+
+
+@pytest.mark.parametrize("integrator", ("rk4", "semi-implicit-euler"))
+@pytest.mark.parametrize("k, precision", (("1e7", "single"), ("1e8", "double")))
+def test_energy_that_overflows_is_no_rounding(tmp_path, capsys, integrator, k, precision):
+    text = SPRING.replace("1e8", k) + f'duration = 0.09\nintegrator = "{integrator}"\n'
+    for command in ("simulate", "check"):
+        status, said = told(tmp_path / "spring.toml", capsys, command, text, "--precision",
+                            precision)
+        assert status == 1 and "rounding" not in said
+        assert "is not kept at" in said or "not finite at" in said or "too large at" in said
+
+
+def test_what_only_smaller_steps_show_is_false(tmp_path, capsys):
+    """A torque whose period is the step is zero wherever that looks."""
+    text = SLIDE + """
+[effects.actuator.z]
+kind = "torque"
+torque = "1000*sin(2*pi*1000*t)"
+[start.v]
+z = 1
+[run]
+duration = 0.5
+"""
+    status, said = told(tmp_path / "hum.toml", capsys, "check", text, "--precision", "double")
+    assert status == 1
+    assert "but by 1 with half the step, allowed is 0.001: what the scene asks is not" in said
+
+
+def test_speeds_that_smaller_steps_change_are_told(tmp_path, capsys):
+    """Of a light part that vibrates beside a heavy one, of which energies do not tell."""
+    text = """
+[bodies]
+a = { mass = 100, inertia = [1, 1, 1] }
+b = { mass = 0.01, inertia = [1, 1, 1] }
+[joints]
+x = { type = "prismatic", child = "a", axis = [1, 0, 0] }
+z = { type = "prismatic", child = "b", axis = [0, 0, 1] }
+[effects.spring.z]
+k = 1e6
+[start.q]
+z = 0.001
+[start.v]
+x = 10
+"""
+    for k, least, most in (("1e6", 0.1, 2), ("1", 1e-6, 1e-4)):  # h ω = 10; 0.01
+        status, said = told(tmp_path / "light.toml", capsys, "check", text.replace("1e6", k),
+                            "--precision", "double")
+        row = next(x for x in said.splitlines() if "speed differs from that with smaller" in x)
+        apart, joint = row.split()[-2:]
+        assert status == 0 and joint == "(z)" and least <= float(apart) <= most
+
+
+def test_what_double_shows_is_no_rounding_of_single(tmp_path, capsys):
+    """Of a pendulum on a hill, whose energy Euler's steps change in either precision."""
+    text = PENDULUM.format(angle="0.2", z=2000) + "step = 25e-3\n"
+    status, said = told(tmp_path / "hill.toml", capsys, "check", text, "--integrator",
+                        "linear-implicit-euler")
+    assert status == 1 and said.count("the integrator's, of order 1.0") == 2
+    assert "rounding" not in said
+
+
+PENDULUM = """
+[bodies]
+bob = {{ mass = 1, com = [0, 0, -0.5], inertia = [0.01, 0.01, 0.01] }}
+[joints]
+pivot = {{ type = "continuous", child = "bob", axis = [0, 1, 0], origin = {{ xyz = [0, 0, {z}] }} }}
+[effects.gravity]
+[start.q]
+pivot = {angle}
+[run]
+duration = 1
+"""
+
+
+@pytest.mark.parametrize("angle, z, precision", [
+    ("1e-3", 0, "single"), ("0.1", 2000, "single"), ("3e-7", 0, "double"), ("3e-8", 0, "double"),
+    ("1e-9", 0, "double"), ("'pi'", 0, "double")])
+def test_motions_smaller_than_the_rounding_of_energies_are_true(tmp_path, capsys, angle, z,
+                                                                precision):
+    """Of a pendulum whose m g z has more rounding than its kinetic energy has to lose."""
+    text = PENDULUM.format(angle=angle, z=z)
+    for command in ("simulate", "check"):
+        status, said = told(tmp_path / "pendulum.toml", capsys, command, text, "--precision",
+                            precision)
+        assert status == 0, said
+    if angle in ("3e-8", "1e-9"):
+        assert "untold: potential energy rounds by more than was moved" in said
+
+
+@pytest.mark.parametrize("angle, z, precision", [("1e-3", 0, "single"), ("0.1", 2000, "single"),
+                                                 ("3e-8", 0, "double")])
+def test_such_motions_are_still_false_where_steps_are_too_long(tmp_path, capsys, angle, z,
+                                                               precision):
+    """Their energies tell nothing, but a step of 0.6 s differs from its halves: hω is 2.6."""
+    text = PENDULUM.format(angle=angle, z=z).replace("duration = 1", "duration = 30\nstep = 0.6")
+    text += "[outputs]\nevery = 0.6\n"
+    for command in ("simulate", "check"):
+        status, said = told(tmp_path / "pendulum.toml", capsys, command, text, "--precision",
+                            precision)
+        assert status == 1
+        assert "the step is too large" in said or command == "simulate"  # energy tells that, too

@@ -1,0 +1,290 @@
+"""coscrew cost: what it compares, that what it times is the scene, errors against closed forms."""
+
+import math
+import subprocess
+from dataclasses import replace
+from xml.etree import ElementTree
+
+import mpmath as mp
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from coscrew_codegen import load_scene
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.cost import CostError
+from coscrew_codegen.cost.exact_run import MULTIPRECISE, exact_end
+from coscrew_codegen.cost.leaving_out import TELLING, parts
+from coscrew_codegen.cost.loops import ELEMENTS, compiled, text
+from coscrew_codegen.cost.measure import measure
+from coscrew_codegen.cost.plot import _accuracy, plot
+from coscrew_codegen.cost.table import table
+from coscrew_codegen.cost.work_precision import Point, Reference, error, reference
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE
+from coscrew_codegen.native.intervals import Interval
+from coscrew_codegen.program.interpreter import evaluate
+from coscrew_codegen.report.variants import flops
+from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene_layout import banner_of, c_files
+from coscrew_codegen.simulate import native
+from coscrew_codegen.simulate.outcome import Asked
+from coscrew_codegen.simulate.system import system
+from tests.support.scenes import scene_texts as texts
+
+
+@pytest.fixture(scope="module")
+def kernels(tmp_path_factory):
+    folder, found = tmp_path_factory.mktemp("cost"), {}
+    for name in ("PENDULUM", "SPRING", "BRICK"):
+        path = folder / f"{name.lower()}.toml"
+        path.write_text(getattr(texts, name).replace("duration = 10", "duration = 2"))
+        found[name] = load_scene(path)
+    return found
+
+
+@pytest.fixture(scope="module")
+def costs(kernels):
+    return measure(kernels["SPRING"], Asked(), None)
+
+
+# what is left out
+
+def test_each_effect_is_left_out_once(kernels):
+    scene = kernels["SPRING"].scene
+    found = {x.words: sorted(a.effect.name for a in x.scene.effects) for x in parts(scene)}
+    assert found == {"all effects": ["spring", "viscous"], "without spring": ["viscous"],
+                     "without viscous": ["spring"], "bare": []}
+
+
+def test_what_costs_nothing_is_not_left_out(kernels):
+    """Reactions are outputs, no effects on the motion."""
+    found = {x.words: [a.effect.name for a in x.scene.effects]
+             for x in parts(kernels["PENDULUM"].scene)}
+    assert found == {"all effects": ["gravity", "reaction"], "bare": ["reaction"]}
+
+
+def test_operations_are_those_of_the_terms(tmp_path):
+    """a = (τ - k q - d v) / m: each effect costs a product and a sum."""
+    path = tmp_path / "scene.toml"
+    path.write_text(texts.SPRING.replace("d = 1", "d = 3"))  # a factor of 1 costs nothing
+    found = {x.words: next(f.program for f in x.public if f.name == "forward_dynamics")
+             for x in parts(read_scene(path))}
+    counts = {words: flops(program) for words, program in found.items()}
+    assert counts["without spring"] == counts["without viscous"] == counts["bare"] + 2
+    assert counts["all effects"] == counts["bare"] + 4
+
+
+# what is timed
+
+@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda x: x.name)
+@pytest.mark.parametrize("name", ("SPRING", "BRICK"))
+def test_the_loops_call_the_scenes_functions(kernels, name, precision):
+    """What a timed loop has computed are the functions' values at its inputs, to the last bit."""
+    whole = parts(kernels[name].scene)[0]
+    library = compiled(whole, whole.public, native.compiler())
+    its, rng = system(kernels[name], precision.name), np.random.default_rng(1)
+    for f in whole.public:
+        inputs = [rng.normal(size=(ELEMENTS, *a.quantity.shape)).astype(precision.numpy_type)
+                  for a in f.program.inputs]
+        made = np.asarray(library.once(f, precision, inputs)[0])
+        wanted = np.asarray(getattr(its.kernels, f.name)(*inputs))
+        wanted = np.broadcast_to(wanted.reshape(-1, made.shape[1]), made.shape)
+        assert made.tobytes() == np.ascontiguousarray(wanted).tobytes(), f.name
+
+
+def test_the_loops_compile_without_warnings(kernels, tmp_path):
+    for name in kernels:
+        whole = parts(kernels[name].scene)[0]
+        for file, content in {**c_files(whole.functions, banner_of(name)),
+                              "loops.c": text(whole, whole.public)}.items():
+            (tmp_path / file).write_text(content)
+        flags = ("-std=c11", "-Wall", "-Wextra", "-pedantic", "-Werror", "-fsyntax-only")
+        subprocess.run(["cc", *flags, "loops.c"], cwd=tmp_path, check=True)
+
+
+@pytest.mark.parametrize("step", ("leapfrog", "semi_implicit_euler", "linear_implicit_euler",
+                                  "rk4"))
+@pytest.mark.parametrize("precision", (DOUBLE, SINGLE), ids=lambda x: x.name)
+def test_runs_in_c_are_the_steps_of_the_kernels(kernels, precision, step):
+    whole = parts(kernels["BRICK"].scene)[0]
+    its = system(kernels["BRICK"], precision.name)
+    library = compiled(whole, whole.public, native.compiler())
+    q, v, seconds = library.run(step, precision, 50, 1e-3, its.p, its.start())
+    wanted = its.stepper(f"step_{step}")(50, 0.0, 1e-3, *its.start())
+    assert (q.tobytes(), v.tobytes()) == (wanted[0].tobytes(), wanted[1].tobytes())
+    assert seconds > 0
+
+
+def test_every_function_and_part_has_a_row(costs, kernels):
+    public = [f.name for f in kernels["SPRING"].functions.functions if not f.internal]
+    assert [x.function for x in costs.rows if x.part == "all effects"] == public
+    for words in ("without spring", "without viscous", "bare"):
+        assert [x.function for x in costs.rows if x.part == words] == [
+            name for name in public if name in TELLING]
+    for row in costs.rows:
+        assert all(0 < t.low <= t.median <= t.high < 1e6 for t in row.times), row
+
+
+# errors against time
+
+def test_references_are_the_closed_form(kernels):
+    its = system(kernels["SPRING"], "double")
+    wanted = [float(x) for x in texts.spring(2)]
+    for digits, allowed in ((None, 1e-12), (30, 1e-16)):
+        truth = reference(its, 2.0, digits)
+        assert abs(truth.q[0] - wanted[0]) <= max(allowed, truth.error)
+        assert abs(truth.v[0] - wanted[1]) <= 10 * max(allowed, truth.error)
+
+
+def test_the_exact_run_of_a_pendulum_is_elliptic(kernels):
+    q, v, apart = exact_end(system(kernels["PENDULUM"], "double"), 2.0, 30)
+    wanted = texts.pendulum(2)
+    assert abs(q[0] - float(wanted[0])) <= 2.0**-52
+    assert abs(v[0] - float(wanted[1])) <= 2.0**-50
+    assert apart <= 2.0**-52
+
+
+def test_the_exact_run_of_a_free_body_is_dop853s(kernels):
+    """Which is another program, with other formulas of rates."""
+    its = system(kernels["BRICK"], "double")
+    q, v, _ = exact_end(its, 1.0, 20)
+    other = reference(its, 1.0, None)
+    assert error(its, q, other) < 1e-12
+    assert np.abs(v - other.v).max() < 1e-11
+
+
+def test_programs_are_evaluated_with_all_digits(kernels):
+    its = system(kernels["PENDULUM"], "double")
+    forward = next(f.program for f in its.functions.functions if f.name == "forward_dynamics")
+    with mp.workdps(60):
+        q = mp.mpf(1) / 3
+        (a,) = evaluate(forward, [{"q": [q], "v": [mp.mpf(2)], "tau": [mp.mpf(0)]}[x.name]
+                                  for x in forward.inputs], MULTIPRECISE)
+        assert abs(a + mp.mpf("9.81") * mp.sin(q)) < mp.mpf(10)**-58
+
+
+def test_scenes_that_are_not_smooth_have_no_exact_run(tmp_path):
+    path = tmp_path / "scene.toml"
+    path.write_text(texts.SPRING + """
+[effects.coulomb.slide]
+tau_c = 1
+eps = 1e-9
+""")
+    with pytest.raises(CostError, match="--digits is for smooth scenes"):
+        exact_end(system(load_scene(path), "double"), 2.0, 20)
+
+
+def test_the_sign_of_a_quaternion_is_no_error(kernels):
+    its = system(kernels["BRICK"], "double")
+    q = np.array([1.0, 2, 3, 0.5, -0.5, 0.5, 0.5])
+    truth = Reference("", 1.0, q, np.zeros(6), 0.0)
+    assert error(its, q * [1, 1, 1, -1, -1, -1, -1], truth) == 0
+    assert error(its, q + [0, 0.25, 0, 0, 0, 0, 0], truth) == 0.25
+    assert error(its, q * np.nan, truth) == math.inf
+
+
+@pytest.mark.parametrize("integrator, order", (("semi-implicit-euler", 1), ("rk4", 4)))
+def test_errors_of_runs_have_the_integrators_order(costs, integrator, order):
+    found = [(x.step, x.error) for x in costs.points
+             if (x.integrator, x.precision) == (integrator, "double") and x.error > 1e-11]
+    assert len(found) >= 2
+    slopes = [math.log(a[1] / b[1]) / math.log(a[0] / b[0]) for a, b in zip(found, found[1:])]
+    assert slopes[-1] == pytest.approx(order, abs=0.2)
+
+
+def test_single_precision_is_no_more_accurate_than_it_can_be(costs):
+    found = [x.error for x in costs.points if (x.integrator, x.precision) == ("rk4", "single")]
+    assert min(found) > 2.0**-24 * 1e-3
+    assert min(x.error for x in costs.points if x.precision == "double") < 1e-12
+
+
+# what is shown
+
+def test_the_table_holds_what_was_measured(costs):
+    text = table(costs)
+    for row in costs.rows:
+        assert row.function in text and row.part in text
+    for point in costs.points:
+        assert f"{point.error:.3g}" in text
+    assert text.count("*") >= 2
+
+
+def test_the_figure_holds_a_bar_for_each_part_and_a_curve_for_each_integrator(costs, tmp_path):
+    plot(costs, tmp_path / "costs.svg")
+    root = ElementTree.parse(tmp_path / "costs.svg").getroot()
+    ids = [x.get("id") for x in root.iter() if x.get("id")]
+    drawn = {f"{x.integrator} {x.precision}" for x in costs.points}
+    assert drawn <= set(ids)
+    bars = [x for x in ids if x.endswith(("-double-ns", "-single-ns"))]
+    assert sorted(bars) == sorted(f"{x.part}-{p.name}-ns" for x in costs.rows for p in PRECISIONS
+                                  if x.function == "forward_dynamics")
+
+
+def point(integrator: str, seconds: float, error: float) -> Point:
+    time = Interval(seconds, 0.8 * seconds, 1.2 * seconds)
+    return Point(integrator, "double", 1e-3, 100, time, error, "C")
+
+
+@pytest.fixture
+def rough(costs):
+    """Costs whose reference is good to 1e-9; two of four runs are better than that."""
+    truth = replace(costs.reference, error=1e-9)
+    return replace(costs, reference=truth, points=(
+        point("rk4", 1e-5, 1e-6), point("rk4", 2e-5, 3e-10), point("rk4", 4e-5, 2e-11),
+        point("dop853", 1e-4, 1e-7)))
+
+
+def test_runs_better_than_the_reference_are_not_called_best(rough):
+    rows = [x.split() for x in table(rough).splitlines() if x.startswith(("rk4 ", "dop853 "))]
+    assert [x[7:] for x in rows] == [["*"], ["<"], ["<"], []]
+
+
+def test_a_run_is_best_unless_another_ones_interval_lies_below(rough):
+    """1.1 times as long, the intervals overlap: nothing is said."""
+    near = replace(rough, points=(point("rk4", 1e-5, 1e-6), point("rk4", 1.1e-5, 1e-6),
+                                  point("rk4", 1.6e-5, 1e-6)))
+    marks = [x.split()[7:] for x in table(near).splitlines() if x.startswith("rk4 ")]
+    assert marks == [["*"], ["*"], []]
+
+
+def test_runs_better_than_the_reference_are_hollow(rough, tmp_path):
+    plot(rough, tmp_path / "costs.svg")
+    root = ElementTree.parse(tmp_path / "costs.svg").getroot()
+    groups = {x.get("id"): x for x in root.iter() if x.get("id")}
+    used = {name: len([x for x in groups[name].iter() if x.tag.endswith("}use")])
+            for name in ("rk4 double runs", "rk4 double hollow", "dop853 double runs")}
+    assert used == {"rk4 double runs": 1, "rk4 double hollow": 2, "dop853 double runs": 1}
+    assert {"rk4 double interval", "dop853 double interval"} <= set(groups)
+    fills = {name: next(x.get("style") for x in groups[name].iter() if x.tag.endswith("}use"))
+             for name in used}
+    assert "fill: #ffffff" in fills["rk4 double hollow"]
+    assert "fill: #ffffff" not in fills["rk4 double runs"]
+    assert "reference" in groups
+
+
+def test_the_legend_covers_no_curve(rough):
+    figure = Figure(figsize=(13, 4.6), layout="constrained")
+    axes = figure.subplots()
+    _accuracy(axes, rough)
+    figure.draw_without_rendering()
+    legend, panel = axes.get_legend().get_window_extent(), axes.get_window_extent()
+    assert legend.x0 >= panel.x1
+    assert legend.x1 <= figure.bbox.x1
+
+
+def test_the_command_prints_and_draws(tmp_path, capsys):
+    path = tmp_path / "scene.toml"
+    path.write_text(texts.SPRING)
+    assert main(["cost", str(path), "--until", "0.5", "--plot", str(tmp_path / "out.png")]) == 0
+    out = capsys.readouterr().out
+    assert "without viscous" in out and "dop853" in out
+    assert (tmp_path / "out.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_without_a_compiler_there_is_nothing_to_time(tmp_path, capsys, monkeypatch):
+    monkeypatch.setenv("CC", "no-such-compiler")
+    path = tmp_path / "scene.toml"
+    path.write_text(texts.SPRING)
+    with pytest.warns(RuntimeWarning, match="pure NumPy"):
+        assert main(["cost", str(path)]) == 2
+    assert "cannot be compiled: no C compiler" in capsys.readouterr().err

@@ -1,0 +1,93 @@
+"""An install without extras says at once what a command needs, before it does anything."""
+
+import os
+import re
+import subprocess
+import sys
+import sysconfig
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from coscrew_codegen import extras
+from coscrew_codegen.command_line import _parser
+
+ROOT = Path(__file__).parents[2]
+SITE = Path(sysconfig.get_paths()["purelib"])
+NEEDED = [(command, module) for command, extra in extras.COMMANDS.items()
+          for module in extras.EXTRAS[extra]]
+
+
+def requirements(extra: str) -> set[str]:
+    """The distributions of an extra, and of those it includes, in pyproject.toml."""
+    listed = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    found = set()
+    for text in listed["optional-dependencies"][extra]:
+        inner = re.fullmatch(r"coscrew\[(\w+)\]", text)
+        found |= requirements(inner[1]) if inner else {re.match(r"[\w-]+", text)[0]}
+    return found
+
+
+@pytest.fixture(scope="module")
+def bare(tmp_path_factory) -> Path:
+    """A folder of packages with nothing but coscrew and NumPy; tests link others into it."""
+    folder = tmp_path_factory.mktemp("bare")
+    for source, name in ((ROOT / "generated/python", "coscrew"), (ROOT / "codegen",
+                                                                  "coscrew_codegen"),
+                         *((path, path.name) for path in SITE.glob("numpy*")),
+                         *((path, path.name) for path in SITE.glob("coscrew-*.dist-info"))):
+        (folder / name).symlink_to(source)
+    return folder
+
+
+def run(bare: Path, with_: set[str], *words: str) -> subprocess.CompletedProcess:
+    """The command where these packages are installed besides."""
+    links = [bare / path.name for name in sorted(with_) for path in SITE.glob(f"{name}*")
+             if re.fullmatch(rf"{name}(\.libs|\.py)?", path.name)]
+    for link in links:
+        link.symlink_to(SITE / link.name)
+    try:
+        return subprocess.run(
+            [sys.executable, "-S", "-P", "-m", "coscrew_codegen", *words], cwd=bare.parent,
+            capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(bare)})
+    finally:
+        for link in links:
+            link.unlink()
+
+
+def test_extras_are_those_of_pyproject():
+    for extra, modules in extras.EXTRAS.items():
+        assert {*modules} == requirements(extra) - {"pyarrow"}, extra
+
+
+def test_every_command_has_its_extra():
+    (commands,) = (action for action in _parser()._actions if action.dest == "command")
+    assert set(commands.choices) == set(extras.COMMANDS)
+
+
+@pytest.mark.parametrize("command", extras.COMMANDS)
+def test_a_bare_install_says_the_extra_of_each_command(bare, command):
+    extra = extras.COMMANDS[command]
+    done = run(bare, set(), command, "scene.toml")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == (f"coscrew: {command} needs {', '.join(extras.EXTRAS[extra])}; run "
+                           f'`pip install "coscrew[{extra}]"`\n')
+
+
+@pytest.mark.parametrize("module", sorted({module for _, module in NEEDED}))
+def test_a_package_that_lacks_alone_is_named(bare, module):
+    """By each command that needs it, before it looks at its arguments: of the scene not a word."""
+    command = [command for command, name in NEEDED if name == module][-1]
+    extra = extras.COMMANDS[command]
+    others = {*extras.EXTRAS[extra]} - {module}
+    done = run(bare, others, command, "no such scene")
+    assert (done.returncode, done.stdout, done.stderr) == (
+        2, "", f'coscrew: {command} needs {module}; run `pip install "coscrew[{extra}]"`\n')
+
+
+def test_the_version_is_told_without_extras_and_help_says_what_it_needs(bare):
+    assert run(bare, set(), "--version").stdout.startswith("coscrew ")
+    done = run(bare, set(), "--help")
+    assert done.returncode == 2 and "the command line needs sympy" in done.stderr
+    assert done.stderr.count("\n") == 1

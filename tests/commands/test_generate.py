@@ -1,0 +1,231 @@
+"""`coscrew generate`: selections, --check, refusals, whole files, the same bytes everywhere."""
+
+import ast
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.operations import FAMILIES
+
+ROOT = Path(__file__).parents[2]
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {p.relative_to(folder).as_posix(): p.read_bytes()
+            for p in sorted(folder.rglob("*")) if p.is_file()}
+
+
+def committed() -> dict[str, bytes]:
+    """What git would hold of generated/: everything but compiled files."""
+    return {path: data for path, data in contents(ROOT / "generated").items()
+            if not path.endswith((".so", ".pyc", ".pyd"))}
+
+
+def run(*arguments: str, cwd: Path = ROOT, **environment: str) -> subprocess.CompletedProcess:
+    return subprocess.run([sys.executable, "-m", "coscrew_codegen", *arguments], cwd=cwd, text=True,
+                          capture_output=True, env={**os.environ, **environment})
+
+
+@pytest.fixture(scope="module")
+def copy(tmp_path_factory) -> Path:
+    """Everything, generated anew into an empty folder."""
+    folder = tmp_path_factory.mktemp("everything") / "generated"
+    assert main(["generate", "--output", str(folder)]) == 0
+    return folder
+
+
+def test_regenerating_from_nothing_restores_what_is_committed(copy):
+    assert contents(copy) == committed()
+
+
+def test_the_bytes_do_not_depend_on_hash_seed_or_locale(tmp_path, copy):
+    """Another seed than this process's, a locale and terminal of ASCII, another time zone."""
+    done = run("generate", "--output", str(tmp_path), PYTHONHASHSEED="4242", LC_ALL="POSIX",
+               PYTHONUTF8="0", PYTHONCOERCECLOCALE="0", PYTHONIOENCODING="ascii", TZ="Asia/Tokyo")
+    assert done.returncode == 0, done.stderr
+    assert contents(tmp_path) == contents(copy)
+
+
+def test_check_passes_on_the_committed_files(capsys):
+    assert main(["generate", "--check"]) == 0, capsys.readouterr().out
+
+
+def test_check_shows_each_difference_and_the_command_that_mends_it(copy, tmp_path, capsys):
+    folder = tmp_path / "changed"
+    shutil.copytree(copy, folder)
+    header = folder / "c/include/ksl/coscrew.h"
+    header.write_text(header.read_text().replace(" - co_3b", " + co_3b"))
+    (folder / "c/include/ksl/vec3.h").unlink()
+    (folder / "c/include/ksl/old.h").write_text("/* Made by `coscrew generate`; … */\n")
+    (folder / "c/include/ksl/users.h").write_text("/* not ours */\n")
+    before = contents(folder)
+    assert main(["generate", "--check", "--output", str(folder)]) == 1
+    captured = capsys.readouterr()
+    assert ("+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1)"
+            in captured.out)
+    assert "--- /dev/null\n+++ c/include/ksl/vec3.h" in captured.out
+    assert "--- c/include/ksl/old.h" in captured.out and "users.h" not in captured.out
+    assert f"3 files are out of date; run `coscrew generate --output {folder}`" in captured.err
+    assert contents(folder) == before
+    assert main(["generate", "--output", str(folder)]) == 0
+    (folder / "c/include/ksl/users.h").unlink()
+    assert contents(folder) == contents(copy)
+
+
+def test_one_family_in_one_precision_and_language(tmp_path):
+    assert main(["generate", "--family", "coscrew", "--precision", "single", "--language", "c",
+                 "--output", str(tmp_path)]) == 0
+    made = contents(tmp_path)
+    headers = ("coscrew", "coscrew_accurate", "coscrew_certified", "coscrew_fused", "ksl",
+               "ksl_accurate", "ksl_certified", "ksl_exact", "ksl_fused", "ksl_rounding",
+               "ksl_selfcheck", "ksl_types")
+    assert sorted(made) == ["c/coscrew.h", "c/coscrew_accurate.h", "c/coscrew_certified.h",
+                            "c/coscrew_fused.h",
+                            *(f"c/include/ksl/{name}.h" for name in headers)]
+    for path, text in made.items():
+        assert b"ksl_product_CoAdc(" not in text and b"ksl_coscrew_t" not in text
+        assert b"ksl_screwf(" not in text
+        if "accurate" not in path and "exact" not in path:
+            assert b"double" not in re.sub(rb'/\*.*?\*/|#error "[^"]*"', b"", text,
+                                           flags=re.DOTALL)
+        assert text.startswith(
+            b"/* Made by `coscrew generate --family coscrew --precision single --language c`;")
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("precision", ("double", "single"))
+def test_a_part_of_the_python_package_stands_alone(family, precision, tmp_path):
+    assert main(["generate", "--family", family, "--precision", precision, "--language", "python",
+                 "--output", str(tmp_path)]) == 0
+    (tmp_path / "python").rename(tmp_path / "coscrew")
+    program = ("import coscrew, sys; from pathlib import Path; "
+               "assert Path(coscrew.__file__).parent == Path('coscrew').resolve(); "
+               "assert not coscrew.COMPILED; print(*coscrew.__all__)")
+    done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, text=True,
+                          capture_output=True, env={**os.environ, "PYTHONPATH": str(tmp_path)})
+    assert done.returncode == 0, done.stderr
+    assert precision in done.stdout.split()
+
+
+@pytest.mark.parametrize(("arguments", "near"), [
+    (["--family", "coskrew"], "did you mean 'coscrew'"),
+    (["--family", "screw", "vec33"], "did you mean 'vec3'"),
+    (["--precision", "float"], "did you mean"),
+    (["--precision", "doubel"], "did you mean 'double'"),
+    (["--language", "pyton"], "did you mean 'python'"),
+])
+def test_unknown_names_get_the_nearest_valid_one(arguments, near, tmp_path, capsys):
+    assert main(["generate", *arguments, "--output", str(tmp_path / "new")]) == 2
+    assert near in capsys.readouterr().err
+    assert not (tmp_path / "new").exists()
+
+
+def test_an_unwritable_output_is_one_clear_error(tmp_path, capsys):
+    (tmp_path / "file").write_text("not a folder\n")
+    assert main(["generate", "--family", "trig", "--output", str(tmp_path / "file")]) == 2
+    assert "coscrew: cannot write" in capsys.readouterr().err
+    assert contents(tmp_path) == {"file": b"not a folder\n"}
+
+
+def test_a_run_that_cannot_finish_leaves_the_old_files_whole(tmp_path, capsys, monkeypatch):
+    options = ["generate", "--family", "trig", "--output", str(tmp_path)]
+    assert main(options) == 0
+    (tmp_path / "c/include/ksl/trig.h").write_text("old\n")
+    (tmp_path / "python/py.typed").unlink()
+    (tmp_path / "python/py.typed").mkdir()  # in the way, and last in line
+    before = contents(tmp_path)
+    assert main(options) == 2
+    assert "py.typed: it is a folder; nothing was changed" in capsys.readouterr().err
+    assert contents(tmp_path) == before
+
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    (tmp_path / "python/py.typed").rmdir()
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "chmod", interrupted)
+        assert main(options) == 130
+    assert contents(tmp_path) == before
+
+
+def imported_modules(node: ast.AST) -> list[str]:
+    if isinstance(node, ast.Import):
+        return [alias.name for alias in node.names]
+    if isinstance(node, ast.ImportFrom):
+        inside = node.module == "coscrew_codegen"
+        return [f"{node.module}.{a.name}" for a in node.names] if inside else [node.module]
+    return []
+
+
+def test_imports_run_one_way():
+    """version < … < algebra < … < kernel < passes < schedule < tiers < targets < … < emit."""
+    order = ["version", "integrators", "identifiers", "algebra", "quantity", "operations",
+             "kernel", "passes", "program", "formats", "scene_functions", "schedule", "programs",
+             "recording", "tiers", "render", "native", "targets", "special", "exact", "selection",
+             "extension", "layout", "documentation", "emit", "report", "scene", "mechanics",
+             "effects", "scene_files", "scene_layout", "simulate", "cost", "command_line",
+             "console", "extras", "__main__"]
+    package = ROOT / "codegen"
+    allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
+
+    def layer(path: Path) -> str:
+        return path.relative_to(package).parts[0].removesuffix(".py")
+
+    seen = set()
+    for path in sorted(package.rglob("*.py")):
+        here = layer(path)
+        if here in allowed_elsewhere or here == "__init__":
+            continue
+        seen.add(here)
+        for node in ast.walk(ast.parse(path.read_text())):
+            for module in imported_modules(node):
+                name, _, rest = module.partition(".")
+                assert name != "coscrew" or here in ("report", "simulate"), (
+                    f"{path} imports what is generated")
+                if name == "coscrew_codegen":
+                    assert order.index(rest.split(".")[0]) <= order.index(here), f"{path}: {module}"
+                if name == "sympy":
+                    known = here in ("schedule", "tiers", "exact", "report")
+                    assert known or order.index(here) < order.index("program"), path
+    assert seen == set(order)
+
+
+def test_templates_hold_shapes_only():
+    for path in (ROOT / "templates").rglob("*.jinja"):
+        assert len(path.read_text().splitlines()) <= 80, path.name
+
+
+def hand_written() -> list[Path]:
+    return [path for folder in ("codegen", "examples", "templates", "tests")
+            for path in sorted((ROOT / folder).rglob("*.py"))]
+
+
+def test_every_hand_written_file_is_python():
+    """Of benchmarks and long searches, too, which no test runs."""
+    for path in hand_written():
+        compile(path.read_text(encoding="utf-8"), path.name, "exec", dont_inherit=True)
+
+
+def test_no_hand_written_line_is_over_100_characters():
+    over = [f"{path.relative_to(ROOT)}:{number}: {len(line)} characters"
+            for path in hand_written()
+            for number, line in enumerate(path.read_text(encoding="utf-8").split("\n"), 1)
+            if len(line) > 100]
+    assert not over, "\n".join(over)
+
+
+def test_pyproject_compiles_every_family():
+    import tomllib
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
+    for extension in project["tool"]["setuptools"]["ext-modules"]:
+        tier = extension["name"].removeprefix("coscrew.").removesuffix("_gufunc").rstrip(".")
+        folder = ROOT / "generated/gufunc" / tier
+        expected = {p.relative_to(ROOT).as_posix() for p in folder.glob("*.c")}
+        assert expected and set(extension["sources"]) == expected
+    assert len(project["tool"]["setuptools"]["ext-modules"]) == 3

@@ -1,0 +1,286 @@
+"""What `coscrew report` measures: errors against independent arithmetic, times, drift, the JSON."""
+
+import math
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+
+import mpmath
+import numpy as np
+import pytest
+from gmpy2 import mpq
+
+from coscrew_codegen.exact import truth, ulp
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
+from coscrew_codegen.native.timing import Timing
+from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.operations.operation import Normwise
+from coscrew_codegen.report import errors, inputs, measure, native, ranking
+from coscrew_codegen.report.c_text import Variant, last_component
+from coscrew_codegen.report.drift import deviations, drifts, power
+from coscrew_codegen.report.timing import Timed, python_function
+from coscrew_codegen.report.variants import variants_of
+from tests.support.truth.exact import FORMULAS
+
+BY_NAME = {operation.name: operation for operation in OPERATIONS}
+DIGITS = {"double": 53, "single": 24}
+NAMES = ("product_CoAdc", "cross_sc", "dot_cs", "product_dd", "mat3x3_determinant", "vec3_swap")
+
+precisions = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+
+
+def exactly(operation: Operation, rows: np.ndarray) -> list[list[Fraction]]:
+    """The results by the papers' matrices, in fractions."""
+    found = []
+    for row in rows:
+        arguments = [np.array(list(map(Fraction, map(float, x.ravel()))), object).reshape(
+            a.quantity.shape)[()] for x, a in zip(inputs.split(operation, row[None]),
+                                                  operation.inputs, strict=True)]
+        values = FORMULAS[operation.name](*arguments)
+        parts = values if isinstance(values, tuple) else (values,)
+        found.append([x for part in parts for x in np.atleast_1d(part).ravel()])
+    return found
+
+
+def spacing(x: Fraction, precision: Precision) -> Fraction:
+    """From NumPy: how far apart numbers of x's size are; x rounded towards zero first."""
+    near = np.dtype(precision.numpy_type).type(float(x))
+    if abs(Fraction(float(near))) > abs(x):
+        near = np.nextafter(near, type(near)(0))
+    return Fraction(float(np.spacing(abs(near))))
+
+
+@precisions
+@pytest.mark.parametrize("name", NAMES)
+def test_truth_is_what_fractions_say(name: str, precision: Precision):
+    operation = BY_NAME[name]
+    rows = np.concatenate([draw(operation, precision, 30, 5)
+                           for draw in (inputs.benign, inputs.hard)])
+    found = truth(operation, precision, rows)
+    for i, values in enumerate(exactly(operation, rows)):
+        for j, x in enumerate(values):
+            near, rest, unit = (Fraction(float(a[i, j]))
+                                for a in (found.near, found.rest, found.unit))
+            if x:
+                assert unit == spacing(x, precision), (x, unit)
+            assert abs(near + rest * unit - x) <= unit * abs(rest) / 2**52
+
+
+def test_ulp_is_of_the_binade_a_number_lies_in():
+    """Also of numbers that are no binary fractions, next to powers of two, and subnormal ones."""
+    third = mpq(1, 3**60)
+    assert [ulp(x, DOUBLE) * 2**53 for x in (mpq(2, 3), mpq(1), 1 - third, 1 + third, -2 + third)] \
+        == [1, 2, 1, 2, 2]
+    assert ulp(mpq(1, 3 * 2**1030), DOUBLE) == ulp(mpq(0), DOUBLE) == mpq(1, 2**1074)
+    assert ulp(mpq(1, 3 * 2**130), SINGLE) == mpq(1, 2**149)
+
+
+@precisions
+def test_truth_of_a_norm_is_the_integer_root(precision: Precision):
+    """floor(2^400 |v|) by integers lies where the report's truth does."""
+    operation = BY_NAME["vec3_l2norm"]
+    rows = inputs.hard(operation, precision, 40, 3)
+    found = truth(operation, precision, rows)
+    for row, near, rest, unit in zip(rows, found.near[:, 0], found.rest[:, 0], found.unit[:, 0],
+                                     strict=True):
+        square = sum(Fraction(float(x))**2 for x in row)
+        root = Fraction(math.isqrt(square.numerator * 2**800 // square.denominator), 2**400)
+        ours = Fraction(float(near)) + Fraction(float(rest)) * Fraction(float(unit))
+        assert abs(ours - root) <= Fraction(float(unit)) / 2**50
+
+
+@precisions
+def test_a_wrong_kernel_shows_its_error(precision: Precision):
+    """Three numbers above the nearest one: 2.5 to 3.5 ulp, as fractions count."""
+    operation = BY_NAME["cross_sc"]
+    (plain, *_) = variants_of(operation, precision)
+    benign, hard = errors.samples(operation, precision, 60, 2)
+    results: list[np.ndarray] = []
+
+    def wrong(variant: Variant, arguments: tuple[np.ndarray, ...]) -> tuple[np.ndarray, ...]:
+        exact = benign if len(results) == 0 else hard
+        x = exact.truth.near.astype(precision.numpy_type)
+        for _ in range(3):
+            x = np.nextafter(x, x.dtype.type(np.inf))
+        results.append(x)
+        return (x,)
+
+    found = errors.accuracy(operation, plain, benign, hard, wrong)
+    values = exactly(operation, benign.rows)
+    counted = [abs(Fraction(float(r)) - x) / spacing(x, precision) for row, got in
+               zip(values, results[0], strict=True) for r, x in zip(got, row, strict=True)]
+    assert found.benign.worst == pytest.approx(float(max(counted)), rel=1e-12)
+    assert 2.5 <= found.benign.median <= found.benign.worst <= 6.5  # twice beside a power of two
+    assert found.bound.worst_ratio > 1
+    witness = [float.fromhex(x) for x in found.benign.witness]
+    assert witness in benign.rows.astype(float).tolist()
+
+
+def counted_of(name: str, rows: list[list[float]],
+               results: list[list[float]]) -> tuple[int, float]:
+    """How many of these results the report counts, and the worst error among them."""
+    operation = BY_NAME[name]
+    plain, *_ = variants_of(operation, DOUBLE)
+    inputs_ = np.array(rows)
+    sample = errors.Sample(inputs_, truth(operation, DOUBLE, inputs_))
+    sizes = np.cumsum([a.quantity.size for a in operation.outputs])[:-1]
+    outputs = tuple(np.split(np.array(results), sizes, axis=1))
+    found = errors.accuracy(operation, plain, sample, sample, lambda *_: outputs)
+    return (found.benign.outputs, found.benign.worst) if found.benign else (0, 0.0)
+
+
+NAN, INF = math.nan, math.inf
+REGULAR, SINGULAR = [2.0, 0, 0, 0, 4, 0, 0, 0, 8, 2, 4, 8], [1.0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 2, 3]
+
+
+def test_a_row_without_truth_is_not_counted():
+    """1 / 0 v, and a singular system, whatever comes out."""
+    assert counted_of("product_ainvv", [[0.0, 1, 2, 3], [2.0, 2, 4, 6]],
+                      [[INF, INF, 7], [1, 2, 3]]) == (3, 0)
+    assert counted_of("mat3x3_solve", [SINGULAR, REGULAR], [[0.0, 9, 9, 9], [1, 1, 1, 1]]) == (4, 0)
+
+
+def test_a_refusal_is_not_counted_but_garbage_is():
+    assert counted_of("mat3x3_solve", [REGULAR], [[1.0, NAN, NAN, NAN]]) == (1, 0)
+    assert counted_of("mat3x3_solve", [REGULAR], [[1.0, 1, 1, 2]])[1] == 2.0**52
+    assert counted_of("mat3x3_solve", [REGULAR], [[1.0, 1, 1, INF]])[1] == INF
+    assert counted_of("dot_vv", [[1.0] * 6], [[NAN]]) == (1, INF)  # it has nothing to refuse
+
+
+def test_what_overflows_is_not_counted_but_garbage_is():
+    large, ordinary = [1e200] * 6, [1.0] * 6
+    assert counted_of("dot_vv", [large, ordinary], [[INF], [3]]) == (1, 0)
+    assert counted_of("dot_vv", [[1e200, 0, 0, 1e200, 0, 0]], [[7.0]]) == (1, INF)
+    assert counted_of("dot_vv", [[1e300, 0, 0, 1e3, 0, 0]], [[1e303 * (1 - 2**-50)]])[1] > 1
+    assert counted_of("dot_vv", [ordinary], [[INF]]) == (1, INF)
+    # -1e200² + 1e200² + 1 is 1, but not in numbers that overflow on the way.
+    vanishing = [1e200, 1e200, 1, -1e200, 1e200, 1]
+    assert counted_of("dot_vv", [vanishing], [[NAN]]) == (0, 0)
+    assert counted_of("vec3_l2norm", [[1e308, 1e308, 1e308]], [[INF]]) == (1, INF)  # 1.7e308 it is
+    assert counted_of("vec3_l2norm", [[1.7e308, 1.7e308, 0]], [[INF]]) == (0, 0)
+
+
+def test_quantiles_of_known_errors():
+    operation = BY_NAME["dot_cs"]
+    rows = np.arange(12000.0).reshape(1000, 12)
+    known = np.random.default_rng(1).permutation(np.arange(1.0, 1001.0))[:, None]
+    found = errors.summarised(operation, rows, known, np.ones_like(known, bool))
+    assert (found.outputs, found.worst, found.p999, found.median) == (1000, 1000, 999, 500)
+    worst = int(np.argmax(known))
+    assert found.witness == tuple(float(x).hex() for x in rows[worst])
+    half = errors.summarised(operation, rows, known, known <= 500)
+    assert (half.outputs, half.worst) == (500, 500)
+    assert errors.summarised(operation, rows, known, known > 1000) is None
+
+
+@pytest.mark.parametrize("named", [("lin", "ang"), ("co",)])
+def test_normwise_errors_are_relative_to_the_largest_component(named: tuple[str, ...]):
+    """Of the part, or of the output, that the operation names."""
+    plain = BY_NAME["cross_sc"]
+    operation = replace(plain, normwise=tuple(Normwise(name, 3) for name in named))
+    rows = inputs.benign(operation, DOUBLE, 20, 4)
+    units = truth(operation, DOUBLE, rows).unit
+    size = 6 // len(named)
+    for values, unit in zip(exactly(plain, rows), units, strict=True):
+        for part in (slice(0, size), slice(6 - size, 6)):
+            largest = max(map(abs, values[part])) / 2**53
+            assert unit[part].tolist() == [float(largest)] * size
+
+
+@precisions
+def test_the_same_seed_gives_the_same_errors(precision: Precision):
+    task = measure.Task("product_dv", precision, 50, 3, (), None)
+    assert task.run() == task.run()
+    assert task.run() != replace(task, seed=4).run()
+
+
+@precisions
+def test_compiled_kernels_give_the_packages_bits(precision: Precision, tmp_path: Path):
+    """In both compilers, and called by rows: columns and rows of matrices are where they belong."""
+    names = ("product_dd", "product_drdrx", "SE3_invert", "coscrew_to_angular_first", "dot_cs")
+    variants = [v for name in names for v in variants_of(BY_NAME[name], precision)]
+    for library in native.libraries(variants, native.compilers(tmp_path), tmp_path):
+        for v in filter(python_function, variants):
+            arguments = inputs.split(v.operation, inputs.benign(v.operation, precision, 9, 1))
+            found = python_function(v)(*arguments)
+            want = found if isinstance(found, tuple) else (found,)
+            for x, y in zip(library.call(v, arguments), want, strict=True):
+                assert np.ascontiguousarray(x).tobytes() == y.tobytes(), (v.name, library.compiler)
+
+
+def test_a_chain_of_calls_waits_for_each(tmp_path: Path):
+    """A call that waits for the one before takes longer than one of many independent calls."""
+    moved = variants_of(BY_NAME["product_CoAdc"], DOUBLE)[0].program
+    assert last_component(moved) >= 3  # the moment, t × (R f) + R τ
+    plain = variants_of(BY_NAME["dot_cs"], DOUBLE)[0]
+    (compiler, *_) = native.compilers(tmp_path)
+    (library,) = native.libraries([plain], [compiler], tmp_path)
+    arguments = inputs.split(plain.operation, inputs.benign(plain.operation, DOUBLE, 256, 1))
+    chain, rows, planes = (library.times([plain], loop, [arguments], 2e7)[0].minimum
+                           for loop in ("chain", "rows", "planes"))
+    assert chain > 2 * rows > 0 and chain > 2 * planes > 0
+
+
+def test_dominated_is_slower_and_no_better_with_intervals_apart():
+    variants = variants_of(BY_NAME["dot_cs"], DOUBLE)
+    keys = [("dot_cs", "double", tier) for tier in ("plain", "fused", "accurate", "certified")]
+    spread = np.linspace(0.9, 1.1, 25)  # its interval is about ±4 %
+
+    def verdicts(ns: tuple[float, ...], worst: tuple[float, ...]) -> list[tuple[float, bool]]:
+        timed = [[Timed(v, "C", "gcc", "latency", Timing(t * spread)) for v, t in
+                  zip(variants, ns, strict=False)]]
+        found = ranking.times(timed, dict(zip(keys, worst, strict=False)))
+        return [(round(found[k][0].ratio, 9), found[k][0].dominated) for k in keys[:len(ns)]]
+
+    assert verdicts((2, 1, 6), (9, 8, 1)) == [(1, True), (0.5, False), (3, False)]
+    assert verdicts((1, 2, 3), (9, 8, 8)) == [(1, False), (2, False), (3, True)]
+    assert verdicts((1, 1, 1), (5, 5, 5)) == [(1, False)] * 3
+    assert verdicts((1, 2, 3, 4), (9, 9, 1, 9))[1:] == [(2, True), (3, False), (4, False)]
+    assert verdicts((1, 1.05), (5, 5)) == [(1, False), (1.05, False)]  # intervals overlap
+    assert verdicts((1, 1.2), (5, 5)) == [(1, False), (1.2, True)]
+
+
+def test_a_ratio_is_taken_round_by_round():
+    """A machine that slows down to a half after some rounds slows both: the ratio stays."""
+    slow = np.repeat([1.0, 2.0], 20)
+    noisy = slow * np.linspace(1.99, 2.01, 40)
+    ratio = Timing(noisy).ratio(Timing(slow))
+    assert 1.99 < ratio.low < ratio.median < ratio.high < 2.01
+    assert Timing(slow).time.low == 1 and Timing(slow).time.high == 2
+
+
+def test_power_and_deviations_of_a_quarter_turn():
+    """Four quarter turns about z with a step along z are the identity, four steps up."""
+    E = np.array([[0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0.25]])
+    motion = power(E, 4 * 10**6 + 1)
+    assert motion[:3, :3] == mpmath.matrix(E[:, :3].tolist())
+    assert motion[2, 3] == mpmath.mpf(10**6) + mpmath.mpf("0.25")
+    D = np.array(motion[:3, :].tolist(), float)
+    assert deviations(D, motion) == (0, 0)
+    D[1, 0] = 1 + 2**-20
+    assert deviations(D, motion) == (2**-19 + 2**-40, 2**-20)
+
+
+def test_newton_steps_hold_the_defect(tmp_path: Path):
+    (compiler, *_) = native.compilers(tmp_path)
+    (library,) = native.libraries([], [compiler], tmp_path)
+    found = {(d.precision, d.orthonormalised): d for d in drifts(library, 20_000)}
+    for precision in DIGITS:
+        without, held = found[precision, False], found[precision, True]
+        assert held.defect_u <= 8 < 100 < without.defect_u
+        assert held.error_u < without.error_u
+        assert held.ns_per_step > 0
+
+
+def test_hard_cases_are_measured(tmp_path: Path):
+    """A line is tried beside the drawn ones: (1 + e) (1 + 3 e) - (1 + 4 e), e = 2^-12, is 3 e^2;
+    the product rounds to 1 + 4 e + 4 e^2, off by e^2, which is 2^22 spacings of 3 e^2."""
+    (tmp_path / "vec3.txt").write_text(
+        "# a remark\ndot_vv single : 0x1.001p0 1 0 0x1.003p0 -0x1.004p0 0 : by hand\n")
+    cases = inputs.corpus(tmp_path)
+    row = (1 + 2**-12, 1.0, 0.0, 1 + 3 * 2**-12, -1 - 2**-10, 0.0)
+    assert cases == {("dot_vv", "single"): (row,)}
+    task = measure.Task("dot_vv", SINGLE, 8, 1, cases["dot_vv", "single"], None)
+    found = task.run()["dot_vv", "single", "plain"]
+    assert found.hard.worst == 2**22
+    assert found.hard.witness == tuple(x.hex() for x in row)

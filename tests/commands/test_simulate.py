@@ -1,0 +1,286 @@
+"""Runs of scenes against closed forms; where they sample, where they stop, what they say."""
+
+import fcntl
+import math
+import os
+import pty
+import re
+import select
+import signal
+import struct
+import subprocess
+import sys
+import termios
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import numpy as np
+import pytest
+
+from coscrew_codegen import load_scene
+from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulate.outcome import Asked, simulated
+from coscrew_codegen.simulate.plan import Plan, plan
+from coscrew_codegen.simulate.progress import line
+from coscrew_codegen.simulate.run import integrate
+from coscrew_codegen.simulate.system import system
+from tests.support.processes import interruptible
+from tests.support.scenes import scene_texts as texts
+from tests.support.scenes.simulated import run, scene_file
+
+ORDERS = {"leapfrog": 2, "semi-implicit-euler": 1, "linear-implicit-euler": 1, "rk4": 4}
+INTEGRATORS = (*ORDERS, "dop853", "radau")
+ROUNDOFF = {"double": 2.0**-53, "single": 2.0**-24}
+
+
+# what comes out
+
+@pytest.mark.parametrize("integrator, error", (("rk4", 1e-9), ("dop853", 1e-9), ("radau", 1e-9)))
+def test_a_pendulum_is_where_the_benchmark_says(kernels, integrator, error):
+    """Problem A01 of the library of multibody benchmarks, its published figures at t = 10."""
+    (first,) = simulated(kernels["PENDULUM"], Asked(integrator=integrator, precision="double"))
+    x, _, z = (first.recording.of(f"position.bob.{i}")[-1] for i in range(3))
+    assert abs(x + 0.275087462576117) < error
+    assert abs(z + 0.961419205099125) < error
+
+
+@pytest.mark.parametrize("integrator", ORDERS)
+def test_errors_fall_with_the_integrators_order(kernels, integrator):
+    """Of angle and speed together: from rest at a right angle some of one alone fall faster."""
+    wanted = np.array([float(x) for x in texts.pendulum(1)])
+    found = [run(kernels["PENDULUM"], until=1.0, integrator=integrator, step=h)
+             for h in (0.01, 0.005)]
+    errors = [np.linalg.norm((*x.q[-1], *x.v[-1]) - wanted) for x in found]
+    assert math.log2(errors[0] / errors[1]) == pytest.approx(ORDERS[integrator], abs=0.15)
+
+
+@pytest.mark.parametrize("precision", ROUNDOFF)
+@pytest.mark.parametrize("integrator", INTEGRATORS)
+def test_a_damped_spring_swings_as_its_closed_form(kernels, integrator, precision):
+    found = run(kernels["SPRING"], precision, integrator=integrator)
+    truth = np.array([[float(x) for x in texts.spring(t)] for t in found.t])
+    error = np.abs(np.column_stack((found.q, found.v)) - truth).max(0)
+    allowed = {1: 0.05, 2: 5e-5}.get(ORDERS.get(integrator), 1e-9) + 4e3 * ROUNDOFF[precision]
+    assert (error / (0.1, 0.1 * math.sqrt(50))).max() < allowed
+
+
+@pytest.mark.parametrize("integrator", ("rk4", "dop853", "radau"))
+def test_a_brick_falls_and_keeps_its_angular_momentum(kernels, integrator):
+    (first,) = simulated(kernels["BRICK"], Asked(integrator=integrator, precision="double"))
+    t = first.recording.t
+    position = np.column_stack([first.recording.of(f"position.brick.{i}") for i in range(3)])
+    thrown = np.column_stack((t, 2 * t, 5 * t - texts.GRAVITY * t**2 / 2))
+    assert np.abs(position - thrown).max() < 1e-9
+    about_centre = np.column_stack([first.recording.of(f"momentum.{3 + i}") for i in range(3)])
+    about_centre -= np.cross(position, 2 * np.column_stack((1 + 0 * t, 2 + 0 * t,
+                                                            5 - texts.GRAVITY * t)))
+    assert np.abs(about_centre - [0.3, -0.2, 0.5]).max() < 1e-9
+
+
+@pytest.mark.parametrize("precision", ROUNDOFF)
+@pytest.mark.parametrize("integrator", INTEGRATORS)
+def test_quaternions_stay_of_norm_one(kernels, integrator, precision):
+    found = run(kernels["BRICK"], precision, integrator=integrator)
+    norms = np.linalg.norm(found.q[:, 3:].astype(float), axis=1)
+    assert np.abs(norms - 1).max() < 1e4 * ROUNDOFF[precision]
+
+
+@pytest.mark.parametrize("precision", ROUNDOFF)
+@pytest.mark.parametrize("integrator", ORDERS)
+def test_steps_in_one_call_are_those_one_by_one(kernels, integrator, precision):
+    """To the last bit."""
+    its = system(kernels["BRICK"], precision)
+    name = f"step_{integrator.replace('-', '_')}"
+    q, v = its.start()
+    assert kernels["BRICK"].compiled and hasattr(getattr(its.kernels, name), "repeated")
+    together = its.stepper(name)(100, 0.0, 1e-3, q, v)
+    for _ in range(100):
+        q, v = getattr(its.kernels, name)(its.dtype.type(1e-3), q, v)
+    assert together[0].tobytes() == q.tobytes()
+    assert together[1].tobytes() == v.tobytes()
+
+
+@pytest.mark.parametrize("precision", ROUNDOFF)
+def test_without_a_compiler_the_same_run_comes_from_numpy(kernels, tmp_path, monkeypatch,
+                                                          precision):
+    """To the last bit: of a spring only sums, products and quotients are taken."""
+    monkeypatch.setenv("CC", "no-such-compiler")
+    with pytest.warns(RuntimeWarning, match="pure NumPy"):
+        others = load_scene(scene_file(tmp_path, texts.SPRING, "spring"))
+    found, wanted = (simulated(x, Asked(until=0.1, precision=precision))[0]
+                     for x in (others, kernels["SPRING"]))
+    assert found.trajectory.q.tobytes() == wanted.trajectory.q.tobytes()
+    assert found.recording.values.tobytes() == wanted.recording.values.tobytes()
+    assert dict(found.recording.provenance)["compiler"] == "none: NumPy"
+
+
+def test_a_parameter_may_be_set(kernels):
+    (first,) = simulated(kernels["SPRING"], Asked(precision="double",
+                                                  settings=(("block.mass", 8.0),)))
+    wanted = [float(texts.spring(t, 8)[0]) for t in first.trajectory.t]
+    assert np.abs(first.trajectory.q[:, 0] - wanted).max() < 1e-10
+
+
+# samples
+
+@pytest.mark.parametrize("integrator", ("rk4", "dop853"))
+@pytest.mark.parametrize("until, every, wanted", (
+    (2.0, 0.5, [0, 0.5, 1, 1.5, 2]), (0.7, 0.3, [0, 0.3, 0.6, 0.7]), (0.1, 0.3, [0, 0.1]),
+    (0.3, 0.1, [0, 0.1, 0.2, 0.3])))
+def test_samples_are_at_multiples_and_at_the_end(kernels, integrator, until, every, wanted):
+    found = run(kernels["PENDULUM"], until=until, every=every, integrator=integrator)
+    assert found.t == pytest.approx(wanted, abs=1e-15)
+    assert found.t[-1] == until
+    truth = [float(texts.pendulum(t)[0]) for t in found.t]
+    assert np.abs(found.q[:, 0] - truth).max() < 1e-9
+
+
+@pytest.mark.parametrize("until, every, step, steps", (
+    (1.0, 0.1, 0.01, 100), (1.0, 0.1, 0.03, 40), (0.25, 0.1, 0.1, 3), (1.0, 0.1, 7.0, 10)))
+def test_steps_never_span_a_sample(kernels, until, every, step, steps):
+    assert run(kernels["PENDULUM"], until=until, every=every, step=step).steps == steps
+
+
+def test_further_times_are_sampled_too():
+    wanted = Plan(1.0, 0.25, "rk4", 1e-3, 1e-9, 1e-9, (0.1, 0.25, 0.9, 1.0, 3.0))
+    assert wanted.samples == pytest.approx([0, 0.1, 0.25, 0.5, 0.75, 0.9, 1])
+
+
+@pytest.mark.parametrize("until", (0.5, 30.0))
+def test_until_may_be_shorter_or_longer_than_the_scene_says(kernels, until):
+    assert run(kernels["PENDULUM"], until=until).t[-1] == until
+
+
+# stops
+
+@pytest.mark.parametrize("precision", ROUNDOFF)
+def test_a_state_that_is_not_finite_stops_and_keeps_the_rest(kernels, precision):
+    found = run(kernels["UNSTABLE"], precision)
+    at = float(re.fullmatch(r"not finite at t = (\S+) s: joint slide: [qv] is -?(?:inf|nan); .+",
+                            found.stopped)[1])
+    assert found.t[-1] < at <= found.t[-1] + 0.01 + 1e-12
+    assert np.isfinite(found.q).all() and np.isfinite(found.v).all()
+    growth = math.log(np.finfo(system(kernels["UNSTABLE"], precision).dtype).max) / math.log(400)
+    assert at / 1e-3 == pytest.approx(growth, abs=4)
+
+
+def test_a_solver_that_gives_up_keeps_the_rest(tmp_path):
+    """A motor's force has a pole at t = 0.5, and so has the speed."""
+    text = texts.SPRING.replace("[effects.viscous]\njoints = \"all\"\nd = 1", """
+[effects.actuator.slide]
+kind = "torque"
+torque = "1/(0.5 - t)**2"
+""").replace("tol = 1e-12", "tol = 1e-6")
+    kernels = load_scene(scene_file(tmp_path, text))
+    found = run(kernels, integrator="dop853", until=2.0)
+    assert "at t = 0.5" in found.stopped or "at t = 0.49" in found.stopped, found.stopped
+    assert "joint slide: acceleration" in found.stopped
+    assert 0.45 < found.t[-1] <= 0.5
+
+
+def test_an_interrupt_keeps_what_was_sampled(kernels):
+    its = system(kernels["PENDULUM"], "double")
+
+    def watch(t, q, v):
+        if t > 0.99:
+            raise KeyboardInterrupt
+
+    found = integrate(its, plan(its), watch)
+    assert found.interrupted
+    assert found.stopped == "interrupted after t = 1 s"
+    assert found.t == pytest.approx(0.05 * np.arange(21))
+
+
+@contextmanager
+def on_a_terminal(*arguments: object) -> Iterator[tuple[subprocess.Popen, int]]:
+    """The command, its standard error on a terminal of 24 lines, whose other end is returned."""
+    master, slave = pty.openpty()
+    fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 100, 0, 0))
+    words = (sys.executable, "-m", "coscrew_codegen", *arguments)
+    with interruptible(words, stdout=subprocess.PIPE, stderr=slave) as process:
+        os.close(slave)
+        yield process, master
+    os.close(master)
+
+
+def said_until(master: int, pattern: bytes) -> bytes:
+    """What was said until the pattern came, or to the end."""
+    said = b""
+    while not re.search(pattern, said) and select.select([master], [], [], 300)[0]:
+        try:
+            said += os.read(master, 4096)
+        except OSError:  # the other end was closed
+            break
+    return said
+
+
+def test_ctrl_c_writes_what_was_sampled(tmp_path):
+    text = texts.PENDULUM.replace("duration = 10", "duration = 1e6").replace(
+        "every = 0.05", "every = 1").replace("step = 1e-3", "step = 1e-5")
+    output = tmp_path / "out.csv"
+    scene = scene_file(tmp_path, text)
+    with on_a_terminal("simulate", scene, "--precision", "double", "--output", output) as (
+            process, master):
+        said_until(master, rb"t [1-9]\d*\S*/1e\+06 s ")
+        process.send_signal(signal.SIGINT)
+        said = said_until(master, rb"samples kept").decode()
+        process.communicate(timeout=300)
+    assert process.returncode == 130, said
+    rows = [x for x in output.read_text().splitlines() if not x.startswith("#")][1:]
+    assert len(rows) > 1
+    assert re.search(rf"interrupted after t = \d+ s; {len(rows)} samples kept", said), said
+
+
+# progress
+
+def test_the_line_of_progress():
+    assert (line(3.2, 10, 3.2 / 41, 2e-11)
+            == "t 3.2/10 s  32 %  41x real time  dE/E 2e-11  ETA 0 s")
+    assert line(0, 10, 0.0, 0.0) == "t 0/10 s  0 %  0x real time  dE/E 0e+00  ETA ?"
+
+
+def test_runs_tell_where_they_are_between_samples(kernels, monkeypatch, tmp_path):
+    """However long it is to the next one; the states are the same, to the last bit."""
+    def told(its, **asked):
+        seen = []
+        planned = plan(its, **asked)
+        found = integrate(its, planned, lambda t, q, v: seen.append(float(t)))
+        assert found.q.tobytes() == integrate(its, planned).q.tobytes()
+        return seen, found
+
+    its = system(kernels["SPRING"], "double")
+    seen, _ = told(its, until=0.1, every=0.1, step=1e-6, integrator="rk4")
+    assert seen == pytest.approx([0.01 * i for i in range(1, 11)])
+    for integrator in ("radau", "dop853"):
+        seen, found = told(its, until=1.0, every=0.9, integrator=integrator)
+        assert found.steps > 10 and abs(len(seen) - found.steps) <= 2
+        assert seen == sorted(seen)
+    monkeypatch.setenv("CC", "no-such-compiler")
+    with pytest.warns(RuntimeWarning, match="pure NumPy"):
+        others = load_scene(scene_file(tmp_path, texts.SPRING, "spring"))
+    seen, _ = told(system(others, "double"), until=0.01, every=0.01, integrator="rk4")
+    assert seen == pytest.approx([1e-3 * i for i in range(1, 11)])
+
+
+def test_progress_is_shown_within_a_long_step_of_samples(tmp_path):
+    text = texts.PENDULUM.replace("every = 0.05", "every = 10")
+    wanted = rb"t \S+/10 s  0 %  \S+x real time"
+    with on_a_terminal("simulate", scene_file(tmp_path, text), "--precision", "double",
+                       "--step", "1e-9") as (_, master):
+        assert re.search(wanted, said_until(master, wanted))
+
+
+def test_progress_is_shown_on_a_terminal(tmp_path):
+    text = texts.PENDULUM.replace("duration = 10", "duration = 100").replace("1e-3", "1e-5")
+    wanted = rb"t \S+/100 s  \d+ %  \S+x real time  dE/E \d+e[-+]\d+  ETA \d+ s"
+    with on_a_terminal("simulate", scene_file(tmp_path, text), "--precision", "double") as (
+            _, master):
+        assert re.search(wanted, said_until(master, wanted))
+
+
+@pytest.mark.parametrize("asked, words", [
+    ({"step": 1e-300}, "steps of 1e-300 s; wanted at most 1e+12"),
+    ({"integrator": ""}, "integrator: ''; wanted one of")])
+def test_runs_that_would_never_end_or_mean_nothing_are_refused(kernels, asked, words):
+    with pytest.raises(SimulateError, match=re.escape(words)):
+        run(kernels["SPRING"], **asked)

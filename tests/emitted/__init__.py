@@ -1,0 +1,1 @@
+"""What is emitted: its meaning, its bits under every compiler and flag, its calls."""

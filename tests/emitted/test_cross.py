@@ -1,0 +1,124 @@
+"""Other processors: the same bits, from every function, with bare -O2, under qemu-user.
+
+What calls libm calls stand-ins, so that it is compared, too.
+And on a Cortex-M4F, whose double precision is software: single precision calls none of it.
+"""
+
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tests.support.compiled.bits_program import Kernel, kernels, text, wanted
+from tests.support.compiled.c_harness import INCLUDE, in_parallel, run
+from tests.support.scenes import scene_bits
+
+# architecture → compiler; Debian's packages are named below.
+COMPILERS = {"aarch64": "aarch64-linux-gnu-gcc", "riscv64": "riscv64-linux-gnu-gcc",
+             "arm": "arm-linux-gnueabihf-gcc", "s390x": "s390x-linux-gnu-gcc"}
+PACKAGES = (
+    "gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-riscv64-linux-gnu libc6-dev-riscv64-cross "
+    "gcc-arm-linux-gnueabihf libc6-dev-armhf-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross "
+    "qemu-user gcc-arm-none-eabi libnewlib-arm-none-eabi")
+CORTEX_M4F = ("arm-none-eabi-gcc", "-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard",
+              "-mfpu=fpv4-sp-d16", "-O2", "-DKSL_NO_ALLOC")
+TIERS = ("", "fused", "accurate", "certified")
+
+# What computes in double: software's arithmetic, comparisons, conversions; <math.h> without f.
+DOUBLE = re.compile(r"__aeabi_(d\w+|f2d|[u]?i2d|[u]?l2d)|fma|sqrt|fabs|sin|cos|atan2|pow|exp|tanh")
+
+
+def needed(*commands: str) -> None:
+    """The test fails, and says what to install, where one of the commands is missing."""
+    if missing := [name for name in commands if shutil.which(name) is None]:
+        pytest.fail(f"{', '.join(missing)} not installed; on Debian: apt-get install {PACKAGES}",
+                    pytrace=False)
+
+
+def built(folder: Path, command: tuple[str, ...]) -> list[Path]:
+    """A program a tier, with every function in both precisions."""
+    commands = []
+    for tier in TIERS:
+        source = folder / f"bits_{tier}.c"
+        source.write_text(text(kernels(tier), planes=False))
+        commands.append((*command, "-I", INCLUDE, source, "-o", source.with_suffix(""), "-lm"))
+    in_parallel(commands)
+    return [folder / f"bits_{tier}" for tier in TIERS]
+
+
+@pytest.fixture(scope="module")
+def right(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    """The twins' hashes; of the fused tier, which Python has not, those of this machine's C, whose
+    libm rounds an fma once."""
+    fused = kernels("fused")
+    folder = tmp_path_factory.mktemp("fused")
+    (folder / "fused.c").write_text(text(fused, planes=False))
+    run(("gcc", "-O1", "-I", INCLUDE, folder / "fused.c", "-o", folder / "fused", "-lm"))
+    return [line for tier in TIERS for line in (
+        run([folder / "fused"]).splitlines() if tier == "fused"
+        else wanted(kernels(tier), planes=False))]
+
+
+@pytest.mark.parametrize("architecture", COMPILERS)
+def test_every_function_has_the_same_bits(architecture: str, right: list[str], tmp_path: Path):
+    needed(COMPILERS[architecture], f"qemu-{architecture}")
+    binaries = built(tmp_path, (COMPILERS[architecture], "-O2", "-static"))
+    found = [line for binary in binaries
+             for line in run((f"qemu-{architecture}", binary)).splitlines()]
+    assert [a for a, b in zip(found, right, strict=True) if a != b] == []
+
+
+@pytest.mark.parametrize("architecture", [x for x in COMPILERS if x != "arm"])
+def test_scenes_have_the_same_bits(architecture: str, tmp_path: Path):
+    """Where products are fused by default."""
+    needed(COMPILERS[architecture], f"qemu-{architecture}")
+    run((COMPILERS[architecture], "-O2", "-static", scene_bits.source(tmp_path),
+         "-o", tmp_path / "bits", "-lm"))
+    found = run((f"qemu-{architecture}", tmp_path / "bits")).splitlines()
+    right = scene_bits.wanted(tmp_path)
+    assert [a for a, b in zip(found, right, strict=True) if a != b] == []
+
+
+def test_floats_computed_in_double_are_refused(tmp_path: Path):
+    """As strict C has them on s390x, where 0.1f is 0.1."""
+    compiler = COMPILERS["s390x"]
+    needed(compiler)
+    (tmp_path / "user.c").write_text("#include <ksl/ksl.h>\n")
+    command = (compiler, "-std=c11", "-fsyntax-only", "-I", INCLUDE, tmp_path / "user.c")
+    with pytest.raises(pytest.fail.Exception, match="-fexcess-precision=fast"):
+        run(command)
+    run((*command, "-fexcess-precision=fast"))
+
+
+@pytest.mark.parametrize("tier", ("", "fused", "certified"))
+def test_single_precision_needs_no_double_on_a_cortex_m4f(tier: str, tmp_path: Path,
+                                                          capsys: pytest.CaptureFixture):
+    """Of 32-bit hardware: no call computes in double.  Prints how large the code is."""
+    needed(CORTEX_M4F[0])
+    singles = [k for k in kernels(tier) if k.precision.name == "single"]
+    calls, size = _called(singles, tmp_path)
+    with capsys.disabled():
+        print(f"\nCortex-M4F, {tier or 'plain'}, single: {len(singles)} functions, {size} bytes")
+    assert not [name for name in calls if DOUBLE.fullmatch(name)]
+
+
+def test_double_on_a_cortex_m4f_would_be_noticed(tmp_path: Path):
+    needed(CORTEX_M4F[0])
+    doubles = [k for k in kernels("") if k.precision.name == "double"]
+    calls, _ = _called(doubles[:20], tmp_path)
+    assert [name for name in calls if DOUBLE.fullmatch(name)]
+
+
+def _called(chosen: list[Kernel], folder: Path) -> tuple[set[str], int]:
+    """Functions called, and bytes of code, of an object that holds each of these functions, through
+    a pointer."""
+    header = f"ksl_{chosen[0].tier}" if chosen[0].tier else "ksl"
+    pointers = [f"void (*const pointer_{n})(void) = (void (*)(void)){k.name};"
+                for n, k in enumerate(chosen)]
+    source = folder / "all.c"
+    source.write_text("\n".join([f"#include <ksl/{header}.h>", *pointers, ""]))
+    run((*CORTEX_M4F, "-I", INCLUDE, "-c", source, "-o", folder / "all.o"))
+    symbols = run(("arm-none-eabi-nm", folder / "all.o")).splitlines()
+    sizes = run(("arm-none-eabi-size", folder / "all.o")).splitlines()[1].split()
+    return {line.split()[-1] for line in symbols if " U " in line}, int(sizes[0])

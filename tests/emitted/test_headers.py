@@ -1,0 +1,210 @@
+"""The headers compile in any order, as C11 and C++17, without a warning; single is single."""
+
+import platform
+import re
+import subprocess
+import sys
+from itertools import permutations
+from pathlib import Path
+
+import pytest
+
+from coscrew_codegen.targets.c_ksl import REFUSED
+from tests.support.compiled.c_harness import (
+    C11,
+    C_FOLDER,
+    COMPILERS,
+    DIALECTS,
+    EXACT,
+    INCLUDE,
+    STRICT,
+    run,
+)
+
+KSL = INCLUDE / "ksl"
+HEADERS = tuple(sorted({path.stem for path in KSL.glob("*.h")} - {*REFUSED}))
+CHECK = (*STRICT, EXACT, "-fsyntax-only")
+
+# Defined so, every function is compiled, whether or not it is called; first the system's headers.
+ALL_FUNCTIONS = """\
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#define inline __attribute__((used))
+#include <ksl/ksl.h>
+#include <ksl/ksl_certified.h>
+#include <ksl/ksl_fused.h>
+"""
+DOUBLE_INSTRUCTION = re.compile(r"v?((add|sub|mul|div|sqrt|min|max|round|hadd|hsub|addsub|u?comi|"
+                                r"cmp\w*|fn?m(add|sub)\w*)[sp]d|cvt\w*[sp]d\w*)")
+DOUBLE_SYMBOLS = {"sin", "cos", "sincos", "sqrt", "fabs", "fmin", "fmax", "fma"}
+DOUBLE_TEXT = re.compile(r"\bdouble\b|(?<![\w.])(\d+\.\d*(e[-+]?\d+)?|\d+e[-+]?\d+)(?![\w.])|"
+                         rf"\b({'|'.join(sorted(DOUBLE_SYMBOLS))})\(")
+
+ON_ROTATED_BODY = """\
+#include <coscrew.h>
+
+/* A body turned by a quarter about z and shifted by (1, 2, 3). */
+int main(void) {
+  ksl_SE3f_t D = {{{0, 1, 0, -1, 0, 0, 0, 0, 1, 1, 2, 3}}};
+  const ksl_coscrewf_t c = ksl_coscrewf(1, 2, 3, 4, 5, 6);
+  const ksl_coscrewf_t moved = ksl_coscrewf(-2, 1, 3, -2, -5, 11);
+  ksl_coscrewf_t co;
+  ksl_product_CoAdcf(&D, &c, &co);
+  return memcmp(&co, &moved, sizeof co) != 0;
+}
+"""
+
+dialects = pytest.mark.parametrize("compiler, language", DIALECTS,
+                                   ids=[f"{name} {flags[-1]}" for name, flags in DIALECTS])
+# Of C and of C++ one: what a header includes is the same to every compiler.
+first_and_last = pytest.mark.parametrize("compiler, language", (DIALECTS[0], DIALECTS[-1]),
+                                         ids=("C", "C++"))
+compilers = pytest.mark.parametrize("compiler", COMPILERS)
+
+
+@pytest.fixture(scope="module")
+def single_only(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The headers generated for single precision alone."""
+    return _generated(tmp_path_factory.mktemp("single"), "--precision", "single")
+
+
+def _generated(folder: Path, *options: str) -> Path:
+    run((sys.executable, "-m", "coscrew_codegen", "generate", *options, "--language", "c",
+         "--output", folder))
+    return folder / "c"
+
+
+def _source(folder: Path, name: str, *lines: str) -> Path:
+    path = folder / f"{name}.c"
+    path.write_text("\n".join([*lines, ""]))
+    return path
+
+
+def _included(header: str) -> str:
+    return {"amalgamation": f'#include "{C_FOLDER / "coscrew.h"}"',
+            "headers": "#include <ksl/ksl.h>"}.get(header, f"#include <{header}.h>")
+
+
+@first_and_last
+def test_any_header_may_come_first_and_alone(compiler, language, tmp_path):
+    sources = [_source(tmp_path, name, _included(f"ksl/{name}"), "typedef int something;")
+               for name in HEADERS]
+    run((compiler, *language, *CHECK, "-I", INCLUDE, *sources))
+
+
+def test_headers_are_found_without_their_folder(tmp_path):
+    sources = [_source(tmp_path, name, _included(name)) for name in HEADERS]
+    run((COMPILERS[0], *C11, "-fsyntax-only", "-I", KSL, *sources))
+
+
+@dialects
+@pytest.mark.parametrize("order", [("amalgamation",), *permutations(("amalgamation", "headers"))],
+                         ids=" then ".join)
+def test_amalgamation_goes_alone_and_beside_the_headers(order, compiler, language, tmp_path):
+    source = _source(tmp_path, "user", *map(_included, order),
+                     "double power(const ksl_coscrew_t *c, const ksl_screw_t *s);",
+                     "double power(const ksl_coscrew_t *c, const ksl_screw_t *s) {",
+                     "  return ksl_dot_cs(c, s);", "}")
+    run((compiler, *language, *CHECK, "-I", INCLUDE, source))
+
+
+@dialects
+@pytest.mark.parametrize("header", ["headers", "amalgamation"])
+def test_two_translation_units_link(header, compiler, language, tmp_path):
+    turn = "void turn(const ksl_SE3_t *D, ksl_coscrew_t *c)"
+    one = _source(tmp_path, "one", _included(header), f"{turn};", f"{turn} {{",
+                  "  ksl_product_CoAdc(D, c, c);", "}")
+    two = _source(tmp_path, "two", _included(header), f"{turn};", "int main(void) {",
+                  "  const ksl_SE3_t D = ksl_SE3(0, -1, 0, 1, 1, 0, 0, 2, 0, 0, 1, 3);",
+                  "  const ksl_coscrew_t moved = ksl_coscrew(-2, 1, 3, -2, -5, 11);",
+                  "  ksl_coscrew_t c = ksl_coscrew(1, 2, 3, 4, 5, 6);", "  turn(&D, &c);",
+                  "  ksl_subtract_cc(&c, &moved, &c);", "  return ksl_coscrew_norm(&c) > 0;", "}")
+    main = tmp_path / "main"
+    run((compiler, *language, *STRICT, EXACT, "-I", INCLUDE, one, two, "-o", main, "-lm"))
+    run([main])
+
+
+@compilers
+@pytest.mark.parametrize("header", ["headers", "amalgamation"])
+def test_no_alloc_leaves_out_the_heap(header, compiler, tmp_path):
+    source = _source(tmp_path, "user", _included(header))
+    preprocess = (compiler, *C11, "-E", "-I", INCLUDE, source)
+    heap = re.compile(r"calloc|stdlib\.h|_alloc\(")
+    assert heap.search(run(preprocess))
+    assert not heap.search(run((*preprocess, "-DKSL_NO_ALLOC")))
+    run((compiler, *C11, *CHECK, "-DKSL_NO_ALLOC", "-I", INCLUDE, source))
+
+
+@dialects
+@pytest.mark.parametrize("header", ["ksl/vec3", "amalgamation"])
+@pytest.mark.parametrize("flag", ["-ffast-math", "-Ofast", "-freciprocal-math",
+                                  "-ffinite-math-only", "-fno-signed-zeros", "-mfpmath=387",
+                                  "-funsafe-math-optimizations", "-fsingle-precision-constant"])
+def test_fast_math_is_refused_unless_allowed(flag, header, compiler, language, tmp_path):
+    """Those of clang's that have no macro are found by ksl_selfcheck."""
+    source = _source(tmp_path, "user", _included(header))
+    if compiler.startswith("clang") and flag not in ("-ffast-math", "-Ofast",
+                                                     "-ffinite-math-only"):
+        return
+    command = (compiler, flag, "-fsyntax-only", "-I", INCLUDE)
+    for dialect in (language, [word.replace("=c", "=gnu") for word in language],
+                    [re.sub(r"=c\+\+\d+", "=c++98", word) for word in language]):
+        refused = subprocess.run((*command, *dialect, "-Wfatal-errors", source),
+                                 capture_output=True, text=True)
+        assert refused.returncode and "KSL_ALLOW_FAST_MATH" in refused.stderr
+    run((*command, *language, source, "-DKSL_ALLOW_FAST_MATH"))
+
+
+def _object(compiler: str, include: Path, folder: Path, level: str = "-O2") -> Path:
+    """All functions of these headers, compiled."""
+    source = _source(folder, "all", ALL_FUNCTIONS)
+    run((compiler, *C11, level, EXACT, "-I", include, "-c", source, "-o", folder / "all.o"))
+    return folder / "all.o"
+
+
+def _double_instructions(binary: Path) -> list[str]:
+    disassembly = run(("objdump", "-d", "--no-show-raw-insn", binary))
+    return [" ".join(words[1:]) for words in map(str.split, disassembly.splitlines())
+            if len(words) > 1 and DOUBLE_INSTRUCTION.fullmatch(words[1])]
+
+
+@compilers
+def test_single_precision_executes_no_double_arithmetic(compiler, single_only, tmp_path):
+    binary = _object(compiler, single_only / "include", tmp_path)
+    symbols = {line.split()[-1].lstrip("_") for line in run(("nm", "-u", binary)).splitlines()}
+    assert "sqrtf" in symbols and not symbols & DOUBLE_SYMBOLS
+    if platform.machine() in ("x86_64", "AMD64"):
+        assert not _double_instructions(binary)
+
+
+@compilers
+def test_double_arithmetic_would_be_noticed(compiler, tmp_path):
+    """The headers of both precisions do hold what the single-precision ones must not."""
+    binary = _object(compiler, INCLUDE, tmp_path, "-O0")
+    symbols = {line.split()[-1].lstrip("_") for line in run(("nm", "-u", binary)).splitlines()}
+    assert symbols & DOUBLE_SYMBOLS
+    assert platform.machine() not in ("x86_64", "AMD64") or _double_instructions(binary)
+    assert DOUBLE_TEXT.search(_code(C_FOLDER))
+
+
+def test_single_precision_says_no_double(single_only):
+    """No double type, literal or function, in the text itself."""
+    assert not (found := DOUBLE_TEXT.search(_code(single_only))), found
+
+
+def _code(folder: Path) -> str:
+    """All headers in this folder, without comments and messages."""
+    text = "".join(path.read_text(encoding="utf-8") for path in sorted(folder.rglob("*.h"))
+                   if not re.search("accurate|exact", path.name))  # single computed in double
+    return re.sub(r'/\*.*?\*/|#error "[^"]*"', "", text, flags=re.DOTALL)
+
+
+@compilers
+def test_a_selection_compiles_and_runs(compiler, tmp_path):
+    """One family in one precision, from its folder of headers and from its amalgamation."""
+    folder = _generated(tmp_path, "--family", "coscrew", "--precision", "single")
+    source = _source(tmp_path, "user", ON_ROTATED_BODY)
+    for include in (folder, folder / "include" / "ksl"):
+        run((compiler, *C11, *STRICT, EXACT, "-I", include, source, "-o", tmp_path / "main", "-lm"))
+        run([tmp_path / "main"])

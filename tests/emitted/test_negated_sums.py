@@ -1,0 +1,68 @@
+"""No sum that a product is fused into is negated: gcc would have another sign of its zero."""
+
+import random
+from collections.abc import Iterator
+from fractions import Fraction
+
+import pytest
+
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
+from coscrew_codegen.operations import OPERATIONS
+from coscrew_codegen.program import Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.targets.c_statements import Statements
+from coscrew_codegen.tiers.negation import negating_terms
+from coscrew_codegen.tiers.table import ACCURATE, CERTIFIED, FUSED, Tier
+from tests.support.scenes.evaluation import evaluator, rational
+from tests.support.truth.attack import plain_program
+
+FUSING = {Op.FMA, Op.FMS, Op.FNMA, Op.PRODUCT_ERROR, Op.PRODUCT_REST}
+
+
+def negated(step: Instruction, product: Instruction | None) -> Iterator[Operand]:
+    """What C puts a minus before, or takes off a fused product; `product` is what this sum fuses in
+    C alone."""
+    if step.op is Op.NEG:
+        yield step.operands[0]
+    if step.op is Op.FMS:
+        yield step.operands[2]
+    if step.op is Op.FNMA:
+        yield step.operands[0]
+    if step.op is Op.SUB and product is not None and step.operands[1] != Ref(product.name):
+        yield step.operands[1]
+
+
+def negated_fused_sums(program: Program) -> list[str]:
+    """The names of those there are."""
+    absorbed = Statements(program, DOUBLE, lambda _: "").absorbed
+    fused = {step.name for step in program.instructions
+             if step.op in FUSING or step.name in absorbed}
+    return [x.name for step in program.instructions
+            for x in negated(step, absorbed.get(step.name))
+            if isinstance(x, Ref) and x.name in fused]
+
+
+@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+@pytest.mark.parametrize("tier", (FUSED, ACCURATE, CERTIFIED), ids=lambda tier: tier.name)
+def test_no_fused_sum_is_negated(tier: Tier, precision: Precision):
+    plain = [p for p in map(plain_program, OPERATIONS) if tier.has(p)]
+    assert len(plain) > 100
+    found = {p.name: negated_fused_sums(tier.program(p, precision.name)) for p in plain}
+    assert {name: sums for name, sums in found.items() if sums} == {}
+
+
+def test_negating_terms_changes_no_value_and_adds_no_rounding():
+    chooser, changed = random.Random(5), 0
+    for plain in filter(FUSED.has, map(plain_program, OPERATIONS)):
+        inputs = [[Fraction(chooser.randint(-99, 99), 7) for _ in range(a.quantity.size)]
+                  for a in plain.inputs]
+        program = negating_terms(plain)
+        assert evaluator(program, rational({}))(inputs) == evaluator(plain, rational({}))(inputs)
+        assert _rounded(program) == _rounded(plain)
+        changed += program != plain
+    assert changed > 20
+
+
+def _rounded(program: Program) -> tuple[int, int]:
+    """How many products, and how many sums and differences."""
+    counts = program.counts
+    return counts[Op.MUL], counts[Op.ADD] + counts[Op.SUB]

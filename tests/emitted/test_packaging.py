@@ -1,0 +1,97 @@
+"""The package as users install it: without a compiler, with a stale extension, with its headers."""
+
+import os
+import shutil
+import subprocess
+import sys
+import sysconfig
+import zipfile
+from pathlib import Path
+
+import pytest
+
+import coscrew
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="module")
+def without_compiler(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """coscrew from a wheel that was built where no C compiler works."""
+    folder = tmp_path_factory.mktemp("wheel")
+    for name in ("codegen", "templates", "generated"):
+        shutil.copytree(ROOT / name, folder / name,
+                        ignore=shutil.ignore_patterns("*.so", "__pycache__"))
+    for name in ("pyproject.toml", "README.md", "LICENSE", "CHANGELOG.md", "MANIFEST.in"):
+        shutil.copy(ROOT / name, folder)
+    done = subprocess.run([sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir",
+                           str(folder)], cwd=folder, text=True, capture_output=True,
+                          env={**os.environ, "CC": "/bin/false"})
+    assert done.returncode == 0, done.stdout + done.stderr
+    (wheel,) = folder.glob("*.whl")
+    zipfile.ZipFile(wheel).extractall(folder / "site")
+    return folder / "site"
+
+
+def run(program: str, site: Path) -> str:
+    """What the program prints, warnings being errors, with coscrew from `site` and the other
+    packages from where they are: without -S, an editable coscrew there would lend its extension."""
+    path = os.pathsep.join((str(site), sysconfig.get_paths()["purelib"]))
+    done = subprocess.run([sys.executable, "-S", "-W", "error", "-c", program], cwd=site, text=True,
+                          capture_output=True, env={**os.environ, "PYTHONPATH": path})
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_without_a_compiler_it_runs_in_pure_numpy(without_compiler):
+    program = ("import coscrew, coscrew.accurate, numpy as np; print(coscrew.__file__); "
+               "print(coscrew.COMPILED, coscrew.product_CoAdc(np.eye(3, 4), range(6)))")
+    file, result = run(program, without_compiler).splitlines()
+    assert Path(file).is_relative_to(without_compiler)
+    assert result == "False [0. 1. 2. 3. 4. 5.]"
+
+
+def test_a_stale_extension_is_not_used(without_compiler):
+    stale = without_compiler / "coscrew" / "_gufunc.py"
+    stale.write_text('PROVENANCE = "of other kernels"\n')
+    program = ("import warnings\nwith warnings.catch_warnings(record=True) as caught:\n"
+               "    warnings.simplefilter('always')\n    import coscrew\n"
+               "print(coscrew.COMPILED, caught[0].message)")
+    try:
+        assert run(program, without_compiler).startswith(
+            "False coscrew runs in pure NumPy and not in its compiled extension: it was built from")
+    finally:
+        stale.unlink()
+
+
+def test_an_installed_generator_makes_the_same_files(without_compiler, tmp_path):
+    run("import sys; from coscrew_codegen.__main__ import main; "
+        f"sys.exit(main(['generate', '--output', {str(tmp_path)!r}]))", without_compiler)
+    for path in tmp_path.rglob("*.h"):
+        committed = ROOT / "generated" / path.relative_to(tmp_path)
+        assert path.read_bytes() == committed.read_bytes(), path.name
+
+
+def test_the_wheel_holds_the_headers(without_compiler, tmp_path):
+    include = run("import coscrew; print(coscrew.get_include())", without_compiler).strip()
+    (tmp_path / "main.c").write_text("#include <ksl/ksl.h>\nint main(void) { return 0; }\n")
+    subprocess.run(["cc", "-I", include, "main.c", "-o", "main", "-lm"], cwd=tmp_path, check=True)
+    assert (Path(include).parent / "coscrew.h").exists()
+    assert Path(coscrew.get_include(), "ksl", "coscrew.h").exists()
+
+
+def test_functions_can_be_pickled_without_a_compiler(without_compiler):
+    program = ("import pickle, coscrew, coscrew.accurate; "
+               "from coscrew_codegen.operations import *\n"
+               "for op in OPERATIONS:\n"
+               "    for module in (coscrew, coscrew.double, coscrew.accurate):\n"
+               "        f = getattr(module, op.name, None)\n"
+               "        assert f is pickle.loads(pickle.dumps(f)), op.name\nprint('all')")
+    assert run(program, without_compiler) == "all\n"
+
+
+def test_the_wheel_holds_every_template(without_compiler):
+    templates = {path.relative_to(ROOT / "templates").as_posix()
+                 for path in (ROOT / "templates").rglob("*.*") if path.suffix != ".pyc"}
+    installed = without_compiler / "coscrew_codegen" / "templates"
+    assert {name for name in templates if not (installed / name).is_file()} == set()

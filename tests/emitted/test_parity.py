@@ -1,0 +1,191 @@
+"""C, gufunc and NumPy twin return the same bits: one Program, rounded once an operation everywhere.
+
+The twin, on NumPy's plain arithmetic, is the reference; compiled C is tried as written and as far
+optimised as the compiler can.  Of NaN only "is NaN" is promised, so any NaN equals any other.
+"""
+
+import functools
+from collections.abc import Callable
+from math import ceil
+from pathlib import Path
+from types import ModuleType
+
+import mpmath
+import numpy as np
+import pytest
+
+import coscrew
+from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.program import Op
+from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness, run
+from tests.support.sampling import inputs_of
+from tests.support.truth.attack import plain_program
+
+OUTPUTS = 200_000  # components compared, at least, per operation, precision and implementation
+OPTIMISED = ("-O3", "-march=native")
+BUILDS = tuple((name, (*flags, EXACT)) for flags in (("-O0",), OPTIMISED) for name in COMPILERS)
+Arrays = tuple[np.ndarray, ...]
+Evaluate = Callable[[Operation, Precision, Arrays], Arrays]
+
+# These call the platform's sin, cos or atan2, so that the twin's bits are not promised.
+PLATFORMS = tuple(op for op in OPERATIONS
+                  if plain_program(op).counts.keys() & {Op.SIN, Op.COS, Op.ATAN2})
+EXACT_OPERATIONS = tuple(op for op in OPERATIONS if op not in PLATFORMS)
+DC = next(op for op in OPERATIONS if op.name == "dc")
+
+
+@pytest.fixture(scope="session")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where the harnesses are compiled, once a session."""
+    return tmp_path_factory.mktemp("harness")
+
+
+@pytest.fixture
+def evaluate(folder: Path, implementation: str) -> Evaluate:
+    """The implementation of this name, as a function of operation, precision and inputs."""
+    if implementation.startswith("gufunc"):
+        assert coscrew.COMPILED, "coscrew runs in pure NumPy; a machine with a C compiler must not"
+        order = "F" if implementation.endswith("strided") else "C"
+        return lambda op, precision, inputs: _outputs(coscrew, op, inputs, order)
+    compiler, *flags = implementation.split()
+    library = harness(folder, compiler, tuple(flags))
+    return lambda op, precision, inputs: call(library, op, precision, inputs)
+
+
+def twin(operation: Operation, precision: Precision, inputs: Arrays) -> Arrays:
+    """The outputs of pure NumPy."""
+    return _outputs(getattr(coscrew, precision.name), operation, inputs)
+
+
+@functools.lru_cache(maxsize=1)
+def samples(operation: Operation, precision: Precision) -> tuple[Arrays, Arrays]:
+    """Inputs, and what the twin makes of them."""
+    rows = ceil(OUTPUTS / sum(a.quantity.size for a in operation.outputs))
+    inputs = inputs_of(operation, precision, rows)
+    return inputs, twin(operation, precision, inputs)
+
+
+def differ(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Where bits differ, unless both are NaN."""
+    assert (a.dtype, a.shape) == (b.dtype, b.shape)
+    unsigned = f"u{a.dtype.itemsize}"
+    different = a.view(unsigned) != b.view(unsigned)
+    return different & ~(np.isnan(a) & np.isnan(b)) if different.any() else different
+
+
+def mismatch(operation: Operation, inputs: Arrays, got: Arrays, want: Arrays) -> str:
+    """The first row where `got` and `want` differ, in hex; empty if there is none."""
+    for output, g, w in zip(operation.outputs, got, want, strict=True):
+        places = np.argwhere(differ(g, w))
+        if len(places):
+            row, *component = map(int, places[0])
+            given = "".join(f"  {a.name} = {_hex(x[row])}\n"
+                            for a, x in zip(operation.inputs, inputs, strict=True))
+            return (f"{operation.name}: {len(places)} components of {output.name} differ, first "
+                    f"{component} of row {row}\n{given}"
+                    f"  got  {_hex(g[row])}\n  want {_hex(w[row])}")
+    return ""
+
+
+def fail_for(text: str) -> None:
+    """Fail with this text unless it is empty."""
+    if text:
+        pytest.fail(text, pytrace=False)
+
+
+def _hex(x: np.ndarray) -> str:
+    return " ".join(float(component).hex() for component in np.ravel(x))
+
+
+def _outputs(module: ModuleType, operation: Operation, inputs: Arrays, order: str = "C") -> Arrays:
+    with np.errstate(all="ignore"):
+        outputs = getattr(module, operation.name)(*(np.asarray(x, order=order) for x in inputs))
+    return outputs if isinstance(outputs, tuple) else (outputs,)
+
+
+IMPLEMENTATIONS = ("gufunc", "gufunc, strided",
+                   *(" ".join((name, *flags)) for name, flags in BUILDS))
+implementations = pytest.mark.parametrize("implementation", IMPLEMENTATIONS)
+precisions = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+
+
+@implementations
+@precisions
+@pytest.mark.parametrize("operation", EXACT_OPERATIONS, ids=lambda op: op.name)
+def test_bits_equal_those_of_the_twin(operation: Operation, precision: Precision,
+                                      evaluate: Evaluate):
+    inputs, want = samples(operation, precision)
+    got = evaluate(operation, precision, inputs)
+    assert sum(g.size for g in got) >= OUTPUTS
+    fail_for(mismatch(operation, inputs, got, want))
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+@precisions
+def test_contraction_would_be_noticed(precision: Precision, compiler: str, folder: Path):
+    """Where there is an FMA, contracted CoAd(D) c has other bits; the headers contract nothing,
+    unless KSL_CONTRACT_OFF tells clang, wrongly here, that its flags see to that."""
+    operation = next(op for op in OPERATIONS if op.name == "product_CoAdc")
+    inputs, want = samples(operation, precision)
+    flags = (*OPTIMISED, "-ffp-contract=fast")
+    told = compiler == "clang" and _has_fma(compiler)
+    for said, contracts in (((), False), (("-DKSL_CONTRACT_OFF",), told)):
+        contracting = harness(folder, compiler, ("-std=gnu11", *flags, *said),
+                              operations=(operation,))
+        got = call(contracting, operation, precision, inputs)
+        assert bool(mismatch(operation, inputs, got, want)) == contracts
+
+
+def _has_fma(compiler: str) -> bool:
+    macros = run((compiler, "-march=native", "-dM", "-E", "-x", "c", "/dev/null"))
+    return "__FMA__" in macros or "__ARM_FEATURE_FMA" in macros
+
+
+@implementations
+@precisions
+@pytest.mark.parametrize("operation", PLATFORMS, ids=lambda op: op.name)
+def test_bits_are_the_same_in_c_and_gufunc(operation: Operation, precision: Precision,
+                                           evaluate: Evaluate):
+    """Both call the same libm, so they agree in bits, if not with NumPy's own sine and cosine."""
+    inputs, _ = samples(operation, precision)
+    want = _outputs(coscrew, operation, inputs)
+    fail_for(mismatch(operation, inputs, evaluate(operation, precision, inputs), want))
+
+
+@implementations
+@precisions
+def test_dc_is_within_1_ulp(precision: Precision, evaluate: Evaluate):
+    """|err| <= 1 ulp of (sin θ, cos θ), for θ of any size, against mpmath at 50 digits."""
+    angles, exact = _angles(precision)
+    (got,) = evaluate(DC, precision, (angles,))
+    _assert_within(1, precision, angles, got, exact)
+
+
+@precisions
+def test_dc_of_the_twin_is_within_numpys_bound(precision: Precision):
+    """NumPy's sin and cos: 1 ulp in double; in single 1.49 (numpy pull request 13368), so 2."""
+    angles, exact = _angles(precision)
+    (got,) = twin(DC, precision, (angles,))
+    _assert_within({"double": 1, "single": 2}[precision.name], precision, angles, got, exact)
+
+
+@functools.cache
+def _angles(precision: Precision) -> tuple[np.ndarray, list[tuple[mpmath.mpf, mpmath.mpf]]]:
+    """Angles of every size and next to multiples of π/2, with their exact sines and cosines."""
+    number = np.dtype(precision.numpy_type).type
+    (sampled,) = inputs_of(DC, precision, 5000)
+    near_zeros = (np.arange(1, 500) * (np.pi / 2)).astype(number)
+    angles = np.concatenate([sampled[np.isfinite(sampled)], near_zeros])
+    with mpmath.workdps(50):
+        return angles, [(mpmath.sin(x), mpmath.cos(x)) for x in map(mpmath.mpf, angles.tolist())]
+
+
+def _assert_within(bound: int, precision: Precision, angles: np.ndarray, got: np.ndarray,
+                   exact: list[tuple[mpmath.mpf, mpmath.mpf]]):
+    number = np.dtype(precision.numpy_type).type
+    with mpmath.workdps(50):
+        for angle, row, pair in zip(angles.tolist(), got.tolist(), exact, strict=True):
+            for value, truth in zip(row, pair, strict=True):
+                ulps = abs(mpmath.mpf(value) - truth) / float(np.spacing(number(abs(truth))))
+                assert ulps <= bound, f"{angle.hex()}: {value.hex()} is {float(ulps):.3} ulp off"

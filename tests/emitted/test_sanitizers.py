@@ -1,0 +1,51 @@
+"""Every function of the headers stays inside its objects, and may be given aliased arguments."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
+from coscrew_codegen.targets.c_ksl import MARK
+from coscrew_codegen.tiers.table import TIERS
+from tests.support.compiled import c_calls
+from tests.support.compiled.c_harness import C11, COMPILERS, EXACT, INCLUDE, run
+from tests.support.compiled.flags import SANITIZERS, has_sanitizers
+
+DEFINED = re.compile(r"^static inline [^(]*?\*?(ksl_\w+)\(", re.MULTILINE)
+
+
+TIER_NAMES = ("", *(tier.name for tier in TIERS))
+
+# Optimised without sanitizers as well: there a compiler acts on what it assumes of aliases.
+BUILDS = (*((name, SANITIZERS) for name in COMPILERS if has_sanitizers(name)),
+          *((name, ("-O2",)) for name in COMPILERS))
+
+# One printer writes all kernels and both precisions: plain's are built in half of the ways in
+# either precision, those of each tier by one compiler with sanitizers and one that optimises.
+SANITIZED, OPTIMISED = BUILDS[:len(BUILDS) - len(COMPILERS)], BUILDS[-len(COMPILERS):]
+RUNS = (*((DOUBLE, "", *build) for build in (*SANITIZED[:1], *OPTIMISED[-1:])),
+        *((SINGLE, "", *build) for build in (*SANITIZED[-1:], *OPTIMISED[:1])),
+        *((precision, tier, *build) for precision in PRECISIONS for tier in TIER_NAMES[1:]
+          for build in (BUILDS[0], BUILDS[-1])))
+
+
+@pytest.mark.parametrize("precision, tier, compiler, flags", RUNS, ids=lambda x: (
+    x.name if isinstance(x, Precision) else x or "plain" if isinstance(x, str)
+    else x[0].strip("-")))
+def test_aliased_arguments_give_the_same_bits(precision: Precision, tier: str, compiler: str,
+                                              flags: tuple[str, ...], tmp_path: Path):
+    """The sanitizers stop at the first access outside an object and at undefined behaviour."""
+    source, binary = tmp_path / "calls.c", tmp_path / "calls"
+    source.write_text(c_calls.program(precision, tier))
+    run((compiler, *C11, *flags, EXACT, "-I", INCLUDE, source, "-o", binary, "-lm"))
+    assert run([binary]) == ""
+
+
+def test_every_function_is_called():
+    defined = {name for header in sorted((INCLUDE / "ksl").glob("*.h"))
+               if not re.search("_(exact|rounding|selfcheck)$", header.stem)
+               for name in DEFINED.findall(header.read_text(encoding="utf-8").partition(MARK)[0])}
+    text = "".join(c_calls.program(p, tier) for p in PRECISIONS for tier in TIER_NAMES)
+    called = set(re.findall(r"\b(ksl_\w+)\(", text))
+    assert defined and defined <= called, sorted(defined - called)

@@ -1,0 +1,1 @@
+"""Inputs whose errors come closest to their bounds, and what finds them."""

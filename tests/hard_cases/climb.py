@@ -1,0 +1,163 @@
+"""Searches at length for the largest errors of kernels whose bounds are not proved.
+
+`python -m tests.search --minutes M [KERNEL …]` climbs (climb.c) for so many minutes of the
+processor's time a kernel and precision; each slice of it is kept in build/search, so that what is
+broken off goes on.  Errors are estimated in long double; each champion is confirmed in 60 digits,
+and so are inputs where the estimate tells nothing.  Where a kernel or its search has changed since,
+its champions stay and its time starts anew.  Right Jacobians are the left ones of -v, bit for bit
+but for signs, and functions in place are those that return: these are not searched again.
+"""
+
+import hashlib
+import json
+import os
+import subprocess
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+
+from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.operations import Operation
+from tests.hard_cases.climb_case import parameters, parts, text_of
+from tests.hard_cases.corpus import TABLE, Case, load, save
+from tests.support.compiled.c_harness import INCLUDE
+from tests.support.truth.attack import plain_program
+from tests.support.truth.backward import BACKWARD
+from tests.support.truth.judge import ratio
+
+ROOT = Path(__file__).resolve().parents[2]
+FOLDER = ROOT / "build" / "search"
+SLICE = 60.0  # seconds
+
+SAME = {"SO3_rightJacobian": "SO3_leftJacobian", "SE3_rightJacobian": "SE3_leftJacobian",
+        "SO3_rightJacobianInverse": "SO3_leftJacobianInverse",
+        "SE3_rightJacobianInverse": "SE3_leftJacobianInverse",
+        "mat3x3_normalize": "mat3x3_normalized"}
+SEARCHED = tuple(op for op in TABLE.values()
+                 if (op.normwise or op.name in BACKWARD) and op.name not in SAME)
+NAMES = tuple(op.name for op in SEARCHED)
+
+
+@dataclass
+class Found:
+    """How long a kernel was searched, and each group's champion: error in u, parameters, inputs."""
+
+    kernel: str = ""  # digest of what was searched
+    seconds: float = 0.0
+    slices: int = 0
+    errors: list[float] = field(default_factory=list)
+    parameters: list[list[str]] = field(default_factory=list)
+    inputs: list[list[str]] = field(default_factory=list)
+    of_bound: list[float] = field(default_factory=list)  # confirmed
+    broken: list[list[str]] = field(default_factory=list)  # inputs of which no estimate told
+
+    @property
+    def worst(self) -> float:
+        """Of the bound; infinite where something is broken."""
+        return float("inf") if self.broken else max(self.of_bound)
+
+
+def path_of(operation: Operation, precision: Precision) -> Path:
+    return FOLDER / f"{operation.name}-{precision.name}.json"
+
+
+def known(operation: Operation, precision: Precision) -> Found:
+    path = path_of(operation, precision)
+    return Found(**json.loads(path.read_text())) if path.exists() else Found()
+
+
+def climb(operation: Operation, precision: Precision, seconds: float) -> Iterator[Found]:
+    """What is known after each slice, until it has been searched for so long."""
+    found, kernel = known(operation, precision), _digest(operation, precision)
+    if found.kernel != kernel:
+        found = Found(kernel, slices=found.slices, parameters=found.parameters)
+    if found.seconds < seconds:
+        program = compiled(operation, precision, FOLDER)
+    while found.seconds < seconds:
+        length = min(SLICE, seconds - found.seconds)
+        found = after(operation, precision, found, length, program)
+        _kept(path_of(operation, precision), json.dumps(asdict(found), indent=1))
+        yield found
+
+
+def after(operation: Operation, precision: Precision, before: Found, length: float,
+          program: Path) -> Found:
+    """What is known after so many seconds more."""
+    earlier = [x for row in before.parameters for x in row]
+    text = subprocess.run([program, str(before.slices + 1), str(length), *earlier], check=True,
+                          capture_output=True, text=True).stdout
+    found = Found(before.kernel, before.seconds + length, before.slices + 1,
+                  broken=before.broken)
+    given, free = sum(a.quantity.size for a in operation.inputs), parameters(operation)
+
+    def of_bound(numbers: list[str]) -> float:
+        row = [float.fromhex(x) for x in numbers]
+        return ratio(operation, precision, "plain", row[:given], row[given:])
+
+    for line in text.splitlines():
+        first, *numbers = line.split()
+        if first == "?":
+            if of_bound(numbers) > 1:
+                found.broken.append(numbers[:given])
+            continue
+        found.errors.append(float(first))
+        found.parameters.append(numbers[:free])
+        found.inputs.append(numbers[free:free + given])
+        found.of_bound.append(of_bound(numbers[free:]))
+    return found
+
+
+def compiled(operation: Operation, precision: Precision, folder: Path) -> Path:
+    """The program that climbs."""
+    folder.mkdir(parents=True, exist_ok=True)
+    stem = folder / f"{operation.name}-{precision.name}"
+    case = stem.with_suffix(".h")
+    _kept(case, text_of(operation, precision))
+    subprocess.run(["gcc", "-std=gnu11", "-O2", "-ffp-contract=off", "-I", INCLUDE,
+                    f'-DCASE="{case}"', Path(__file__).with_suffix(".c"), "-o", stem, "-lm"],
+                   check=True)
+    return stem
+
+
+def _digest(operation: Operation, precision: Precision) -> str:
+    """Of the kernel, its inputs' domain and what it is compared with."""
+    text = f"{text_of(operation, precision)}{plain_program(operation).instructions}"
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
+def _kept(path: Path, text: str) -> None:
+    part = path.with_suffix(".part")
+    part.write_text(text)
+    os.replace(part, path)
+
+
+def search(names: list[str], minutes: float, append: bool) -> int:
+    """Climbs for so long, a little of each first; prints each kernel's figures; how many exceed
+    their bound."""
+    operations = [TABLE[name] for name in names] or list(SEARCHED)
+    targets = [(op, precision) for op in operations for precision in PRECISIONS]
+    violations = 0
+    for budget in (*(m for m in (1, 5) if m < minutes), minutes):
+        for operation, precision in targets:
+            for _ in climb(operation, precision, 60 * budget):
+                pass
+            print(line_of(operation, precision), flush=True)
+    for operation, precision in targets:
+        found = known(operation, precision)
+        violations += found.worst > 1
+        if append:
+            origin = f"search --minutes {found.seconds / 60:g}"
+            new = [Case(operation, precision, tuple(map(float.fromhex, row)), origin)
+                   for row in (*found.inputs, *found.broken)]
+            save((*load(), *new))
+    return violations
+
+
+def line_of(operation: Operation, precision: Precision) -> str:
+    """Name, precision, minutes, each part's error in u beside what is stated, confirmed ratio."""
+    found = known(operation, precision)
+    names = [bound.part for bound in operation.normwise] or ["residual"]
+    figures = ", ".join(f"{name} {error:.2f} of {part.k} u" for name, error, part in
+                        zip(names, found.errors, parts(operation), strict=True))
+    return (f"{operation.name} {precision.name}, {found.seconds / 60:g} min: {figures}; "
+            f"{found.worst:.3f} of the bound")

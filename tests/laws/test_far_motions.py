@@ -1,0 +1,75 @@
+"""Translations and velocities as far as comments say that nothing overflows, and beyond."""
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+import coscrew
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
+from coscrew_codegen.operations.exponential import FAR
+from tests.hard_cases.corpus import TABLE
+from tests.support.motion_inputs import axes, motions_of
+from tests.support.truth import judge
+
+NAMES = tuple(op.name for op in TABLE.values() if "may overflow" in op.tested_bounds)
+ROWS, JUDGED = 400, 6
+SHORTER = 2.0**-900
+TWIN_IN_SINGLE = 4  # u that NumPy's own sine and arctangent may be off by
+
+each_name = pytest.mark.parametrize("name", NAMES)
+each_precision = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+
+
+def far(name: str, precision: Precision) -> tuple[np.ndarray, ...]:
+    """Motions of every angle, their vectors as long as they may be: along an axis, or any way."""
+    rng, length = np.random.default_rng(9), float(FAR[PRECISIONS.index(precision)])
+    inputs = motions_of(TABLE[name], precision, ROWS)
+    for x in inputs:
+        along = axes(rng, len(x)).astype(float) * length
+        if x.ndim == 3:
+            x[:, :, 3] = along * (1 - 2.0**-10)
+        elif x.ndim == 2:
+            turned = np.linalg.norm(x[:, 3:].astype(float), axis=1, keepdims=True)
+            x[:, :3] = along / np.maximum(1, turned if name == "SE3_exp" else 1) * (1 - 2.0**-10)
+    return inputs
+
+
+def outputs(name: str, inputs: tuple[np.ndarray, ...]) -> np.ndarray:
+    """Each row's components."""
+    with np.errstate(all="ignore"):
+        found = getattr(coscrew, name)(*inputs)
+    return np.asarray(found).reshape(len(inputs[0]), -1)
+
+
+def test_everything_that_has_lengths_says_so():
+    assert set(NAMES) == {"SE3_exp", "SE3_log", "SE3_interpolated",
+                          *(f"SE3_{side}Jacobian{inverse}" for side in ("left", "right")
+                            for inverse in ("", "Inverse"))}
+
+
+@each_name
+@each_precision
+def test_nothing_overflows_up_to_there(name, precision):
+    """And errors are as stated."""
+    inputs = far(name, precision)
+    found = outputs(name, inputs)
+    assert np.isfinite(found).all()
+    extra = TWIN_IN_SINGLE if precision == SINGLE and not coscrew.COMPILED else 0
+    for row in range(0, ROWS, ROWS // JUDGED):
+        given = [float(c) for x in inputs for c in np.ravel(x[row])]
+        got = [float(c) for c in found[row]]
+        if "Jacobian" in name and precision == DOUBLE:  # linear in v; the judge sums series, slowly
+            given[:3] = [SHORTER * c for c in given[:3]]
+            rows, columns = np.divmod(np.arange(36), 6)
+            got = np.where((rows < 3) & (columns >= 3), SHORTER * np.array(got), got).tolist()
+        assert judge.ratio(TABLE[name], precision, "plain", given, got, extra) <= 1
+
+
+def test_beyond_it_may():
+    """A finite result of which sums on the way are not."""
+    D = np.array([[-1, 0, 0, 1e308], [0, -1, 0, 1], [0, 0, 1, 0]])
+    with np.errstate(all="ignore"):
+        assert not np.isfinite(coscrew.SE3_log(D)).all()
+    assert np.isfinite(coscrew.SE3_log(D * [1, 1, 1, 0.01])).all()
+    with mp.workdps(30):
+        assert mp.pi / 2 * mp.mpf(1e308) < np.finfo(float).max

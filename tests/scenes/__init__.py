@@ -1,0 +1,1 @@
+"""Scenes: their files, effects, functions and motions."""

@@ -1,0 +1,144 @@
+"""Absence is total: of an effect that a scene does not call for, not a byte is in its text."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Mapping
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache
+from importlib.resources import as_file, files
+from pathlib import Path
+
+import mpmath
+import pytest
+
+import coscrew_codegen
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.scene.model import Parameter
+from coscrew_codegen.scene.scene import Applied, Scene, Setting
+from tests.support.scenes.effect_scenes import PLACES, all_but, effects, hashes, mechanism
+from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated
+from tests.support.scenes.mechanisms import CATALOGUE, scene
+from tests.support.scenes.scene_values import random_state
+
+ROOT = Path(__file__).parents[2]
+
+ZEROS: Mapping[str, tuple[str, ...]] = {
+    "actuator": ("torque", "kp", "kd", "kt"), "armature": ("inertia", "rotor"),
+    "buoyancy": ("rho",), "coulomb": ("tau_c",), "drag": ("rho", "b"), "gravity": ("g",),
+    "limit": ("k",), "spring": ("k",), "spring_damper": ("k", "d"), "stribeck": ("tau_c", "tau_s"),
+    "viscous": ("d",), "wrench": ("force", "torque")}
+"""The parameters without which an effect does nothing."""
+
+
+@pytest.fixture(scope="module")
+def generator(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of the generator, to be imported from this folder."""
+    folder = tmp_path_factory.mktemp("generator")
+    package = folder / "coscrew_codegen"
+    unneeded = shutil.ignore_patterns("__pycache__")
+    shutil.copytree(Path(coscrew_codegen.__file__).parent, package, ignore=unneeded)
+    with as_file(files("coscrew_codegen.templates")) as templates:
+        shutil.copytree(templates, package / "templates", ignore=unneeded, dirs_exist_ok=True)
+    return folder
+
+
+@pytest.mark.parametrize("name", sorted(PLACES))
+def test_text_is_that_of_a_generator_without_the_effect(generator: Path, name: str) -> None:
+    file = generator / "coscrew_codegen" / "effects" / f"{name}.py"
+    text = file.read_bytes()
+    file.unlink()
+    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "",
+                   "PYTHONPATH": os.pathsep.join((str(generator), str(ROOT)))}
+    try:
+        done = subprocess.run([sys.executable, "-m", "tests.support.scenes.effect_scenes", name],
+                              cwd=generator, env=environment, capture_output=True, text=True,
+                              check=False)
+        known = subprocess.run(
+            [sys.executable, "-c", "import coscrew_codegen.effects as e\n"
+             "print(e.__file__, *(x.name for x in e.EFFECTS))"], cwd=generator, env=environment,
+            capture_output=True, text=True, check=True).stdout.split()
+    finally:
+        file.write_bytes(text)
+    assert done.returncode == 0, done.stderr
+    assert known[0].startswith(str(generator)) and known[1:] == sorted(set(CATALOGUE) - {name})
+    assert json.loads(done.stdout) == hashes(all_but(name))
+
+
+def test_every_effect_is_left_out_once() -> None:
+    assert set(PLACES) == set(CATALOGUE) == {*ZEROS, "mimic", "reaction"}
+
+
+def zeroed(name: str, number: Fraction | Parameter) -> tuple[Applied, ...]:
+    """The effects of this name with `number` for what makes them act."""
+    def zero(parameter: str, value: Setting) -> Setting:
+        if value is None or parameter not in ZEROS[name]:
+            return value
+        return (number,) * 3 if isinstance(value, tuple) else number
+
+    return tuple(replace(x, values={key: zero(key, value) for key, value in x.values.items()})
+                 for x in effects(name))
+
+
+@cache
+def bare(*names: str) -> Evaluated:
+    """The mechanism with these effects alone."""
+    return Evaluated(scene(mechanism(), *effects(*names)), MULTIPRECISE)
+
+
+@pytest.mark.parametrize("name", sorted(ZEROS))
+def test_parameters_of_zero_fold_to_the_same_programs(name: str) -> None:
+    """Also of a scene with time, gravity and other effects."""
+    others = sorted({"gravity", "viscous", "wrench"} - {name})
+    wanted = bare(*others).functions.functions
+    found = derive(scene(mechanism(), *effects(*others), *zeroed(name, Fraction(0)))).functions
+    assert [f.words for f in found] == [f.words for f in wanted]
+    for f, g in zip(found, wanted, strict=True):
+        assert counts(f.program) == counts(g.program), f.name
+
+
+def counts(program: object) -> tuple:
+    """Inputs, outputs and instructions by kind."""
+    return program.inputs, program.outputs, dict(program.counts)
+
+
+@pytest.mark.parametrize("name", sorted(ZEROS))
+def test_zeros_at_run_time_change_no_result(name: str) -> None:
+    others = sorted({"gravity", "wrench"} - {name})
+    number = Parameter("zero", 0, Fraction(0))
+    with mpmath.workdps(50):
+        without = bare(*others)
+        zero = Evaluated(scene(mechanism(), *effects(*others), *zeroed(name, number),
+                               parameters=(number,)), MULTIPRECISE)
+        state = random_state(without, 1)
+        for function in ("inverse_dynamics", "forward_dynamics", "energy", "implicit_acceleration"):
+            results = [f(function, a=state["tau"], h=mpmath.mpf(1) / 8, **state)
+                       for f in (without, zero)]
+            for x, y in zip(*results, strict=True):
+                assert abs(x - y) <= mpmath.mpf(10)**-44 * max(1, abs(x))
+
+
+def test_reactions_add_a_function_and_change_none() -> None:
+    unasked = bare().functions.functions
+    asked = derive(scene(mechanism(), *effects("reaction"))).functions
+    assert [f.name for f in asked if f not in unasked] == ["reaction_j2"]
+    assert [f for f in asked if f.name != "reaction_j2"] == list(unasked)
+
+
+def test_mimic_changes_nothing_where_nothing_mimics() -> None:
+    assert derive(scene(mechanism(), *effects("mimic"))) == bare().functions
+
+
+def test_bare_scenes_know_no_time_and_no_effects() -> None:
+    """The functions of a scene without effects are inertia's alone."""
+    made: Scene = scene(mechanism())
+    functions = derive(made)
+    assert not functions.timed
+    used = {op.value for f in functions.functions for op in f.program.counts}
+    assert used <= {"add", "sub", "mul", "div", "neg", "abs", "sin", "cos", "sqrt", "less",
+                    "select"}
+    power = next(f for f in functions.functions if f.name == "power").program
+    assert not power.instructions

@@ -1,0 +1,89 @@
+"""Every example scene runs through the command line, in both precisions, and is as it expects."""
+
+import csv
+import json
+import math
+import re
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.scene_files.toml_scene import read_scene
+from tests.support.compiled.c_harness import STRICT, run
+
+FOLDER = Path(__file__).parents[2] / "examples/scenes"
+SCENES = sorted(FOLDER.glob("*.toml"))
+
+
+@pytest.fixture(params=SCENES, ids=lambda path: path.stem)
+def scene(request) -> Path:
+    return request.param
+
+
+def test_there_are_scenes_from_trivial_to_rich():
+    bodies = {path.stem: len(read_scene(path).model.bodies) for path in SCENES}
+    assert {"pendulum", "wingnut", "stick_slip", "arm6", "quadruped"} <= set(bodies)
+    assert min(bodies.values()) == 1 and max(bodies.values()) == 13
+
+
+def test_scenes_use_every_number_of_their_own(scene):
+    """Of a model of their own; a URDF file may say more than a scene needs."""
+    if "model" not in tomllib.loads(scene.read_text()):
+        assert not read_scene(scene).unused
+
+
+def test_scenes_are_as_they_expect(scene, capsys):
+    assert main(["check", str(scene)]) == 0
+    printed = capsys.readouterr().out
+    verdicts = re.findall(r"^(pass|FAIL) ", printed, re.MULTILINE)
+    assert verdicts == ["pass"] * len(read_scene(scene).expectations) and len(verdicts) >= 3
+    assert "DOUBTFUL" not in printed
+
+
+def test_a_wrong_expectation_is_not_met(tmp_path, capsys):
+    path = tmp_path / "pendulum.toml"
+    text = (FOLDER / "pendulum.toml").read_text().replace("-0.275087462", "-0.275087562")
+    path.write_text(text)
+    assert main(["check", str(path)]) == 1
+    assert re.findall(r"^FAIL  (\S+)", capsys.readouterr().out, re.MULTILINE) == ["position.bob.0"]
+
+
+def test_scenes_are_simulated_recorded_plotted_and_shown(scene, tmp_path, capsys):
+    table, page, plot = (tmp_path / f"run.{x}" for x in ("csv", "html", "svg"))
+    assert main(["simulate", str(scene), "--until", "0.3", "--output", str(table), "--view",
+                 str(page), "--plot", str(plot)]) == 0
+    assert "at t = 0.3 s" in capsys.readouterr().out
+    for path in (table, tmp_path / "run.single.csv"):
+        lines = [x for x in path.read_text().splitlines() if not x.startswith("#")]
+        rows = list(csv.reader(lines))
+        assert float(rows[-1][0]) == 0.3 and len(rows) == 32  # names, then every 0.01 s
+        assert all(math.isfinite(float(x)) for row in rows[1:] for x in row)
+    assert plot.stat().st_size > 1000
+    names = json.dumps([body.name for body in read_scene(scene).model.bodies])
+    assert names.replace(", ", ",") in page.read_text()
+
+
+def test_scenes_are_generated_as_c_that_compiles_clean(scene, tmp_path):
+    assert main(["generate", str(scene), "-o", str(tmp_path)]) == 0
+    run(["cc", "-std=c11", *STRICT, "-c", tmp_path / f"{scene.stem}.c", "-o", tmp_path / "scene.o"])
+
+
+def test_a_payload_is_set_at_run_time(tmp_path, capsys):
+    """A heavier one pulls the elbow lower than its motor wants it."""
+    angles = {}
+    for mass in ("0.5", "1.5", "4"):
+        path = tmp_path / f"{mass}.csv"
+        assert main(["simulate", str(FOLDER / "arm6.toml"), "--precision", "double", "--set",
+                     f"payload.mass={mass}", "--output", str(path)]) == 0
+        lines = [x for x in path.read_text().splitlines() if not x.startswith("#")]
+        angles[mass] = float(dict(zip(*csv.reader((lines[0], lines[-1]))))["q.elbow [rad]"])
+    assert angles["0.5"] < angles["1.5"] < angles["4"]  # y points left: down is up
+
+
+def test_costs_of_a_scene_are_told_effect_by_effect(capsys):
+    assert main(["cost", str(FOLDER / "stick_slip.toml"), "--until", "0.2"]) == 0
+    printed = capsys.readouterr().out
+    for words in ("all effects", "without actuator", "without stribeck", "bare"):
+        assert re.search(rf"^{words} ", printed, re.MULTILINE)

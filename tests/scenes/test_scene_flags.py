@@ -1,0 +1,57 @@
+"""Scenes' C gives the bits of their Python package under every flag that compiles."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.support.compiled.c_harness import COMPILERS, run
+from tests.support.compiled.flags import FMA, TUNED, UNHEEDED
+from tests.support.scenes import scene_bits
+
+FLAGS = {
+    "gcc": (("-O0",), ("-O2", *TUNED), ("-O3", "-march=native"),
+            ("-std=c11", "-O2", *FMA, "-ffp-contract=fast", UNHEEDED),
+            ("-x", "c++", "-std=gnu++17", "-O3", "-march=native", "-ffp-contract=fast", UNHEEDED)),
+    "clang": (("-O1",), ("-O3", "-march=native"), ("-O2", *FMA, "-ffp-contract=fast"),
+              ("-x", "c++", "-std=c++17", "-O2", *FMA, "-ffp-contract=fast")),
+}
+BUILDS = tuple((compiler, flags) for compiler in COMPILERS for flags in FLAGS[compiler])
+
+
+@pytest.fixture(scope="module")
+def right(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    """What the program must print."""
+    return scene_bits.wanted(tmp_path_factory.mktemp("package"))
+
+
+def printed(folder: Path, *command: str) -> list[str]:
+    """What the program prints that this command compiles."""
+    run((*command, scene_bits.source(folder), "-o", folder / "bits", "-lm"))
+    return run([folder / "bits"]).splitlines()
+
+
+def test_every_function_and_integrator_is_there(right: list[str]):
+    names = {line.split()[0].removeprefix("carrier_") for line in right}
+    assert {"step_leapfrog", "step_rk4f", "step_semi_implicit_euler", "step_linear_implicit_eulerf",
+            "inverse_dynamics", "forward_dynamicsf", "energy", "free_momentum"} <= names
+
+
+@pytest.mark.parametrize("compiler, flags", BUILDS,
+                         ids=[" ".join((name, *flags)) for name, flags in BUILDS])
+def test_bits_are_those_of_the_package(compiler: str, flags: tuple[str, ...], right: list[str],
+                                       tmp_path: Path):
+    found = printed(tmp_path, compiler, *flags)
+    assert [a for a, b in zip(found, right, strict=True) if a != b] == []
+
+
+@pytest.mark.skipif(not FMA, reason="nothing fuses here")
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_a_fused_product_would_be_noticed(compiler: str, right: list[str], tmp_path: Path):
+    """With products spelled a * b, and without the pragma."""
+    command = (compiler, "-O2", *FMA, "-ffp-contract=fast")
+    plain = ("-DKSL_MUL(a,b)=((a)*(b))", "-DKSL_MULF(a,b)=((a)*(b))", "-DKSL_CONTRACT_OFF")
+    source = scene_bits.source(tmp_path)
+    scene = tmp_path / f"{scene_bits.functions().name}.c"
+    scene.write_text(scene.read_text().replace("#pragma GCC optimize", "//"))
+    run((*command, *plain, source, "-o", tmp_path / "bits", "-lm"))
+    assert run([tmp_path / "bits"]).splitlines() != right

@@ -1,0 +1,231 @@
+"""Slopes of effects are those of their forces, their energies those of their work, at 50 digits.
+
+Derivatives are central differences over 1e-16, wrong by about 1e-32 of the third derivative.
+"""
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+
+import mpmath
+import pytest
+from mpmath import mpf
+
+from coscrew_codegen.mechanics.acting import settings
+from coscrew_codegen.recording.numbers import Number
+from coscrew_codegen.recording.recorder import Recorder, array
+from coscrew_codegen.scene.effect import JointState
+from coscrew_codegen.scene.model import HERE, Body, Joint, Kind, Model
+from coscrew_codegen.scene.scene import Applied
+from tests.support.scenes.effect_scenes import PLACES, effects, mechanism
+from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated, evaluator
+from tests.support.scenes.mechanisms import (
+    CATALOGUE,
+    Formula,
+    Z,
+    applied,
+    at,
+    chain,
+    chain_of_three,
+    gravity,
+    inertia,
+    numbers,
+    scene,
+)
+from tests.support.scenes.scene_values import random_state
+
+STEP, CLOSE = mpf(10)**-16, mpf(10)**-24
+HALF = Fraction(1, 2)
+
+
+@pytest.fixture(autouse=True)
+def fifty_digits() -> Iterator[None]:
+    with mpmath.workdps(50):
+        yield
+
+
+def slope(f: Callable[[mpf], mpf], x: mpf) -> mpf:
+    """f'(x)."""
+    return (f(x + STEP) - f(x - STEP)) / (2 * STEP)
+
+
+# effects on joints, by themselves: with their true slopes, or bounds of them
+
+TRUE = {
+    "viscous": [{"d": 3}],
+    "spring": [{"k": 3, "q0": HALF}],
+    "actuator": [{"kind": "torque", "torque": Formula("sin(t)")},
+                 {"kind": "pd", "kp": 5, "kd": 2, "target": Formula("t"), "target_v": 1},
+                 {"kind": "dc", "voltage": 3, "gear": 4, "kt": HALF, "ke": 2, "R": 3}],
+    "limit": [{"lower": -1, "upper": 1, "k": 9, "alpha": HALF}, {"lower": -1, "k": 9},
+              {"upper": -1, "k": 9, "alpha": HALF}]}
+BOUNDED = {
+    "coulomb": [{"tau_c": 3, "eps": HALF}],
+    "stribeck": [{"tau_c": 2, "tau_s": 3, "v_s": HALF, "eps": Fraction(1, 5)}],
+    "actuator": [{"kind": "pd", "kp": 5, "kd": 2, "target": HALF, "limit": 2},
+                 {"kind": "dc", "voltage": 3, "gear": 4, "kt": HALF, "ke": 2, "R": 3, "limit": 4}]}
+CASES = [pytest.param(name, values, name in TRUE and values in TRUE[name],
+                      id=f"{name}-{values.get('kind', '')}-{n}")
+         for table in (TRUE, BOUNDED) for name, cases in table.items()
+         for n, values in enumerate(cases)]
+STATES = [(mpf(q), mpf(v)) for q in ("-3", "-1.2", "0", "0.3", "1.1", "2.7")
+          for v in ("-4", "-0.9", "-0.01", "0", "0.2", "1", "6")]
+
+
+def torque_of(name: str, values: dict) -> Callable[[mpf, mpf], dict[str, mpf | None]]:
+    """The effect's Torque at q, v and t = 0.7; what it leaves out is None."""
+    recorder = Recorder([array(x, ()) for x in "qvt"])
+    q, v, t = (recorder.argument(x)[0] for x in "qvt")
+    made = applied(name, "joint", **values)
+    torque = made.effect.joint_torque(JointState(q, v, t), settings(recorder, made.values, t))
+    fields = {x: y for x, y in vars(torque).items() if isinstance(y, Number)}
+    program = recorder.program(name, [(array(x, ()), [y]) for x, y in fields.items()])
+    evaluate = evaluator(program, MULTIPRECISE)
+
+    def at_state(q: mpf, v: mpf) -> dict[str, mpf | None]:
+        found = dict(zip(fields, evaluate([[q], [v], [mpf("0.7")]]), strict=True))
+        return {x: found.get(x) for x in ("torque", "damping", "stiffness", "energy", "power")}
+
+    return at_state
+
+
+def test_every_effect_on_joints_is_here() -> None:
+    assert {name for name, effect in CATALOGUE.items() if effect.joint_torque} == {*TRUE, *BOUNDED}
+
+
+@pytest.mark.parametrize("name, values, true", CASES)
+def test_slopes_are_those_of_the_torque(name: str, values: dict, true: bool) -> None:
+    """True; or not below the slope, nor where it saturates below |torque| / |v|."""
+    f = torque_of(name, values)
+    for q, v in STATES:
+        found = f(q, v)
+        slopes = {"damping": -slope(lambda x: f(q, x)["torque"], v),
+                  "stiffness": -slope(lambda x: f(x, v)["torque"], q)}
+        for key, wanted in slopes.items():
+            given = found[key] or 0
+            assert given >= 0
+            assert abs(given - wanted) <= CLOSE if true else given >= wanted - CLOSE, (key, q, v)
+        if not true and found["stiffness"] is None and name != "actuator":
+            assert found["damping"] * abs(v) >= abs(found["torque"]) - CLOSE
+
+
+@pytest.mark.parametrize("name, values, true", CASES)
+def test_torques_work_is_energy_and_power(name: str, values: dict, true: bool) -> None:
+    """τ v = -V'(q) v + P; without V, P may be left out, and is all."""
+    f = torque_of(name, values)
+    for q, v in STATES:
+        found = f(q, v)
+        if found["energy"] is None:
+            assert found["power"] is None
+            continue
+        conservative = -slope(lambda x: f(x, v)["energy"], q)
+        assert abs(found["torque"] * v - conservative * v - (found["power"] or 0)) <= CLOSE
+        assert found["power"] is None or found["power"] <= 0
+
+
+# all effects in a scene: energy, and implicit steps
+
+
+EFFECTS: dict[str, tuple[Applied, ...]] = {
+    **{name: effects(name) for name in PLACES}, "buoyancy": effects("gravity", "buoyancy"),
+    "all": effects(*PLACES), "none": ()}
+
+
+def test_every_effect_is_here() -> None:
+    assert set(PLACES) == set(CATALOGUE)
+
+
+@pytest.mark.parametrize("name", EFFECTS)
+def test_energy_changes_by_what_is_fed_in(name: str) -> None:
+    """d(kinetic + potential)/dt = power + tau·v."""
+    f = Evaluated(scene(mechanism(), *EFFECTS[name]), MULTIPRECISE)
+    for seed in range(3):
+        x = random_state(f, seed)
+        a = f("forward_dynamics", **x)
+
+        def energy(s: mpf, x: dict = x, a: list = a) -> mpf:
+            q = f("integrated", q=x["q"], phi=[s * v for v in x["v"]])
+            return sum(f("energy", t=x["t"], q=q, v=[v + s * y for v, y in zip(x["v"], a,
+                                                                               strict=True)]))
+
+        fed = f("power", **x) + sum(t * v for t, v in zip(x["tau"], x["v"], strict=True))
+        assert abs(slope(energy, mpf(0)) - fed) <= CLOSE * 1000
+
+
+STIFF = (applied("viscous", "j0", d=5), applied("spring", "j1", k=70),
+         applied("actuator", "j2", kind="pd", kp=50, kd=20, target=Formula("sin(t)")),
+         applied("actuator", "j0", kind="dc", voltage=9, kt=2, ke=1, R=3),
+         applied("limit", "j2", lower=3, k=40, alpha=HALF), applied("armature", "j1", inertia=2),
+         applied("viscous", "k", d=7), applied("spring", "k", k=9, q0=1),
+         applied("spring_damper", "s", bodies=("world", "b2"), first=(3, 0, 1), d=9),
+         applied("spring_damper", "r", bodies=("c", "b0"), first=(3, 0, 1), d=9),
+         applied("drag", "b1", kind="stokes", b=8, point=(0, 1, 1)))
+
+
+@pytest.mark.parametrize("following", [False, True])
+def test_implicit_steps_solve_with_all_slopes(following: bool) -> None:
+    """(M + h D + h² K) a = -bias - h K v, where D and K are ∂/∂v and ∂/∂q of what effects add."""
+    extra = (gravity(), *((applied("mimic"),) if following else ()))
+    inertial = tuple(x for x in STIFF if x.effect.joint_inertia)
+    bare = Evaluated(scene(chain_of_three(), *extra, *inertial), MULTIPRECISE)
+    f = Evaluated(scene(chain_of_three(), *extra, *STIFF), MULTIPRECISE)
+    x, n, h = random_state(f, 5), f.functions.nv, mpf(3) / 4
+
+    def added(q: list, v: list) -> mpmath.matrix:
+        return mpmath.matrix([a - b for a, b in zip(*(g("bias_torques", t=x["t"], q=q, v=v)
+                                                      for g in (f, bare)), strict=True)])
+
+    def at_joints(q: list, v: list) -> mpmath.matrix:
+        """Without what acts between and on bodies, whose K is left out."""
+        return mpmath.matrix([a - b for a, b in zip(*(g("bias_torques", t=x["t"], q=q, v=v)
+                                                      for g in (joints_only, bare)), strict=True)])
+
+    joints_only = Evaluated(scene(chain_of_three(), *extra, *(
+        e for e in STIFF if e.effect.joint_torque or e.effect.joint_inertia)), MULTIPRECISE)
+
+    def columns(g: Callable, key: str) -> mpmath.matrix:
+        found = mpmath.matrix(n, n)
+        for j in range(n):
+            def moved(s: mpf, j: int = j) -> mpmath.matrix:
+                y = {k: list(x[k]) for k in "qv"}
+                y[key][j] += s
+                return g(y["q"], y["v"])
+            found[:, j] = (moved(STEP) - moved(-STEP)) / (2 * STEP)
+        return found
+
+    M = mpmath.matrix(n, n)
+    for k, entry in enumerate(bare("mass_matrix", **x)):
+        M[k // n, k % n] = entry
+    D, K = columns(added, "v"), columns(at_joints, "q")
+    bias = mpmath.matrix(f("bias_torques", **x))
+    wanted = mpmath.lu_solve(M + h * D + h**2 * K, -bias - h * (K * mpmath.matrix(x["v"])))
+    found = f("implicit_acceleration", h=h, **x)
+    assert max(abs(a - b) for a, b in zip(found, wanted, strict=True)) <= CLOSE * 100
+
+
+def test_stiffness_between_bodies_is_taken_along_the_line() -> None:
+    """On one line: (M + (h d + h² k) e e^T) a = e (…), e = (-1, 1), solved by hand."""
+    two = Model("two", (Body("a", inertia(2)), Body("b", inertia(3))),
+                (Joint("ja", Kind.PRISMATIC, "world", "a"),
+                 Joint("jb", Kind.PRISMATIC, "world", "b", at(0, 0, 5))))
+    f = Evaluated(scene(two, applied("spring_damper", "s", bodies=("a", "b"), k=700, d=90,
+                                     length=4)), MULTIPRECISE)
+    h, q, v = mpf("0.3"), [mpf("0.2"), mpf("0.5")], [mpf(3), mpf(-1)]
+    longer, rate, c = 5 + q[1] - q[0] - 4, v[1] - v[0], h * 90 + h**2 * 700
+    M = mpmath.matrix([[2 + c, -c], [-c, 3 + c]])
+    pull = 700 * longer + 90 * rate + h * 700 * rate
+    wanted = mpmath.lu_solve(M, mpmath.matrix([pull, -pull]))
+    found = f("implicit_acceleration", h=h, q=q, v=v)
+    assert max(abs(a - b) for a, b in zip(found, wanted, strict=True)) <= CLOSE
+
+
+@pytest.mark.parametrize("speed", [(0, 0, 0), (3, -1, 2), (mpf(10)**-9, 0, 0)])
+def test_drag_falls_with_no_more_than_its_damping(speed: tuple) -> None:
+    """An implicit step without other forces shortens v, and never turns it round; it takes in the
+    slope rho area |v| along v: a = -(500 |v| v) / (m + h 1000 |v|)."""
+    f = Evaluated(scene(chain((Kind.FREE, Z, HERE, inertia(1, moments=(1, 1, 1, 0, 0, 0)))),
+                        applied("drag", "b0", rho=1000, area=1)), MULTIPRECISE)
+    a = f("implicit_acceleration", h=mpf(100), q=numbers(0, 0, 0, 0, 0, 0, 1), v=[*speed, 0, 0, 0])
+    size = mpmath.norm(speed)
+    for v, x in zip(speed, a, strict=False):
+        assert 0 <= (v + 100 * x) * v <= v * v
+        assert abs(x + 500 * size * v / (1 + 100 * 1000 * size)) <= CLOSE * abs(v)

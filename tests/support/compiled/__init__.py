@@ -1,0 +1,1 @@
+"""Emitted C: compiled, called, read."""

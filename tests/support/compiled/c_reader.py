@@ -1,0 +1,366 @@
+"""Reads the emitted C headers: parses them and evaluates their functions on SymPy symbols.
+
+Knows C as far as the headers use it, and nothing of how they are made.  Memory is a list of cells,
+one scalar each; the unions' layouts come from their typedefs, so that `D->t.y`, `D->m13` and
+`D->at[3][1]` are one cell.  A cell that nothing was written to cannot be read.
+"""
+
+import operator
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+
+import sympy as sp
+from pycparser import CParser, c_ast
+from pycparser.c_generator import CGenerator
+
+from coscrew_codegen.targets.c_ksl import MARK, REFUSED
+
+INCLUDE = Path(__file__).parents[3] / "generated" / "c" / "include" / "ksl"
+FAMILIES = tuple(sorted(path.stem for path in INCLUDE.glob("*.h")
+                        if not re.match(r"ksl|.*_(fused|accurate|certified)$", path.stem)
+                        and path.stem not in REFUSED))  # plain
+
+_MATH = {"fabs": sp.Abs, "sqrt": sp.sqrt, "sin": sp.sin, "cos": sp.cos, "atan2": sp.atan2}
+_BINARY = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
+           "<": operator.lt, ">=": operator.ge, "==": sp.Eq, "&&": sp.And}
+_PRODUCTS = {"KSL_MUL": "double", "KSL_MULF": "float"}
+"""What a product that is never fused into a sum is called, in each precision."""
+_FUNCTION = re.compile(r"^\w[^;{}]*?\b(ksl_\w+)\([^;{}]*\) \{\n.*?^\}\n",
+                       re.MULTILINE | re.DOTALL)
+_SIGNS = re.compile(r"(?<=\s)[+-](?=\s)|(?<=[=,(] )-(?=[\w(])|(?<=[(])-(?=[\w(])")
+
+
+@dataclass(frozen=True)
+class Arithmetic:
+    """What a literal (without its f), an operator and a function of <math.h> mean."""
+
+    literal: Callable[[str], object]
+    functions: Mapping[str, Callable]
+
+
+SYMBOLIC = Arithmetic(sp.Rational, _MATH | _BINARY)
+
+
+@dataclass(frozen=True)
+class Scalar:
+    """double, float or another type of one cell."""
+
+    name: str
+    size = 1
+
+
+@dataclass(frozen=True)
+class Array:
+    """length × element."""
+
+    element: "Type"
+    length: int
+
+    @property
+    def size(self) -> int:
+        return self.length * self.element.size
+
+
+@dataclass(frozen=True)
+class Record:
+    """A struct or union: where each member lies, those of anonymous members included."""
+
+    size: int
+    members: dict[str, tuple[int, "Type"]]
+
+
+Type = Scalar | Array | Record
+
+
+@dataclass(frozen=True)
+class Place:
+    """An object in memory, or a part of one; pointers are places too."""
+
+    cells: list[sp.Expr | None]
+    start: int
+    type: Type
+
+    @classmethod
+    def new(cls, kind: Type) -> "Place":
+        """A fresh object that nothing was written to."""
+        return cls([None] * kind.size, 0, kind)
+
+    def member(self, name: str) -> "Place":
+        offset, kind = self.type.members[name]
+        return Place(self.cells, self.start + offset, kind)
+
+    def element(self, index: int) -> "Place":
+        if not 0 <= index < self.type.length:
+            raise IndexError(f"index {index} in an array of {self.type.length}")
+        kind = self.type.element
+        return Place(self.cells, self.start + index * kind.size, kind)
+
+    def entry(self, *indices: int) -> "Place":
+        """The scalar (i) or (row, column) through `at`; matrices lie column by column."""
+        place = self.member("at") if isinstance(self.type, Record) else self
+        for index in reversed(indices):
+            place = place.element(index)
+        return place
+
+    def read(self) -> sp.Expr:
+        if self.cells[self.start] is None:
+            raise ValueError(f"cell {self.start} is read before it is written")
+        return self.cells[self.start]
+
+    def write(self, value: sp.Expr) -> None:
+        if not isinstance(self.type, Scalar):
+            raise TypeError("only scalars are assigned")
+        self.cells[self.start] = value
+
+    def copy(self) -> "Place":
+        return replace(self, cells=list(self.cells))
+
+
+Value = sp.Expr | int | bool | Place
+
+
+@cache
+def header() -> "Header":
+    """All functions of all headers."""
+    texts = {name: text for family in FAMILIES for name, text in functions_in(family).items()}
+    types: dict[str, Type] = {}
+    for node in CParser().parse(_clean((INCLUDE / "ksl_types.h").read_text("utf-8"))).ext:
+        types[node.name] = _layout(node.type, types)
+    return Header(types, texts)
+
+
+@cache
+def functions_in(family: str) -> dict[str, str]:
+    """The functions of one header: name → text without comment and `static inline`."""
+    text = _clean((INCLUDE / f"{family}.h").read_text("utf-8"))
+    if rest := _FUNCTION.sub("", text).strip():
+        raise ValueError(f"{family}.h holds more than functions: {rest[:80]!r}")
+    found = [(match[1], match[0]) for match in _FUNCTION.finditer(text)]
+    if len(dict(found)) != len(found):
+        raise ValueError(f"{family}.h defines a function twice")
+    return dict(found)
+
+
+def _clean(text: str) -> str:
+    """Without comments, directives and what stands beside formulas, at the end."""
+    text = text.partition(MARK)[0]
+    text = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
+    text = re.sub(r"^#(.*\\\n)*.*\n", "", text, flags=re.MULTILINE)
+    return text.replace("KSL_VIEW", "struct").replace("static inline ", "")
+
+
+def sign_flips(text: str, free: tuple[str, ...] = ()) -> Iterator[str]:
+    """The text with one binary + or - turned into the other, or one unary - gone; for each, but in
+    what is called as `free` says."""
+    for match in _SIGNS.finditer(text):
+        called = re.findall(r"(\w+) = ", text[:match.start()])
+        if called and called[-1].startswith(free or "="):
+            continue
+        binary = text[match.end()].isspace()
+        flipped = {"+": "-", "-": "+"}[match[0]] if binary else ""
+        yield text[:match.start()] + flipped + text[match.end():]
+
+
+_OTHER = {"+": "-", "-": "+"}
+
+
+def _signs(node: c_ast.Node, free: tuple[str, ...]) -> Iterator[c_ast.BinaryOp | c_ast.UnaryOp]:
+    """The sums, differences and negatives in a function, but in what is called as `free` says."""
+    if isinstance(node, c_ast.Decl) and node.name.startswith(free or "="):
+        return
+    if isinstance(node, (c_ast.BinaryOp, c_ast.UnaryOp)) and node.op in _OTHER:
+        yield node
+    for _, child in node.children():
+        yield from _signs(child, free)
+
+
+class Header:
+    """Types and functions; each function is parsed when it is first needed."""
+
+    def __init__(self, types: dict[str, Type], texts: dict[str, str],
+                 arithmetic: Arithmetic = SYMBOLIC):
+        self.types, self.texts, self.arithmetic = types, texts, arithmetic
+        self._parsed: dict[str, c_ast.FuncDef] = {}
+
+    def with_text(self, name: str, text: str) -> "Header":
+        """The same functions, but for the text of one."""
+        return Header(self.types, self.texts | {name: text}, self.arithmetic)
+
+    def flips(self, name: str, free: tuple[str, ...] = ()) -> Iterator["Header"]:
+        """The same functions with one sign of this one flipped, as `sign_flips` has them; each
+        until the next is asked for."""
+        other = Header(self.types, self.texts, self.arithmetic)
+        function = other._function(name)
+        for node in _signs(function.body, free):
+            node.op = _OTHER[node.op]
+            yield other
+            node.op = _OTHER[node.op]
+
+    def text(self, name: str) -> str:
+        """The function as it is read."""
+        return CGenerator().visit(self._function(name))
+
+    def with_arithmetic(self, arithmetic: Arithmetic) -> "Header":
+        """The same functions, evaluated otherwise."""
+        other = Header(self.types, self.texts, arithmetic)
+        other._parsed = self._parsed
+        return other
+
+    def parameters(self, name: str) -> dict[str, Type]:
+        """Name → type of what it is or points to, in order."""
+        arguments = self._function(name).decl.type.args.params
+        return {p.name: _layout(p.type, self.types) for p in arguments if p.name}
+
+    def constant_parameters(self, name: str) -> set[str]:
+        """Those the function promises not to write to."""
+        types = ((p.name, getattr(p.type, "type", None)) for p in
+                 self._function(name).decl.type.args.params if p.name)
+        return {n for n, t in types if "const" in getattr(t, "quals", [])}
+
+    def precisions(self, name: str) -> set[str]:
+        """double or float, whichever its types, literals and functions are."""
+        return set(self._precisions(self._function(name)))
+
+    def call(self, name: str, *arguments: Value) -> Value | None:
+        """Run the function; places given for pointers are written to.  Returns its value."""
+        function = self._function(name)
+        parameters = [p for p in function.decl.type.args.params if p.name]
+        scope: dict[str, Value] = {}
+        for parameter, value in zip(parameters, arguments, strict=True):
+            by_value = isinstance(parameter.type, c_ast.TypeDecl) and isinstance(value, Place)
+            scope[parameter.name] = value.copy() if by_value else value
+        return self._run(function.body, scope)
+
+    def _function(self, name: str) -> c_ast.FuncDef:
+        if name not in self._parsed:
+            names = "".join(f"typedef int {n};\n" for n in ("size_t", *self.types))
+            function = CParser().parse(names + self.texts[name]).ext[-1]
+            used = set(self._precisions(function))
+            if len(used) > 1:
+                raise TypeError(f"{name} mixes {' and '.join(sorted(used))}")
+            self._parsed[name] = function
+        return self._parsed[name]
+
+    def _precisions(self, node: c_ast.Node) -> Iterator[str]:
+        """double or float for every type, literal and called function."""
+        if isinstance(node, c_ast.IdentifierType):
+            yield from {s for s in _scalars(_layout(node, self.types)) if s in ("double", "float")}
+        elif isinstance(node, c_ast.Constant) and node.type != "int":
+            yield node.type
+        elif isinstance(node, c_ast.FuncCall) and node.name.name.removesuffix("f") in _MATH:
+            yield "float" if node.name.name.endswith("f") else "double"
+        elif isinstance(node, c_ast.FuncCall) and node.name.name in _PRODUCTS:
+            yield _PRODUCTS[node.name.name]
+        elif isinstance(node, c_ast.FuncCall) and node.name.name in self.texts:
+            yield from self._precisions(self._function(node.name.name).decl)
+        for _, child in node.children():
+            yield from self._precisions(child)
+
+    def _run(self, node: c_ast.Node, scope: dict[str, Value]) -> Value | None:
+        match node:
+            case c_ast.Compound():
+                for statement in node.block_items:
+                    if (value := self._run(statement, scope)) is not None:
+                        return value
+            case c_ast.Decl(init=None):
+                scope[node.name] = Place.new(_layout(node.type, self.types))
+            case c_ast.Decl():
+                scope[node.name] = self._value(node.init, scope)
+            case c_ast.Assignment(op="="):
+                self._place(node.lvalue, scope).write(self._value(node.rvalue, scope))
+            case c_ast.If(iffalse=None):
+                return self._run(node.iftrue, scope) if self._value(node.cond, scope) else None
+            case c_ast.Return():
+                return self._value(node.expr, scope)
+            case c_ast.Cast(expr=c_ast.ID()):
+                pass  # (void)unused;
+            case _:
+                raise TypeError(f"this reader knows no such C statement: {node}")
+        return None
+
+    def _value(self, node: c_ast.Node, scope: dict[str, Value]) -> Value:
+        match node:
+            case c_ast.Constant(type="int"):
+                return int(node.value)
+            case c_ast.Constant():
+                return self.arithmetic.literal(node.value.rstrip("f"))
+            case c_ast.ID(name="NAN"):
+                return sp.nan
+            case c_ast.ID():
+                return scope[node.name]
+            case c_ast.Cast():
+                return self._value(node.expr, scope)
+            case c_ast.UnaryOp(op="-"):
+                return -self._value(node.expr, scope)
+            case c_ast.UnaryOp(op="+"):
+                return self._value(node.expr, scope)
+            case c_ast.BinaryOp():
+                operands = (self._value(side, scope) for side in (node.left, node.right))
+                return self.arithmetic.functions[node.op](*operands)
+            case c_ast.TernaryOp():
+                return self._choice(node, scope)
+            case c_ast.FuncCall():
+                name, arguments = node.name.name, [self._value(a, scope) for a in node.args.exprs]
+                operation = "*" if name in _PRODUCTS else name.removesuffix("f")
+                known = self.arithmetic.functions.get(operation)
+                return known(*arguments) if known else self.call(name, *arguments)
+            case _:
+                place = self._place(node, scope)
+                return place.read() if isinstance(place.type, Scalar) else place
+
+    def _choice(self, node: c_ast.TernaryOp, scope: dict[str, Value]) -> Value:
+        condition = self._value(node.cond, scope)
+        if condition in (True, False):
+            return self._value(node.iftrue if condition else node.iffalse, scope)
+        return sp.Piecewise((self._value(node.iftrue, scope), condition),
+                            (self._value(node.iffalse, scope), True))
+
+    def _place(self, node: c_ast.Node, scope: dict[str, Value]) -> Place:
+        match node:
+            case c_ast.ID():
+                return scope[node.name]
+            case c_ast.StructRef():
+                return self._place(node.name, scope).member(node.field.name)
+            case c_ast.ArrayRef():
+                index = self._value(node.subscript, scope)
+                return self._place(node.name, scope).element(index)
+        raise TypeError(f"this reader knows no such C expression: {node}")
+
+
+def _layout(node: c_ast.Node, types: dict[str, Type]) -> Type:
+    match node:
+        case c_ast.IdentifierType():
+            return types.get(node.names[-1]) or Scalar(node.names[-1])
+        case c_ast.Enum():
+            return Scalar("int")
+        case c_ast.ArrayDecl():
+            return Array(_layout(node.type, types), int(node.dim.value))
+        case c_ast.Struct() | c_ast.Union():
+            return _record(node, types)
+    return _layout(node.type, types)
+
+
+def _record(node: c_ast.Struct | c_ast.Union, types: dict[str, Type]) -> Record:
+    members: dict[str, tuple[int, Type]] = {}
+    offset = size = 0
+    for declaration in node.decls:
+        kind = _layout(declaration.type, types)
+        inner = {declaration.name: (0, kind)} if declaration.name else kind.members
+        members |= {name: (offset + start, part) for name, (start, part) in inner.items()}
+        size = max(size, offset + kind.size)
+        offset = size if isinstance(node, c_ast.Struct) else 0
+    return Record(size, members)
+
+
+def _scalars(kind: Type) -> Iterator[str]:
+    match kind:
+        case Scalar():
+            yield kind.name
+        case Array():
+            yield from _scalars(kind.element)
+        case Record():
+            for _, part in kind.members.values():
+                yield from _scalars(part)

@@ -1,0 +1,38 @@
+"""How operations are called in each tier, as users do: gufuncs of plain, C of the tiers behind."""
+
+from pathlib import Path
+
+import numpy as np
+
+import coscrew
+from coscrew_codegen.formats import Precision
+from coscrew_codegen.operations import Operation
+from coscrew_codegen.tiers.table import TIERS
+from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
+from tests.support.truth.attack import Arrays, Implementation, plain_program
+
+# gcc's vectoriser contracts products of alternating signs, whatever -ffp-contract says.
+FLAGS = ("-O2", "-march=native", "-fno-tree-vectorize", EXACT)
+TIER_NAMES = ("plain", *(tier.name for tier in TIERS))
+
+
+def tiers_of(operation: Operation) -> tuple[str, ...]:
+    """The tiers the operation has."""
+    return ("plain", *(tier.name for tier in TIERS if tier.has(plain_program(operation))))
+
+
+def of_tier(folder: Path, tier: str, operations: tuple[Operation, ...]) -> Implementation:
+    """The tier's kernels of these operations; C is compiled in the folder."""
+    if tier == "plain":
+        return _gufunc
+    made = next(t for t in TIERS if t.name == tier)
+    having = tuple(made.operation(op) for op in operations if tier in tiers_of(op))
+    library = harness(folder, COMPILERS[0], FLAGS, tier, having)
+    return lambda operation, precision, inputs: call(library, made.operation(operation), precision,
+                                                     inputs)
+
+
+def _gufunc(operation: Operation, precision: Precision, inputs: Arrays) -> Arrays:
+    with np.errstate(all="ignore"):
+        found = getattr(coscrew, operation.name)(*inputs)
+    return found if isinstance(found, tuple) else (found,)

@@ -1,0 +1,111 @@
+"""Rotations and displacements to try: angles of every size, next to π and to where a series ends.
+
+Rotation matrices and quaternions are rounded from 64 bits or more, so that they are off by rounding
+alone.  Seeded by the operation's name: the same numbers in every run.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from coscrew_codegen.formats import Precision
+from coscrew_codegen.operations import Operation
+
+Rows = np.ndarray
+Generator = np.random.Generator
+WIDE = np.longdouble
+
+
+def motions_of(operation: Operation, precision: Precision, n: int) -> tuple[Rows, ...]:
+    """n rows of every input; of two rotations, apart by less than 170°, for no shorter arc is
+    defined between opposite ones."""
+    rng = np.random.default_rng([*operation.name.encode(), precision.bytes])
+    rows = tuple(DRAW[a.name](rng, 2 * n + 20) for a in operation.inputs)
+    names = [a.name for a in operation.inputs]
+    near = np.full(len(rows[0]), True)
+    if "q2" in names:
+        near = np.abs((rows[0] * rows[1]).sum(axis=1)) > np.cos(np.radians(85))
+    if "D2" in names:
+        cosine = ((rows[0] * rows[1])[..., :3].sum(axis=(1, 2)) - 1) / 2
+        near = cosine > np.cos(np.radians(170))
+    return tuple(x[near][:n].astype(precision.numpy_type) for x in rows)
+
+
+def angles(rng: Generator, n: int) -> Rows:
+    """1e-30 … π on a logarithmic scale, [0, π] uniformly, π - 1e-1 … π - 1e-15, around 2, 0."""
+    kinds = (10**rng.uniform(-30, np.log10(np.pi), n), rng.uniform(0, np.pi, n),
+             np.pi - 10**rng.uniform(-15, -1, n), 2 + 10**rng.uniform(-16, -1, n),
+             2 - 10**rng.uniform(-16, -1, n), np.zeros(n))
+    return _mixed(rng, kinds, (3, 4, 3, 2, 2, 0.2))
+
+
+def axes(rng: Generator, n: int) -> Rows:
+    """Of length 1 to 64 bits: random, nearly in a plane or along an axis, along one."""
+    x = rng.standard_normal((n, 3)).astype(WIDE)
+    small = 10**rng.uniform(-20, -2, (n, 3)) * x
+    axis, plane = (np.eye(3)[rng.integers(0, 3, n)] for _ in range(2))
+    kinds = (x, np.where(plane == 1, small, x), np.where(axis == 1, x, small), axis * x)
+    x = _mixed(rng, kinds, (4, 2, 2, 1))
+    return x / np.sqrt((x * x).sum(axis=1, keepdims=True))
+
+
+def vectors(rng: Generator, n: int) -> Rows:
+    """1e-6 … 1e6 long."""
+    return axes(rng, n) * 10**rng.uniform(-6, 6, (n, 1))
+
+
+def rotation_vectors(rng: Generator, n: int) -> Rows:
+    return axes(rng, n) * angles(rng, n)[:, None]
+
+
+def quaternions(rng: Generator, n: int) -> Rows:
+    """Of norm 1 to 64 bits, w of either sign."""
+    half = angles(rng, n).astype(WIDE)[:, None] / 2
+    q = np.concatenate([np.sin(half) * axes(rng, n), np.cos(half)], axis=1)
+    return q * rng.choice((-1, 1), (n, 1))
+
+
+def multiples(rng: Generator, n: int) -> Rows:
+    """Multiples of quaternions."""
+    return quaternions(rng, n) * 10**rng.uniform(-9, 9, (n, 1))
+
+
+def rotations(rng: Generator, n: int) -> Rows:
+    """The first ones turn by exactly π: about the axes and half-way between two of them."""
+    x, y, z, w = quaternions(rng, n).T
+    R = np.array([[w*w + x*x - y*y - z*z, 2*(x*y - w*z), 2*(x*z + w*y)],
+                  [2*(x*y + w*z), w*w - x*x + y*y - z*z, 2*(y*z - w*x)],
+                  [2*(x*z - w*y), 2*(y*z + w*x), w*w - x*x - y*y + z*z]])
+    R = np.moveaxis(R, 2, 0)
+    half_turns = [2 * np.outer(a, a) / (a @ a) - np.eye(3) for a in np.array(
+        [(1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (1, 0, 1), (0, 1, 1), (1, -1, 0),
+         (1, 0, -1), (0, 1, -1)])]
+    R[:len(half_turns)] = half_turns[:n]
+    return R
+
+
+def displacements(rng: Generator, n: int) -> Rows:
+    return np.concatenate([rotations(rng, n), vectors(rng, n)[:, :, None]], axis=2)
+
+
+def screws(rng: Generator, n: int) -> Rows:
+    return np.concatenate([vectors(rng, n), rotation_vectors(rng, n)], axis=1)
+
+
+def fractions(rng: Generator, n: int) -> Rows:
+    """0, 1, and numbers about [0, 1]."""
+    return _mixed(rng, (rng.uniform(-0.5, 1.5, n), np.zeros(n), np.ones(n)), (8, 1, 1))
+
+
+DRAW: dict[str, Callable[[Generator, int], Rows]] = {
+    "v": rotation_vectors, "s": screws, "R": rotations, "D": displacements, "D1": displacements,
+    "D2": displacements, "q": multiples, "q1": quaternions, "q2": quaternions, "axis": axes,
+    "angle": angles, "k": fractions}
+"""What each input of the operations in motions.py stands for."""
+
+
+def _mixed(rng: Generator, kinds: tuple[Rows, ...], weights: tuple[float, ...]) -> Rows:
+    """Each row from one of the kinds."""
+    n, chances = len(kinds[0]), np.array(weights) / sum(weights)
+    choice = rng.choice(len(kinds), n, p=chances)
+    return np.stack(kinds)[choice, np.arange(n)]

@@ -1,0 +1,1 @@
+"""Scenes that tests share, and what runs them."""

@@ -1,0 +1,37 @@
+"""What tests of effects share: 45 digits, and convergence of motions to their law."""
+
+from collections.abc import Callable, Sequence
+
+from mpmath import mpf
+
+from coscrew_codegen.scene.model import Model
+from coscrew_codegen.scene.scene import Applied
+from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated, Moving
+from tests.support.scenes.mechanisms import scene
+
+TINY = mpf(10)**-45
+
+
+def multiprecise(model: Model, *effects: Applied, **others: object) -> Evaluated:
+    return Evaluated(scene(model, *effects, **others), MULTIPRECISE)
+
+
+def assert_same(found: Sequence, wanted: Sequence) -> None:
+    """Equal to 45 digits of the largest."""
+    size = max(1, *(abs(x) for x in wanted))
+    assert len(found) == len(wanted)
+    for x, y in zip(found, wanted, strict=True):
+        assert abs(x - y) <= TINY * size, (x, y)
+
+
+def assert_reaches(truth: float, run: Callable[[int], float], steps: int, order: int = 4) -> None:
+    """run(n) tends to the truth with n^-order, and to nothing else: at 2n, to a quarter of its
+    error, which must be below a millionth."""
+    coarse, fine = run(steps), run(2 * steps)
+    error = (fine - coarse) / (2**order - 1)
+    assert abs(fine + error - float(truth)) <= abs(error) / 4, (coarse, fine, float(truth))
+    assert abs(error) <= 1e-6 * max(1, abs(truth))
+
+
+def moving(model: Model, *effects: Applied, q: Sequence = (0,), v: Sequence = (0,)) -> Moving:
+    return Moving(scene(model, *effects), q, v)

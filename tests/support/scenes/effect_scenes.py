@@ -1,0 +1,95 @@
+"""A mechanism with all kinds of joints, and effects on it as data: scenes of any of them.
+
+`python -m tests.support.scenes.effect_scenes viscous` prints the hashes of what is
+generated for all effects but viscous: also with a generator that lacks that effect's file.
+"""
+
+import json
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from hashlib import sha256
+
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.scene.model import HERE, Kind, Model
+from coscrew_codegen.scene.scene import Applied, Scene
+from coscrew_codegen.scene_layout import scene_files
+from tests.support.scenes.mechanisms import (
+    Formula,
+    X,
+    Y,
+    Z,
+    applied,
+    at,
+    chain,
+    inertia,
+    numbers,
+    scene,
+)
+
+HALF = Fraction(1, 2)
+TIMED = (Formula("sin(t)"), Fraction(2), Formula("1 - t"))
+
+PLACES: Mapping[str, Sequence[tuple[str, Mapping]]] = {
+    "actuator": [
+        ("j1", {"kind": "pd", "kp": 3, "kd": 2, "target": Formula("t"), "limit": 5}),
+        ("j2", {"kind": "dc", "voltage": 9, "kt": 2, "ke": 1, "R": 3}),
+        ("j1", {"kind": "torque", "torque": Formula("cos(3*t)")})],
+    "armature": [("j1", {"inertia": 3}), ("j2", {"rotor": 1, "gear": 2})],
+    "buoyancy": [("b2", {"rho": 2, "V": HALF, "centre": (0, 1, 0)})],
+    "coulomb": [("j1", {"tau_c": 2, "eps": HALF})],
+    "drag": [("b3", {"rho": 2, "area": HALF, "point": (0, 0, 1)}),
+             ("b0", {"kind": "stokes", "b": 2})],
+    "gravity": [("", {"g": numbers(1, 2, -9)})],
+    "limit": [("j1", {"lower": 1, "k": 9, "alpha": HALF}),
+              ("j2", {"lower": -1, "upper": Fraction(1, 5), "k": 9, "alpha": HALF})],
+    "mimic": [("", {})],
+    "reaction": [("j2", {})],
+    "spring": [("j1", {"k": 7, "q0": 1})],
+    "spring_damper": [
+        ("a", {"bodies": ("world", "b3"), "first": (1, 1, 1), "second": (0, 0, 1), "k": 5, "d": 2,
+               "length": HALF}),
+        ("b", {"bodies": ("b3", "b1"), "first": (1, 0, 1), "k": 3, "length": 1}),
+        ("c", {"bodies": ("b2", "b0"), "first": (1, 2, 1), "d": 3})],
+    "stribeck": [("j2", {"tau_c": 1, "tau_s": 2, "v_s": HALF, "eps": HALF})],
+    "viscous": [("j1", {"d": 2}), ("j2", {"d": 3})],
+    "wrench": [("b3", {"force": TIMED, "torque": TIMED, "point": (1, 0, 1)}),
+               ("b2", {"force": TIMED, "frame": "body"})]}
+
+
+def mechanism() -> Model:
+    """A free body that carries a turning arm, a slider on it, and a ball joint at its end."""
+    full = (3, 4, 5, HALF, Fraction(1, 3), Fraction(-1, 4))
+    return chain((Kind.FREE, Z, HERE, inertia(5, (HALF, 0, 1), full)),
+                 (Kind.REVOLUTE, Y, at(1, 0, HALF), inertia(2, (0, HALF, 1), full)),
+                 (Kind.PRISMATIC, X, at(0, 1, 0), inertia(1, (1, 1, 0), full)),
+                 (Kind.SPHERICAL, Z, at(1, 0, 0), inertia(2, (0, 0, 1), full)))
+
+
+def arm() -> Model:
+    """Its arm and slider alone, on a base that does not move."""
+    whole = mechanism()
+    kinds = (Kind.FIXED, Kind.REVOLUTE, Kind.PRISMATIC, Kind.FIXED)
+    return replace(whole, joints=tuple(replace(joint, kind=kind) for joint, kind in
+                                       zip(whole.joints, kinds, strict=True)))
+
+
+def effects(*names: str) -> tuple[Applied, ...]:
+    """The effects of these names where they act."""
+    return tuple(applied(name, on, **values) for name in names for on, values in PLACES[name])
+
+
+def all_but(name: str) -> Scene:
+    """The scene of all effects but one."""
+    return scene(arm(), *effects(*(x for x in PLACES if x != name)))
+
+
+def hashes(made: Scene) -> dict[str, str]:
+    """Of the text of each file of a scene."""
+    return {path: sha256(text.encode()).hexdigest()
+            for path, text in scene_files(made, derive(made)).items()}
+
+
+if __name__ == "__main__":
+    print(json.dumps(hashes(all_but(sys.argv[1]))))

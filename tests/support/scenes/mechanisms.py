@@ -1,0 +1,135 @@
+"""Small models and scenes for tests, written with exact numbers."""
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.scene.formulas import Formula
+from coscrew_codegen.scene.model import (
+    HERE,
+    WORLD,
+    Body,
+    Inertia,
+    Joint,
+    Kind,
+    Mimic,
+    Model,
+    Parameter,
+    Placement,
+)
+from coscrew_codegen.scene.scene import Applied, Scene, Setting
+
+CATALOGUE = {effect.name: effect for effect in EFFECTS}
+I = HERE.R
+O = (Fraction(0),) * 3
+X, Y, Z = (tuple(Fraction(int(i == k)) for i in range(3)) for k in range(3))
+
+
+def numbers(*values: object) -> tuple[Fraction, ...]:
+    """Exact numbers of integers, of strings such as "0.1", of fractions."""
+    return tuple(x if isinstance(x, Parameter) else Fraction(x) for x in values)
+
+
+def inertia(mass: object, com: tuple = (0, 0, 0), moments: tuple = (0,) * 6) -> Inertia:
+    """Mass, centre of mass, moments xx, yy, zz, xy, xz, yz about it."""
+    return Inertia(numbers(mass)[0], numbers(*com), numbers(*moments))
+
+
+def at(*t: object) -> Placement:
+    """Unturned, here."""
+    return Placement(I, numbers(*t))
+
+
+def applied(name: str, on: str = "", **values: Setting | int) -> Applied:
+    """An effect of the catalogue; what is left out is as its parameters default to."""
+    effect = CATALOGUE[name]
+    found: dict[str, Setting] = {p.name: None if p.default == "model" else p.default
+                                 for p in effect.parameters}
+    chosen = values.get("kind", found.get("kind"))
+    for parameter in effect.parameters:
+        if parameter.of and chosen not in parameter.of:
+            found[parameter.name] = None
+    unknown = set(values) - {*found, "bodies"}
+    if unknown:
+        raise KeyError(f"{name} has no {sorted(unknown)}")
+    return Applied(effect, on, {key: _setting(x) for key, x in {**found, **values}.items()})
+
+
+def _setting(value: object) -> Setting:
+    if isinstance(value, tuple):
+        return tuple(map(_setting, value))
+    return Fraction(value) if isinstance(value, int) and not isinstance(value, bool) else value
+
+
+def gravity(*g: object) -> Applied:
+    """As given; of nothing, 9.81 m/s^2 along -z."""
+    return applied("gravity", g=numbers(*(g or (0, 0, "-9.81"))))
+
+
+def scene(model: Model, *effects: Applied, **others: object) -> Scene:
+    """The scene of these effects, in the order of the catalogue's names."""
+    return Scene(model.name, model, tuple(sorted(effects, key=lambda x: x.effect.name)), **others)
+
+
+def chain(*links: tuple[Kind, tuple, Placement, Inertia], name: str = "chain",
+          **of_joints: Mapping[str, object]) -> Model:
+    """Joints j0, j1, … before bodies b0, b1, …: each link its kind, axis, placement and inertia."""
+    bodies, joints = [], []
+    for n, (kind, axis, placement, body) in enumerate(links):
+        bodies.append(Body(f"b{n}", body))
+        joints.append(Joint(f"j{n}", kind, f"b{n - 1}" if n else WORLD, f"b{n}", placement, axis,
+                            **of_joints.get(f"j{n}", {})))
+    return Model(name, tuple(bodies), tuple(joints))
+
+
+def rotor(J: object = 1) -> Model:
+    """A wheel of moment of inertia J about z, on its axis."""
+    return chain((Kind.REVOLUTE, Z, HERE, inertia(1, moments=(J, J, J, 0, 0, 0))), name="rotor")
+
+
+def slider(mass: object = 1, axis: tuple = X) -> Model:
+    """A mass on a line."""
+    return chain((Kind.PRISMATIC, axis, HERE, inertia(mass)), name="slider")
+
+
+def pendulum(mass: object = 1, length: object = 1) -> Model:
+    """A point mass hung up by a massless rod, which turns about y: at rest it hangs along -z."""
+    return chain((Kind.REVOLUTE, Y, HERE, inertia(mass, (0, 0, -Fraction(length)))),
+                 name="pendulum")
+
+
+def free_body(mass: object = 1, com: tuple = (0, 0, 0),
+              moments: tuple = (1, 1, 1, 0, 0, 0)) -> Model:
+    """A body that nothing holds."""
+    return chain((Kind.FREE, Z, HERE, inertia(mass, com, moments)), name="free_body")
+
+
+def ball(mass: object = 1, com: tuple = (0, 0, 0), moments: tuple = (1, 2, 3, 0, 0, 0)) -> Model:
+    """A body on a spherical joint."""
+    return chain((Kind.SPHERICAL, Z, HERE, inertia(mass, com, moments)), name="ball")
+
+
+def geared(multiplier: object, offset: object = 0, J: tuple = (1, 1)) -> Model:
+    """Two wheels; the second one's joint mimics the first one's."""
+    wheels = [inertia(1, moments=(j, j, j, 0, 0, 0)) for j in J]
+    bodies = (Body("b0", wheels[0]), Body("b1", wheels[1]))
+    return Model("geared", bodies, (
+        Joint("j0", Kind.REVOLUTE, WORLD, "b0"),
+        Joint("j1", Kind.REVOLUTE, WORLD, "b1", at(1, 0, 0),
+              mimic=Mimic("j0", Fraction(multiplier), Fraction(offset)))))
+
+
+__all__ = ["CATALOGUE", "Formula", "I", "O", "X", "Y", "Z", "applied", "at", "ball", "chain",
+           "free_body", "geared", "gravity", "inertia", "numbers", "pendulum", "rotor", "scene",
+           "slider"]
+
+
+def chain_of_three() -> Model:
+    """Two turning arms, a slider along the second; and one that follows the first."""
+    links = chain((Kind.REVOLUTE, Y, HERE, inertia(2, (0, Fraction(1, 2), 1), (1, 2, 3, 0, 0, 0))),
+                  (Kind.REVOLUTE, X, at(0, 1, 0), inertia(3, (0, 1, 1), (1, 2, 2, 0, 0, 0))),
+                  (Kind.PRISMATIC, Y, at(1, 1, 0), inertia(1, (1, 0, 0), (1, 1, 1, 0, 0, 0))))
+    follower = geared(Fraction(-3, 2)).joints[1]
+    return Model(links.name, (*links.bodies, Body("c", inertia(2, (1, 0, 0), (1, 1, 1, 0, 0, 0)))),
+                 (*links.joints, Joint("k", Kind.REVOLUTE, "b1", "c", at(1, 0, 0),
+                                       mimic=follower.mimic)))

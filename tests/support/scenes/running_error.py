@@ -1,0 +1,81 @@
+"""Running error analysis: numbers at 50 digits with a bound of what a precision makes of them."""
+
+from dataclasses import dataclass
+
+import mpmath
+from mpmath import mpf
+
+from coscrew_codegen.program import Constant
+from tests.support.scenes.evaluation import Arithmetic
+
+FUNCTION = 8
+"""Errors of sines and their like, in units: NumPy's are within four spacings."""
+
+
+@dataclass(frozen=True)
+class Bounded:
+    """The exact number, and a bound of |computed - exact| for the unit u."""
+
+    exact: mpf
+    error: mpf
+    u: mpf
+
+    def _rounded(self, exact: mpf, carried: mpf, units: int = 1) -> "Bounded":
+        """`carried` is what the operands' errors make of the result."""
+        return Bounded(exact, carried + units * self.u * (abs(exact) + carried), self.u)
+
+    def __add__(self, other: "Bounded") -> "Bounded":
+        return self._rounded(self.exact + other.exact, self.error + other.error)
+
+    def __sub__(self, other: "Bounded") -> "Bounded":
+        return self._rounded(self.exact - other.exact, self.error + other.error)
+
+    def __mul__(self, other: "Bounded") -> "Bounded":
+        carried = (abs(self.exact) * other.error + abs(other.exact) * self.error
+                   + self.error * other.error)
+        return self._rounded(self.exact * other.exact, carried)
+
+    def __truediv__(self, other: "Bounded") -> "Bounded":
+        exact, left = self.exact / other.exact, abs(other.exact) - other.error
+        assert left > 0, "the divisor may be zero"
+        return self._rounded(exact, (self.error + abs(exact) * other.error) / left)
+
+    def __neg__(self) -> "Bounded":
+        return Bounded(-self.exact, self.error, self.u)
+
+    def __abs__(self) -> "Bounded":
+        return Bounded(abs(self.exact), self.error, self.u)
+
+    def __lt__(self, other: "Bounded") -> bool:
+        sure = abs(self.exact - other.exact) > self.error + other.error or not (
+            self.error or other.error)
+        assert sure, "which is smaller depends on the rounding"
+        return self.exact < other.exact
+
+
+def _root(x: Bounded) -> Bounded:
+    root = mpmath.sqrt(x.exact)
+    return x._rounded(root, x.error / root if root else mpmath.sqrt(x.error))
+
+
+def _contracting(function):
+    """Of slopes within 1."""
+    return lambda x: x._rounded(function(x.exact), x.error, FUNCTION)
+
+
+def _exponential(x: Bounded) -> Bounded:
+    exact = mpmath.exp(x.exact)
+    return x._rounded(exact, exact * mpmath.expm1(x.error), FUNCTION)
+
+
+def bounded(precision: str, u: mpf) -> Arithmetic:
+    """For Programs evaluated in this precision; inputs are its numbers."""
+    def constant(x: Constant) -> Bounded:
+        value = getattr(x, precision)
+        exact = mpf(value.numerator) / value.denominator
+        return Bounded(exact, u * abs(exact), u)
+
+    return Arithmetic(constant, lambda x: x if isinstance(x, Bounded) else
+                      Bounded(mpmath.mpmathify(float(x)), mpf(0), u),
+                      {"sqrt": _root, "exp": _exponential, "sin": _contracting(mpmath.sin),
+                       "cos": _contracting(mpmath.cos), "tanh": _contracting(mpmath.tanh)})

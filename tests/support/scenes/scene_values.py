@@ -1,0 +1,45 @@
+"""Arguments of a scene's functions, drawn; and what of their results is the same."""
+
+from random import Random
+
+import mpmath
+import numpy as np
+from mpmath import mpf
+
+from coscrew_codegen.targets import scene_calls
+from tests.support.scenes.evaluation import Evaluated
+
+UNIT = {"double": 2.0**-53, "single": 2.0**-24}
+SPECIAL = (0.0, -0.0, 1.0, -1.0, 1e-300, 1e30, 5e-324, np.inf, np.nan, 1.5)
+
+
+def inputs(function: scene_calls.Callable, kind: str, *lead: int, special: bool = False):
+    """Arguments of the function, drawn for these leading axes."""
+    draw = np.random.default_rng(len(function.name))
+    with np.errstate(over="ignore", under="ignore"):
+        return [(draw.choice(SPECIAL, (*lead, *shape)) if special else
+                 draw.normal(size=(*lead, *shape))).astype(kind) for _, shape in function.inputs]
+
+
+def same_bits(a: object, b: object) -> bool:
+    """The same arrays or tuples of them: shape, type, bits; any NaN is as good as another."""
+    if isinstance(a, tuple) or isinstance(b, tuple):
+        return isinstance(a, tuple) and isinstance(b, tuple) and all(map(same_bits, a, b))
+    a, b = np.asarray(a), np.asarray(b)
+    return (a.dtype == b.dtype and a.shape == b.shape and bool(np.all(
+        (np.isnan(a) & np.isnan(b)) | ((a == b) & (np.signbit(a) == np.signbit(b))))))
+
+
+def random_state(f: Evaluated, seed: int) -> dict[str, object]:
+    """q with quaternions of norm 1, v, tau, t."""
+    random = Random(seed)
+
+    def draw(n: int) -> list[mpf]:
+        return [mpf(random.randint(-2000, 2000)) / 1000 for _ in range(n)]
+
+    q = draw(f.functions.nq)
+    for c in f.functions.coordinates:
+        if c.kind in ("free", "spherical"):
+            part = slice(c.q.stop - 4, c.q.stop)
+            q[part] = [x / mpmath.norm(q[part]) for x in q[part]]
+    return {"t": mpf("0.4"), "q": q, "v": draw(f.functions.nv), "tau": draw(f.functions.nv)}

@@ -1,0 +1,39 @@
+"""What tests of simulations share: scenes' files, kernels, runs."""
+
+from pathlib import Path
+
+import pytest
+
+from coscrew_codegen import load_scene
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.simulate.plan import plan
+from coscrew_codegen.simulate.run import integrate
+from coscrew_codegen.simulate.system import system
+from tests.support.scenes import scene_texts as texts
+
+
+def scene_file(folder: Path, text: str, name: str = "scene") -> Path:
+    path = folder / f"{name}.toml"
+    path.write_text(text)
+    return path
+
+
+@pytest.fixture(scope="module")
+def kernels(tmp_path_factory):
+    """Kernels by the name of their text."""
+    folder = tmp_path_factory.mktemp("scenes")
+    return {name: load_scene(scene_file(folder, getattr(texts, name), name.lower()))
+            for name in ("PENDULUM", "SPRING", "BRICK", "UNSTABLE")}
+
+
+def run(kernels, precision="double", **asked):
+    its = system(kernels, precision)
+    return integrate(its, plan(its, **asked))
+
+
+def told(path, capsys, command: str, text: str, *words: str) -> tuple[int, str]:
+    """The command's exit status and what it says."""
+    path.write_text(text)
+    status = main([command, str(path), *words])
+    said = capsys.readouterr()
+    return status, said.out + said.err

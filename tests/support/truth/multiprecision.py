@@ -1,0 +1,216 @@
+"""Emitted text and kernels evaluated in 60 digits, with their constants as emitted.
+
+In exact arithmetic the corrections of rounding errors vanish, and with them any mistake in them.
+So, where asked for, roots, quotients, multiples of GRID, sums with them, and squares of such sums,
+which are exact if they are right, are rounded as in the kernel's precision; all else never is.
+"""
+
+import operator
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache, cached_property, partial, reduce
+from types import FunctionType
+
+import mpmath as mp
+import numpy as np
+import sympy as sp
+
+from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.kernel import Kernel
+from coscrew_codegen.operations import OPERATIONS, PER_PRECISION, scaled
+from coscrew_codegen.operations.operation import GRID
+from coscrew_codegen.program import Op
+from tests.support.compiled.c_reader import Arithmetic
+from tests.support.truth.attack import plain_program
+
+DIGITS = 60
+
+
+@dataclass(frozen=True)
+class Rules:
+    """How numbers come to be: constants rounded to a precision or not, likewise some operations."""
+
+    precision: Precision
+    rounds: bool = False
+    exact: bool = False  # constants as the formulas have them
+
+    def number(self, value: object) -> "Number":
+        return value if isinstance(value, Number) else Number(mp.mpmathify(value), self)
+
+    def literal(self, text: str) -> "Number":
+        """The number of this precision the text stands for."""
+        return self.number(float(np.dtype(self.precision.numpy_type).type(text)))
+
+    def constant(self, value: sp.Rational) -> "Number":
+        if self.exact:
+            return self.number(mp.mpf(int(value.p)) / int(value.q))
+        return self.number(_rounded(self.precision, value))
+
+    def named(self, symbol: sp.Symbol) -> "Number":
+        return self.constant(PER_PRECISION[symbol][PRECISIONS.index(self.precision)])
+
+    def rounded(self, function: Callable, *values: mp.mpf) -> mp.mpf:
+        if not self.rounds:
+            return function(*values)
+        with mp.workprec(np.finfo(self.precision.numpy_type).nmant + 1):
+            return function(*values)
+
+    @cached_property
+    def grid(self) -> int:
+        return int(PER_PRECISION[GRID][PRECISIONS.index(self.precision)])
+
+    def sum(self, function: Callable, x: "Number", y: object) -> "Number":
+        on_grid = x.is_grid or getattr(y, "is_grid", False)
+        found = x._with(partial(self.rounded, function) if on_grid else function, y)
+        found.on_grid = on_grid
+        return found
+
+    def product(self, x: "Number", y: object) -> "Number":
+        square = x.on_grid and getattr(y, "on_grid", False) and x.value == y.value
+        is_grid = self.grid in (x.value, value_of(y))
+        found = x._with(partial(self.rounded, operator.mul) if square or is_grid else
+                        operator.mul, y)
+        found.is_grid = is_grid
+        return found
+
+    def quotient(self, x: mp.mpf, y: mp.mpf) -> mp.mpf:
+        return self.rounded(operator.truediv, x, y)
+
+    def root(self, x: mp.mpf) -> mp.mpf:
+        return self.rounded(mp.sqrt, x) if x >= 0 else mp.nan
+
+
+@cache
+def _rounded(precision: Precision, value: sp.Rational) -> float:
+    return float(precision.rounded(Fraction(int(value.p), int(value.q))))
+
+
+class Number:
+    """A number under rules."""
+
+    def __init__(self, value: mp.mpf, rules: Rules):
+        self.value, self.rules = value, rules
+        self.is_grid = False  # a multiple of GRID
+        self.on_grid = False  # a sum with one
+
+    def _with(self, function: Callable, *others: object) -> "Number":
+        return Number(function(self.value, *map(value_of, others)), self.rules)
+
+    def __add__(self, other): return self.rules.sum(operator.add, self, other)
+    def __sub__(self, other): return self.rules.sum(operator.sub, self, other)
+    def __rsub__(self, other): return -self + other
+    def __mul__(self, other): return self.rules.product(self, other)
+    def __truediv__(self, other): return self._with(self.rules.quotient, other)
+    def __rtruediv__(self, other): return self.rules.number(other) / self
+    def __neg__(self): return self._with(operator.neg)
+    def __lt__(self, other): return bool(self.value < value_of(other))
+    def __gt__(self, other): return bool(self.value > value_of(other))
+    def __eq__(self, other): return bool(self.value == value_of(other))
+    __radd__, __rmul__, __hash__ = __add__, __mul__, None
+
+    def sqrt(self) -> "Number":
+        return self._with(self.rules.root)
+
+
+def value_of(x: "Number | int") -> mp.mpf:
+    if not isinstance(x, (Number, int)):
+        raise TypeError(f"{x!r} came in beside the rules")
+    return x.value if isinstance(x, Number) else mp.mpf(x)
+
+
+_FUNCTIONS = {
+    "abs": lambda x: x._with(abs), "sqrt": Number.sqrt, "sin": lambda x: x._with(mp.sin),
+    "cos": lambda x: x._with(mp.cos), "atan2": lambda y, x: y._with(mp.atan2, x)}
+
+_SYMPY = {sp.Equality: operator.eq, scaled: operator.mul, sp.Abs: _FUNCTIONS["abs"],
+          sp.sin: _FUNCTIONS["sin"], sp.cos: _FUNCTIONS["cos"], sp.atan2: _FUNCTIONS["atan2"]}
+
+
+def can_evaluate(expression: sp.Expr) -> bool:
+    """Whether it holds no functions that only stand for something, as formulas may."""
+    return {type(f) for f in expression.atoms(sp.Function)} <= {*_SYMPY, sp.Piecewise}
+
+
+def c_arithmetic(rules: Rules) -> Arithmetic:
+    """C's operators and functions under these rules."""
+    operators = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
+                 "<": operator.lt, "==": operator.eq, "fabs": _FUNCTIONS["abs"]}
+    return Arithmetic(rules.literal, operators | _FUNCTIONS)
+
+
+def python_function(function: FunctionType, rules: Rules) -> FunctionType:
+    """A kernel's Python function under these rules."""
+    names = {"absolute": _FUNCTIONS["abs"], "sqrt": Number.sqrt, "sin": _FUNCTIONS["sin"],
+             "cos": _FUNCTIONS["cos"], "arctan2": _FUNCTIONS["atan2"],
+             "where": lambda test, x, y: rules.number(x if test else y),
+             "float64": rules.number, "float32": rules.number, "nan": rules.number(mp.nan)}
+    constants = tuple(rules.literal(repr(x)) if isinstance(x, float) else x
+                      for x in function.__code__.co_consts)
+    return FunctionType(function.__code__.replace(co_consts=constants),
+                        function.__globals__ | names, function.__name__)
+
+
+class Evaluator:
+    """SymPy expressions under rules; `seen` collects the conditions met and how they came out."""
+
+    def __init__(self, rules: Rules, values: Mapping[sp.Symbol, Number]):
+        self.rules, self.values = rules, dict(values)
+        self.seen: set[tuple[sp.Basic, bool]] = set()
+
+    def kernel(self, kernel: Kernel) -> list[Number]:
+        """Every component of every output."""
+        for binding in kernel.bindings:
+            self.values[binding.symbol] = self(binding.expression)
+        return [self(x) for x in kernel.values]
+
+    def __call__(self, x: sp.Basic) -> Number | bool:
+        if x.is_Symbol:
+            return self.rules.named(x) if x in PER_PRECISION else self.values[x]
+        if x is sp.nan:
+            return self.rules.number(mp.nan)
+        if x.is_Rational:
+            return self.rules.constant(x)
+        if isinstance(x, sp.Piecewise):
+            return next(self(value) for value, test in x.args
+                        if test == sp.true or self.holds(test))
+        if x.is_Pow or x.is_Mul:
+            return self._product(x)
+        if isinstance(x, sp.ITE):
+            test, yes, no = x.args
+            return self(yes if self(test) else no)
+        if isinstance(x, (sp.StrictLessThan, sp.StrictGreaterThan)):
+            return self(x.lts) < self(x.gts)
+        return self._by_type(x, [self(argument) for argument in x.args])
+
+    def _by_type(self, x: sp.Basic, values: list) -> Number | bool:
+        kind = type(x)
+        if kind in (sp.Add, sp.And):
+            return reduce({sp.Add: operator.add, sp.And: operator.and_}[kind], values)
+        return _SYMPY[kind](*values)
+
+    def holds(self, test: sp.Basic) -> bool:
+        for part in sp.And.make_args(test):
+            result = self(part)
+            self.seen.add((part, result))
+            if not result:
+                return False
+        return True
+
+    def _product(self, x: sp.Expr) -> Number:
+        """Factors with negative exponents divide, all at once."""
+        factors = [factor.as_base_exp() for factor in sp.Mul.make_args(x)]
+        above = [self._power(*x) for x in factors if not x[1].is_negative] or [self.rules.number(1)]
+        below = [self._power(base, -exponent) for base, exponent in factors if exponent.is_negative]
+        product = reduce(operator.mul, above)
+        return product / reduce(operator.mul, below) if below else product
+
+    def _power(self, base: sp.Expr, exponent: sp.Rational) -> Number:
+        x = self(base)
+        if exponent == sp.Rational(1, 2):
+            return x.sqrt()
+        return reduce(operator.mul, [x] * int(exponent))
+
+
+SYMBOLIC = {Op.ADD, Op.SUB, Op.MUL, Op.DIV, Op.NEG, Op.SIN, Op.COS}
+NUMERIC = tuple(op for op in OPERATIONS if not set(plain_program(op).counts) <= SYMBOLIC)

@@ -1,0 +1,53 @@
+"""Tests are where one looks for them: test modules in folders by subject, what they share apart."""
+
+import ast
+from pathlib import Path
+
+TESTS = Path(__file__).parent
+SUBJECTS = ("laws", "emitted", "tiers", "scenes", "commands", "peers")
+MODULES = {path: ast.parse(path.read_text(encoding="utf-8")) for path in TESTS.rglob("*.py")}
+
+
+def is_test(path: Path) -> bool:
+    return path.name.startswith("test_")
+
+
+def imported(tree: ast.Module) -> set[str]:
+    """The modules a module may mean by its imports, in functions too."""
+    found = {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import)
+             for alias in node.names}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom):
+            module = "." * node.level + (node.module or "")
+            found |= {module, *(f"{module}.{alias.name}" for alias in node.names)}
+    return found
+
+
+def test_tests_stand_in_the_folder_of_their_subject():
+    allowed = {TESTS / folder for folder in SUBJECTS}
+    stray = {str(path.relative_to(TESTS)) for path in MODULES
+             if is_test(path) and path != Path(__file__) and path.parent not in allowed}
+    assert not stray, f"move {sorted(stray)} to one of tests/{{{','.join(SUBJECTS)}}}"
+    for folder in SUBJECTS:
+        assert any(map(is_test, (TESTS / folder).iterdir())), folder
+
+
+def test_no_module_imports_a_test():
+    for path, tree in MODULES.items():
+        tests = {name for name in imported(tree) if ".test_" in f".{name}"}
+        assert not tests, f"{path.relative_to(TESTS)}: move what it needs of {tests} to support/"
+
+
+def test_support_holds_no_test():
+    for path, tree in MODULES.items():
+        if not is_test(path):
+            named = [node.name for node in ast.walk(tree)
+                     if isinstance(node, ast.FunctionDef | ast.ClassDef)
+                     and node.name.startswith(("test_", "Test"))]
+            assert not named, f"{path.relative_to(TESTS)}: nothing collects {named}"
+
+
+def test_folders_say_what_they_hold():
+    for folder in {path.parent for path in MODULES}:
+        assert (folder / "__init__.py").exists(), f"{folder} has no __init__.py"
+        assert ast.get_docstring(MODULES[folder / "__init__.py"]), f"{folder}: no docstring"

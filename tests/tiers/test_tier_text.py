@@ -1,0 +1,234 @@
+"""What the emitted text of each tier computes is identically its operation's truth.
+
+In exact arithmetic rounding errors are zero, so a compensated kernel must reduce to the formula;
+and when each result whose error it computes is off by some h, its own must be off by h² only.  A
+sum hi + lo, which makes up for its own error whatever it is, must have none to make up for besides.
+A certified bound must be C S, and C count the roundings, but for what covers underflow.  C is read
+here as the few forms it has: `const double a = …, b = …;`, `out->m0 = …;`, `return …;`.
+"""
+
+import operator
+import random
+import re
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+
+import pytest
+import sympy as sp
+
+import coscrew.accurate
+from coscrew_codegen.exact import exact_functions
+from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.operations import Operation
+from coscrew_codegen.program import scales
+from coscrew_codegen.quantity import Argument
+from coscrew_codegen.targets.c import c_name, member, returned
+from coscrew_codegen.tiers.table import TIERS
+from tests.support.compiled.c_reader import INCLUDE
+from tests.support.truth.attack import TIERED, bounds, plain_program
+
+EXACTLY = {
+    "ksl_product_error": lambda a, b, p: a * b - p,
+    "ksl_product_sum": lambda a, b, c: a * b + c,
+    "ksl_product_rest": lambda a, b, p, h: a * b - h,
+    "KSL_MUL": operator.mul, "KSL_MULF": operator.mul, "exactly": Fraction,
+    "fabs": abs, "fabsf": abs,
+    "fma": lambda a, b, c: a * b + c, "fmaf": lambda a, b, c: a * b + c,
+}
+# Results that have their error computed: p of product_error(…, p) and product_rest(…, p, h), and
+# sums of which a summand's share is taken.
+COMPENSATED = re.compile(r"_error\([^()]*, (\w+)\)|_rest\([^()]*, (\w+), \w+\)|(\w+)_right =")
+NORMALIZED = re.compile(r"(\w+_of_\w+)_right =")  # sums hi + lo that take their place
+ERROR = re.compile(r"\w+_(error|rest|lo\d?) = ")
+TEXT = {tier: "".join(path.read_text() for path in INCLUDE.glob(f"*_{tier}.h"))
+        for tier in ("fused", "accurate", "certified")}
+
+MOST_SIGNS = 30  # flipped in a text
+
+TAU = sp.Symbol("tau", positive=True)  # what is added for underflow
+
+operations = pytest.mark.parametrize("operation", TIERED, ids=lambda op: op.name)
+precisions = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+tiers = pytest.mark.parametrize("tier", TEXT)
+
+
+def spread(found: Sequence[re.Match]) -> Sequence[re.Match]:
+    """All of them or, of many, MOST_SIGNS or fewer, evenly spread."""
+    return found[::-(-len(found) // MOST_SIGNS) or 1]
+
+
+def body(operation: Operation, precision: Precision, tier: str) -> str:
+    """The text between the braces of the operation's function."""
+    name = f"{c_name(operation.name, precision)}_{tier}"
+    text = re.search(rf"\b{name}\([^)]*\) {{\n(.*?)\n}}\n", TEXT[tier], re.DOTALL)[1]
+    if operation.by_value:  # as if by address
+        passed = "|".join(a.name for a in (*operation.inputs, *operation.outputs)
+                          if a.quantity.shape)
+        text = re.sub(rf"\b({passed})\.", r"\1->", text)
+        text = re.sub(rf" *(ksl_\w+_t|return) ({passed});\n?", "", text)
+    return text
+
+
+def names(argument: Argument) -> list[str]:
+    """How the text names the argument's components, as Python identifiers."""
+    return [identifier(f"{argument.name}{member(argument.quantity, i).replace('.', '->', 1)}")
+            for i in range(argument.quantity.size)]
+
+
+def identifier(text: str) -> str:
+    """D->m03, B->h.x, M->at[1][2], dc[0] as identifiers; casts removed, literals exact."""
+    text = re.sub(r"\((double|float)\)", "", text)
+    text = re.sub(r"(?<![\w.])(\d+\.\d*(?:e[-+]?\d+)?|\d+e[-+]?\d+)f?\b", r"exactly(\1)", text)
+    text = re.sub(r"(\w+)->(\w+)(?:\.([xyz]))?", r"\1__\2\3", text)
+    return re.sub(r"(?<=\w)\[(\d)\](?:\[(\d)\])?", r"_\1\2", text)
+
+
+def made(operation: Operation, tier: str) -> Operation:
+    """The operation as the tier has it: a certified one has bounds among its outputs."""
+    return next(t for t in TIERS if t.name == tier).operation(operation)
+
+
+def evaluated(text: str, operation: Operation, inputs: Sequence[object],
+              errors: Callable[[], object] = int, largest_error: Fraction | None = None,
+              normalized: bool = True) -> tuple[object, ...] | None:
+    """Run the body on these input components; `errors` gives the error of each result that has its
+    error computed, of sums hi + lo if `normalized`.  None if a computed error is larger than the
+    largest, or one of a sum that has none."""
+    memory: dict[str, object] = dict(EXACTLY)
+    components = iter(inputs)
+    for argument in operation.inputs:
+        memory |= {name: next(components) for name in names(argument)}
+    compensated = {name for names in COMPENSATED.findall(text) for name in names if name}
+    exact = () if normalized else NORMALIZED.findall(text)
+    result = None
+    for statement in filter(None, (part.strip() for part in text.split(";"))):
+        statement = identifier(re.sub(r"\s+", " ", statement))
+        if statement.startswith("return "):
+            result = eval(statement.removeprefix("return "), memory)
+            continue
+        assigned = re.sub(r"^const (double|float) ", "", statement)
+        for assignment in re.split(r", (?=\w+ = )", assigned):
+            exec(assignment.lstrip("*"), memory)
+            name = assignment.split(" ")[0]
+            if name in compensated and name not in exact:
+                memory[name] += errors()
+            if name.removesuffix("_lo") in exact and name not in exact and memory[name]:
+                return None
+            if largest_error and ERROR.match(assignment):
+                if abs(memory[name]) > largest_error:
+                    return None
+    value = returned(operation)
+    return tuple(result if argument == value and not operation.by_value else memory[name]
+                 for argument in operation.outputs for name in names(argument))
+
+
+def is_truth(found: tuple[sp.Expr, ...], operation: Operation) -> bool:
+    return all(sp.expand(x - y) == 0 for x, y in zip(found, operation.truth(), strict=True))
+
+
+class Size:
+    """A sum of absolute values: what arithmetic makes of it when no sign counts."""
+
+    def __init__(self, value: sp.Expr):
+        self.value = value
+
+    def __add__(self, other: "Size | Fraction") -> "Size":
+        if not isinstance(other, Size):
+            other = Size(TAU if 0 < other < 1e-20 else sp.Rational(abs(other)))
+        return Size(self.value + other.value)
+
+    def __mul__(self, other: "Size") -> "Size":
+        return Size(self.value * other.value)
+
+    def __rmul__(self, constant: Fraction) -> "Size":
+        return Size(sp.Rational(constant) * self.value)
+
+    def __abs__(self) -> "Size":
+        return self
+
+    __sub__ = __radd__ = __rsub__ = __add__
+    __neg__ = __abs__
+
+
+@precisions
+@operations
+def test_a_certified_bound_is_a_multiple_of_the_terms(operation: Operation, precision: Precision):
+    """C S for τ = 0; C / u is plain's c1 and the last rounding, and hardly more.  Where products
+    are summed, something is left for all inputs 0."""
+    u = sp.Rational(1, {"double": 2**53, "single": 2**24}[precision.name])
+    symbols = [symbol for a in operation.inputs for symbol in a.symbols]
+    found = evaluated(body(operation, precision, "certified"), made(operation, "certified"),
+                      list(map(Size, symbols)))
+    plain_bounds = bounds(operation, precision, "plain")
+    for bound, (_, terms), plain in zip(found[len(found) // 2:], exact_functions(operation),
+                                        plain_bounds, strict=True):
+        S = sp.expand(terms(*symbols))
+        if not plain.rounded:
+            assert bound == 0
+            continue
+        C = sp.cancel(sp.expand(bound.value.subs(TAU, 0)) / S)
+        roundings = sp.Rational(plain.c1.numerator, plain.c1.denominator) + 1
+        # Scalings are counted as roundings.
+        scalings = 2 * any(map(scales, plain_program(operation).instructions))
+        most = sp.ceiling(roundings) + scalings  # c1 may be a mean over equal monomials
+        assert C.is_Rational and roundings * u < C < most * u * (1 + 16 * u)
+        assert bound.value.has(TAU) or all(len(m) == 1 for m in plain.terms)
+
+
+@tiers
+@precisions
+@operations
+def test_c_is_its_truth(operation: Operation, precision: Precision, tier: str):
+    symbols = [symbol for a in operation.inputs for symbol in a.symbols]
+    found = evaluated(body(operation, precision, tier), made(operation, tier), symbols)
+    assert is_truth(found[:len(operation.truth())], operation)
+
+
+def first_order_error(text: str, operation: Operation) -> bool:
+    """Whether errors of size h in the results that are compensated leave errors of that order."""
+    numbers, h = random.Random(operation.name), Fraction(1, 10**30)
+    inputs = [Fraction(numbers.randrange(1, 1000), 8)
+              for a in operation.inputs for _ in range(a.quantity.size)]
+    for normalized in (True, False) if NORMALIZED.search(text) else (True,):
+        found = evaluated(text, operation, inputs, lambda: h * numbers.randrange(1, 1000),
+                          h * 10**9, normalized)
+        if found is None or any(abs(x - exact(*inputs)) > h / 10**9 for x, (exact, _) in
+                                zip(found, exact_functions(operation), strict=True)):
+            return True
+    return False
+
+
+@operations
+def test_a_flipped_sign_in_a_bound_is_noticed(operation: Operation):
+    """Any of them changes a result or a bound for positive inputs: of many, a part is tried."""
+    text, numbers = body(operation, PRECISIONS[0], "certified"), random.Random(operation.name)
+    inputs = [Fraction(numbers.randrange(1, 1000), 8)
+              for a in operation.inputs for _ in range(a.quantity.size)]
+    right = evaluated(text, made(operation, "certified"), inputs)
+    for sign in spread(list(re.finditer(r"(?<= )[+-](?= )", text))):
+        flipped = text[:sign.start()] + {"+": "-", "-": "+"}[sign[0]] + text[sign.end():]
+        assert evaluated(flipped, made(operation, "certified"), inputs) != right, flipped
+
+
+@pytest.mark.parametrize("tier", ("fused", "accurate"))
+@operations
+def test_a_flipped_sign_is_noticed(operation: Operation, tier: str):
+    text = body(operation, PRECISIONS[0], tier)
+    assert not first_order_error(text, operation)
+    signs = re.finditer(r"(?<= )[+-](?= )|(?<=fma\()-|(?<=, )-(?=\w)", text)
+    for sign in spread(list(signs)):
+        flipped = text[:sign.start()] + {"+": "-", "-": "+"}[sign[0]] + text[sign.end():]
+        assert first_order_error(flipped, operation), flipped
+
+
+@precisions
+@operations
+def test_python_is_its_truth(operation: Operation, precision: Precision,
+                             monkeypatch: pytest.MonkeyPatch):
+    kernels = getattr(coscrew.accurate, precision.name)
+    kernel: Callable = getattr(kernels, operation.name).__wrapped__
+    for name in ("product_error", "product_rest"):
+        if name in kernel.__globals__:
+            monkeypatch.setitem(kernel.__globals__, name, EXACTLY[f"ksl_{name}"])
+    found = kernel(*(a.symbols if a.quantity.shape else a.value for a in operation.inputs))
+    assert is_truth(found if isinstance(found, tuple) else (found,), operation)
