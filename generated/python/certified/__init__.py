@@ -15,7 +15,7 @@ import sys
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "31eae21a9653346d")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "10c8e9dfc6e50442")
 
 if COMPILED:
     from coscrew.certified._gufunc import (
@@ -39,10 +39,12 @@ if COMPILED:
         add_vvzinv,
         vec4_scale,
         vec4_scaled,
+        acceleration_tensor,
         mat3x3_determinant,
         mat3x3_setFromAxisDC,
         SE3_invert,
         SE3_inverted,
+        mat6x6_transformed,
         product_drv,
         product_drvinv,
         product_drinvv,
@@ -209,6 +211,7 @@ if COMPILED:
         spatial_inertia_from_com,
         product_Bs,
         spatial_inertia_energy,
+        spatial_inertia_net_wrench,
         spatial_inertia_shifted,
         spatial_inertia_transformed,
     )
@@ -234,10 +237,12 @@ else:
         add_vvzinv,
         vec4_scale,
         vec4_scaled,
+        acceleration_tensor,
         mat3x3_determinant,
         mat3x3_setFromAxisDC,
         SE3_invert,
         SE3_inverted,
+        mat6x6_transformed,
         product_drv,
         product_drvinv,
         product_drinvv,
@@ -404,6 +409,7 @@ else:
         spatial_inertia_from_com,
         product_Bs,
         spatial_inertia_energy,
+        spatial_inertia_net_wrench,
         spatial_inertia_shifted,
         spatial_inertia_transformed,
     )
@@ -440,10 +446,12 @@ __all__ = [
     "add_vvzinv",
     "vec4_scale",
     "vec4_scaled",
+    "acceleration_tensor",
     "mat3x3_determinant",
     "mat3x3_setFromAxisDC",
     "SE3_invert",
     "SE3_inverted",
+    "mat6x6_transformed",
     "product_drv",
     "product_drvinv",
     "product_drinvv",
@@ -610,6 +618,7 @@ __all__ = [
     "spatial_inertia_from_com",
     "product_Bs",
     "spatial_inertia_energy",
+    "spatial_inertia_net_wrench",
     "spatial_inertia_shifted",
     "spatial_inertia_transformed",
 ]

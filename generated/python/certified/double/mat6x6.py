@@ -1,0 +1,341 @@
+# Made by `coscrew generate`; changes are overwritten.
+# SPDX-License-Identifier: MIT
+# coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
+"""6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them, and symmetric
+
+In double precision, certified tier.
+"""
+
+from numpy import absolute
+from coscrew._kernel import double_kernel as kernel
+
+
+@kernel("(3,4),(6,6)->(6,6),(6,6)")
+def mat6x6_transformed(D, M):
+    """Mo = [Ad]*(D) M [Ad]^-1(D), M symmetric, of which the lower triangle is read: an articulated
+    inertia in the frame D takes its own to; |error of Mo| <= Mo_bound unless inf or NaN.
+
+    (3,4),(6,6)->(6,6),(6,6).  D: displacement [R | t], R rotation, t in m; M, Mo, Mo_bound: 6×6
+    operator.
+    306 mul, 332 add, 93 abs.
+    """
+    D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
+    (M_00, M_01, M_02, M_03, M_04, M_05, M_10, M_11, M_12, M_13, M_14, M_15, M_20, M_21, M_22, M_23,
+        M_24, M_25, M_30, M_31, M_32, M_33, M_34, M_35, M_40, M_41, M_42, M_43, M_44, M_45, M_50,
+        M_51, M_52, M_53, M_54, M_55) = M
+    RM_0a = D_00 * M_00
+    RM_0b = D_01 * M_10
+    RM_0d = D_02 * M_20
+    RM_0 = RM_0a + RM_0b + RM_0d
+    RM_1a = D_00 * M_10
+    RM_1b = D_01 * M_11
+    RM_1d = D_02 * M_21
+    RM_1 = RM_1a + RM_1b + RM_1d
+    RM_2a = D_00 * M_20
+    RM_2b = D_01 * M_21
+    RM_2d = D_02 * M_22
+    RM_2 = RM_2a + RM_2b + RM_2d
+    RM_3a = D_10 * M_00
+    RM_3b = D_11 * M_10
+    RM_3d = D_12 * M_20
+    RM_3 = RM_3a + RM_3b + RM_3d
+    RM_4a = D_10 * M_10
+    RM_4b = D_11 * M_11
+    RM_4d = D_12 * M_21
+    RM_4 = RM_4a + RM_4b + RM_4d
+    RM_5a = D_10 * M_20
+    RM_5b = D_11 * M_21
+    RM_5d = D_12 * M_22
+    RM_5 = RM_5a + RM_5b + RM_5d
+    RM_6a = D_20 * M_00
+    RM_6b = D_21 * M_10
+    RM_6d = D_22 * M_20
+    RM_6 = RM_6a + RM_6b + RM_6d
+    RM_7a = D_20 * M_10
+    RM_7b = D_21 * M_11
+    RM_7d = D_22 * M_21
+    RM_7 = RM_7a + RM_7b + RM_7d
+    RM_8a = D_20 * M_20
+    RM_8b = D_21 * M_21
+    RM_8d = D_22 * M_22
+    RM_8 = RM_8a + RM_8b + RM_8d
+    linear_0 = D_00 * RM_0 + D_01 * RM_1 + D_02 * RM_2
+    linear_1 = D_10 * RM_0 + D_11 * RM_1 + D_12 * RM_2
+    linear_2 = D_20 * RM_0 + D_21 * RM_1 + D_22 * RM_2
+    linear_3 = D_10 * RM_3 + D_11 * RM_4 + D_12 * RM_5
+    linear_4 = D_20 * RM_3 + D_21 * RM_4 + D_22 * RM_5
+    linear_5 = D_20 * RM_6 + D_21 * RM_7 + D_22 * RM_8
+    RH_0a = D_00 * M_30
+    RH_0b = D_01 * M_40
+    RH_0d = D_02 * M_50
+    RH_0 = RH_0a + RH_0b + RH_0d
+    RH_1a = D_00 * M_31
+    RH_1b = D_01 * M_41
+    RH_1d = D_02 * M_51
+    RH_1 = RH_1a + RH_1b + RH_1d
+    RH_2a = D_00 * M_32
+    RH_2b = D_01 * M_42
+    RH_2d = D_02 * M_52
+    RH_2 = RH_2a + RH_2b + RH_2d
+    RH_3a = D_10 * M_30
+    RH_3b = D_11 * M_40
+    RH_3d = D_12 * M_50
+    RH_3 = RH_3a + RH_3b + RH_3d
+    RH_4a = D_10 * M_31
+    RH_4b = D_11 * M_41
+    RH_4d = D_12 * M_51
+    RH_4 = RH_4a + RH_4b + RH_4d
+    RH_5a = D_10 * M_32
+    RH_5b = D_11 * M_42
+    RH_5d = D_12 * M_52
+    RH_5 = RH_5a + RH_5b + RH_5d
+    RH_6a = D_20 * M_30
+    RH_6b = D_21 * M_40
+    RH_6d = D_22 * M_50
+    RH_6 = RH_6a + RH_6b + RH_6d
+    RH_7a = D_20 * M_31
+    RH_7b = D_21 * M_41
+    RH_7d = D_22 * M_51
+    RH_7 = RH_7a + RH_7b + RH_7d
+    RH_8a = D_20 * M_32
+    RH_8b = D_21 * M_42
+    RH_8d = D_22 * M_52
+    RH_8 = RH_8a + RH_8b + RH_8d
+    coupling_0 = D_00 * RH_0 + D_01 * RH_1 + D_02 * RH_2
+    coupling_1 = D_10 * RH_0 + D_11 * RH_1 + D_12 * RH_2
+    coupling_2 = D_20 * RH_0 + D_21 * RH_1 + D_22 * RH_2
+    coupling_3 = D_00 * RH_3 + D_01 * RH_4 + D_02 * RH_5
+    coupling_4 = D_10 * RH_3 + D_11 * RH_4 + D_12 * RH_5
+    coupling_5 = D_20 * RH_3 + D_21 * RH_4 + D_22 * RH_5
+    coupling_6 = D_00 * RH_6 + D_01 * RH_7 + D_02 * RH_8
+    coupling_7 = D_10 * RH_6 + D_11 * RH_7 + D_12 * RH_8
+    coupling_8 = D_20 * RH_6 + D_21 * RH_7 + D_22 * RH_8
+    RI_0a = D_00 * M_33
+    RI_0b = D_01 * M_43
+    RI_0d = D_02 * M_53
+    RI_0 = RI_0a + RI_0b + RI_0d
+    RI_1a = D_00 * M_43
+    RI_1b = D_01 * M_44
+    RI_1d = D_02 * M_54
+    RI_1 = RI_1a + RI_1b + RI_1d
+    RI_2a = D_00 * M_53
+    RI_2b = D_01 * M_54
+    RI_2d = D_02 * M_55
+    RI_2 = RI_2a + RI_2b + RI_2d
+    RI_3a = D_10 * M_33
+    RI_3b = D_11 * M_43
+    RI_3d = D_12 * M_53
+    RI_3 = RI_3a + RI_3b + RI_3d
+    RI_4a = D_10 * M_43
+    RI_4b = D_11 * M_44
+    RI_4d = D_12 * M_54
+    RI_4 = RI_4a + RI_4b + RI_4d
+    RI_5a = D_10 * M_53
+    RI_5b = D_11 * M_54
+    RI_5d = D_12 * M_55
+    RI_5 = RI_5a + RI_5b + RI_5d
+    RI_6a = D_20 * M_33
+    RI_6b = D_21 * M_43
+    RI_6d = D_22 * M_53
+    RI_6 = RI_6a + RI_6b + RI_6d
+    RI_7a = D_20 * M_43
+    RI_7b = D_21 * M_44
+    RI_7d = D_22 * M_54
+    RI_7 = RI_7a + RI_7b + RI_7d
+    RI_8a = D_20 * M_53
+    RI_8b = D_21 * M_54
+    RI_8d = D_22 * M_55
+    RI_8 = RI_8a + RI_8b + RI_8d
+    angular_0 = D_00 * RI_0 + D_01 * RI_1 + D_02 * RI_2
+    angular_1 = D_10 * RI_0 + D_11 * RI_1 + D_12 * RI_2
+    angular_2 = D_20 * RI_0 + D_21 * RI_1 + D_22 * RI_2
+    angular_3 = D_10 * RI_3 + D_11 * RI_4 + D_12 * RI_5
+    angular_4 = D_20 * RI_3 + D_21 * RI_4 + D_22 * RI_5
+    angular_5 = D_20 * RI_6 + D_21 * RI_7 + D_22 * RI_8
+    G_0a = D_13 * linear_2
+    G_0b = D_23 * linear_1
+    G_0 = G_0a - G_0b + coupling_0
+    G_1 = D_13 * linear_4 - D_23 * linear_3 + coupling_1
+    G_2 = D_13 * linear_5 - D_23 * linear_4 + coupling_2
+    G_3 = D_23 * linear_0 - D_03 * linear_2 + coupling_3
+    G_4a = D_03 * linear_4
+    G_4 = G_0b - G_4a + coupling_4
+    G_5 = D_23 * linear_2 - D_03 * linear_5 + coupling_5
+    G_6 = D_03 * linear_1 - D_13 * linear_0 + coupling_6
+    G_7 = D_03 * linear_3 - D_13 * linear_1 + coupling_7
+    G_8 = G_4a - G_0a + coupling_8
+    moved_0 = D_13 * coupling_2 - D_23 * coupling_1 + (D_13 * G_2 - D_23 * G_1) + angular_0
+    moved_1 = D_23 * G_0 - D_03 * G_2 + (D_13 * coupling_5 - D_23 * coupling_4) + angular_1
+    moved_2 = D_03 * G_1 - D_13 * G_0 + (D_13 * coupling_8 - D_23 * coupling_7) + angular_2
+    moved_3 = D_23 * coupling_3 - D_03 * coupling_5 + (D_23 * G_3 - D_03 * G_5) + angular_3
+    moved_4 = D_23 * coupling_6 - D_03 * coupling_8 + (D_03 * G_4 - D_13 * G_3) + angular_4
+    moved_5 = D_03 * coupling_7 - D_13 * coupling_6 + (D_03 * G_7 - D_13 * G_6) + angular_5
+    RM_0_size = absolute(RM_0a) + absolute(RM_0b) + absolute(RM_0d)
+    RM_1_size = absolute(RM_1a) + absolute(RM_1b) + absolute(RM_1d)
+    RM_2_size = absolute(RM_2a) + absolute(RM_2b) + absolute(RM_2d)
+    RM_3_size = absolute(RM_3a) + absolute(RM_3b) + absolute(RM_3d)
+    RM_4_size = absolute(RM_4a) + absolute(RM_4b) + absolute(RM_4d)
+    RM_5_size = absolute(RM_5a) + absolute(RM_5b) + absolute(RM_5d)
+    RM_6_size = absolute(RM_6a) + absolute(RM_6b) + absolute(RM_6d)
+    RM_7_size = absolute(RM_7a) + absolute(RM_7b) + absolute(RM_7d)
+    RM_8_size = absolute(RM_8a) + absolute(RM_8b) + absolute(RM_8d)
+    RM_0_padded = RM_0_size + 2.004168360008973e-292
+    D_00_abs = absolute(D_00)
+    RM_1_padded = RM_1_size + 2.004168360008973e-292
+    D_01_abs = absolute(D_01)
+    RM_2_padded = RM_2_size + 2.004168360008973e-292
+    D_02_abs = absolute(D_02)
+    linear_0_size = D_00_abs * RM_0_padded + D_01_abs * RM_1_padded + D_02_abs * RM_2_padded
+    D_10_abs = absolute(D_10)
+    D_11_abs = absolute(D_11)
+    D_12_abs = absolute(D_12)
+    linear_1_size = D_10_abs * RM_0_padded + D_11_abs * RM_1_padded + D_12_abs * RM_2_padded
+    D_20_abs = absolute(D_20)
+    D_21_abs = absolute(D_21)
+    D_22_abs = absolute(D_22)
+    linear_2_size = D_20_abs * RM_0_padded + D_21_abs * RM_1_padded + D_22_abs * RM_2_padded
+    RM_3_padded = RM_3_size + 2.004168360008973e-292
+    RM_4_padded = RM_4_size + 2.004168360008973e-292
+    RM_5_padded = RM_5_size + 2.004168360008973e-292
+    linear_3_size = D_10_abs * RM_3_padded + D_11_abs * RM_4_padded + D_12_abs * RM_5_padded
+    linear_4_size = D_20_abs * RM_3_padded + D_21_abs * RM_4_padded + D_22_abs * RM_5_padded
+    linear_5a_size = D_20_abs * (RM_6_size + 2.004168360008973e-292)
+    linear_5c_size = linear_5a_size + D_21_abs * (RM_7_size + 2.004168360008973e-292)
+    linear_5_size = linear_5c_size + D_22_abs * (RM_8_size + 2.004168360008973e-292)
+    RH_0_size = absolute(RH_0a) + absolute(RH_0b) + absolute(RH_0d)
+    RH_1_size = absolute(RH_1a) + absolute(RH_1b) + absolute(RH_1d)
+    RH_2_size = absolute(RH_2a) + absolute(RH_2b) + absolute(RH_2d)
+    RH_3_size = absolute(RH_3a) + absolute(RH_3b) + absolute(RH_3d)
+    RH_4_size = absolute(RH_4a) + absolute(RH_4b) + absolute(RH_4d)
+    RH_5_size = absolute(RH_5a) + absolute(RH_5b) + absolute(RH_5d)
+    RH_6_size = absolute(RH_6a) + absolute(RH_6b) + absolute(RH_6d)
+    RH_7_size = absolute(RH_7a) + absolute(RH_7b) + absolute(RH_7d)
+    RH_8_size = absolute(RH_8a) + absolute(RH_8b) + absolute(RH_8d)
+    RH_0_padded = RH_0_size + 2.004168360008973e-292
+    RH_1_padded = RH_1_size + 2.004168360008973e-292
+    RH_2_padded = RH_2_size + 2.004168360008973e-292
+    coupling_0_size = D_00_abs * RH_0_padded + D_01_abs * RH_1_padded + D_02_abs * RH_2_padded
+    coupling_1_size = D_10_abs * RH_0_padded + D_11_abs * RH_1_padded + D_12_abs * RH_2_padded
+    coupling_2_size = D_20_abs * RH_0_padded + D_21_abs * RH_1_padded + D_22_abs * RH_2_padded
+    RH_3_padded = RH_3_size + 2.004168360008973e-292
+    RH_4_padded = RH_4_size + 2.004168360008973e-292
+    RH_5_padded = RH_5_size + 2.004168360008973e-292
+    coupling_3_size = D_00_abs * RH_3_padded + D_01_abs * RH_4_padded + D_02_abs * RH_5_padded
+    coupling_4_size = D_10_abs * RH_3_padded + D_11_abs * RH_4_padded + D_12_abs * RH_5_padded
+    coupling_5_size = D_20_abs * RH_3_padded + D_21_abs * RH_4_padded + D_22_abs * RH_5_padded
+    RH_6_padded = RH_6_size + 2.004168360008973e-292
+    RH_7_padded = RH_7_size + 2.004168360008973e-292
+    RH_8_padded = RH_8_size + 2.004168360008973e-292
+    coupling_6_size = D_00_abs * RH_6_padded + D_01_abs * RH_7_padded + D_02_abs * RH_8_padded
+    coupling_7_size = D_10_abs * RH_6_padded + D_11_abs * RH_7_padded + D_12_abs * RH_8_padded
+    coupling_8_size = D_20_abs * RH_6_padded + D_21_abs * RH_7_padded + D_22_abs * RH_8_padded
+    RI_0_size = absolute(RI_0a) + absolute(RI_0b) + absolute(RI_0d)
+    RI_1_size = absolute(RI_1a) + absolute(RI_1b) + absolute(RI_1d)
+    RI_2_size = absolute(RI_2a) + absolute(RI_2b) + absolute(RI_2d)
+    RI_3_size = absolute(RI_3a) + absolute(RI_3b) + absolute(RI_3d)
+    RI_4_size = absolute(RI_4a) + absolute(RI_4b) + absolute(RI_4d)
+    RI_5_size = absolute(RI_5a) + absolute(RI_5b) + absolute(RI_5d)
+    RI_6_size = absolute(RI_6a) + absolute(RI_6b) + absolute(RI_6d)
+    RI_7_size = absolute(RI_7a) + absolute(RI_7b) + absolute(RI_7d)
+    RI_8_size = absolute(RI_8a) + absolute(RI_8b) + absolute(RI_8d)
+    RI_0_padded = RI_0_size + 2.004168360008973e-292
+    RI_1_padded = RI_1_size + 2.004168360008973e-292
+    RI_2_padded = RI_2_size + 2.004168360008973e-292
+    angular_0_size = D_00_abs * RI_0_padded + D_01_abs * RI_1_padded + D_02_abs * RI_2_padded
+    angular_1_size = D_10_abs * RI_0_padded + D_11_abs * RI_1_padded + D_12_abs * RI_2_padded
+    angular_2_size = D_20_abs * RI_0_padded + D_21_abs * RI_1_padded + D_22_abs * RI_2_padded
+    RI_3_padded = RI_3_size + 2.004168360008973e-292
+    RI_4_padded = RI_4_size + 2.004168360008973e-292
+    RI_5_padded = RI_5_size + 2.004168360008973e-292
+    angular_3_size = D_10_abs * RI_3_padded + D_11_abs * RI_4_padded + D_12_abs * RI_5_padded
+    angular_4_size = D_20_abs * RI_3_padded + D_21_abs * RI_4_padded + D_22_abs * RI_5_padded
+    angular_5a_size = D_20_abs * (RI_6_size + 2.004168360008973e-292)
+    angular_5c_size = angular_5a_size + D_21_abs * (RI_7_size + 2.004168360008973e-292)
+    angular_5_size = angular_5c_size + D_22_abs * (RI_8_size + 2.004168360008973e-292)
+    linear_2_padded = linear_2_size + 2.004168360008973e-292
+    D_13_abs = absolute(D_13)
+    G_0a_size = D_13_abs * linear_2_padded
+    linear_1_padded = linear_1_size + 2.004168360008973e-292
+    D_23_abs = absolute(D_23)
+    G_0b_size = D_23_abs * linear_1_padded
+    G_0_size = G_0a_size + G_0b_size + coupling_0_size
+    linear_4_padded = linear_4_size + 2.004168360008973e-292
+    linear_3_padded = linear_3_size + 2.004168360008973e-292
+    G_1_size = D_13_abs * linear_4_padded + D_23_abs * linear_3_padded + coupling_1_size
+    linear_5_padded = linear_5_size + 2.004168360008973e-292
+    G_2_size = D_13_abs * linear_5_padded + D_23_abs * linear_4_padded + coupling_2_size
+    linear_0_padded = linear_0_size + 2.004168360008973e-292
+    D_03_abs = absolute(D_03)
+    G_3_size = D_23_abs * linear_0_padded + D_03_abs * linear_2_padded + coupling_3_size
+    G_4a_size = D_03_abs * linear_4_padded
+    G_4_size = G_0b_size + G_4a_size + coupling_4_size
+    G_5_size = D_23_abs * linear_2_padded + D_03_abs * linear_5_padded + coupling_5_size
+    G_6_size = D_03_abs * linear_1_padded + D_13_abs * linear_0_padded + coupling_6_size
+    G_7_size = D_03_abs * linear_3_padded + D_13_abs * linear_1_padded + coupling_7_size
+    G_8_size = G_4a_size + G_0a_size + coupling_8_size
+    moved_0a_size = D_13_abs * (coupling_2_size + 2.004168360008973e-292)
+    moved_0c_size = moved_0a_size + D_23_abs * (coupling_1_size + 2.004168360008973e-292)
+    G_2_padded = G_2_size + 2.004168360008973e-292
+    G_1_padded = G_1_size + 2.004168360008973e-292
+    moved_0g_size = moved_0c_size + (D_13_abs * G_2_padded + D_23_abs * G_1_padded)
+    moved_0_size = moved_0g_size + angular_0_size
+    G_0_padded = G_0_size + 2.004168360008973e-292
+    coupling_5_padded = coupling_5_size + 2.004168360008973e-292
+    moved_1e_size = D_23_abs * (coupling_4_size + 2.004168360008973e-292)
+    moved_1f_size = D_13_abs * coupling_5_padded + moved_1e_size
+    moved_1g_size = D_23_abs * G_0_padded + D_03_abs * G_2_padded + moved_1f_size
+    moved_1_size = moved_1g_size + angular_1_size
+    coupling_8_padded = coupling_8_size + 2.004168360008973e-292
+    coupling_7_padded = coupling_7_size + 2.004168360008973e-292
+    moved_2f_size = D_13_abs * coupling_8_padded + D_23_abs * coupling_7_padded
+    moved_2g_size = D_03_abs * G_1_padded + D_13_abs * G_0_padded + moved_2f_size
+    moved_2_size = moved_2g_size + angular_2_size
+    moved_3a_size = D_23_abs * (coupling_3_size + 2.004168360008973e-292)
+    moved_3c_size = moved_3a_size + D_03_abs * coupling_5_padded
+    G_3_padded = G_3_size + 2.004168360008973e-292
+    G_5_padded = G_5_size + 2.004168360008973e-292
+    moved_3g_size = moved_3c_size + (D_23_abs * G_3_padded + D_03_abs * G_5_padded)
+    moved_3_size = moved_3g_size + angular_3_size
+    coupling_6_padded = coupling_6_size + 2.004168360008973e-292
+    moved_4c_size = D_23_abs * coupling_6_padded + D_03_abs * coupling_8_padded
+    G_4_padded = G_4_size + 2.004168360008973e-292
+    moved_4g_size = moved_4c_size + (D_03_abs * G_4_padded + D_13_abs * G_3_padded)
+    moved_4_size = moved_4g_size + angular_4_size
+    moved_5c_size = D_03_abs * coupling_7_padded + D_13_abs * coupling_6_padded
+    G_7_padded = G_7_size + 2.004168360008973e-292
+    G_6_padded = G_6_size + 2.004168360008973e-292
+    moved_5g_size = moved_5c_size + (D_03_abs * G_7_padded + D_13_abs * G_6_padded)
+    moved_5_size = moved_5g_size + angular_5_size
+    linear_0_error_bound = 6.661338147750942e-16 * linear_0_padded
+    linear_1_error_bound = 6.661338147750942e-16 * linear_1_padded
+    linear_2_error_bound = 6.661338147750942e-16 * linear_2_padded
+    G_0_error_bound = 9.992007221626415e-16 * G_0_padded
+    G_3_error_bound = 9.992007221626415e-16 * G_3_padded
+    G_6_error_bound = 9.992007221626415e-16 * G_6_padded
+    linear_3_error_bound = 6.661338147750942e-16 * linear_3_padded
+    linear_4_error_bound = 6.661338147750942e-16 * linear_4_padded
+    G_1_error_bound = 9.992007221626415e-16 * G_1_padded
+    G_4_error_bound = 9.992007221626415e-16 * G_4_padded
+    G_7_error_bound = 9.992007221626415e-16 * G_7_padded
+    linear_5_error_bound = 6.661338147750942e-16 * linear_5_padded
+    G_2_error_bound = 9.992007221626415e-16 * G_2_padded
+    G_5_error_bound = 9.992007221626415e-16 * G_5_padded
+    G_8_error_bound = 9.992007221626415e-16 * (G_8_size + 2.004168360008973e-292)
+    moved_0_error_bound = 1.4432899320127047e-15 * (moved_0_size + 2.004168360008973e-292)
+    moved_1_error_bound = 1.4432899320127047e-15 * (moved_1_size + 2.004168360008973e-292)
+    moved_2_error_bound = 1.4432899320127047e-15 * (moved_2_size + 2.004168360008973e-292)
+    moved_3_error_bound = 1.4432899320127047e-15 * (moved_3_size + 2.004168360008973e-292)
+    moved_4_error_bound = 1.4432899320127047e-15 * (moved_4_size + 2.004168360008973e-292)
+    moved_5_error_bound = 1.4432899320127047e-15 * (moved_5_size + 2.004168360008973e-292)
+    return (linear_0, linear_1, linear_2, G_0, G_3, G_6, linear_1, linear_3, linear_4, G_1, G_4,
+        G_7, linear_2, linear_4, linear_5, G_2, G_5, G_8, G_0, G_1, G_2, moved_0, moved_1, moved_2,
+        G_3, G_4, G_5, moved_1, moved_3, moved_4, G_6, G_7, G_8, moved_2, moved_4, moved_5,
+        linear_0_error_bound, linear_1_error_bound, linear_2_error_bound, G_0_error_bound,
+        G_3_error_bound, G_6_error_bound, linear_1_error_bound, linear_3_error_bound,
+        linear_4_error_bound, G_1_error_bound, G_4_error_bound, G_7_error_bound,
+        linear_2_error_bound, linear_4_error_bound, linear_5_error_bound, G_2_error_bound,
+        G_5_error_bound, G_8_error_bound, G_0_error_bound, G_1_error_bound, G_2_error_bound,
+        moved_0_error_bound, moved_1_error_bound, moved_2_error_bound, G_3_error_bound,
+        G_4_error_bound, G_5_error_bound, moved_1_error_bound, moved_3_error_bound,
+        moved_4_error_bound, G_6_error_bound, G_7_error_bound, G_8_error_bound, moved_2_error_bound,
+        moved_4_error_bound, moved_5_error_bound)
