@@ -6,7 +6,7 @@ PYTHON  := $(VENV)/bin/python
 PIP     := PYTHONWARNINGS=ignore $(PYTHON) -m pip --quiet --disable-pip-version-check
 SOURCES := $(wildcard $(addprefix generated/,gufunc/*.[ch] gufunc/*/*.[ch] c/coscrew*.h))
 
-.PHONY: all generate check build example scene test bench attack report clean
+.PHONY: all generate check build example scene test bench attack report docs clean
 
 all: generate
 	@$(MAKE) --no-print-directory check example scene
@@ -80,6 +80,16 @@ attack: $(VENV)/test-ready build
 # Errors and times of everything on this machine, in about two minutes: build/report/.
 report: $(VENV)/test-ready build
 	$(PYTHON) -m coscrew_codegen report --hard-cases tests/hard_cases
+
+# README, docs/ and generated/docs/ as pages in build/docs, without a network: warnings, such as of
+# links that lead nowhere, are errors.
+$(VENV)/docs-ready: $(VENV)/ready
+	$(PIP) install "coscrew[docs]"
+	touch $@
+
+docs: $(VENV)/docs-ready
+	$(PYTHON) -m sphinx -q -W --keep-going -c docs . build/docs
+	@echo "build/docs/docs/index.html"
 
 clean:
 	rm -rf $(VENV) build *.egg-info

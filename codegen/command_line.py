@@ -8,11 +8,10 @@ from tqdm import tqdm
 
 from coscrew_codegen.cost import CostError
 from coscrew_codegen.cost import command as cost
-from coscrew_codegen.documentation import with_table
+from coscrew_codegen.documentation import reference_files, schema
 from coscrew_codegen.emit import (
     EmitError,
     differences,
-    read,
     refuse_others,
     stale_files,
     write,
@@ -23,6 +22,7 @@ from coscrew_codegen.mechanics.ranges import RangeError
 from coscrew_codegen.operations import FAMILIES
 from coscrew_codegen.programs import program_of
 from coscrew_codegen.report import ReportError, command
+from coscrew_codegen.scene.asked import AskedError
 from coscrew_codegen.scene.assembly import ModelError
 from coscrew_codegen.scene_files import catalogue
 from coscrew_codegen.scene_files.errors import SceneError
@@ -33,7 +33,7 @@ from coscrew_codegen.simulate import command as simulate
 from coscrew_codegen.version import VERSION
 
 ERRORS = (SelectionError, EmitError, ReportError, SceneError, SimulateError, CostError, RangeError,
-          ModelError)
+          ModelError, AskedError)
 DEFAULT_OUTPUT = "generated"
 
 
@@ -67,9 +67,12 @@ def _parser() -> argparse.ArgumentParser:
                           help="double, single or both (default)")
     generate.add_argument("--language", metavar="NAME",
                           help=f"{' or '.join(LANGUAGES)} (default: both, and the extension)")
+    generate.add_argument("--functions", metavar="NAME", nargs="+", action="extend",
+                          help="of a scene, only these functions; default and all stand for "
+                               "several")
     simulate.add_implausible(generate)
     generate.set_defaults(run=_generate)
-    for subcommand in (simulate, check_command, cost, catalogue, command):
+    for subcommand in (simulate, check_command, cost, catalogue, schema, command):
         subcommand.add_parser(commands)
     return parser
 
@@ -77,18 +80,15 @@ def _parser() -> argparse.ArgumentParser:
 def _generate(options: argparse.Namespace) -> int:
     if options.scene:
         return _generate_scene(options)
+    if options.functions:
+        raise SelectionError("--functions selects functions of a scene, and no scene is given")
     selection = select(options.family or [], options.precision or "both", options.language)
     folder, check = Path(options.output or DEFAULT_OUTPUT), options.check
     programs = _programs(selection)
     files = generated_files(selection, programs)
     whole = selection == Selection()
+    files |= reference_files(programs, selection.banner) if whole else {}
     stale = stale_files(files, folder) if whole else ()
-    if whole and folder == Path(DEFAULT_OUTPUT) and (
-            readme := with_table(read(Path(), "README.md"), programs)):
-        files = {f"{DEFAULT_OUTPUT}/{path}": text for path, text in files.items()}
-        files["README.md"] = readme
-        stale = tuple(f"{DEFAULT_OUTPUT}/{path}" for path in stale)
-        return _deliver(selection.command, files, Path(), stale, check, DEFAULT_OUTPUT)
     option = "" if folder == Path(DEFAULT_OUTPUT) else f" --output {folder}"
     return _deliver(selection.command + option, files, folder, stale, check, str(folder))
 
@@ -104,11 +104,12 @@ def _generate_scene(options: argparse.Namespace) -> int:
                              f"always whole")
     if not options.output:
         raise SelectionError(f"where to?  Wanted: coscrew generate {options.scene} -o DIR")
-    scene = simulate.scene_of(options, options.precision)
+    scene = simulate.scene_of(options, options.precision, tuple(options.functions or ()))
     for line in scene.unused:
         print(f"{options.scene.name}: {line}", file=sys.stderr)
     said = "".join(f" --{name} {word}" for name in ("precision", "implausible")
                    if (word := getattr(options, name)))
+    said += f" --functions {' '.join(options.functions)}" if options.functions else ""
     files = scene_files(scene, derive(scene), f"coscrew generate {options.scene.name}{said}")
     folder = Path(options.output)
     if not options.check:

@@ -8,8 +8,8 @@ EXTRAS = {"codegen": GENERATOR,
           "report": (*GENERATOR, "gmpy2", "matplotlib", "tabulate")}
 """Modules by extra; pyarrow, of `simulate`, is needed for .parquet files only."""
 
-COMMANDS = {"generate": "codegen", "effects": "codegen", "simulate": "simulate",
-            "check": "simulate", "cost": "simulate", "report": "report"}
+COMMANDS = {"generate": "codegen", "effects": "codegen", "schema": "codegen",
+            "simulate": "simulate", "check": "simulate", "cost": "simulate", "report": "report"}
 """The extra of each command."""
 
 

@@ -13,7 +13,8 @@ _ENVIRONMENT = jinja2.Environment(
     keep_trailing_newline=True)
 
 
-_COMMENTS = {"c": " */\n/* ", "h": " */\n/* ", "py": "\n# ", "pyi": "\n# "}
+_COMMENTS = {"c": " */\n/* ", "h": " */\n/* ", "py": "\n# ", "pyi": "\n# ",
+             "md": " -->\n<!-- "}
 """What stands between the lines of a comment, by the ending of a template's name."""
 
 LICENSE = ("SPDX-License-Identifier: MIT",

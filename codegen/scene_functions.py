@@ -22,7 +22,7 @@ class Function:
     The program's inputs are, of those it has, in this order: t, h (scalars), p (parameters), q, v,
     then a, tau or phi; its outputs follow in C and are returned in Python.  `headings` are (index
     of an instruction, words that stand above it): sections per body.  `internal` ones serve the
-    steps and are not declared in the header.
+    steps alone and are not declared in the header.
     """
 
     name: str  # inverse_dynamics, jacobian_hand
@@ -46,9 +46,4 @@ class SceneFunctions:
     functions: tuple[Function, ...]
     steps: tuple[str, ...]  # names of integrators: semi_implicit_euler, linear_implicit_euler, rk4
     precisions: tuple[str, ...] = ("double", "single")  # those it is emitted in
-
-    @property
-    def timed(self) -> bool:
-        """Whether forward dynamics depends on time."""
-        forward = next(f for f in self.functions if f.name == "forward_dynamics")
-        return forward.program.inputs[0].name == "t"
+    timed: bool = False  # whether what acts depends on time

@@ -29,14 +29,16 @@ def _digits(text: str) -> int:
 def run(options: argparse.Namespace) -> int:
     """Measure and print; returns the exit status."""
     from coscrew_codegen.cost import measure, plot, table
-    from coscrew_codegen.simulate.load import load_scene
+    from coscrew_codegen.cost.leaving_out import whole
+    from coscrew_codegen.simulate.load import kernels_for
     from coscrew_codegen.simulate.outcome import Asked
     from coscrew_codegen.simulate.plot import ENDINGS
     from coscrew_codegen.simulate.write import check_target
 
     if options.plot:
         check_target(options.plot, ENDINGS)
-    costs = measure.measure(load_scene(scene_of(options, "both")), Asked(
+    scene = scene_of(options, "both")
+    costs = measure.measure(kernels_for(scene, whole(scene)), Asked(
         options.until, options.step, options.integrator, "both", tuple(options.settings)),
         options.digits)
     print(table.table(costs))

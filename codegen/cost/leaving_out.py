@@ -2,10 +2,13 @@
 
 from dataclasses import dataclass, replace
 
+from coscrew_codegen.integrators import STEPS
 from coscrew_codegen.mechanics.functions import derive
+from coscrew_codegen.scene.asked import FREE, asked_for, together
 from coscrew_codegen.scene.scene import Applied, Scene
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 
+WHOLE = "all effects"
 TELLING = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
 """The functions whose cost is told for each effect."""
 
@@ -29,7 +32,7 @@ def parts(scene: Scene) -> tuple[Part, ...]:
 
     Effects that decide about coordinates (mimic) always stay."""
     names = tuple(dict.fromkeys(x.effect.name for x in scene.effects if _optional(x)))
-    chosen = [("all effects", scene.effects)]
+    chosen = [(WHOLE, scene.effects)]
     if len(names) > 1:
         chosen += [(f"without {name}", tuple(x for x in scene.effects if x.effect.name != name))
                    for name in names]
@@ -39,7 +42,15 @@ def parts(scene: Scene) -> tuple[Part, ...]:
 
 
 def _part(words: str, scene: Scene) -> Part:
-    return Part(words, scene, derive(scene))
+    functions = whole(scene) if words == WHOLE else TELLING
+    return Part(words, scene, derive(scene, functions))
+
+
+def whole(scene: Scene) -> tuple[str, ...]:
+    """The functions of the scene with all its effects: those it asks for, those whose cost is told
+    for each effect, and all integrators."""
+    return together(asked_for(scene), TELLING, (f"step_{step}" for step in STEPS), ("energy",),
+                    FREE)
 
 
 def _optional(applied: Applied) -> bool:

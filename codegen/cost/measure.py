@@ -9,7 +9,7 @@ import numpy as np
 from tqdm import tqdm
 
 from coscrew_codegen.cost import CostError
-from coscrew_codegen.cost.leaving_out import TELLING, Part, parts
+from coscrew_codegen.cost.leaving_out import TELLING, WHOLE, Part, parts
 from coscrew_codegen.cost.loops import ELEMENTS, Compiled, compiled
 from coscrew_codegen.cost.work_precision import Point, Reference, reference, work_precision
 from coscrew_codegen.formats import PRECISIONS
@@ -79,8 +79,7 @@ def measure(kernels: object, asked: Asked, digits: int | None) -> Costs:
 
 def _functions(part: Part) -> tuple[Function, ...]:
     """Of the whole scene all functions, of its parts the telling ones."""
-    whole = part.words == "all effects"
-    return tuple(f for f in part.public if whole or f.name in TELLING)
+    return tuple(f for f in part.public if part.words == WHOLE or f.name in TELLING)
 
 
 def _states(kernels: object, asked: Asked) -> tuple[System, Trajectory]:

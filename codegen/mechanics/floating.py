@@ -2,6 +2,7 @@
 acts but uniform gravity.  Their momentum is known for all times: p(t) = p + m g t, and the angular
 momentum about the centre of mass stays."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from coscrew_codegen.mechanics import composite, energies
@@ -78,10 +79,10 @@ class _Whole:
     L: Vector  # angular momentum about the centre of mass
 
 
-def _wholes(x: Recording, motion: Motion) -> list[_Whole]:
+def _wholes(x: Recording, motion: Motion, roots: Sequence[int]) -> list[_Whole]:
     momenta, bodies = energies.momenta(x, motion), composite.composites(motion, x.rigids)
     found = []
-    for root in floating(x.scene, x.tree):
+    for root in roots:
         with motion.part(root, "L"):
             com = scaled(1 / bodies[root].m, bodies[root].h)  # of constant mass no quotient
             about_com = x.recorder.call("product_CoAdtinvc", com, momenta[root])
@@ -89,23 +90,23 @@ def _wholes(x: Recording, motion: Motion) -> list[_Whole]:
     return found
 
 
-def momentum(x: Recording) -> list[Number]:
-    """(p; L) of each tree that floats free, in the world's axes, L about its centre of mass."""
+def momentum(x: Recording, roots: Sequence[int]) -> list[Number]:
+    """(p; L) of each tree that floats free, by its first link (see `floating`), in the world's
+    axes, L about its centre of mass."""
     motion = x.motion(accelerating=False)
     found: list[Number] = []
-    for root, whole in zip(floating(x.scene, x.tree), _wholes(x, motion), strict=True):
+    for root, whole in zip(roots, _wholes(x, motion, roots), strict=True):
         with motion.part(root, "p"):
             R = rotation(motion.pose(root))
             found += [*rotated(R, whole.p), *rotated(R, whole.L)]
     return found
 
 
-def corrected(x: Recording) -> list[Number]:
+def corrected(x: Recording, roots: Sequence[int]) -> list[Number]:
     """v with the base velocities that give momentum (p + m g t; L) for c = (p; L)."""
     motion = x.motion(accelerating=False)
     (t,), c, v = x.recorder.argument("t"), x.recorder.argument("c"), list(motion.v)
-    for n, (root, whole) in enumerate(zip(floating(x.scene, x.tree), _wholes(x, motion),
-                                          strict=True)):
+    for n, (root, whole) in enumerate(zip(roots, _wholes(x, motion, roots), strict=True)):
         with motion.part(root, "v"):
             R, m = rotation(motion.pose(root)), whole.rigid.m
             p = add(c[6 * n:6 * n + 3], scaled(m * t, motion.gravity))

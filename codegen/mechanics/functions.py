@@ -1,6 +1,8 @@
 """The functions of a scene: each a recording of its own, which holds what its outputs need."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import replace
+from functools import cached_property, partial
 
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.integrators import STEPS
@@ -20,6 +22,15 @@ from coscrew_codegen.mechanics.recorded import Recording
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.recording.numbers import Number
 from coscrew_codegen.recording.recorder import Recorder, array, headings
+from coscrew_codegen.scene.asked import (
+    CONTACTS,
+    FREE,
+    AskedError,
+    asked_for,
+    jacobians,
+    reactions,
+    together,
+)
 from coscrew_codegen.scene.assembly import ModelError
 from coscrew_codegen.scene.formulas import Formula
 from coscrew_codegen.scene.scene import Scene
@@ -29,13 +40,14 @@ from coscrew_codegen.scene_functions import Function, SceneFunctions
 _BODY_FRAME = "in the frame of the body, at its origin"
 
 
-def derive(scene: Scene) -> SceneFunctions:
-    """All functions of a scene.
+def derive(scene: Scene, functions: Collection[str] = ()) -> SceneFunctions:
+    """The functions that a scene asks for, or those of these names that it has, and internal ones
+    that their steps call.
 
     Raises RangeError for numbers that a precision it is generated in cannot hold, ModelError for a
-    model whose mass matrix is singular whatever q is."""
+    model whose mass matrix is singular whatever q is, AskedError for functions it cannot have."""
     refuse_numbers(scene)
-    return _Derivation(scene).functions()
+    return _Derivation(scene).functions(functions)
 
 
 def is_timed(scene: Scene) -> bool:
@@ -73,35 +85,53 @@ class _Derivation:
         }
         self.timed = is_timed(scene)
 
-    def functions(self) -> SceneFunctions:
+    def functions(self, names: Collection[str]) -> SceneFunctions:
         """What targets need."""
         scene, tree = self.scene, self.tree
+        wanted = names or asked_for(scene)
+        steps = tuple(name for name, x in STEPS.items() if x.step_name in wanted)
+        called = together(*(STEPS[name].needs for name in steps))
+        found = [replace(made, internal=name not in wanted)
+                 for name, make in self._makers().items() if name in wanted or name in called
+                 if (made := make())]
+        if not names:
+            self._refuse_absent({f.name for f in found})
         return SceneFunctions(
             scene.name, tree.nq, tree.nv, tree.coordinates, tuple(self.bodies),
             tuple((p.name, float(p.value)) for p in scene.parameters), coordinates.neutral(tree),
-            tuple(self._all()), tuple(STEPS), scene.precisions)
+            tuple(found), steps, scene.precisions, self.timed)
 
-    def _all(self):
-        yield from (self._inverse(), self._forward(), self._mass(), self._bias(), self._gravity(),
-                    self._energy(), self._power(), self._momentum(), self._poses(), self._twists())
-        moving = [body for body in self.bodies if self.tree.seat_of(body)[0] >= 0]
-        yield from map(self._jacobian, moving)
-        asked = [x.on for x in self.scene.effects if x.effect.reaction]
-        joints = [link.joint.name for link in self.tree.links]
-        yield from (self._reaction(joint, name) for joint, name in
-                    zip(joints, identifiers(joints), strict=True) if joint in asked)
-        yield from (self._integrated(), self._implicit(), self._leapfrog())
-        if any(c.kind in ("spherical", "free") for c in self.tree.coordinates):
-            yield self._chart()
-        if floating.floating(self.scene, self.tree):
-            yield from self._kept()
-        yield from self._split()
+    def _makers(self) -> dict[str, Callable[[], Function | None]]:
+        """What makes each function, by name, in the order in which they are emitted; None of what
+        the scene does not have."""
+        return {
+            "inverse_dynamics": self._inverse, "forward_dynamics": self._forward,
+            "mass_matrix": self._mass, "bias_torques": self._bias,
+            "gravity_torques": self._gravity, "energy": self._energy, "power": self._power,
+            "momentum": self._momentum, "body_poses": self._poses, "body_twists": self._twists,
+            **{name: partial(self._jacobian, name, body)
+               for name, body in jacobians(self.scene).items()},
+            **{name: partial(self._reaction, name, joint)
+               for name, joint in reactions(self.scene).items()},
+            "integrated": self._integrated, "implicit_acceleration": self._implicit,
+            "leapfrog": self._leapfrog, "chart_rate": self._chart,
+            "free_momentum": self._free_momentum, "with_free_momentum": self._with_free_momentum,
+            "closing_contacts": self._closing, "parts": self._parts}
+
+    def _refuse_absent(self, found: set[str]) -> None:
+        """Raise AskedError for a function that is asked for by its name and that only scenes of
+        another kind have."""
+        for several, reason in ((FREE, "nothing floats free"), (CONTACTS, "no limit closes")):
+            for name in several:
+                if name in self.scene.functions and name not in found:
+                    raise AskedError(f"{self.scene.name}: there is no {name}: {reason} in the "
+                                     "scene")
 
     # one function
 
     def _function(self, name: str, words: str, inputs: str, outputs: Sequence[Argument],
                   compute: Callable[[Recording], Sequence[Sequence[Number]]],
-                  dynamic: bool = True, acted: bool = False, internal: bool = False) -> Function:
+                  dynamic: bool = True, acted: bool = False) -> Function:
         """A function of these inputs, with p if it is of the dynamics, t if effects act in it."""
         given = [*(["t"] if acted and self.timed or "t" in inputs.split() else []),
                  *(["h"] if "h" in inputs.split() else []),
@@ -117,7 +147,7 @@ class _Derivation:
                              "masses or armatures that resist every joint, and no joint that "
                              "mimics another with multiplier 0") from None
         program = recorder.program(name, list(zip(outputs, results, strict=True)))
-        function = Function(name, words, program, headings(program), internal)
+        function = Function(name, words, program, headings(program))
         refuse_products(self.scene, function)
         refuse_quotients(self.scene, function, self._at_rest())
         return function
@@ -177,32 +207,48 @@ class _Derivation:
         return self._function(
             "leapfrog", "t, q and v after drift, kick and drift", "h q v",
             [self.inputs[x] for x in (*(["t"] if self.timed else []), "q", "v")], compute,
-            acted=True, internal=True)
+            acted=True)
 
-    def _kept(self) -> Iterator[Function]:
-        count = len(floating.floating(self.scene, self.tree))
-        c = array("c", (count, 6), "in kg m/s, kg m^2/s")
-        free = ", ".join(self.tree.links[n].name
-                         for n in floating.floating(self.scene, self.tree))
-        yield self._function(
+    @cached_property
+    def _floating(self) -> tuple[int, ...]:
+        return floating.floating(self.scene, self.tree)
+
+    @cached_property
+    def _momenta(self) -> Argument:
+        return array("c", (len(self._floating), 6), "in kg m/s, kg m^2/s")
+
+    def _free_momentum(self) -> Function | None:
+        if not self._floating:
+            return None
+        free = ", ".join(self.tree.links[n].name for n in self._floating)
+        return self._function(
             "free_momentum", f"c = (p; L) of what floats free ({free}, and what hangs on it): "
             "linear momentum, and angular momentum about its centre of mass, in the world's axes",
-            "q v", [c], lambda x: [floating.momentum(x)])
-        self.inputs["c"] = c
-        yield self._function(
+            "q v", [self._momenta], lambda x: [floating.momentum(x, self._floating)])
+
+    def _with_free_momentum(self) -> Function | None:
+        if not self._floating:
+            return None
+        self.inputs["c"] = self._momenta
+        return self._function(
             "with_free_momentum", "v, where what floats free moves as a whole so that its momentum "
             "is c = (p; L) after t seconds of gravity, (p + m g t; L): after each step it undoes "
             "what integration and rounding change, for all times", "t q v c", [self.inputs["v"]],
-            lambda x: [floating.corrected(x)])
+            lambda x: [floating.corrected(x, self._floating)])
 
-    def _split(self) -> Iterator[Function]:
-        closing = self._function(
+    @cached_property
+    def _closes(self) -> Function:
+        return self._function(
             "closing_contacts", "count: how many limits are closed, or would be if joints moved on "
             "with v for h", "h q v", [array("count", ())], lambda x: [[leapfrog.closing(x)]])
-        if not closing.program.instructions:
-            return
-        yield closing
-        yield self._function(
+
+    def _closing(self) -> Function | None:
+        return self._closes if self._closes.program.instructions else None
+
+    def _parts(self) -> Function | None:
+        if not self._closes.program.instructions:
+            return None
+        return self._function(
             "parts", "count, part = h/count: in how many parts a step of h is taken, to resolve "
             "the limits that close; part is not a number where that would be more than "
             f"{leapfrog.MOST}", "h q v", [array("count", ()), array("part", (), "in s")],
@@ -222,7 +268,7 @@ class _Derivation:
         return self._function(
             "implicit_acceleration", "a with (M + h d + h^2 k) a = -bias_torques(q, v) - h k v, "
             "where d, k are how the effects' torques fall with v and q", "h q v",
-            [self.inputs["a"]], compute, acted=True, internal=True)
+            [self.inputs["a"]], compute, acted=True)
 
     def _mass(self) -> Function:
         def compute(x: Recording):
@@ -286,17 +332,17 @@ class _Derivation:
             "body_twists", f"s[i] = (v; w) of each body {_BODY_FRAME}", "q v",
             [array("s", (len(self.bodies), 6), "screws in m/s, rad/s")], compute, dynamic=False)
 
-    def _jacobian(self, body: str) -> Function:
+    def _jacobian(self, name: str, body: str) -> Function:
         def compute(x: Recording):
             with x.recorder.part(self.bodies[body], "J", body):
                 columns = frames.jacobian(x, x.motion(False, False, False), body)
             return [[columns[j][i] for i in range(6) for j in range(self.tree.nv)]]
 
         return self._function(
-            f"jacobian_{self.bodies[body]}", f"J with J v = (v; w) of {body} {_BODY_FRAME}", "q",
+            name, f"J with J v = (v; w) of {body} {_BODY_FRAME}", "q",
             [array("J", (6, self.tree.nv), "screws of the speeds")], compute, dynamic=False)
 
-    def _reaction(self, joint: str, name: str) -> Function:
+    def _reaction(self, name: str, joint: str) -> Function:
         def compute(x: Recording):
             motion = x.motion()
             acting = Acting(self.scene, motion).act()
@@ -305,7 +351,7 @@ class _Derivation:
             return [wrenches[self.tree.links.index(self.tree.link_of(joint))]]
 
         return self._function(
-            f"reaction_{name}", f"f = (force; moment) that {joint} exerts on the body behind it, "
+            name, f"f = (force; moment) that {joint} exerts on the body behind it, "
             f"{_BODY_FRAME}, while it accelerates with a", "q v a",
             [array("f", (6,), "coscrew in N, N m")], compute, acted=True)
 
@@ -319,12 +365,15 @@ class _Derivation:
             "q + phi", "q phi", [array("qo", (self.tree.nq,), "coordinates")], compute,
             dynamic=False)
 
-    def _chart(self) -> Function:
+    def _chart(self) -> Function | None:
+        if not any(c.kind in ("spherical", "free") for c in self.tree.coordinates):
+            return None
+
         def compute(x: Recording):
             return [coordinates.chart_rate(x.recorder, self.tree, self.names)]
 
         return self._function(
             "chart_rate", "u = phi' while q = integrated(q0, phi) moves with v: v + [phi, v]/2 + "
             "[phi, [phi, v]]/12, enough for four orders", "v phi",
-            [array("u", (self.tree.nv,), "in m/s, rad/s")], compute, dynamic=False, internal=True)
+            [array("u", (self.tree.nv,), "in m/s, rad/s")], compute, dynamic=False)
 

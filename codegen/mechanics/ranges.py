@@ -7,7 +7,7 @@ where a denominator is max(|v|, eps): they are looked at where everything is at 
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -82,16 +82,18 @@ def _quotients(program: Program, precision: Precision, inputs: Mapping[str, Sequ
     no value is not a number, and neither is what follows from it."""
     found: list[tuple[str, Fraction]] = []
 
-    def apply(step: Instruction, _: int, operands: Sequence[float]) -> float:
-        if step.op is Op.DIV and all(map(math.isfinite, operands)) and operands[1]:
-            found.append((_part(step), Fraction(operands[0]) / Fraction(operands[1])))
-        try:
-            return float(_VALUES[step.op](*operands))
-        except (ArithmeticError, ValueError):
-            return math.nan
+    def function(step: Instruction, _: int) -> Callable[..., float]:
+        def apply(*operands: float) -> float:
+            if step.op is Op.DIV and all(map(math.isfinite, operands)) and operands[1]:
+                found.append((_part(step), Fraction(operands[0]) / Fraction(operands[1])))
+            try:
+                return float(_VALUES[step.op](*operands))
+            except (ArithmeticError, ValueError):
+                return math.nan
+        return apply
 
     evaluate(program, [inputs[a.name] for a in program.inputs],
-             Arithmetic(lambda x: float(precision.value(x)), apply, math.nan))
+             Arithmetic(lambda x: float(precision.value(x)), function, math.nan))
     return found
 
 

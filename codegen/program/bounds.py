@@ -16,7 +16,7 @@ first order counts as second.  Valid barring overflow and underflow.
 """
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cache
@@ -156,9 +156,12 @@ def _exact(constant: Constant) -> _Series:
     return _Series({(): {(): number}} if number else {})
 
 
-def _applied(step: Instruction, number: int, operands: Sequence[_Series]) -> _Series:
+def _applied(step: Instruction, number: int) -> Callable[..., _Series]:
     """What instruction `number` does; its rounding is δ of that number."""
-    return _product(*operands) if scales(step) else _RULES[step.op](operands, number)
+    if scales(step):
+        return _product
+    rule = _RULES[step.op]
+    return lambda *operands: rule(operands, number)
 
 
 def _is_rounded_constant(operand: Operand) -> bool:

@@ -14,8 +14,8 @@ from coscrew_codegen.program.program import (
     Input,
     Instruction,
     NotANumber,
-    Operand,
     Program,
+    Ref,
 )
 
 V = TypeVar("V")
@@ -23,43 +23,54 @@ V = TypeVar("V")
 
 @dataclass(frozen=True)
 class Arithmetic(Generic[V]):
-    """A kind of numbers.  `apply` gets an instruction, its number in the program and its operands'
-    values."""
+    """A kind of numbers: what stands for a constant, and what computes an instruction, of which the
+    number in the program is given, too."""
 
     constant: Callable[[Constant], V]
-    apply: Callable[[Instruction, int, Sequence[V]], V]
+    function: Callable[[Instruction, int], Callable[..., V]]
     not_a_number: V | None = None
+
+
+def interpreter(program: Program, arithmetic: Arithmetic[V]
+                ) -> Callable[[Sequence[Sequence[V]]], list[V]]:
+    """From the components of each input to those of the results.  Raises TypeError for a program
+    that may have no value if these numbers have no NaN."""
+    operands = [x for step in program.instructions for x in step.operands]
+    first = list(dict.fromkeys(x for x in (*operands, *program.results) if not isinstance(x, Ref)))
+    inputs = [x for x in first if isinstance(x, Input)]
+    others = [x for x in first if not isinstance(x, Input)]
+    if NotANumber() in others and arithmetic.not_a_number is None:
+        raise TypeError(f"{program.name} may have no value, which these numbers lack")
+    kept = [arithmetic.constant(x) if isinstance(x, Constant) else arithmetic.not_a_number
+            for x in others]
+    names = [Ref(step.name) for step in program.instructions]
+    places = {x: place for place, x in enumerate((*inputs, *others, *names))}
+    steps = [(arithmetic.function(step, number), [places[x] for x in step.operands])
+             for number, step in enumerate(program.instructions)]
+    results = [places[x] for x in program.results]
+
+    def evaluated(given: Sequence[Sequence[V]]) -> list[V]:
+        values = [*(given[x.argument][x.index] for x in inputs), *kept]
+        for function, operands in steps:
+            values.append(function(*[values[place] for place in operands]))
+        return [values[place] for place in results]
+
+    return evaluated
 
 
 def evaluate(program: Program, inputs: Sequence[Sequence[V]],
              arithmetic: Arithmetic[V]) -> list[V]:
     """The results' components for the components of each input."""
-    known: dict[str, V] = {}
-
-    def value(x: Operand) -> V:
-        if isinstance(x, Input):
-            return inputs[x.argument][x.index]
-        if isinstance(x, Constant):
-            return arithmetic.constant(x)
-        if isinstance(x, NotANumber):
-            if arithmetic.not_a_number is None:
-                raise TypeError(f"{program.name} may have no value, which these numbers lack")
-            return arithmetic.not_a_number
-        return known[x.name]
-
-    for number, step in enumerate(program.instructions):
-        known[step.name] = arithmetic.apply(step, number, [value(x) for x in step.operands])
-    return [value(x) for x in program.results]
+    return interpreter(program, arithmetic)(inputs)
 
 
 def by_operation(constant: Callable[[Constant], V], operations: Mapping[Op, Callable[..., V]],
                  not_a_number: V | None = None) -> Arithmetic[V]:
     """Numbers that a table of functions computes with."""
-    return Arithmetic(constant, lambda step, _, operands: operations[step.op](*operands),
-                      not_a_number)
+    return Arithmetic(constant, lambda step, _: operations[step.op], not_a_number)
 
 
-def exactly(functions: object) -> Mapping[Op, Callable]:
+def exactly(functions: object = None) -> Mapping[Op, Callable]:
     """Every operation without its rounding: by operators, and by the module's sqrt, sin, cos, exp,
     tanh, atan2 (math, mpmath, numpy)."""
     return _OPERATORS | {op: getattr(functions, op.value) for op in _FUNCTIONS

@@ -12,10 +12,11 @@ Instructions are named when the program is done, so that none that is left out l
     link_w_1     the first step of the part w of the link that several need
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 
 from coscrew_codegen.program import (
     Constant,
@@ -29,7 +30,7 @@ from coscrew_codegen.program import (
     without_dead_steps,
 )
 from coscrew_codegen.program.folding import Folded, Sign, folded, fraction
-from coscrew_codegen.program.interpreter import Arithmetic, evaluate
+from coscrew_codegen.program.interpreter import Arithmetic, interpreter
 from coscrew_codegen.programs import library_program
 from coscrew_codegen.quantity import Argument, Quantity
 from coscrew_codegen.recording.naming import Part, named
@@ -72,8 +73,8 @@ class Recorder:
         self._labels: dict[str, Part] = {}  # of values: by the name of what holds them
         self.heading = ""  # of the part in which something was divided by zero
         self._arithmetic: Arithmetic[Operand] = Arithmetic(
-            lambda x: x, lambda step, _, operands: self.issue(step.op, tuple(operands)),
-            NotANumber())
+            lambda x: x, lambda step, _: partial(self._issued_of, step.op), NotANumber())
+        self._replays: dict[str, Callable[[Sequence[Sequence[Operand]]], list[Operand]]] = {}
 
     # what goes in
 
@@ -126,8 +127,12 @@ class Recorder:
     def call(self, operation: str, *arguments: Number | Numbers) -> tuple[Number, ...]:
         """All components of the operation's outputs, its plain program replayed."""
         given = [[x.operand for x in ([a] if isinstance(a, Number) else a)] for a in arguments]
-        results = evaluate(library_program(operation), given, self._arithmetic)
-        return tuple(Number(self, x) for x in results)
+        if operation not in self._replays:
+            self._replays[operation] = interpreter(library_program(operation), self._arithmetic)
+        return tuple(Number(self, x) for x in self._replays[operation](given))
+
+    def _issued_of(self, op: Op, *operands: Operand) -> Operand:
+        return self.issue(op, operands)
 
     def issue(self, op: Op, operands: tuple[Operand, ...]) -> Operand:
         """The operand that holds op(operands): folded, found, or issued anew."""

@@ -69,6 +69,7 @@ class Scene:
     every: float = 0.01
     run: Run = Run()
     expectations: tuple[Expectation, ...] = ()
+    functions: tuple[str, ...] = ()  # asked for, by name; none: the default ones
     unused: tuple[str, ...] = ()  # physical numbers of the model that nothing here uses, one a line
 
 

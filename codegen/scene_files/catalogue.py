@@ -44,7 +44,7 @@ def described(effect: Effect) -> Iterator[str]:
     yield f"{effect.name}: {effect.words}"
     yield from textwrap.wrap(effect.equation, WIDTH, initial_indent="    ",
                              subsequent_indent="        ")
-    yield f"    {_WHERE[effect.place].format(effect.name)}"
+    yield f"    {where(effect)}"
     for parameter in effect.parameters:
         yield from textwrap.wrap(_line(parameter), WIDTH, initial_indent="      ",
                                  subsequent_indent="          ")
@@ -52,23 +52,33 @@ def described(effect: Effect) -> Iterator[str]:
         yield f"      at least one of {', '.join(effect.any_of)}"
 
 
+def where(effect: Effect) -> str:
+    """The tables it is called for by."""
+    return _WHERE[effect.place].format(effect.name)
+
+
 def _line(parameter: ParameterOf) -> str:
     unit = f" [{parameter.unit}]" if parameter.unit else ""
+    told = f" ({'; '.join(given)})" if (given := notes(parameter)) else ""
+    return f"{parameter.name}{unit}: {parameter.words}{told}"
+
+
+def notes(parameter: ParameterOf) -> list[str]:
+    """What may be given for it, and what it is where nothing is."""
     kinds = {"vector": "three numbers", "formula": "a number or a function of t",
              "formulas": "three numbers or functions of t"}
-    notes = [kinds[parameter.kind]] if parameter.kind in kinds else []
+    found = [kinds[parameter.kind]] if parameter.kind in kinds else []
     if parameter.choices:
-        notes.append(" | ".join(parameter.choices))
+        found.append(" | ".join(parameter.choices))
     if parameter.of:
-        notes.append(f"for {' and '.join(parameter.of)}")
+        found.append(f"for {' and '.join(parameter.of)}")
     if parameter.model:
-        notes.append(f'"model": the joint\'s {parameter.model}')
+        found.append(f'"model": the joint\'s {parameter.model}')
     if parameter.default is not None:
-        notes.append(f"default {_written(parameter.default)}")
+        found.append(f"default {_written(parameter.default)}")
     elif not parameter.required:
-        notes.append("may be left out")
-    told = f" ({'; '.join(notes)})" if notes else ""
-    return f"{parameter.name}{unit}: {parameter.words}{told}"
+        found.append("may be left out")
+    return found
 
 
 def _written(value: object) -> str:

@@ -20,14 +20,11 @@ from coscrew_codegen.scene.model import (
 from coscrew_codegen.scene.possible import WARN, judged
 from coscrew_codegen.scene.residues import without_residues
 from coscrew_codegen.scene_files.errors import SceneError
+from coscrew_codegen.scene_files.keys import BODY, JOINT, LIMITS, MIMIC, ORIGIN, TYPES
 from coscrew_codegen.scene_files.tables import Table, described
 
-TYPES = {"revolute": Kind.REVOLUTE, "continuous": Kind.REVOLUTE, "prismatic": Kind.PRISMATIC,
-         "spherical": Kind.SPHERICAL, "free": Kind.FREE, "fixed": Kind.FIXED}
-
 _ZERO = (Fraction(0),) * 3
-_ENDS = ("type", "parent", "child", "origin")
-_OF_ONE_COORDINATE = ("axis", "limits", "damping", "friction", "mimic")
+_OF_ONE_COORDINATE = tuple(key.name for key in JOINT.keys if key.one_coordinate)
 _INERTIA = "a list of 3 or 6 numbers: xx, yy, zz, xy, xz, yz; or a symmetric 3×3 matrix"
 _TOLERANCE = Fraction(1, 10**6)  # of a quaternion's norm: six digits are written by hand
 
@@ -48,7 +45,7 @@ def read_model(file: Table, name: str, base: Kind, implausible: str) -> Model:
 
 def _body(name: str, table: Table, massless: list[str] | None) -> Body:
     """The body; without `massless`, which gets a line on each, masses of zero are refused."""
-    table.only("mass", "com", "inertia")
+    table.only(*BODY.names)
     if name == WORLD:
         table.refuse("", "this name is the world's; wanted another one")
     if "mass" not in table:
@@ -86,7 +83,7 @@ def _moments(table: Table) -> tuple[Fraction, ...]:
 
 
 def _joint(name: str, table: Table) -> Joint:
-    table.only(*_ENDS, *_OF_ONE_COORDINATE)
+    table.only(*JOINT.names)
     word = table.choice("type", tuple(TYPES))
     kind = TYPES[word]
     ends = table.text("parent", WORLD), table.text("child")
@@ -102,8 +99,7 @@ def _joint(name: str, table: Table) -> Joint:
 
 
 def _limits(table: Table, continuous: bool) -> dict[str, Fraction | None]:
-    keys = ("effort", "velocity") if continuous else ("lower", "upper", "effort", "velocity")
-    table.only(*keys)
+    table.only(*(key for key in LIMITS.names if not continuous or key not in ("lower", "upper")))
     lower, upper = (table.number(key) if key in table else None for key in ("lower", "upper"))
     if lower is not None and upper is not None and lower > upper:
         table.refuse("lower", f"{float(lower):g} is above upper, {float(upper):g}")
@@ -112,7 +108,7 @@ def _limits(table: Table, continuous: bool) -> dict[str, Fraction | None]:
 
 
 def _mimic(table: Table) -> Mimic:
-    table.only("joint", "multiplier", "offset")
+    table.only(*MIMIC.names)
     return Mimic(table.text("joint"), table.number("multiplier", Fraction(1)),
                  table.number("offset", Fraction(0)))
 
@@ -122,7 +118,7 @@ def _placement(table: Table) -> Placement:
     if "origin" not in table:
         return HERE
     origin = table.table("origin")
-    origin.only("xyz", "rpy", "quaternion", "axis", "angle")
+    origin.only(*ORIGIN.names)
     ways = [key for key in ("rpy", "quaternion", "axis") if key in origin]
     if len(ways) > 1:
         origin.refuse(ways[1], f"the rotation is given by {ways[0]} already")

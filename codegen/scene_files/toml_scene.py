@@ -6,6 +6,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from coscrew_codegen.integrators import NAMES
+from coscrew_codegen.scene.asked import AskedError, resolved
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.model import Joint, Kind, Model
 from coscrew_codegen.scene.possible import ERROR, WARN, unmoved_mass
@@ -21,18 +22,13 @@ from coscrew_codegen.scene.scene import Expectation, Run, Scene
 from coscrew_codegen.scene_files.effect_table import Use
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.identifiers import identifier, refused
+from coscrew_codegen.scene_files.keys import BASES, EXPECT, OUTPUTS, PRECISIONS, RUN, SCENE, START
 from coscrew_codegen.scene_files.runtime import with_parameters
 from coscrew_codegen.scene_files.tables import Table, described, read_toml
 from coscrew_codegen.scene_files.toml_effects import read_effects, with_reactions
 from coscrew_codegen.scene_files.toml_model import read_model, refuse_not_unit
 from coscrew_codegen.scene_files.unused import unused
 from coscrew_codegen.scene_files.urdf import read_urdf
-
-PRECISIONS = ("double", "single", "both")
-BASES = {"fixed": Kind.FIXED, "free": Kind.FREE}
-
-_KEYS = ("model", "base", "name", "precision", "implausible", "runtime", "effects", "start",
-         "outputs", "run", "expect", "bodies", "joints")
 
 
 @dataclass(frozen=True)
@@ -41,6 +37,7 @@ class Said:
 
     precision: str | None = None  # double, single, both
     implausible: str | None = None  # error, warn
+    functions: tuple[str, ...] | None = None  # names, "default", "all"
 
     def __post_init__(self) -> None:
         for key, choices in (("precision", PRECISIONS), ("implausible", (ERROR, WARN))):
@@ -61,9 +58,9 @@ def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
         implausible = said.implausible or ERROR
         model = read_urdf(path, implausible=implausible)
         _refuse_unmoved(path, model, Scene(path.stem, model))
-        return Scene(identifier(path.stem), model, unused=unused(model, set(), effects),
-                     implausible=implausible, precision=said.precision or "double",
-                     precisions=_emitted(said.precision))
+        return _asking(Scene(identifier(path.stem), model, unused=unused(model, set(), effects),
+                             implausible=implausible, precision=said.precision or "double",
+                             precisions=_emitted(said.precision)), said.functions or ())
     if suffix != ".toml":
         raise SceneError(path, "", f"suffix {shown(path.suffix)}; wanted a .toml or .urdf file")
     return _scene(read_toml(path), effects, said)
@@ -87,7 +84,7 @@ def _said(beside: str | None, file: Table, key: str, choices: tuple[str, ...]) -
 
 
 def _scene(file: Table, catalogue: tuple[Effect, ...], said: Said) -> Scene:
-    file.only(*_KEYS)
+    file.only(*SCENE.names)
     name = _name(file)
     implausible = _said(said.implausible, file, "implausible", (ERROR, WARN)) or ERROR
     precision = _said(said.precision, file, "precision", PRECISIONS)
@@ -100,15 +97,34 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], said: Said) -> Scene:
                   unused=unused(model, use.of_model, catalogue, effects))
     _refuse_unmoved(file.file, model, scene)
     start, outputs = file.table("start"), file.table("outputs")
-    start.only("q", "v")
-    outputs.only("record", "every")
+    start.only(*START.names)
+    outputs.only(*OUTPUTS.names)
     scene = replace(scene, start_q=_start_q(start.table("q"), scene),
                     start_v=_start_v(start.table("v"), scene), record=_record(outputs, scene),
                     every=float(outputs.positive("every", Fraction(1, 100))),
                     expectations=_expectations(file, scene))
+    functions = said.functions or _functions(file, scene)
     effects = with_reactions(scene, catalogue)
     model, effects, parameters = with_parameters(file, model, effects, catalogue)
-    return replace(scene, model=model, effects=effects, parameters=parameters)
+    return _asking(replace(scene, model=model, effects=effects, parameters=parameters), functions)
+
+
+def _functions(file: Table, scene: Scene) -> tuple[str, ...]:
+    """The functions that the file asks for; none: the default ones."""
+    names = file.texts("functions", ())
+    if "functions" in file and not names:
+        file.refuse("functions", 'an empty list; wanted names, as ["inverse_dynamics"], "default" '
+                                 'or "all" among them')
+    try:
+        return _asking(scene, names).functions
+    except AskedError as error:
+        file.refuse("functions", str(error))
+
+
+def _asking(scene: Scene, functions: tuple[str, ...]) -> Scene:
+    """The scene with these functions.  Raises AskedError for names that it has no function of."""
+    resolved(scene, functions)
+    return replace(scene, functions=functions)
 
 
 def _name(file: Table) -> str:
@@ -200,7 +216,7 @@ def _record(outputs: Table, scene: Scene) -> tuple[str, ...]:
 
 
 def _run(table: Table) -> Run:
-    table.only("duration", "integrator", "step", "rtol", "atol")
+    table.only(*RUN.names)
     run = Run()
     duration, step, rtol, atol = (
         float(table.positive(key, Fraction(getattr(run, key))))
@@ -235,7 +251,7 @@ def _quotes(quantity: str, value: object) -> str:
 
 
 def _expectation(table: Table, quantity: str, duration: float) -> Expectation:
-    table.only("at", "value", "rtol", "atol")
+    table.only(*EXPECT.names)
     at = float(table.nonnegative("at", None) if "at" in table else table.number("at"))
     if at > duration:
         table.refuse("at", f"{at:g} s is after the end of the run, {duration:g} s")

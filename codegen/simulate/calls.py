@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.render import render
+from coscrew_codegen.scene.asked import names
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.targets import scene_calls
@@ -44,7 +45,7 @@ class Step(Protocol[Real]):
 class Functions(Generic[Real]):
     """The functions of one precision as attributes."""
 
-    if TYPE_CHECKING:  # what every scene has; others, jacobian_hand, are a Function too
+    if TYPE_CHECKING:  # what scenes have; others, jacobian_hand, are a Function too
         inverse_dynamics: Function[Real]
         forward_dynamics: Function[Real]
         mass_matrix: Function[Real]
@@ -56,6 +57,7 @@ class Functions(Generic[Real]):
         body_poses: Function[Real]
         body_twists: Function[Real]
         integrated: Function[Real]
+        step_leapfrog: Step[Real]
         step_semi_implicit_euler: Step[Real]
         step_linear_implicit_euler: Step[Real]
         step_rk4: Step[Real]
@@ -75,8 +77,11 @@ class Functions(Generic[Real]):
         if not dir(self):
             raise AttributeError(f"{self._about} is not there: the scene is of double precision "
                                  "alone, as it says", name=name, obj=self)
-        hint = ("; add [effects.reaction]" if name.startswith("reaction_")
-                else or_mean(name, dir(self)))
+        scene = getattr(self._kernels, "scene", None)
+        possible = names(scene) if scene else ()
+        hint = or_mean(name, (*dir(self), *possible))
+        if name in possible:
+            hint = f"; it was not asked for: functions=[\"default\", {name!r}]"
         raise AttributeError(f"{self._about} has no function {name!r}{hint}", name=name, obj=self)
 
     def __repr__(self) -> str:

@@ -24,10 +24,12 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 def run(options: argparse.Namespace) -> int:
     """Check; returns the exit status: 0, or 1 if an expectation is not met, a run stops early,
     energy or momentum is not kept, or with --strict not kept well."""
-    from coscrew_codegen.simulate import check, outcome, verdict
-    from coscrew_codegen.simulate.load import load_scene
+    from coscrew_codegen.simulate import check, needs, outcome, verdict
+    from coscrew_codegen.simulate.load import kernels_for
 
-    findings = check.check(load_scene(scene_of(options, options.precision)), outcome.Asked(
+    scene = scene_of(options, options.precision)
+    kernels = kernels_for(scene, needs.of_check(scene, options.integrator))
+    findings = check.check(kernels, outcome.Asked(
         options.until, options.step, options.integrator, options.precision,
         tuple(options.settings)))
     print(verdict.table(findings))

@@ -58,11 +58,13 @@ def add_implausible(parser: argparse.ArgumentParser) -> None:
                              "incomplete: refuse the scene (error) or tell of them (warn)")
 
 
-def scene_of(options: argparse.Namespace, precision: str | None) -> "Scene":
-    """The scene of the options; what is let through in it goes to standard error."""
+def scene_of(options: argparse.Namespace, precision: str | None,
+             functions: tuple[str, ...] = ()) -> "Scene":
+    """The scene of the options, with these functions instead of its own if there are any; what is
+    let through in it goes to standard error."""
     from coscrew_codegen.scene_files.toml_scene import Said, read_scene
 
-    scene = read_scene(options.scene, said=Said(precision, options.implausible))
+    scene = read_scene(options.scene, said=Said(precision, options.implausible, functions))
     for line in scene.model.implausible:
         print(f"coscrew: warning: {line}", file=sys.stderr)
     return scene
@@ -94,14 +96,15 @@ def _setting(text: str) -> tuple[str, float]:
 
 def run(options: argparse.Namespace) -> int:
     """Simulate; returns the exit status: 0, 1 if a run stopped early, 130 if it was interrupted."""
-    from coscrew_codegen.simulate import outcome, plot, view, write
-    from coscrew_codegen.simulate.load import load_scene
+    from coscrew_codegen.simulate import needs, outcome, plot, view, write
+    from coscrew_codegen.simulate.load import kernels_for
 
     for path, endings in ((options.output, tuple(write.FORMATS)), (options.plot, plot.ENDINGS),
                           (options.view, (".html",))):
         if path:
             write.check_target(path, endings)
-    kernels = load_scene(scene_of(options, options.precision))
+    scene = scene_of(options, options.precision)
+    kernels = kernels_for(scene, needs.of_run(scene, options.integrator, bool(options.view)))
     for line in _notes(kernels.scene, options.unused):
         print(f"coscrew: {line}", file=sys.stderr)
     outcomes = outcome.simulated(kernels, outcome.Asked(

@@ -9,8 +9,8 @@ import pickle
 import sys
 import warnings
 import zlib
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from types import ModuleType
@@ -101,7 +101,7 @@ class Kernels:
 
 
 def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
-               implausible: str | None = None) -> Kernels:
+               implausible: str | None = None, functions: Sequence[str] = ()) -> Kernels:
     """The kernels of a scene or of a scene file: `.double` and `.single` hold the functions of its
     header.
 
@@ -109,13 +109,16 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
     $XDG_CACHE_HOME or ~/.cache.  Without a compiler that works, which a warning tells, the
     generated Python runs.  `precision` and `implausible` stand in for what the file says of them:
     a scene of precision "double" has no `single`; what implausible "warn" lets through is warned
-    of.  Raises TypeError for what is neither file nor Scene, ValueError for unknown words,
+    of.  `functions` are those wanted, by name, instead of those that the scene asks for; "default"
+    stands for those of a scene that asks for none, "all" for all it can have.  Raises AskedError
+    for names of none, TypeError for what is neither file nor Scene, ValueError for unknown words,
     RangeError for numbers that a precision cannot hold, and what reading the scene raises.
     """
+    functions = _names(functions)
     if isinstance(scene, (str, Path)):
         from coscrew_codegen.scene_files.toml_scene import Said, read_scene
         path = Path(scene)
-        scene = read_scene(path, said=Said(precision, implausible))
+        scene = read_scene(path, said=Said(precision, implausible, functions))
         for line in scene.model.implausible:
             warnings.warn(f"{path.name}: {line}", RuntimeWarning, stacklevel=2)
     elif not isinstance(scene, Scene):
@@ -124,7 +127,21 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
     elif precision or implausible:
         raise TypeError("load_scene: precision and implausible belong to a scene file; this Scene "
                         "has its own")
+    elif functions:
+        scene = replace(scene, functions=functions)
     return kernels_of(derive(scene), scene)
+
+
+def kernels_for(scene: Scene, functions: Collection[str]) -> Kernels:
+    """The kernels of those functions of a scene that it has, and of no others."""
+    return kernels_of(derive(scene, functions), scene)
+
+
+def _names(functions: Sequence[str]) -> tuple[str, ...]:
+    """The names, as one may write them by mistake: "energy"."""
+    if isinstance(functions, str) or not all(isinstance(name, str) for name in functions):
+        raise TypeError(f'functions: wanted a list of names, as ["energy"]; got {functions!r}')
+    return tuple(functions)
 
 
 def kernels_of(functions: SceneFunctions, scene: Scene | None = None) -> Kernels:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coscrew_codegen.integrators import ADAPTIVE
+from coscrew_codegen.integrators import ADAPTIVE, NAMES, named
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.system import System
@@ -78,11 +78,13 @@ def plan(system: System, until: float | None = None, step: float | None = None,
     made = Plan(run.duration if until is None else until, every,
                 run.integrator if integrator is None else integrator,
                 run.step if step is None else step, *tolerances(system), also)
-    known = (*(name.replace("_", "-") for name in system.functions.steps), *ADAPTIVE)
-    if made.integrator not in known:
-        hint = did_you_mean(made.integrator, known)
-        raise SimulateError(f"integrator: {made.integrator!r}; wanted one of {', '.join(known)}; "
-                            f"{hint}")
+    if made.integrator not in NAMES:
+        raise SimulateError(f"integrator: {made.integrator!r}; wanted one of {', '.join(NAMES)}; "
+                            f"{did_you_mean(made.integrator, NAMES)}")
+    step = named(made.integrator).step_name
+    if step and not system.has(step):
+        raise SimulateError(f"integrator {made.integrator}: {step} is not among the functions that "
+                            f"were asked for; wanted functions = [\"default\", {step!r}]")
     for name, value in (("until", made.until), ("step", made.step), ("every", made.every)):
         if not (math.isfinite(value) and value > 0):
             raise SimulateError(f"{name}: wanted a positive number of seconds; got {value}")

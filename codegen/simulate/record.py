@@ -4,8 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from coscrew_codegen.identifiers import identifiers
-from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.scene.asked import reactions
 from coscrew_codegen.scene.recorded import Recorded, recorded
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.plan import Trajectory
@@ -68,12 +67,11 @@ def accelerations(system: System, t: np.ndarray, q: np.ndarray, v: np.ndarray) -
 
 
 def reaction_name(system: System, joint: str) -> str:
-    """The function of a joint's reaction; raises SimulateError if the scene does not ask for it."""
-    moving = [x.name for x in system.scene.model.joints if x.kind is not Kind.FIXED]
-    name = f"reaction_{identifiers(moving)[moving.index(joint)]}"
+    """The function of a joint's reaction; raises SimulateError if it was not asked for."""
+    name = next(name for name, on in reactions(system.scene).items() if on == joint)
     if not system.has(name):
-        raise SimulateError(f"reaction.{joint}: the scene has no such function; "
-                            f"wanted [effects.reaction] with joints = [{joint!r}]")
+        raise SimulateError(f"reaction.{joint}: {name} is not among the functions that were asked "
+                            f"for; wanted functions = [\"default\", {name!r}]")
     return name
 
 

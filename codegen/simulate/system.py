@@ -46,7 +46,7 @@ class System:
     @cached_property
     def programs(self) -> Mapping[str, Program]:
         """What each function computes."""
-        return {f.name: f.program for f in self.functions.functions}
+        return {f.name: f.program for f in self.functions.functions if not f.internal}
 
     def has(self, name: str) -> bool:
         """Whether the scene has this function."""

@@ -101,6 +101,24 @@ def is_pointer(operation: Operation, argument: Argument) -> bool:
     return not argument.quantity.shape and argument in operation.outputs
 
 
+def prototype(operation: Operation, precision: Precision, tier: str = "") -> str:
+    """'void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so)'; `_tier`
+    behind the name."""
+    value = returned(operation)
+    kind = c_type(value.quantity, precision) if value else "void"
+    name = c_name(operation.name, precision) + (f"_{tier}" if tier else "")
+    declared = [_declared(operation, a, precision) for a in parameters(operation)]
+    return listed(f"{kind} {name}(", declared, ")", WIDTH - 16)
+
+
+def _declared(operation: Operation, argument: Argument, precision: Precision) -> str:
+    const = "" if argument.name in {a.name for a in operation.outputs} else "const "
+    star = "*" if is_pointer(operation, argument) else ""
+    array = argument.quantity.shape and argument.quantity.name not in STRUCTS
+    size = f"[{argument.quantity.size}]" if array else ""
+    return f"{const}{c_type(argument.quantity, precision)} {star}{argument.name}{size}"
+
+
 def function(operation: Operation, program: Program, precision: Precision,
              tier: str = "") -> CFunction:
     """The operation as a C function, `_tier` behind its name."""
@@ -110,6 +128,7 @@ def function(operation: Operation, program: Program, precision: Precision,
 class _Writer:
     def __init__(self, operation: Operation, program: Program, precision: Precision, tier: str):
         self.operation, self.program, self.precision = operation, program, precision
+        self.tier = tier
         self.working = DOUBLE if program.wide else precision  # of intermediate results
         self.name = c_name(operation.name, precision) + (f"_{tier}" if tier else "")
         self.written = {a.name for a in operation.outputs}
@@ -117,9 +136,7 @@ class _Writer:
         self.statements = Statements(program, self.working, self._input)
 
     def function(self) -> CFunction:
-        kind = c_type(self.value.quantity, self.precision) if self.value else "void"
-        declared = [self._parameter(a) for a in parameters(self.operation)]
-        head = listed(f"{kind} {self.name}(", declared, ")", WIDTH - 16)
+        head = prototype(self.operation, self.precision, self.tier)
         return CFunction(self.name, self._comment(), head, "\n".join(self._body()))
 
     def _comment(self) -> str:
@@ -129,14 +146,6 @@ class _Writer:
                            f"{in_words(parameters(self.operation))}.",
                            f"{counts_in_words(self.program).capitalize()}.",
                            bounds.in_words(self.program) or self.operation.tested_bounds])
-
-    def _parameter(self, argument: Argument) -> str:
-        kind = c_type(argument.quantity, self.precision)
-        const = "" if argument.name in self.written else "const "
-        star = "*" if is_pointer(self.operation, argument) else ""
-        array = argument.quantity.shape and argument.quantity.name not in STRUCTS
-        size = f"[{argument.quantity.size}]" if array else ""
-        return f"{const}{kind} {star}{argument.name}{size}"
 
     def _body(self) -> list[str]:
         lines = [f"(void){a.name};" for n, a in enumerate(self.program.inputs)

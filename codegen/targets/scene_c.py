@@ -102,7 +102,7 @@ def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str
 
 def _functions(scene: SceneFunctions, precision: Precision) -> list[CText]:
     """All functions that are emitted, in the order in which they call each other."""
-    functions = [_Writer(scene, f, precision).text() for f in scene_text.used_functions(scene)]
+    functions = [_Writer(scene, f, precision).text() for f in scene.functions]
     return functions + [_step(scene, name, precision) for name in scene.steps]
 
 
@@ -212,7 +212,7 @@ def _step(scene: SceneFunctions, name: str, precision: Precision) -> CText:
         timed=scene_text.takes(accelerated, "t"), pushed=scene_text.takes(accelerated, "tau"),
         unused=[x for x in inputs if x in ("t", "p") and not scene_text.takes(accelerated, x)],
         accelerate=partial(call, accelerated),
-        integrate=partial(call, function_named(scene, INTEGRATED)),
+        integrate=lambda **values: call(function_named(scene, INTEGRATED), **values),
         rate=partial(_rate, scene, precision),
         **scene_text.step_calls(scene, call)).rstrip("\n")
     return CText(f"step_{name}", comment_of([f"{step.equation}.  In place."]),

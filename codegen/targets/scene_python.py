@@ -46,7 +46,7 @@ def _dictionary(name: str, entries: Sequence[tuple[str, float]]) -> str:
 
 
 def _module(scene: SceneFunctions, banner: str, precision: Precision) -> str:
-    functions = scene_text.used_functions(scene)
+    functions = scene.functions
     called = {op for f in functions for op in f.program.counts} & set(NUMPY_NAMES)
     names = {NUMPY_NAMES[op] for op in called} | {"errstate", precision.numpy_type}
     if any(NotANumber() in x.operands for f in functions for x in f.program.instructions):
@@ -122,7 +122,8 @@ def _step(scene: SceneFunctions, name: str, precision: Precision) -> dict[str, s
     body = render(
         f"scene/{step.template}.py", timed=scene_text.takes(accelerated, "t"),
         pushed=scene_text.takes(accelerated, "tau"), accelerate=partial(_call, accelerated),
-        integrate=partial(_call, function_named(scene, INTEGRATED)), rate=partial(_rate, scene),
+        integrate=lambda **values: _call(function_named(scene, INTEGRATED), **values),
+        rate=partial(_rate, scene),
         **scene_text.step_calls(scene, _call))
     lines = [_unpacking("arrays", [(x, str(shapes[x])) for x in inputs], precision),
              "q, v = spread(lead, q, v)", *body.rstrip("\n").split("\n")]

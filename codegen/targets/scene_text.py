@@ -106,16 +106,9 @@ def step_calls(scene: SceneFunctions, call: Callable[..., str]) -> dict[str, obj
                              for role, name in roles.items()}}
 
 
-def used_functions(scene: SceneFunctions) -> tuple[Function, ...]:
-    """The functions to emit: internal ones only if a step calls them."""
-    called = {STEPS[name].calls for name in scene.steps}
-    called |= {RATE} if "rk4" in scene.steps else set()
-    return tuple(f for f in scene.functions if not f.internal or f.name in called)
-
-
 def check_names(scene: SceneFunctions) -> None:
     """Raises ValueError for names that are no variables' or are given twice in a function."""
-    for function in used_functions(scene):
+    for function in scene.functions:
         _check(function)
 
 

@@ -15,6 +15,7 @@ from coscrew_codegen.simulate.findings import Met
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.verdict import table
 from tests.support.scenes import scene_texts as texts
+from tests.support.scenes.asking import STEPPED
 from tests.support.scenes.simulated import told
 
 
@@ -31,7 +32,7 @@ def loaded(tmp_path_factory):
     def load(text: str):
         path = folder / f"scene{len(list(folder.iterdir()))}.toml"
         path.write_text(text)
-        return load_scene(path)
+        return load_scene(path, functions=STEPPED)
 
     return load
 

@@ -13,6 +13,7 @@ from coscrew_codegen.__main__ import main
 from coscrew_codegen.simulate.check import check
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.verdict import table
+from tests.support.scenes.asking import STEPPED
 
 BALL = """
 [bodies]
@@ -44,7 +45,7 @@ def loaded(tmp_path):
     def load(**values: object):
         path = tmp_path / "ball.toml"
         path.write_text(BALL.format(**values))
-        return load_scene(path)
+        return load_scene(path, functions=STEPPED)
 
     return load
 

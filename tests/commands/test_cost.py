@@ -30,6 +30,7 @@ from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.system import system
 from tests.support.scenes import scene_texts as texts
+from tests.support.scenes.asking import STEPPED
 
 
 @pytest.fixture(scope="module")
@@ -38,7 +39,7 @@ def kernels(tmp_path_factory):
     for name in ("PENDULUM", "SPRING", "BRICK"):
         path = folder / f"{name.lower()}.toml"
         path.write_text(getattr(texts, name).replace("duration = 10", "duration = 2"))
-        found[name] = load_scene(path)
+        found[name] = load_scene(path, functions=STEPPED)
     return found
 
 
@@ -171,7 +172,7 @@ tau_c = 1
 eps = 1e-9
 """)
     with pytest.raises(CostError, match="--digits is for smooth scenes"):
-        exact_end(system(load_scene(path), "double"), 2.0, 20)
+        exact_end(system(load_scene(path, functions=STEPPED), "double"), 2.0, 20)
 
 
 def test_the_sign_of_a_quaternion_is_no_error(kernels):

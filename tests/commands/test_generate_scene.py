@@ -109,6 +109,9 @@ def test_files_name_no_folder(folder: Path):
     (["arm.toml", "-o", "out", "--family", "vec3"], "--family selects kernels of the library"),
     (["arm.toml", "-o", "out", "--language", "c"], "--language selects kernels of the library"),
     (["arm.toml", "-o", "arm.toml"], "cannot write arm.toml"),
+    (["arm.toml", "-o", "out", "--functions", "jacobian_hnd"],
+     "'jacobian_hnd' is no function of the scene; did you mean 'jacobian_hand'?"),
+    (["--functions", "energy"], "--functions selects functions of a scene, and no scene is given"),
 ))
 def test_errors_are_one_line(folder: Path, capsys: pytest.CaptureFixture[str], arguments: list[str],
                              message: str):
@@ -145,7 +148,7 @@ def test_bodies_and_joints_may_be_called_anything(folder: Path):
                   f'type = "{("revolute", "prismatic")[n % 3 == 2]}"',
                   "origin = { xyz = [0.1, 0, 0] }"]
     (folder / "main_arm.toml").write_text("\n".join(scene), encoding="utf-8")
-    assert main(["generate", "main_arm.toml", "-o", "out"]) == 0
+    assert main(["generate", "main_arm.toml", "-o", "out", "--functions", "all"]) == 0
     for compiler, language in DIALECTS:
         run([compiler, *language, *STRICT, "-fsyntax-only", folder / "out" / "main_arm.c"])
     kernels = load_scene("main_arm.toml")

@@ -19,6 +19,7 @@ from coscrew_codegen.simulate.provenance import scene_hash
 from coscrew_codegen.simulate.record import differences
 from coscrew_codegen.simulate.recording import Column, Recording
 from tests.support.scenes import scene_texts as texts
+from tests.support.scenes.asking import STEPPED
 
 ENDINGS = tuple(write.FORMATS)
 EVERYTHING = """record = ["q", "v", "a", "energy", "momentum", "power", "pose.bob", "position.bob",
@@ -28,7 +29,7 @@ EVERYTHING = """record = ["q", "v", "a", "energy", "momentum", "power", "pose.bo
 def outcomes(folder: Path, text: str, **asked):
     path = folder / "scene.toml"
     path.write_text(text)
-    return simulated(load_scene(path), Asked(**asked))
+    return simulated(load_scene(path, functions=STEPPED), Asked(**asked))
 
 
 @pytest.fixture(scope="module")

@@ -26,6 +26,7 @@ from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import system
 from tests.support.processes import interruptible
 from tests.support.scenes import scene_texts as texts
+from tests.support.scenes.asking import STEPPED
 from tests.support.scenes.simulated import run, scene_file
 
 ORDERS = {"leapfrog": 2, "semi-implicit-euler": 1, "linear-implicit-euler": 1, "rk4": 4}
@@ -106,7 +107,7 @@ def test_without_a_compiler_the_same_run_comes_from_numpy(kernels, tmp_path, mon
     """To the last bit: of a spring only sums, products and quotients are taken."""
     monkeypatch.setenv("CC", "no-such-compiler")
     with pytest.warns(RuntimeWarning, match="pure NumPy"):
-        others = load_scene(scene_file(tmp_path, texts.SPRING, "spring"))
+        others = load_scene(scene_file(tmp_path, texts.SPRING, "spring"), functions=STEPPED)
     found, wanted = (simulated(x, Asked(until=0.1, precision=precision))[0]
                      for x in (others, kernels["SPRING"]))
     assert found.trajectory.q.tobytes() == wanted.trajectory.q.tobytes()
@@ -171,7 +172,7 @@ def test_a_solver_that_gives_up_keeps_the_rest(tmp_path):
 kind = "torque"
 torque = "1/(0.5 - t)**2"
 """).replace("tol = 1e-12", "tol = 1e-6")
-    kernels = load_scene(scene_file(tmp_path, text))
+    kernels = load_scene(scene_file(tmp_path, text), functions=STEPPED)
     found = run(kernels, integrator="dop853", until=2.0)
     assert "at t = 0.5" in found.stopped or "at t = 0.49" in found.stopped, found.stopped
     assert "joint slide: acceleration" in found.stopped
@@ -257,7 +258,7 @@ def test_runs_tell_where_they_are_between_samples(kernels, monkeypatch, tmp_path
         assert seen == sorted(seen)
     monkeypatch.setenv("CC", "no-such-compiler")
     with pytest.warns(RuntimeWarning, match="pure NumPy"):
-        others = load_scene(scene_file(tmp_path, texts.SPRING, "spring"))
+        others = load_scene(scene_file(tmp_path, texts.SPRING, "spring"), functions=STEPPED)
     seen, _ = told(system(others, "double"), until=0.01, every=0.01, integrator="rk4")
     assert seen == pytest.approx([1e-3 * i for i in range(1, 11)])
 

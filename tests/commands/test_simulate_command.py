@@ -13,6 +13,7 @@ from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.system import system
 from tests.support.scenes import scene_texts as texts
+from tests.support.scenes.asking import STEPPED
 from tests.support.scenes.simulated import run, scene_file
 
 
@@ -132,7 +133,7 @@ eps = 1e-3
     ("com = [0, 0, -0.5]\ninertia = [0.01, 0.01, 0.01]", "com = [0, 0, 0]",
      {"tool.com.z": 0, "tool.inertia.xx": 0, "tool.inertia.yy": 0, "tool.inertia.zz": 0})))
 def test_numbers_are_set_that_the_file_may_hold(tmp_path, key, given, settings):
-    kernels = load_scene(scene_file(tmp_path, RUNTIME))
+    kernels = load_scene(scene_file(tmp_path, RUNTIME), functions=STEPPED)
     system(kernels, "double", {"tool.mass": 5.0, "tool.inertia.zz": 0.02})
     with pytest.raises(SimulateError, match="--set"):
         system(kernels, "double", {name: float(x) for name, x in settings.items()})
@@ -240,4 +241,4 @@ def test_arguments_that_are_none_are_refused(tmp_path, capsys, arguments):
 def test_a_start_that_overflows_single_precision_is_refused(tmp_path):
     text = texts.SPRING.replace("slide = 0.1", "slide = 1e300")
     with pytest.raises(SimulateError, match="joint slide: q is inf"):
-        run(load_scene(scene_file(tmp_path, text)), "single")
+        run(load_scene(scene_file(tmp_path, text), functions=STEPPED), "single")

@@ -1,5 +1,6 @@
 """One version, of pyproject.toml: in both packages, the command, and every file that is emitted."""
 
+import json
 import subprocess
 import sys
 import tomllib
@@ -21,14 +22,17 @@ MAJOR, MINOR, PATCH = map(int, VERSION.split("."))
 HEADS = {suffix: (f"{start} Made by `coscrew generate",
                   f"{start} SPDX-License-Identifier: MIT{end}",
                   f"{start} coscrew {VERSION}.  Copyright (c) 2026 The coscrew authors.{end}")
-         for suffixes, start, end in ((".c .h", "/*", " */"), (".py .pyi", "#", ""))
+         for suffixes, start, end in ((".c .h", "/*", " */"), (".py .pyi", "#", ""),
+                                     (".md", "<!--", " -->"))
          for suffix in suffixes.split()}
 
 
 def refuse_other_heads(path: str, text: str) -> None:
     """Every file begins with its command, its license, and the project with its version."""
+    if path.endswith(".json"):  # which knows no comments
+        text = "\n".join(f"# {line}" for line in json.loads(text)["$comment"].splitlines())
     command, license_, project = text.splitlines()[:3]
-    head = HEADS[Path(path).suffix]
+    head = HEADS[".py" if path.endswith(".json") else Path(path).suffix]
     assert command.startswith(head[0]) and (license_, project) == head[1:], path
 
 
@@ -41,12 +45,12 @@ def test_packages_and_command_tell_the_version():
 
 def test_every_generated_file_bears_license_version_and_project():
     files = [path for path in (ROOT / "generated").rglob("*")
-             if path.suffix in HEADS and path.is_file()]
+             if path.suffix in (*HEADS, ".json") and path.is_file()]
     assert len(files) > 100
     for path in files:
         refuse_other_heads(str(path), path.read_text(encoding="utf-8"))
     others = {path.suffix for path in (ROOT / "generated").rglob("*") if path.is_file()}
-    assert others - set(HEADS) <= {".typed", "", ".so", ".pyc"}
+    assert others - set(HEADS) <= {".json", ".typed", "", ".so", ".pyc"}
 
 
 def test_amalgamations_bear_them_once():

@@ -16,6 +16,7 @@ from coscrew_codegen.simulate.outcome import Asked, simulated
 from coscrew_codegen.simulate.view import box_of, drawn, page, view
 from tests.support.browser import chromium, resize
 from tests.support.scenes import scene_texts as texts
+from tests.support.scenes.asking import STEPPED
 
 AWKWARD = "</script><script>document.title='no'</script>"
 TEXTS = {"pendulum": texts.PENDULUM, "brick": texts.BRICK, "spring": texts.SPRING,
@@ -31,7 +32,7 @@ def runs(tmp_path_factory):
     for name, text in TEXTS.items():
         path = folder / f"{name}.toml"
         path.write_text(text)
-        (found[name],) = simulated(load_scene(path), Asked(until=2.0, precision="double"))
+        (found[name],) = simulated(load_scene(path, functions=STEPPED), Asked(until=2.0, precision="double"))
         shown = found[name]
         view(shown.system, shown.trajectory, shown.recording.provenance, folder / f"{name}.html")
     return found, folder
@@ -303,7 +304,7 @@ def test_awkward_names_are_text(browser, runs):
 def test_a_run_that_stopped_says_so(runs, tmp_path):
     path = tmp_path / "unstable.toml"
     path.write_text(texts.UNSTABLE)
-    (found,) = simulated(load_scene(path), Asked(precision="double"))
+    (found,) = simulated(load_scene(path, functions=STEPPED), Asked(precision="double"))
     text = page(found.system, found.trajectory, found.recording.provenance)
     assert f'role="status">{found.trajectory.stopped}' in text
 
@@ -311,7 +312,7 @@ def test_a_run_that_stopped_says_so(runs, tmp_path):
 def test_a_run_of_huge_numbers_is_shown_as_far_as_they_go(browser, runs, tmp_path):
     path = tmp_path / "unstable.toml"
     path.write_text(texts.UNSTABLE)
-    (found,) = simulated(load_scene(path), Asked(precision="double"))
+    (found,) = simulated(load_scene(path, functions=STEPPED), Asked(precision="double"))
     view(found.system, found.trajectory, found.recording.provenance, tmp_path / "unstable.html")
     shown = opened(browser, tmp_path, "unstable")
     assert shown.get_log("browser") == []

@@ -22,6 +22,7 @@ from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.system import system
 from tests.references.figures import Figure
 from tests.support.scenes import runs
+from tests.support.scenes.asking import STEPPED
 
 mujoco = pytest.importorskip("mujoco", reason="no wheel for this platform")
 
@@ -135,7 +136,7 @@ def folder(tmp_path_factory) -> Path:
 def ours(name: str, folder: Path) -> Kernels:
     path = folder / f"{name}.toml"
     path.write_text(toml(links(name), name))
-    return load_scene(path)
+    return load_scene(path, functions=STEPPED)
 
 
 @cache

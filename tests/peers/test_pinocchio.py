@@ -45,9 +45,9 @@ ALL = pytest.mark.parametrize("file, free, mimics", ROBOTS,
 
 def _ours(x: Robot, name: str, *arguments: np.ndarray, dtype=np.float64) -> np.ndarray:
     program = next(f.program for f in x.functions.functions if f.name == name)
-    arithmetic = evaluation.SINGLE if dtype == np.float32 else evaluation.DOUBLE
+    numbers = evaluation.SINGLE if dtype == np.float32 else evaluation.DOUBLE
     columns = [list(a.astype(dtype).T) for a in arguments]
-    found = evaluation.evaluator(program, arithmetic)(columns)
+    found = evaluation.evaluator(program, numbers)(columns)
     return np.stack([np.broadcast_to(np.asarray(x, dtype), STATES) for x in found], -1)
 
 

@@ -11,6 +11,7 @@ import coscrew
 from coscrew_codegen import load_scene
 from coscrew_codegen.simulate.system import system
 from tests.support.compiled.c_harness import C11, INCLUDE, run
+from tests.support.scenes.asking import STEPPED
 
 pin = pytest.importorskip("pinocchio")
 
@@ -69,7 +70,7 @@ def test_scenes_are_scipys(tmp_path):
     texts = [", ".join(map(repr, x.as_quat().tolist())) for x in (placed, base, ball)]
     path = tmp_path / "hull.toml"
     path.write_text(SCENE.format(placed=f"[{texts[0]}]", base=texts[1], ball=f"[{texts[2]}]"))
-    scene = load_scene(path)
+    scene = load_scene(path, functions=STEPPED)
     its = system(scene, "double")
     q, v = its.start()
     R = its.call("body_poses", t=0.0, q=q)[..., :3]

@@ -257,8 +257,6 @@ def test_functions_are_found_by_name(kernels: Kernels):
     with pytest.raises(AttributeError, match="slider in double precision has no function "
                                              "'forward_dynamic'; did you mean 'forward_dynamics'"):
         kernels.double.forward_dynamic
-    with pytest.raises(AttributeError, match=r"'reaction_load'; add \[effects.reaction\]"):
-        kernels.double.reaction_load
     assert "forward_dynamics" in repr(kernels.single) and "single" in repr(kernels.single)
     assert "slider" in repr(kernels)
 

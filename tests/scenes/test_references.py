@@ -18,6 +18,7 @@ from tests.references import figures as committed
 from tests.references import heavy_top, pendulum, rigid_body
 from tests.references.figures import Figure
 from tests.support.scenes import mechanisms, runs
+from tests.support.scenes.asking import STEPPED
 
 SCENES = Path(__file__).parents[2] / "examples/scenes"
 
@@ -53,7 +54,8 @@ def last_place(x: Figure) -> float:
 def kernels(name: str) -> Kernels:
     """Of an example scene, or of one of the tops."""
     tops = {"euler_top": _euler_top, "heavy_top": _heavy_top}
-    return load_scene(tops[name]() if name in tops else SCENES / f"{name}.toml")
+    return load_scene(tops[name]() if name in tops else SCENES / f"{name}.toml",
+                      functions=STEPPED)
 
 
 def _euler_top() -> Scene:

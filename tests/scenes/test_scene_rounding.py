@@ -11,7 +11,7 @@ from mpmath import mpf
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes.effect_scenes import PLACES, arm, effects, mechanism
-from tests.support.scenes.evaluation import DOUBLE, MULTIPRECISE, SINGLE, Arithmetic, Evaluated
+from tests.support.scenes.evaluation import DOUBLE, MULTIPRECISE, SINGLE, Evaluated, Numbers
 from tests.support.scenes.mechanisms import applied, chain_of_three, gravity, scene
 from tests.support.scenes.running_error import bounded
 from tests.support.scenes.scene_values import random_state
@@ -45,16 +45,16 @@ def state_of(f: Evaluated, seed: int, number: type) -> dict[str, object]:
 derived = cache(lambda name: derive(SCENES[name]))
 
 
-def evaluated(name: str, arithmetic: Arithmetic = MULTIPRECISE) -> Evaluated:
-    return Evaluated(SCENES[name], arithmetic, derived(name))
+def evaluated(name: str, numbers: Numbers = MULTIPRECISE) -> Evaluated:
+    return Evaluated(SCENES[name], numbers, derived(name))
 
 
 @pytest.mark.parametrize("precision", PRECISIONS)
 @pytest.mark.parametrize("name", SCENES)
 def test_results_are_within_their_running_error_bounds(name: str, precision: str) -> None:
     """Which leaves them digits: it is below 2^16 units of the largest."""
-    arithmetic, number, u = PRECISIONS[precision]
-    f, bound = (evaluated(name, x) for x in (arithmetic, bounded(precision, mpf(u))))
+    numbers, number, u = PRECISIONS[precision]
+    f, bound = (evaluated(name, x) for x in (numbers, bounded(precision, mpf(u))))
     for seed in range(3):
         state = state_of(f, seed, number)
         for function in FUNCTIONS:

@@ -11,21 +11,18 @@ import mpmath
 import numpy as np
 
 from coscrew_codegen.mechanics.functions import derive
-from coscrew_codegen.program import Constant, Input, Op, Operand, Program
+from coscrew_codegen.program import Op, Program
+from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly, interpreter
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import SceneFunctions
 
-_INFIX = {Op.ADD: "+", Op.SUB: "-", Op.MUL: "*", Op.SCALE: "*", Op.DIV: "/", Op.LESS: "<",
-          Op.EQUAL: "=="}
-
 
 @dataclass(frozen=True)
-class Arithmetic:
-    """The numbers a Program is evaluated on: constants, numbers of the caller, functions."""
+class Numbers:
+    """The numbers a scene's functions are evaluated on, and how those of the caller become such."""
 
-    constant: Callable[[Constant], object]
+    arithmetic: Arithmetic
     number: Callable[[object], object]
-    functions: Mapping[str, Callable]  # sin, cos, sqrt, exp, tanh, atan2
 
 
 def _rational(number: Callable) -> Callable[[object], object]:
@@ -34,57 +31,28 @@ def _rational(number: Callable) -> Callable[[object], object]:
         else number(x)
 
 
-def _floats(number: type, precision: str) -> Arithmetic:
-    return Arithmetic(lambda x: number(float(getattr(x, precision))),
-                      lambda x: number(float(x) if isinstance(x, Fraction) else x),
-                      {"sqrt": np.sqrt, "sin": np.sin, "cos": np.cos, "exp": np.exp,
-                       "tanh": np.tanh, "atan2": np.arctan2})
+def _floats(number: type, precision: str) -> Numbers:
+    return Numbers(by_operation(lambda x: number(float(getattr(x, precision))), exactly(np),
+                                number(np.nan)),
+                   lambda x: number(float(x) if isinstance(x, Fraction) else x))
 
-
-_MPMATH = {name: getattr(mpmath, name) for name in ("sqrt", "sin", "cos", "exp", "tanh", "atan2")}
 
 DOUBLE, SINGLE = _floats(np.float64, "double"), _floats(np.float32, "single")
-MULTIPRECISE = Arithmetic(lambda x: _rational(mpmath.mpf)(x.double), _rational(mpmath.mpf), _MPMATH)
+MULTIPRECISE = Numbers(by_operation(lambda x: _rational(mpmath.mpf)(x.double), exactly(mpmath)),
+                       _rational(mpmath.mpf))
 """In the precision of mpmath's context, constants too."""
 
 
-def rational(circle: Mapping[Fraction, tuple[Fraction, Fraction]]) -> Arithmetic:
+def rational(circle: Mapping[Fraction, tuple[Fraction, Fraction]]) -> Numbers:
     """Fractions, with (sin, cos) of the angles that occur: rational points of the circle."""
     odd = {**circle, **{-q: (-s, c) for q, (s, c) in circle.items()}}
-    return Arithmetic(lambda x: x.double, Fraction, {"sin": lambda q: odd[q][0],
-                                                     "cos": lambda q: odd[q][1]})
+    functions = {**exactly(), Op.SIN: lambda q: odd[q][0], Op.COS: lambda q: odd[q][1]}
+    return Numbers(by_operation(lambda x: x.double, functions), Fraction)
 
 
-def evaluator(program: Program, arithmetic: Arithmetic) -> Callable[[Sequence], list]:
-    """From the inputs' components to those of the outputs, instruction by instruction."""
-    names: dict[str, object] = dict(arithmetic.functions)
-    known: dict[str, str] = {}
-
-    def operand(x: Operand) -> str:
-        if isinstance(x, Input):
-            return f"x[{x.argument}][{x.index}]"
-        if isinstance(x, Constant):
-            name = f"c{len(names)}"
-            names[name] = arithmetic.constant(x)
-            return name
-        return known[x.name]
-
-    lines = ["def evaluate(x):"]
-    for number, step in enumerate(program.instructions):
-        operands = [operand(x) for x in step.operands]
-        known[step.name] = f"s{number}"
-        lines.append(f"    s{number} = {_expression(step.op, operands)}")
-    lines.append(f"    return [{', '.join(map(operand, program.results))}]")
-    exec("\n".join(lines), names)
-    return names["evaluate"]
-
-
-def _expression(op: Op, x: Sequence[str]) -> str:
-    if op in _INFIX:
-        return f"{x[0]} {_INFIX[op]} {x[1]}"
-    if op is Op.SELECT:
-        return f"{x[1]} if {x[0]} else {x[2]}"
-    return f"-{x[0]}" if op is Op.NEG else f"{op.value}({', '.join(x)})"
+def evaluator(program: Program, numbers: Numbers) -> Callable[[Sequence], list]:
+    """From the inputs' components to those of the outputs."""
+    return interpreter(program, numbers.arithmetic)
 
 
 class Evaluated:
@@ -94,17 +62,17 @@ class Evaluated:
     What a function does not take may be given and is left out; p is, if not given, what the scene
     says, and t is zero."""
 
-    def __init__(self, scene: Scene, arithmetic: Arithmetic = DOUBLE,
+    def __init__(self, scene: Scene, numbers: Numbers = DOUBLE,
                  functions: SceneFunctions | None = None):
-        self.scene, self.arithmetic = scene, arithmetic
+        self.scene, self.numbers = scene, numbers
         self.functions = functions or derive(scene)
         self.programs = {f.name: f.program for f in self.functions.functions}
         self._evaluators: dict[str, Callable] = {}
 
     def __call__(self, name: str, **values: object) -> object:
-        program, number = self.programs[name], self.arithmetic.number
+        program, number = self.programs[name], self.numbers.number
         if name not in self._evaluators:
-            self._evaluators[name] = evaluator(program, self.arithmetic)
+            self._evaluators[name] = evaluator(program, self.numbers)
         given = {"t": 0, "p": [x.value for x in self.scene.parameters], **values}
         found = self._evaluators[name]([[number(x) for x in _components(given[a.name])]
                                         for a in program.inputs])
@@ -119,10 +87,10 @@ def _components(value: object) -> Sequence:
 class Moving:
     """A state (t, q, v) of a scene that takes steps; positions move as `integrated` says."""
 
-    def __init__(self, scene: Scene, q: Sequence, v: Sequence, arithmetic: Arithmetic = DOUBLE,
+    def __init__(self, scene: Scene, q: Sequence, v: Sequence, numbers: Numbers = DOUBLE,
                  tau: Sequence | None = None):
-        self.f = Evaluated(scene, arithmetic)
-        number = arithmetic.number
+        self.f = Evaluated(scene, numbers)
+        number = numbers.number
         self.q, self.v = list(map(number, q)), list(map(number, v))
         self.t = number(0)
         self.tau = tau if tau is not None else [number(0)] * self.f.functions.nv

@@ -126,7 +126,7 @@ def slider() -> SceneFunctions:
         "slider", 2, 2, coordinates, ("carriage", 'lambda """'), (("carriage.mass", 1.5),
                                                                   ("unused", 0.1)),
         (0.0, 0.25), (inverse, forward, mass, energy, poses, swapped, _additive(2), implicit),
-        ("semi_implicit_euler", "linear_implicit_euler", "rk4"))
+        ("semi_implicit_euler", "linear_implicit_euler", "rk4"), timed=True)
 
 
 def pendulum() -> SceneFunctions:

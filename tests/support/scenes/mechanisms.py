@@ -18,6 +18,7 @@ from coscrew_codegen.scene.model import (
     Placement,
 )
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
+from tests.support.scenes.asking import with_jacobians
 
 CATALOGUE = {effect.name: effect for effect in EFFECTS}
 I = HERE.R
@@ -68,7 +69,8 @@ def gravity(*g: object) -> Applied:
 
 def scene(model: Model, *effects: Applied, **others: object) -> Scene:
     """The scene of these effects, in the order of the catalogue's names."""
-    return Scene(model.name, model, tuple(sorted(effects, key=lambda x: x.effect.name)), **others)
+    return with_jacobians(Scene(
+        model.name, model, tuple(sorted(effects, key=lambda x: x.effect.name)), **others))
 
 
 def chain(*links: tuple[Kind, tuple, Placement, Inertia], name: str = "chain",

@@ -20,6 +20,7 @@ from coscrew_codegen.scene.model import WORLD, Joint, Kind
 from coscrew_codegen.scene.scene import Applied, Scene
 from coscrew_codegen.scene_files.urdf import read_urdf
 from coscrew_codegen.scene_functions import SceneFunctions
+from tests.support.scenes.asking import with_jacobians
 
 FOLDER = Path(sysconfig.get_path("purelib"), "cmeel.prefix/share/example-robot-data/robots")
 
@@ -111,7 +112,7 @@ def scene_of(file: str, free: bool = False, mimics: bool = False) -> Scene:
                        {"g": (Fraction(0), Fraction(0), Fraction(-981, 100))})]
     if mimics:
         applied.append(Applied(effects["mimic"], "", {"joints": "all"}))
-    return Scene("robot", model, tuple(applied))
+    return with_jacobians(Scene("robot", model, tuple(applied)))
 
 
 @cache

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 import mpmath
 from mpmath import mpf
 
-from coscrew_codegen.program import Constant
-from tests.support.scenes.evaluation import Arithmetic
+from coscrew_codegen.program import Constant, Op
+from coscrew_codegen.program.interpreter import by_operation, exactly
+from tests.support.scenes.evaluation import Numbers
 
 FUNCTION = 8
 """Errors of sines and their like, in units: NumPy's are within four spacings."""
@@ -68,14 +69,15 @@ def _exponential(x: Bounded) -> Bounded:
     return x._rounded(exact, exact * mpmath.expm1(x.error), FUNCTION)
 
 
-def bounded(precision: str, u: mpf) -> Arithmetic:
+def bounded(precision: str, u: mpf) -> Numbers:
     """For Programs evaluated in this precision; inputs are its numbers."""
     def constant(x: Constant) -> Bounded:
         value = getattr(x, precision)
         exact = mpf(value.numerator) / value.denominator
         return Bounded(exact, u * abs(exact), u)
 
-    return Arithmetic(constant, lambda x: x if isinstance(x, Bounded) else
-                      Bounded(mpmath.mpmathify(float(x)), mpf(0), u),
-                      {"sqrt": _root, "exp": _exponential, "sin": _contracting(mpmath.sin),
-                       "cos": _contracting(mpmath.cos), "tanh": _contracting(mpmath.tanh)})
+    functions = {Op.SQRT: _root, Op.EXP: _exponential} | {
+        op: _contracting(getattr(mpmath, op.value)) for op in (Op.SIN, Op.COS, Op.TANH)}
+    return Numbers(by_operation(constant, exactly() | functions),
+                   lambda x: x if isinstance(x, Bounded) else
+                   Bounded(mpmath.mpmathify(float(x)), mpf(0), u))

@@ -10,6 +10,7 @@ from coscrew_codegen.simulate.plan import plan
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import system
 from tests.support.scenes import scene_texts as texts
+from tests.support.scenes.asking import STEPPED
 
 
 def scene_file(folder: Path, text: str, name: str = "scene") -> Path:
@@ -22,7 +23,8 @@ def scene_file(folder: Path, text: str, name: str = "scene") -> Path:
 def kernels(tmp_path_factory):
     """Kernels by the name of their text."""
     folder = tmp_path_factory.mktemp("scenes")
-    return {name: load_scene(scene_file(folder, getattr(texts, name), name.lower()))
+    return {name: load_scene(scene_file(folder, getattr(texts, name), name.lower()),
+                             functions=STEPPED)
             for name in ("PENDULUM", "SPRING", "BRICK", "UNSTABLE")}
 
 

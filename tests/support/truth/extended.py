@@ -4,17 +4,16 @@ It shows what rounding costs; not what a truncated series does, nor how exact er
 programs of the plain tier only.
 """
 
-from collections.abc import Callable
+from itertools import pairwise
 
 import numpy as np
 
 from coscrew_codegen.formats import Precision
-from coscrew_codegen.program import Constant, Input, NotANumber, Op, Operand, Program
+from coscrew_codegen.program import Constant, Op, Program
+from coscrew_codegen.program.interpreter import by_operation, exactly
+from coscrew_codegen.program.interpreter import evaluate as evaluate_on
 
-_EVALUATE: dict[Op, Callable[..., np.ndarray]] = {
-    Op.ADD: np.add, Op.SUB: np.subtract, Op.MUL: np.multiply, Op.SCALE: np.multiply,
-    Op.DIV: np.divide, Op.NEG: np.negative, Op.ABS: np.abs, Op.SQRT: np.sqrt, Op.SIN: np.sin,
-    Op.COS: np.cos, Op.ATAN2: np.arctan2, Op.LESS: np.less, Op.EQUAL: np.equal, Op.SELECT: np.where}
+_WIDE = {**exactly(np), Op.SELECT: np.where}
 
 
 def evaluate(program: Program, precision: Precision, rows: np.ndarray) -> np.ndarray:
@@ -22,19 +21,12 @@ def evaluate(program: Program, precision: Precision, rows: np.ndarray) -> np.nda
     in long double, of single in double."""
     wide = np.dtype({"double": np.longdouble, "single": np.float64}[precision.name])
     starts = np.cumsum([0, *(a.quantity.size for a in program.inputs)])
-    values: dict[str, np.ndarray] = {}
+    columns = [rows[:, start:end].astype(wide).T for start, end in pairwise(starts)]
 
-    def value(x: Operand) -> np.ndarray:
-        if isinstance(x, Input):
-            return rows[:, starts[x.argument] + x.index].astype(wide)
-        if isinstance(x, Constant):
-            exact = precision.value(x)
-            return np.full(len(rows), wide.type(exact.numerator) / wide.type(exact.denominator))
-        if isinstance(x, NotANumber):
-            return np.full(len(rows), wide.type(np.nan))
-        return values[x.name]
+    def constant(x: Constant) -> np.ndarray:
+        exact = precision.value(x)
+        return np.full(len(rows), wide.type(exact.numerator) / wide.type(exact.denominator))
 
+    numbers = by_operation(constant, _WIDE, np.full(len(rows), wide.type(np.nan)))
     with np.errstate(all="ignore"):
-        for step in program.instructions:
-            values[step.name] = _EVALUATE[step.op](*map(value, step.operands))
-        return np.stack([value(x) for x in program.results], axis=1)
+        return np.stack(evaluate_on(program, columns, numbers), axis=1)

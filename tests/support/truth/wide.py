@@ -15,8 +15,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from coscrew_codegen.formats import Precision
-from coscrew_codegen.program import Constant, Input, Op, Operand, Program
+from coscrew_codegen.program import Input, Op, Program
 from coscrew_codegen.program.bounds import Polynomial, bounds_of
+from coscrew_codegen.program.interpreter import by_operation, evaluate
 
 WIDE = np.longdouble
 IS_WIDE = np.finfo(WIDE).nmant == 63 and np.finfo(WIDE).maxexp == 16384
@@ -68,20 +69,12 @@ def _evaluated(program: Program, precision: Precision, columns: np.ndarray) -> l
     places = _places(program)
     product, total = ((_pair_product, _pair_sum) if precision.name == "double" else
                       (lambda a, b: Wide(a.hi * b.hi), lambda a, b: Wide(a.hi + b.hi)))
-    values: dict[str, Wide] = {}
-
-    def value(x: Operand) -> Wide:
-        if isinstance(x, Input):
-            return Wide(columns[places[x]])
-        if isinstance(x, Constant):
-            return Wide(WIDE(float(precision.value(x))))
-        return values[x.name]
-
     rules = {Op.ADD: total, Op.SUB: lambda a, b: total(a, -b), Op.MUL: product,
              Op.NEG: Wide.__neg__}
-    for step in program.instructions:
-        values[step.name] = rules[step.op](*map(value, step.operands))
-    return [value(x) for x in program.results]
+    inputs = [[Wide(columns[places[Input(number, i)]]) for i in range(argument.quantity.size)]
+              for number, argument in enumerate(program.inputs)]
+    return evaluate(program, inputs, by_operation(
+        lambda x: Wide(WIDE(float(precision.value(x)))), rules))
 
 
 def _places(program: Program) -> dict[Input, int]:

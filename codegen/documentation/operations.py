@@ -1,0 +1,88 @@
+"""The reference of operations: a page for each family, an entry for each operation."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from coscrew_codegen.documentation.formula import formulas
+from coscrew_codegen.documentation.notation import escaped, markdown
+from coscrew_codegen.formats import DOUBLE, PRECISIONS
+from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation, family_title
+from coscrew_codegen.program import Program, bounds, counts_in_words
+from coscrew_codegen.quantity import in_words
+from coscrew_codegen.render import render
+from coscrew_codegen.targets import c
+from coscrew_codegen.tiers.table import TIERS, Tier
+
+_CODE = frozenset(operation.name for operation in OPERATIONS if "_" in operation.name)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """What the page says of one operation."""
+
+    name: str
+    anchor: str
+    statement: str  # plain, for the table
+    equation: str  # with formulas in LaTeX
+    formulas: tuple[str, ...]  # LaTeX, of each output by components
+    signature: str
+    arguments: str
+    cost: str
+    error: str
+    tiers: tuple[str, ...]
+    prototypes: tuple[str, ...]  # C, double and single
+    call: str  # Python
+    modules: str  # where Python has it
+
+
+def families_page(banner: str) -> str:
+    """The list of families, in Markdown."""
+    families = [{"name": family, "title": escaped(family_title(family)),
+                 "count": sum(operation.family == family for operation in OPERATIONS)}
+                for family in FAMILIES]
+    return render("docs/operations.md", banner=banner, families=families)
+
+
+def family_page(family: str, programs: Mapping[str, Program], banner: str) -> str:
+    """The page of a family, in Markdown."""
+    operations = [op for op in OPERATIONS if op.family == family]
+    anchors = _anchors(op.name for op in operations)
+    entries = [_entry(op, programs[op.name], anchor)
+               for op, anchor in zip(operations, anchors, strict=True)]
+    return render("docs/family.md", banner=banner, family=family, title=family_title(family),
+                  entries=entries)
+
+
+def _anchors(names: Iterator[str]) -> Iterator[str]:
+    """The headings' anchors, as GitHub and MyST make them: Ad, ad → ad, ad-1."""
+    taken: dict[str, int] = {}
+    for name in (name.lower() for name in names):
+        taken[name] = taken.get(name, -1) + 1
+        yield f"{name}-{taken[name]}" if taken[name] else name
+
+
+def _entry(operation: Operation, program: Program, anchor: str) -> Entry:
+    arguments = tuple({a.name: a for a in (*operation.inputs, *operation.outputs)}.values())
+    names = {a.name for a in arguments} | {part.name for a in arguments
+                                           for part in a.quantity.parts if part.name}
+    remark = f"  {operation.remark}" if operation.remark else ""
+    error = bounds.in_words(program) or operation.tested_bounds
+    tiers = [tier for tier in TIERS if tier.has(program)]
+    modules = ["coscrew", "coscrew.double", "coscrew.single",
+               *(f"coscrew.{tier.name}" for tier in tiers if tier.in_python)]
+    return Entry(
+        operation.name, anchor, escaped(operation.statement),
+        f"{markdown(operation.statement, names, _CODE)}.{escaped(remark)}",
+        formulas(operation), operation.signature, escaped(in_words(arguments)),
+        counts_in_words(program), escaped(error), tuple(_tiers(program, tiers)),
+        tuple(f"{c.prototype(operation, precision)};" for precision in PRECISIONS),
+        f"{operation.name}({', '.join(a.name for a in operation.inputs)}, out=None)",
+        ", ".join(f"`{module}`" for module in modules))
+
+
+def _tiers(program: Program, tiers: list[Tier]) -> Iterator[str]:
+    """'accurate: 108 add, …. Error <= …', of double precision."""
+    for tier in tiers:
+        made = tier.program(program, DOUBLE.name)
+        error = bounds.in_words(made)
+        yield f"{tier.name}: {counts_in_words(made)}.{f'  {escaped(error)}' if error else ''}"

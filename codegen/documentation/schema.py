@@ -1,0 +1,135 @@
+"""The JSON Schema of scene files, for editors, from the tables the reader uses; `coscrew schema`.
+
+Whatever the reader takes, the schema takes; it refuses unknown keys, wrong types and unknown words,
+and leaves to the reader what depends on the model or on other keys.
+"""
+
+import argparse
+import json
+
+from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.render import LICENSE
+from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
+from coscrew_codegen.scene_files.keys import SCENE, Key, TableOf
+from coscrew_codegen.selection import Selection
+
+Schema = dict[str, object]
+
+_NUMBER: Schema = {"$ref": "#/definitions/number"}
+_TEXTS: Schema = {"$ref": "#/definitions/texts"}
+_VECTOR: Schema = {"$ref": "#/definitions/vector"}
+_POSITIVE: Schema = {"$ref": "#/definitions/positive"}
+_NONNEGATIVE: Schema = {"$ref": "#/definitions/nonnegative"}
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add `schema` to the command line."""
+    parser = commands.add_parser(
+        "schema", help="print the JSON Schema of scene files",
+        description="Print the JSON Schema of scene files, by which editors complete and check.")
+    parser.set_defaults(run=run)
+
+
+def run(_: argparse.Namespace) -> int:
+    """Print the schema."""
+    print(schema_text(Selection().banner), end="")
+    return 0
+
+
+def schema_text(banner: str) -> str:
+    """The schema as a file holds it."""
+    definitions = {"number": {"type": ["number", "string"]},  # a text is a constant formula
+                   "positive": _bounded("exclusiveMinimum"), "nonnegative": _bounded("minimum"),
+                   "vector": _array(3, _NUMBER),
+                   "texts": {"type": "array", "items": {"type": "string"}, "uniqueItems": True},
+                   **{effect.name: _one(effect) for effect in EFFECTS}}
+    document = {"$comment": "\n".join((banner, *LICENSE)),
+                "$schema": "http://json-schema.org/draft-07/schema#", "title": "coscrew scene",
+                **_table(SCENE), "definitions": definitions}
+    return json.dumps(document, indent=1, ensure_ascii=False) + "\n"
+
+
+def _array(count: int, items: Schema) -> Schema:
+    return {"type": "array", "items": items, "minItems": count, "maxItems": count}
+
+
+def _bounded(bound: str) -> Schema:
+    return {"anyOf": [{"type": "number", bound: 0}, {"type": "string"}]}
+
+
+def _closed(properties: Schema, required: list[str]) -> Schema:
+    found: Schema = {"type": "object", "properties": properties, "additionalProperties": False}
+    return found | ({"required": required} if required else {})
+
+
+def _by_name(schema: Schema) -> Schema:
+    return {"type": "object", "additionalProperties": schema}
+
+
+def _table(table: TableOf) -> Schema:
+    return _closed({key.name: {"description": key.words} | _key(key) for key in table.keys},
+                   [key.name for key in table.keys if key.required])
+
+
+def _key(key: Key) -> Schema:
+    if key.table:
+        inner = _table(key.table)
+        return {"table": inner, "tables": _by_name(inner), "expectations": _by_name(
+            {"anyOf": [inner, {"type": "array", "items": inner}]})}[key.kind]
+    if key.choices:
+        return {"enum": list(key.choices)}
+    moments = {"type": "array", "anyOf": [_array(3, _NUMBER), _array(6, _NUMBER),
+                                          _array(3, _array(3, _NUMBER))]}
+    return {"text": {"type": "string"}, "texts": _TEXTS, "number": _NUMBER,
+            "positive": _POSITIVE, "nonnegative": _NONNEGATIVE, "vector": _VECTOR,
+            "quaternion": _array(4, _NUMBER), "moments": moments,
+            "coordinates": _by_name({"anyOf": [_NUMBER, {"type": "array", "items": _NUMBER}]}),
+            "effects": _effects()}[key.kind]
+
+
+def _effects() -> Schema:
+    return _closed({effect.name: {"description": f"{effect.words}: {effect.equation}"}
+                    | _effect(effect) for effect in EFFECTS}, [])
+
+
+def _one(effect: Effect) -> Schema:
+    """The table of one place where the effect acts."""
+    more: Schema = {"body": {"type": "string"}} if effect.place is Place.BODY else {}
+    needed = [parameter.name for parameter in effect.parameters
+              if parameter.required and parameter.default is None and not parameter.of]
+    if effect.place is Place.PAIR:
+        more = {"bodies": _array(2, {"type": "string"}) | {"uniqueItems": True}}
+        needed = ["bodies", *needed]
+    values = {parameter.name: {"description": _described(parameter)} | _parameter(parameter)
+              for parameter in effect.parameters}
+    return _closed(more | values, needed)
+
+
+def _effect(effect: Effect) -> Schema:
+    """The table of the effect, of all places."""
+    one = {"$ref": f"#/definitions/{effect.name}"}
+    if effect.place is Place.SCENE:
+        return {"allOf": [one]}
+    if effect.place is Place.PAIR:
+        return _by_name(one)
+    several = "joints" if effect.place is Place.JOINT else "bodies"
+    values = {parameter.name: {"description": _described(parameter), "anyOf": [
+        schema, _by_name(schema), one]}
+        for parameter in effect.parameters for schema in [_parameter(parameter)]}
+    return {"type": "object", "additionalProperties": one, "properties": {
+        several: {"anyOf": [{"const": "all"}, _TEXTS]}, **values}}
+
+
+def _described(parameter: ParameterOf) -> str:
+    unit = f" [{parameter.unit}]" if parameter.unit else ""
+    return f"{parameter.words}{unit}"
+
+
+def _parameter(parameter: ParameterOf) -> Schema:
+    number = _POSITIVE if parameter.positive else \
+        _NONNEGATIVE if parameter.nonnegative else _NUMBER
+    kinds: dict[str, Schema] = {
+        "number": number, "vector": _array(3, number), "formula": number,
+        "formulas": _VECTOR, "body": {"type": "string"},
+        "choice": {"enum": list(parameter.choices)}}
+    return kinds[parameter.kind]

@@ -1,0 +1,96 @@
+"""The functions of a scene by name, and those asked for: by `functions` in its file, by
+--functions, by load_scene.
+
+A function that is not asked for is neither derived nor printed nor compiled.
+"""
+
+from collections.abc import Iterable, Sequence
+
+from coscrew_codegen.identifiers import identifiers
+from coscrew_codegen.integrators import DEFAULT as DEFAULT_INTEGRATOR
+from coscrew_codegen.integrators import STEPS, named
+from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.scene.scene import Scene
+
+DEFAULT, ALL = "default", "all"
+"""Words for several functions: those a scene has if it asks for none, and all it can have."""
+
+DYNAMICS = ("inverse_dynamics", "forward_dynamics", "mass_matrix", "bias_torques",
+            "gravity_torques", "energy", "power", "momentum", "body_poses", "body_twists")
+FREE = ("free_momentum", "with_free_momentum")
+"""Of scenes in which something floats free."""
+CONTACTS = ("closing_contacts", "parts")
+"""Of scenes with limits that close."""
+MOVED = "integrated"
+
+
+class AskedError(ValueError):
+    """A function that the scene does not have; says which name is nearest."""
+
+
+def jacobians(scene: Scene) -> dict[str, str]:
+    """Bodies by the names of their Jacobians: jacobian_hand."""
+    bodies = [body.name for body in scene.model.bodies]
+    fixed = {joint.child: joint.parent for joint in scene.model.joints if joint.kind is Kind.FIXED}
+    moving = {joint.child for joint in scene.model.joints if joint.kind is not Kind.FIXED}
+
+    def moves(body: str) -> bool:
+        while body in fixed:
+            body = fixed[body]
+        return body in moving
+
+    return {f"jacobian_{name}": body for name, body in zip(identifiers(bodies), bodies, strict=True)
+            if moves(body)}
+
+
+def reactions(scene: Scene) -> dict[str, str]:
+    """Joints that move by the names of their reactions: reaction_elbow."""
+    joints = [joint.name for joint in scene.model.joints if joint.kind is not Kind.FIXED]
+    return {f"reaction_{name}": joint
+            for name, joint in zip(identifiers(joints), joints, strict=True)}
+
+
+def names(scene: Scene) -> tuple[str, ...]:
+    """All functions that a scene of this model may have, in the order in which they are emitted."""
+    return (*DYNAMICS, *jacobians(scene), *reactions(scene), MOVED, *FREE, *CONTACTS,
+            *(f"step_{step}" for step in STEPS))
+
+
+def by_default(scene: Scene) -> tuple[str, ...]:
+    """What a scene has if it asks for nothing: its dynamics; reactions where effects or records ask
+    for them; momenta of what floats free, contacts; the step of its integrator (of SciPy's: the
+    default one's)."""
+    integrator = named(scene.run.integrator)
+    if not integrator.step_name:
+        integrator = named(DEFAULT_INTEGRATOR)
+    recorded = {x.on for x in scene.effects if x.effect.reaction}
+    asked = {*DYNAMICS, *(name for name, joint in reactions(scene).items() if joint in recorded),
+             MOVED, *FREE, *CONTACTS, integrator.step_name}
+    return tuple(name for name in names(scene) if name in asked)
+
+
+def asked_for(scene: Scene) -> tuple[str, ...]:
+    """The functions that the scene asks for, each once, in their order.  Raises AskedError."""
+    found = resolved(scene, scene.functions)
+    return tuple(name for name in names(scene) if name in found)
+
+
+def resolved(scene: Scene, asked: Sequence[str]) -> set[str]:
+    """The functions that these words mean, DEFAULT and ALL among them; none mean DEFAULT.  Raises
+    AskedError with the nearest name for a word that means none."""
+    known, found = names(scene), set()
+    for word in asked or (DEFAULT,):
+        if word in (DEFAULT, ALL):
+            found.update(by_default(scene) if word == DEFAULT else known)
+        elif word in known:
+            found.add(word)
+        else:
+            raise AskedError(f"{word!r} is no function of the scene; "
+                             f"{did_you_mean(word, (*known, DEFAULT, ALL))}")
+    return found
+
+
+def together(*asked: Iterable[str]) -> tuple[str, ...]:
+    """The names, each once, in the order in which they come."""
+    return tuple(dict.fromkeys(name for several in asked for name in several))

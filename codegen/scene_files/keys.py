@@ -1,0 +1,146 @@
+"""What a scene file may hold: tables and their keys, the only list of them.
+
+The readers take names and choices from here; the documentation and the JSON Schema print it.
+"""
+
+from dataclasses import dataclass
+
+from coscrew_codegen.integrators import NAMES
+from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.scene.possible import ERROR, WARN
+from coscrew_codegen.scene.scene import Run
+
+PRECISIONS = ("double", "single", "both")
+BASES = {"fixed": Kind.FIXED, "free": Kind.FREE}
+TYPES = {"revolute": Kind.REVOLUTE, "continuous": Kind.REVOLUTE, "prismatic": Kind.PRISMATIC,
+         "spherical": Kind.SPHERICAL, "free": Kind.FREE, "fixed": Kind.FIXED}
+
+
+@dataclass(frozen=True)
+class Key:
+    """A key of a table, as files write it."""
+
+    name: str
+    words: str  # what it is, with units
+    kind: str = "text"  # text, texts, number, positive, nonnegative, vector (3 numbers), quaternion
+    # (4), moments (3 or 6 numbers or a 3×3 matrix), coordinates (by joint: a number or a list),
+    # expectations (by quantity), effects; table and tables (by name) have `table`
+    choices: tuple[str, ...] = ()  # of a text; the first, where there is no other default
+    default: str = ""  # as a file would write it
+    required: bool = False
+    table: "TableOf | None" = None
+    one_coordinate: bool = False  # for revolute and prismatic joints alone
+
+
+@dataclass(frozen=True)
+class TableOf:
+    """A table: how its heading is written, and its keys."""
+
+    heading: str  # "" for the file itself
+    words: str
+    keys: tuple[Key, ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of the keys."""
+        return tuple(key.name for key in self.keys)
+
+
+BODY = TableOf("bodies.NAME", "A body; without keys, a frame without mass.", (
+    Key("mass", "in kg", "nonnegative"),
+    Key("com", "centre of mass in m, in the body's frame", "vector", default="[0, 0, 0]"),
+    Key("inertia", "moments about the centre of mass in kg m²: xx, yy, zz and, if not zero, "
+        "xy, xz, yz; or the symmetric 3×3 matrix", "moments", default="[0, 0, 0]")))
+
+ORIGIN = TableOf("joints.NAME.origin", "Where the joint's frame is in the parent's; rotated by at "
+                 "most one of rpy, quaternion, axis with angle.", (
+    Key("xyz", "position in m", "vector", default="[0, 0, 0]"),
+    Key("rpy", "roll, pitch, yaw in rad, about the parent's fixed x, y, z: R = R_z R_y R_x",
+        "vector"),
+    Key("quaternion", "unit quaternion x, y, z, w: the scalar last", "quaternion"),
+    Key("axis", "axis to turn about, of any length", "vector"),
+    Key("angle", "angle about `axis` in rad", "number")))
+
+LIMITS = TableOf("joints.NAME.limits", "What effects take by \"model\": without one that uses it, "
+                 "nothing stops the joint.", (
+    Key("lower", "lower end of the range in rad or m; not of a continuous joint", "number"),
+    Key("upper", "upper end of the range in rad or m; not of a continuous joint", "number"),
+    Key("effort", "largest torque or force in N m or N", "nonnegative"),
+    Key("velocity", "largest speed in rad/s or m/s", "nonnegative")))
+
+MIMIC = TableOf("joints.NAME.mimic", "The joint follows another where [effects.mimic] is there: "
+                "q = multiplier q_joint + offset.", (
+    Key("joint", "the joint it follows", required=True),
+    Key("multiplier", "ratio of the speeds", "number", default="1"),
+    Key("offset", "in rad or m", "number", default="0")))
+
+JOINT = TableOf("joints.NAME", "A joint between two bodies.", (
+    Key("type", "how it moves; continuous is revolute without a range", choices=tuple(TYPES),
+        required=True),
+    Key("parent", "the body it is fixed to", default='"world"'),
+    Key("child", "the body it moves", required=True),
+    Key("origin", "where it is in the parent", "table", table=ORIGIN),
+    Key("axis", "axis to turn about or slide along, in the joint's frame, of any length",
+        "vector", one_coordinate=True),
+    Key("limits", "ends of its range, of its torque, of its speed", "table", table=LIMITS,
+        one_coordinate=True),
+    Key("damping", "in N m s/rad or N s/m; acts by [effects.viscous]", "nonnegative",
+        one_coordinate=True),
+    Key("friction", "in N m or N; acts by [effects.coulomb] or [effects.stribeck]",
+        "nonnegative", one_coordinate=True),
+    Key("mimic", "which joint it follows", "table", table=MIMIC, one_coordinate=True)))
+
+START = TableOf("start", "Where a run starts; zero, and no turn, where nothing is given.", (
+    Key("q", "by joint: angle in rad or position in m; of a spherical joint a unit quaternion (x, "
+        "y, z, w); of a free one position and quaternion", "coordinates"),
+    Key("v", "by joint: speed in rad/s or m/s; of a spherical joint the angular velocity, of a "
+        "free one linear and angular velocity, in the body's own frame", "coordinates")))
+
+OUTPUTS = TableOf("outputs", "What a run records.", (
+    Key("record", 'quantities: "q", "v", "energy", "momentum", "position.BODY", "pose.BODY", '
+        '"reaction.JOINT", …', "texts", default='["q", "v"]'),
+    Key("every", "s between samples; a sample lies at the end of a step, so that this may shorten "
+        "steps", "positive", default="0.01")))
+
+RUN = TableOf("run", "How a run is integrated.", (
+    Key("duration", "in s", "positive", default=f"{Run().duration:g}"),
+    Key("integrator", "see Integrators", choices=NAMES),
+    Key("step", "in s", "positive", default=f"{Run().step:g}"),
+    Key("rtol", "relative tolerance of SciPy's integrators", "positive",
+        default=f"{Run().rtol:g}"),
+    Key("atol", "absolute tolerance of SciPy's integrators", "positive",
+        default=f"{Run().atol:g}")))
+
+EXPECT = TableOf('expect."QUANTITY"', "What `coscrew check` holds the run to: |quantity(at) - "
+                 "value| <= rtol |value| + atol.  A table, or a list of tables.  One of rtol and "
+                 "atol, at least.", (
+    Key("at", "time in s", "nonnegative", required=True),
+    Key("value", "in the quantity's unit", "number", required=True),
+    Key("rtol", "relative tolerance", "nonnegative", default="0"),
+    Key("atol", "absolute tolerance", "nonnegative", default="0")))
+
+SCENE = TableOf("", "The file itself.", (
+    Key("model", "a URDF file beside the scene; without it the tables `bodies` and `joints` are "
+        "the model"),
+    Key("base", "whether the root stands still or moves freely", choices=tuple(BASES)),
+    Key("name", "what the files, the package and the functions are called: a C identifier",
+        default="the file's name"),
+    Key("precision", '"both" runs both and tells the difference.  Both are generated unless this '
+        'says "double": needed where single\'s range (1.2e-38 to 3.4e38) cannot hold a number, '
+        "which else is an error", choices=PRECISIONS),
+    Key("implausible", '"warn" lets through inertias that no body has, that are massless or '
+        "incomplete, and names them", choices=(ERROR, WARN)),
+    Key("functions", "what is generated: names of functions; \"default\" and \"all\" stand for "
+        "several", "texts", default='["default"]'),
+    Key("runtime", "what stays an argument of the functions: BODY.mass, BODY.com, BODY.inertia, "
+        "EFFECT.WHERE.PARAMETER", "texts", default="[]"),
+    Key("bodies", "the bodies, by name", "tables", table=BODY),
+    Key("joints", "the joints, by name", "tables", table=JOINT),
+    Key("effects", "what acts: see Effects", "effects"),
+    Key("start", "where a run starts", "table", table=START),
+    Key("outputs", "what a run records", "table", table=OUTPUTS),
+    Key("run", "how a run is integrated", "table", table=RUN),
+    Key("expect", "what a run must reach, by quantity", "expectations", table=EXPECT)))
+
+TABLES = (SCENE, BODY, JOINT, ORIGIN, LIMITS, MIMIC, START, OUTPUTS, RUN, EXPECT)
+"""All tables but those of effects."""

@@ -1,0 +1,44 @@
+"""Which of a scene's functions a run of it calls: no others are derived and compiled for it."""
+
+from collections.abc import Iterable
+
+from coscrew_codegen.integrators import ADAPTIVE, DEFAULT, NAMES, named
+from coscrew_codegen.scene.asked import CONTACTS, FREE, reactions, together
+from coscrew_codegen.scene.recorded import Recorded, expected, recorded
+from coscrew_codegen.scene.scene import Scene
+
+_OF_QUANTITY = {"q": (), "v": (), "a": ("forward_dynamics",), "energy": ("energy",),
+                "power": ("power",), "momentum": ("momentum",), "twist": ("body_twists",),
+                "pose": ("body_poses",), "position": ("body_poses",)}
+
+
+def of_run(scene: Scene, integrator: str | None, view: bool = False) -> tuple[str, ...]:
+    """Of `simulate`: what integrates, what watches it, what is recorded, and is shown by `view`."""
+    return together(_of_motion(scene, integrator),
+                    *(_of(scene, recorded(text, scene)) for text in scene.record),
+                    ("body_poses",) if view else ())
+
+
+def of_check(scene: Scene, integrator: str | None) -> tuple[str, ...]:
+    """Of `check`."""
+    return together(of_run(scene, integrator),
+                    ("inverse_dynamics", "forward_dynamics", "mass_matrix", "power", *CONTACTS,
+                     *FREE),
+                    *(_of(scene, expected(x.quantity, scene)) for x in scene.expectations))
+
+
+def _of_motion(scene: Scene, integrator: str | None) -> Iterable[str]:
+    """What integrates, and for the Alarm the default integrator beside it."""
+    name = integrator or scene.run.integrator
+    if name in ADAPTIVE:
+        return "energy", "forward_dynamics"
+    own = named(name if name in NAMES else DEFAULT)
+    return ("energy", "power", "mass_matrix", own.step_name, named(DEFAULT).step_name, *CONTACTS,
+            *FREE)
+
+
+def _of(scene: Scene, asked: Recorded) -> Iterable[str]:
+    if asked.quantity == "reaction":
+        own = (name for name, joint in reactions(scene).items() if joint == asked.target)
+        return "forward_dynamics", *own
+    return _OF_QUANTITY[asked.quantity]

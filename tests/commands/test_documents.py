@@ -1,0 +1,150 @@
+"""README and docs/ are true: snippets run and print what they say, commands and links exist."""
+
+import importlib.util
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+ROOT = Path(__file__).parents[2]
+README = ROOT / "README.md"
+WRITTEN = (README, *sorted((ROOT / "docs").glob("*.md")))
+TEXTS = {path.relative_to(ROOT).as_posix(): path.read_text(encoding="utf-8") for path in WRITTEN}
+
+
+def snippets(language: str) -> list:
+    return [pytest.param(snippet, id=f"{name}-{number}") for name, text in TEXTS.items()
+            for number, snippet in enumerate(re.findall(rf"```{language}\n(.*?)```", text,
+                                                        re.DOTALL))]
+
+
+def test_the_readme_is_a_first_screen():
+    lines = TEXTS["README.md"].splitlines()
+    assert len(lines) <= 200
+    assert {language for language in ("c", "python", "toml", "sh")
+            if f"```{language}" not in lines} == set()
+    assert (ROOT / "examples/arm6.gif").stat().st_size < 500_000
+
+
+def test_each_guide_has_its_snippet():
+    """Those that lose one fail here, not by having less to test."""
+    found = {name: text.count("```python\n") for name, text in TEXTS.items()}
+    assert {name for name, count in found.items() if count} == {
+        "README.md", "docs/accuracy.md", "docs/from_mujoco.md", "docs/from_pinocchio.md",
+        "docs/python.md", "docs/scenes.md"}
+
+
+@pytest.mark.parametrize("snippet", snippets("python"))
+def test_python_snippets_print_what_their_comments_say(snippet, tmp_path):
+    done = subprocess.run([sys.executable, "-c", snippet], cwd=tmp_path, text=True,
+                          capture_output=True)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines() == re.findall(r"^# (.*)$", snippet, re.MULTILINE)
+
+
+@pytest.mark.parametrize("snippet", snippets("c"))
+@pytest.mark.parametrize("include", ("generated/c/include", "amalgamation"))
+def test_c_snippets_compile_and_run(snippet, include, tmp_path):
+    if include == "amalgamation":
+        shutil.copy(ROOT / "generated/c/coscrew.h", tmp_path)
+        snippet, folder = snippet.replace("ksl/coscrew.h", "coscrew.h"), tmp_path
+    else:
+        folder = ROOT / include
+    (tmp_path / "program.c").write_text(snippet)
+    subprocess.run(["cc", "-std=c11", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror", "-I",
+                    str(folder), "program.c", "-o", "program", "-lm"], cwd=tmp_path, check=True)
+    done = subprocess.run([str(tmp_path / "program")], text=True, capture_output=True, check=True)
+    assert done.stdout == "0 10 0; 0 0 7\n3\n"
+
+
+@pytest.mark.parametrize("snippet", snippets("toml"))
+def test_scenes_in_snippets_are_of_the_schema(snippet):
+    schema = json.loads((ROOT / "generated/docs/scene.schema.json").read_text(encoding="utf-8"))
+    jsonschema.validate(tomllib.loads(snippet), schema)
+
+
+def test_shell_snippets_run(tmp_path):
+    blocks = re.findall(r"```sh\n(.*?)```", "".join(TEXTS.values()), re.DOTALL)
+    commands = [line.split("#")[0].split() for block in blocks for line in block.splitlines()]
+    generate = [words[1:] for words in commands if words[0] == "coscrew"]
+    assert len(generate) == 3
+    shutil.copytree(ROOT / "generated", tmp_path / "generated",
+                    ignore=shutil.ignore_patterns("*.so", "__pycache__"))
+    for words in generate:
+        done = subprocess.run([sys.executable, "-m", "coscrew_codegen", *words], cwd=tmp_path,
+                              text=True, capture_output=True)
+        assert done.returncode == 0, done.stdout + done.stderr
+    assert (tmp_path / "firmware/ksl/c/include/ksl/coscrew.h").exists()
+    assert {words[0] for words in commands} == {"coscrew", "make"}
+
+
+def test_targets_of_make_exist():
+    makefile = (ROOT / "Makefile").read_text()
+    named = set(re.findall(r"(?:`|^)make(?: ([a-z-]+))?(?:`| +#|$)", "\n".join(TEXTS.values()),
+                           re.MULTILINE))
+    assert {"", "test", "docs", "report", "bench", "attack"} <= named
+    for target in named:
+        assert re.search(rf"^{target or 'all'}:", makefile, re.MULTILINE), target
+
+
+def test_modules_named_exist():
+    named = {name for text in TEXTS.values()
+             for name in re.findall(r"python -m (tests[\w.]*\w)", text)}
+    assert {"tests.search", "tests.benchmarks.dynamics", "tests.benchmarks.accuracy"} <= named
+    for name in named:
+        assert importlib.util.find_spec(name), name
+
+
+def test_paths_named_exist():
+    for name, text in TEXTS.items():
+        for path in re.findall(r"`((?:codegen|templates|generated|tests|examples)/[\w./]*)`", text):
+            assert (ROOT / path).exists(), f"{name}: {path}"
+
+
+def test_the_continuous_integration_runs_the_readme_command():
+    assert "make test" in (ROOT / ".ci" / "run").read_text()
+
+
+def test_links_lead_somewhere():
+    for name, text in TEXTS.items():
+        prose = re.sub(r"```.*?```", "", text, flags=re.DOTALL)
+        for target in re.findall(r"(?<!\\)\[[^\[\]]*\]\(([^)#]+)(?:#[\w-]+)?\)", prose):
+            assert ((ROOT / name).parent / target).exists(), f"{name}: {target}"
+
+
+def test_every_guide_is_reached_from_the_readme():
+    for path in WRITTEN[1:]:
+        assert f"]({path.relative_to(ROOT).as_posix()}" in TEXTS["README.md"], path.name
+
+
+def test_the_documentation_builds_without_a_warning(tmp_path):
+    done = subprocess.run([sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-c", "docs",
+                           ".", str(tmp_path)], cwd=ROOT, text=True, capture_output=True)
+    assert done.returncode == 0, done.stderr
+    page = (tmp_path / "generated/docs/operations/exponential.html").read_text(encoding="utf-8")
+    assert "<math" in page and "<script src=\"http" not in page
+
+
+def test_the_citation_is_of_this_version():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    assert f"\nversion: {project['version']}\n" in (ROOT / "CITATION.cff").read_text()
+
+
+def test_every_extra_named_exists():
+    """In README and docs/, in messages, in the Makefile and among the extras themselves."""
+    project = (ROOT / "pyproject.toml").read_text()
+    extras = tomllib.loads(project)["project"]["optional-dependencies"]
+    texts = [*TEXTS.values(), project, (ROOT / "Makefile").read_text(),
+             *(path.read_text() for folder in ("codegen", "templates", "tests/benchmarks")
+               for path in sorted((ROOT / folder).rglob("*")) if path.suffix in (".py", ".jinja"))]
+    named = re.findall(r"""["'](?:\.|coscrew)\[(\w[\w,-]*)\]""", "\n".join(texts))
+    each = {x for names in named for x in names.split(",")}
+    assert {"codegen", "docs", "report", "test", "peers"} <= each
+    for names in named:
+        assert set(names.split(",")) <= set(extras), names

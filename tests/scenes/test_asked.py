@@ -1,0 +1,196 @@
+"""What is asked for is derived, printed and compiled, and nothing else."""
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import coscrew_codegen
+from coscrew_codegen.integrators import INTEGRATORS, STEPS
+from coscrew_codegen.mechanics import derive, functions
+from coscrew_codegen.scene.asked import (
+    CONTACTS,
+    DYNAMICS,
+    FREE,
+    AskedError,
+    asked_for,
+    names,
+    resolved,
+)
+from coscrew_codegen.scene.scene import Run, Scene
+from coscrew_codegen.scene_files.errors import SceneError
+from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene_layout import c_files
+from coscrew_codegen.simulate import load, needs, plan, record, run, system
+from tests.support.compiled.c_harness import COMPILERS, EXACT, STRICT
+from tests.support.compiled.c_harness import run as compiled
+from tests.support.scenes import mechanisms as m
+
+ALL = ("all",)
+
+
+def arm(*asked: str, **others: object) -> Scene:
+    """Two joints with a limit at the second; b2 is fixed to b1."""
+    model = m.chain((m.Kind.REVOLUTE, m.Y, m.HERE, m.inertia(1, (0, 0, 1), (1, 1, 1, 0, 0, 0))),
+                    (m.Kind.PRISMATIC, m.X, m.at(0, 0, 1), m.inertia(2)),
+                    (m.Kind.FIXED, m.Z, m.at(0, 1, 0), m.inertia(1)), name="arm")
+    limit = m.applied("limit", "j1", lower=m.Fraction(-1), upper=m.Fraction(1),
+                      k=m.Fraction(1000))
+    return replace(m.scene(model, m.gravity(), limit, **others), functions=asked)
+
+
+def flyer(*asked: str) -> Scene:
+    return replace(m.scene(m.free_body(), m.gravity()), functions=asked)
+
+
+def public(scene: Scene) -> list[str]:
+    """The functions that C declares, steps among them."""
+    found = derive(scene)
+    header = c_files(found, "banner")[f"{scene.name}.h"]
+    return re.findall(rf"^void {scene.name}_(\w+?)\(", header.split("_NO_SINGLE")[0], re.M)
+
+
+def test_without_a_word_jacobians_reactions_and_other_integrators_are_left_out():
+    assert public(arm()) == [*DYNAMICS, "integrated", *CONTACTS, "step_leapfrog"]
+    assert public(flyer()) == [*DYNAMICS, "integrated", *FREE, "step_leapfrog"]
+    asked = m.applied("reaction", "j1")
+    assert "reaction_j1" in public(replace(arm(), effects=(*arm().effects, asked)))
+
+
+@pytest.mark.parametrize("integrator", INTEGRATORS, ids=lambda x: x.name)
+def test_the_step_is_that_of_the_run(integrator):
+    """Of SciPy's, whose steps are not emitted, the default's."""
+    found = [x for x in public(arm(run=Run(integrator=integrator.name))) if x.startswith("step_")]
+    assert found == [integrator.step_name or "step_leapfrog"]
+
+
+@pytest.mark.parametrize("name", names(arm()))
+def test_each_function_can_stand_alone(name: str, tmp_path: Path):
+    """Nothing else is declared; it is what it is among all others; it compiles without a warning,
+    of a function that is not used, either."""
+    if name in FREE:
+        with pytest.raises(AskedError, match=f"arm: there is no {name}: nothing floats free"):
+            derive(arm(name))
+        return
+    assert public(arm(name)) == [name]
+    files = c_files(derive(arm(name)), "banner")
+    whole = c_files(derive(arm(*ALL)), "banner")["arm.c"]
+    text = files["arm.c"]
+    for file, content in files.items():
+        (tmp_path / file).write_text(content)
+    compiled([COMPILERS[0], "-std=c11", *STRICT, EXACT, "-c", tmp_path / "arm.c",
+              "-o", tmp_path / "arm.o"])
+    for head in re.findall(r"^(?:static )?void (arm_\w+)\(", text, re.M):
+        assert body(text, head) == body(whole, head), head
+
+
+def body(text: str, function: str) -> str:
+    """Of a function in C, however its lines are broken."""
+    found = re.search(rf"^(?:static )?(void {function}\(.*?^}})", text, re.M | re.S)[1]
+    return " ".join(found.split())
+
+
+def test_contacts_are_refused_by_name_where_no_limit_closes():
+    for name in CONTACTS:
+        with pytest.raises(AskedError, match=f"there is no {name}: no limit closes"):
+            derive(flyer(name))
+    assert not {*CONTACTS} & {*public(flyer(*ALL))}
+
+
+def test_all_functions_have_names_and_names_have_functions():
+    """Of two scenes that have between them whatever a scene can have."""
+    found = {*public(arm(*ALL))} | {f"{name}" for name in public(flyer(*ALL))}
+    assert found == {*names(arm()), *names(flyer())}
+    assert {"jacobian_b2", "jacobian_b1", "reaction_j0"} < found and "reaction_j2" not in found
+
+
+def test_what_is_not_asked_for_is_not_derived(monkeypatch: pytest.MonkeyPatch):
+    made, make = [], functions._Derivation._function
+    monkeypatch.setattr(functions._Derivation, "_function", lambda self, name, *words, **others: (
+        made.append(name), make(self, name, *words, **others))[1])
+    derive(arm("jacobian_b1"))
+    assert made == ["jacobian_b1"]
+    made.clear()
+    derive(arm("step_semi_implicit_euler"))
+    assert sorted(made) == ["forward_dynamics", "integrated"]
+
+
+def test_words_for_several_stand_beside_names():
+    assert asked_for(arm("jacobian_b1", "default")) == tuple(
+        name for name in names(arm()) if name in {*asked_for(arm()), "jacobian_b1"})
+    assert resolved(arm(), ("all", "default")) == {*names(arm())}
+
+
+FILE = """functions = {}
+[bodies]
+hand = {{ mass = 1, inertia = [1, 1, 1] }}
+[joints.wrist]
+type = "revolute"
+child = "hand"
+axis = [0, 0, 1]
+[effects.gravity]
+"""
+
+
+@pytest.mark.parametrize("given, problem", (
+    ('["jacobian_hnd"]', "'jacobian_hnd' is no function of the scene; did you mean "
+                         "'jacobian_hand'?"),
+    ('["defualt"]', "'defualt' is no function of the scene; did you mean 'default'?"),
+    ('["reaction_wrst"]', "'reaction_wrst' is no function of the scene; did you mean "
+                          "'reaction_wrist'?"),
+    ("[]", "an empty list; wanted names"),
+    ('"energy"', "the text 'energy'; wanted a list of texts"),
+    ('["energy", "energy"]', "'energy' occurs twice")))
+def test_names_in_files_are_checked(given: str, problem: str, tmp_path: Path):
+    path = tmp_path / "arm.toml"
+    path.write_text(FILE.format(given))
+    with pytest.raises(SceneError, match=re.escape(f"functions: {problem}")):
+        read_scene(path)
+
+
+@pytest.fixture
+def file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    path = tmp_path / "arm.toml"
+    path.write_text(FILE.format('["jacobian_hand"]'))
+    return path
+
+
+def test_load_scene_takes_what_the_file_says_or_what_it_is_told(file: Path):
+    of_file = coscrew_codegen.load_scene(file)
+    assert dir(of_file.double) == ["jacobian_hand"]
+    assert np.array_equal(of_file.double.jacobian_hand([0.5])[:, 0], [0, 0, 0, 0, 0, 1])
+    told = coscrew_codegen.load_scene(file, functions=["energy"])
+    assert dir(told.double) == ["energy"]
+    again = coscrew_codegen.load_scene(told.scene, functions=["power"])
+    assert dir(again.double) == ["power"]
+    with pytest.raises(AttributeError, match=r"no function 'power'; it was not asked for: "
+                                             r"functions=\[\"default\", 'power'\]"):
+        told.double.power
+    with pytest.raises(TypeError, match="functions: wanted a list of names"):
+        coscrew_codegen.load_scene(file, functions="energy")
+    with pytest.raises(AskedError, match="did you mean 'energy'"):
+        coscrew_codegen.load_scene(file, functions=["enrgy"])
+
+
+def test_runs_have_all_that_they_call_and_tell_what_they_lack(file: Path):
+    """Of a scene whose own functions are one."""
+    scene = replace(read_scene(file), record=("reaction.wrist", "pose.hand", "a", "momentum"))
+    its = system.system(load.kernels_for(scene, needs.of_run(scene, "rk4")), "double")
+    assert not its.has("jacobian_hand") and not its.has("inverse_dynamics")
+    trajectory = run.integrate(its, plan.plan(its, integrator="rk4", until=0.1))
+    assert record.record(its, trajectory, ()).values.shape[1] == 6 + 12 + 1 + 6
+    with pytest.raises(plan.SimulateError, match="step_linear_implicit_euler is not among the "
+                                                 "functions that were asked for"):
+        plan.plan(its, integrator="linear-implicit-euler")
+    alone = system.system(load.kernels_for(scene, ["forward_dynamics"]), "double")
+    with pytest.raises(plan.SimulateError, match="reaction.wrist: reaction_wrist is not among"):
+        record.record(alone, trajectory, ())
+
+
+def test_steps_need_what_the_derivation_has():
+    known: dict[str, Callable] = functions._Derivation(arm())._makers()
+    assert {name for step in STEPS.values() for name in step.needs} <= known.keys()

@@ -1,0 +1,15 @@
+"""Scenes that ask for more functions than they have by default."""
+
+from dataclasses import replace
+
+from coscrew_codegen.integrators import STEPS
+from coscrew_codegen.scene.asked import DEFAULT, jacobians
+from coscrew_codegen.scene.scene import Scene
+
+STEPPED = (DEFAULT, *(f"step_{name}" for name in STEPS))
+"""The default functions, and every emitted integrator."""
+
+
+def with_jacobians(scene: Scene) -> Scene:
+    """The scene with the default functions, all Jacobians, every emitted integrator."""
+    return replace(scene, functions=(*STEPPED, *jacobians(scene)))
