@@ -13,7 +13,15 @@ from coscrew_codegen.mechanics.bodies import Rigid
 from coscrew_codegen.mechanics.inverse import Wrench, along, to_parent
 from coscrew_codegen.mechanics.linear import Factors, factored
 from coscrew_codegen.mechanics.motion import Displacement, Motion
-from coscrew_codegen.recording.numbers import Number, add, angular, linear, scaled
+from coscrew_codegen.recording.numbers import (
+    Number,
+    add,
+    angular,
+    linear,
+    rotation,
+    scaled,
+    translation,
+)
 from coscrew_codegen.scene.model import Kind
 
 Column = tuple[Number, ...]  # six: force and moment, or linear and angular acceleration
@@ -43,7 +51,9 @@ class Articulated:
 
     def transformed(self, D: Displacement) -> "Articulated":
         """[Ad]*(D) A [Ad]^-1(D): in the parent's frame."""
-        return Articulated(D[0].recorder.call("mat6x6_transformed", D, self.entries))
+        call = D[0].recorder.call
+        rotated = call("mat6x6_rotated", rotation(D), self.entries)
+        return Articulated(call("mat6x6_shifted", translation(D), rotated))
 
     def without(self, joint: "Freed") -> "Articulated":
         """A - U D^-1 U^T: what a joint's freedom leaves; rows and columns of its axes vanish."""

@@ -32,8 +32,9 @@ Displacement = tuple[Number, ...]  # twelve: [R | t], row by row
 Twist = tuple[Number, ...]  # six: velocity of the origin; angular velocity
 
 
-def _of_link(symbol: str) -> Callable:
-    """Computed once a link, named by the symbol, below the link's heading."""
+def _of_link(symbol: str, origin: str = "") -> Callable:
+    """Computed once a link, named by the symbol, a displacement's translation by that of its
+    origin, below the link's heading."""
     def decorated(compute: Callable[["Motion", int], object]) -> Callable[["Motion", int], object]:
         @wraps(compute)
         def cached(self: "Motion", link: int) -> object:
@@ -41,11 +42,11 @@ def _of_link(symbol: str) -> Callable:
             if link not in known:
                 with self.part(link, symbol):
                     known[link] = compute(self, link)
-                    if symbol not in ("D", "Dw"):
-                        self.recorder.label(symbol, known[link])
+                    if origin:
+                        self.recorder.label(symbol, rotation(known[link]))
+                        self.recorder.label(origin, translation(known[link]))
                     else:
-                        self.recorder.label(symbol.replace("D", "R"), rotation(known[link]))
-                        self.recorder.label(symbol.replace("D", "t"), translation(known[link]))
+                        self.recorder.label(symbol, known[link])
             return known[link]
         return cached
     return decorated
@@ -117,7 +118,7 @@ class Motion:
 
     # frames
 
-    @_of_link("D")
+    @_of_link("R", "t")
     def frame(self, link: int) -> Displacement:
         """D of the link in its parent: its placement, then the joint's."""
         x, call = self.tree.links[link], self.recorder.call
@@ -138,7 +139,7 @@ class Motion:
             self.recorder.label(symbol, value)
         return found
 
-    @_of_link("Dw")
+    @_of_link("Rw", "tw")
     def pose(self, link: int) -> Displacement:
         """D of the link in the world."""
         if link < 0:

@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "f810294cecf21161")
+COMPILED: bool = is_compiled("coscrew._gufunc", "d1551699e5bf0f03")
 
 if COMPILED:
     from coscrew._gufunc import (
@@ -87,7 +87,8 @@ if COMPILED:
         mat6x6_copy,
         mat6x6_setIdentity,
         mat6x6_transposed,
-        mat6x6_transformed,
+        mat6x6_rotated,
+        mat6x6_shifted,
         product_drv,
         product_drvinv,
         product_drinvv,
@@ -405,7 +406,8 @@ else:
         mat6x6_copy,
         mat6x6_setIdentity,
         mat6x6_transposed,
-        mat6x6_transformed,
+        mat6x6_rotated,
+        mat6x6_shifted,
         product_drv,
         product_drvinv,
         product_drinvv,
@@ -738,7 +740,8 @@ __all__ = [
     "mat6x6_copy",
     "mat6x6_setIdentity",
     "mat6x6_transposed",
-    "mat6x6_transformed",
+    "mat6x6_rotated",
+    "mat6x6_shifted",
     "product_drv",
     "product_drvinv",
     "product_drinvv",

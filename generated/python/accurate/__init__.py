@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "af0031b0564643b4")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "52047379281c0226")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (
@@ -57,7 +57,8 @@ if COMPILED:
         mat3x3_jacobi,
         SE3_invert,
         SE3_inverted,
-        mat6x6_transformed,
+        mat6x6_rotated,
+        mat6x6_shifted,
         product_drv,
         product_drvinv,
         product_drinvv,
@@ -296,7 +297,8 @@ else:
         mat3x3_jacobi,
         SE3_invert,
         SE3_inverted,
-        mat6x6_transformed,
+        mat6x6_rotated,
+        mat6x6_shifted,
         product_drv,
         product_drvinv,
         product_drinvv,
@@ -546,7 +548,8 @@ __all__ = [
     "mat3x3_jacobi",
     "SE3_invert",
     "SE3_inverted",
-    "mat6x6_transformed",
+    "mat6x6_rotated",
+    "mat6x6_shifted",
     "product_drv",
     "product_drvinv",
     "product_drinvv",

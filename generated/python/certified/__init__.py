@@ -15,7 +15,7 @@ import sys
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "10c8e9dfc6e50442")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "df4b1a37b7c34ee4")
 
 if COMPILED:
     from coscrew.certified._gufunc import (
@@ -44,7 +44,8 @@ if COMPILED:
         mat3x3_setFromAxisDC,
         SE3_invert,
         SE3_inverted,
-        mat6x6_transformed,
+        mat6x6_rotated,
+        mat6x6_shifted,
         product_drv,
         product_drvinv,
         product_drinvv,
@@ -242,7 +243,8 @@ else:
         mat3x3_setFromAxisDC,
         SE3_invert,
         SE3_inverted,
-        mat6x6_transformed,
+        mat6x6_rotated,
+        mat6x6_shifted,
         product_drv,
         product_drvinv,
         product_drinvv,
@@ -451,7 +453,8 @@ __all__ = [
     "mat3x3_setFromAxisDC",
     "SE3_invert",
     "SE3_inverted",
-    "mat6x6_transformed",
+    "mat6x6_rotated",
+    "mat6x6_shifted",
     "product_drv",
     "product_drvinv",
     "product_drinvv",

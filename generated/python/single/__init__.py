@@ -88,7 +88,8 @@ from coscrew.single.mat6x6 import (
     mat6x6_copy,
     mat6x6_setIdentity,
     mat6x6_transposed,
-    mat6x6_transformed,
+    mat6x6_rotated,
+    mat6x6_shifted,
 )
 from coscrew.single.matrix import (
     product_drv,

@@ -55,7 +55,8 @@ from coscrew.accurate.double.SE3 import (
     SE3_inverted,
 )
 from coscrew.accurate.double.mat6x6 import (
-    mat6x6_transformed,
+    mat6x6_rotated,
+    mat6x6_shifted,
 )
 from coscrew.accurate.double.matrix import (
     product_drv,

@@ -55,7 +55,8 @@ from coscrew.accurate.single.SE3 import (
     SE3_inverted,
 )
 from coscrew.accurate.single.mat6x6 import (
-    mat6x6_transformed,
+    mat6x6_rotated,
+    mat6x6_shifted,
 )
 from coscrew.accurate.single.matrix import (
     product_drv,

@@ -40,7 +40,8 @@ from coscrew.certified.double.SE3 import (
     SE3_inverted,
 )
 from coscrew.certified.double.mat6x6 import (
-    mat6x6_transformed,
+    mat6x6_rotated,
+    mat6x6_shifted,
 )
 from coscrew.certified.double.matrix import (
     product_drv,

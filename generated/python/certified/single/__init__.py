@@ -40,7 +40,8 @@ from coscrew.certified.single.SE3 import (
     SE3_inverted,
 )
 from coscrew.certified.single.mat6x6 import (
-    mat6x6_transformed,
+    mat6x6_rotated,
+    mat6x6_shifted,
 )
 from coscrew.certified.single.matrix import (
     product_drv,
