@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, replace
 
-from coscrew_codegen.integrators import STEPS
+from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.mechanics.functions import derive
 from coscrew_codegen.scene.asked import FREE, asked_for, together
 from coscrew_codegen.scene.scene import Applied, Scene
@@ -49,7 +49,7 @@ def _part(words: str, scene: Scene) -> Part:
 def whole(scene: Scene) -> tuple[str, ...]:
     """The functions of the scene with all its effects: those it asks for, those whose cost is told
     for each effect, and all integrators."""
-    return together(asked_for(scene), TELLING, (f"step_{step}" for step in STEPS), ("energy",),
+    return together(asked_for(scene), TELLING, (x.step_name for x in EMITTED), ("energy",),
                     FREE)
 
 

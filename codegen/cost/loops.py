@@ -13,9 +13,10 @@ from coscrew_codegen.native.buffers import aligned
 from coscrew_codegen.native.timing import Loop, driver, pointers
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
-from coscrew_codegen.scene_functions import Function
-from coscrew_codegen.scene_layout import banner_of, c_files
+from coscrew_codegen.scene_functions import Function, Step
+from coscrew_codegen.scene_layout import banner_of
 from coscrew_codegen.simulate.native import Compiler, library
+from coscrew_codegen.targets import scene_c
 from coscrew_codegen.targets.scene_c import c_name
 from coscrew_codegen.targets.scene_text import outputs, size, step_inputs
 
@@ -48,7 +49,7 @@ class Compiled:
         return Loop(getattr(self.library, _loop(function.name, precision)), ELEMENTS,
                     pointers((*_given(inputs, precision), *made)))
 
-    def run(self, step: str, precision: Precision, steps: int, h: float, p: Sequence[float],
+    def run(self, step: Step, precision: Precision, steps: int, h: float, p: Sequence[float],
             start: State) -> tuple[np.ndarray, np.ndarray, float]:
         """q and v after this many steps of h from `start` at t = 0, and the seconds of processor
         time that they took: other processes' do not count."""
@@ -73,7 +74,7 @@ def _made(function: Function, precision: Precision) -> list[np.ndarray]:
 def compiled(part: Part, functions: Sequence[Function], compiler: Compiler) -> Compiled:
     """A part's loops over these functions, compiled as load_scene does; CompilationError if not."""
     name = part.functions.name
-    files = {**c_files(part.functions, banner_of(name)), "loops.c": text(part, functions),
+    files = {**scene_c.files(part.functions, banner_of(name)), "loops.c": text(part, functions),
              "driver.c": driver()}
     units = {"scene": (f"{name}.c",), "loops": ("loops.c",), "driver": ("driver.c",)}
     return Compiled(part, library(units, files, compiler))
@@ -85,7 +86,7 @@ def text(part: Part, functions: Sequence[Function]) -> str:
     loops = [{"name": _loop(f.name, precision), **_over_states(part, f, precision)}
              for f in functions for precision in PRECISIONS]
     runs = [{"name": _run(step, precision), "real": precision.c_type,
-             "call": _step(part, step, precision)}
+             "call": _call_of(part, step, precision)}
             for step in scene.steps for precision in PRECISIONS]
     return render("cost/loops.c", name=scene.name, loops=loops, runs=runs)
 
@@ -94,8 +95,8 @@ def _loop(function: str, precision: Precision) -> str:
     return f"coscrew_loop_{function}{precision.suffix}"
 
 
-def _run(step: str, precision: Precision) -> str:
-    return f"coscrew_run_{step}{precision.suffix}"
+def _run(step: Step, precision: Precision) -> str:
+    return f"coscrew_run_{step.name}{precision.suffix}"
 
 
 def _over_states(part: Part, function: Function, precision: Precision) -> dict[str, object]:
@@ -116,8 +117,8 @@ def _element(argument: Argument, read: bool) -> str:
     return f"{argument.name}[i]" if read else f"{argument.name} + i"
 
 
-def _step(part: Part, step: str, precision: Precision) -> str:
+def _call_of(part: Part, step: Step, precision: Precision) -> str:
     real = precision.c_type
     values = {"t": f"({real})((double)i * h)", "h": f"({real})h", "p": "p", "q": "q", "v": "v"}
     given = ", ".join(values[x] for x in step_inputs(part.functions))
-    return f"{c_name(part.functions, f'step_{step}', precision)}({given});"
+    return f"{c_name(part.functions, step.name, precision)}({given});"

@@ -10,13 +10,16 @@ import numpy as np
 
 from coscrew_codegen.cost.loops import Compiled
 from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.integrators import ADAPTIVE
 from coscrew_codegen.native.intervals import FEWEST, Interval, interval
+from coscrew_codegen.scene_functions import Step
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import System, system
 
-_TIGHTEST = 1e-13
+_TIGHTEST, _TIGHTEST_IMPLICIT = 1e-13, 1e-11
+_ADAPTIVE = sorted(ADAPTIVE.items(), key=lambda x: x[1].implicit)
 _PATIENCE = 20.0  # s that a reference, or a run of SciPy's, may take
 _MOST_STEPS = 1_000_000
 _DOUBLINGS = range(-6, 5, 2)  # of the scene's step
@@ -67,7 +70,8 @@ def reference(system: System, until: float, digits: int | None) -> Reference | N
 
         q, v, apart = exact_end(system, until, digits)
         return Reference(f"extrapolation with {digits} digits", until, q, v, apart)
-    for name, tightest in (("dop853", _TIGHTEST), ("radau", 1e-11)):
+    for name, scheme in _ADAPTIVE:
+        tightest = _TIGHTEST_IMPLICIT if scheme.implicit else _TIGHTEST
         ends = [_end(system, until, name, tightest * slack) for slack in (1, 10)]
         if None not in ends:
             truth = Reference(f"{name}, rtol {tightest:g}", until, ends[0].q[-1].astype(float),
@@ -102,9 +106,9 @@ def work_precision(kernels: object, library: Compiled, planned: Plan, asked: Ask
                    truth: Reference) -> Iterator[Point]:
     """A point for each integrator, precision and step."""
     yield from _in_c(kernels, library, planned, asked, truth)
-    for name, tolerances in (("dop853", _TOLERANCES), ("radau", _TOLERANCES[:4])):
+    for name, scheme in _ADAPTIVE:
         its = system(kernels, "double", dict(asked.settings))
-        for tolerance in tolerances:
+        for tolerance in _TOLERANCES[:4] if scheme.implicit else _TOLERANCES:
             samples: list[float] = []
             while len(samples) < (_REPEATS if sum(samples) < _SHORT else 1):
                 began = time.thread_time()
@@ -119,18 +123,18 @@ def work_precision(kernels: object, library: Compiled, planned: Plan, asked: Ask
 def _in_c(kernels: object, library: Compiled, planned: Plan, asked: Asked,
           truth: Reference) -> Iterator[Point]:
     """The integrators of the scene, timed in rounds: each run once in each."""
-    runs = [(system(kernels, precision.name, dict(asked.settings)), name, precision, steps)
-            for precision in PRECISIONS for name in library.part.functions.steps
+    runs = [(system(kernels, precision.name, dict(asked.settings)), step, precision, steps)
+            for precision in PRECISIONS for step in library.part.functions.steps
             for steps in _step_counts(planned)]
 
-    def run(its: System, name: str, precision: Precision, steps: int) -> tuple[np.ndarray, float]:
-        q, _v, seconds = library.run(name, precision, steps, planned.until / steps, its.p,
+    def run(its: System, step: Step, precision: Precision, steps: int) -> tuple[np.ndarray, float]:
+        q, _v, seconds = library.run(step, precision, steps, planned.until / steps, its.p,
                                      its.start())
         return q, seconds
 
     rounds = [[run(*x) for x in runs] for _ in range(FEWEST)]
-    for (its, name, precision, steps), found in zip(runs, zip(*rounds, strict=True), strict=True):
-        yield Point(name.replace("_", "-"), precision.name, planned.until / steps, steps,
+    for (its, step, precision, steps), found in zip(runs, zip(*rounds, strict=True), strict=True):
+        yield Point(step.integrator, precision.name, planned.until / steps, steps,
                     interval(np.array([seconds for _, seconds in found])),
                     error(its, found[0][0], truth), "C")
 

@@ -1,7 +1,7 @@
 """Statements and equations of the tables, plain text, as Markdown with formulas in LaTeX.
 
     "R = exp v~, θ = |v|; singular at 2π"
-    "$R = \\exp\\tilde{v},\\;\\theta = |v|$; singular at $2\\pi$"
+    "$`R = \\exp\\tilde{v},\\;\\theta = |v|`$; singular at $`2\\pi`$"
 
 What is a formula is found word by word: names of arguments, single letters, functions, numbers and
 the signs between them; the rest is prose.
@@ -49,8 +49,8 @@ class _Token:
 
 
 def markdown(text: str, names: Collection[str], code: Collection[str] = ()) -> str:
-    """The text with its formulas between dollar signs; `names` are symbols in it, `code` names of
-    functions."""
+    """The text with its formulas between $` and `$, which GitHub and GitLab know, and in which
+    Markdown leaves backslashes alone; `names` are symbols in it, `code` names of functions."""
     tokens = _classified(text, names, code)
     runs = [(math, list(group)) for math, group in groupby(tokens, key=lambda token: token.math)]
     return "".join(_formula(run) if math else _prose(run, code) for math, run in runs)
@@ -58,7 +58,7 @@ def markdown(text: str, names: Collection[str], code: Collection[str] = ()) -> s
 
 def latex_name(name: str, index: str = "") -> str:
     """v1 → v_{1}, vo → \\mathrm{vo}, tau_c → \\tau_{c}; with a component's index behind it."""
-    base, number, below = re.fullmatch(r"([^\W\d_]+?\u0304?)(\d\w*?)?(?:_(\w+))?", name).groups()
+    base, number, below = _split(r"([^\W\d_]+?\u0304?)(\d\w*?)?(?:_(\w+))?", name)
     plain = base.removesuffix("\u0304")
     symbol = (rf"\{_GREEK[plain]}" if plain in _GREEK else
               plain if len(plain) == 1 else rf"\mathrm{{{plain}}}")
@@ -67,10 +67,21 @@ def latex_name(name: str, index: str = "") -> str:
     return f"{symbol}_{{{subscript}}}" if subscript else symbol
 
 
+def _split(pattern: str, name: str) -> tuple[str, ...]:
+    """The groups of the pattern, "" for those that are not there."""
+    if found := re.fullmatch(pattern, name):
+        return found.groups("")
+    raise ValueError(f"{name!r} is no symbol; wanted letters, digits, and an index behind _")
+
+
+def _tokens(text: str, math: bool) -> list[_Token]:
+    return [_Token(str(m.lastgroup), m.group(), math) for m in _TOKEN.finditer(text)]
+
+
 def _classified(text: str, names: Collection[str], code: Collection[str]) -> list[_Token]:
     """The tokens, those of formulas marked; spaces and commas between two of these belong to them,
     signs and brackets around prose do not."""
-    tokens = [_Token(m.lastgroup, m.group()) for m in _TOKEN.finditer(text)]
+    tokens = _tokens(text, False)
     tokens = [_Token(t.kind, t.text, _is_math(tokens, n, names, code))
               for n, t in enumerate(tokens)]
     tokens = _without_prose_in_brackets(tokens)
@@ -163,7 +174,7 @@ def escaped(text: str) -> str:
 def _formula(run: list[_Token]) -> str:
     while run[-1].kind in ("space", "mark"):
         run = run[:-1]
-    return f"${_latex(run)}$"
+    return f"$`{_latex(run)}`$"
 
 
 def _latex(run: list[_Token]) -> str:
@@ -209,7 +220,7 @@ def _token_latex(token: _Token) -> str:
     text = token.text
     if token.kind == "matrix":
         rows = [row.split(",") for row in re.split(r"\],\s*\[", text[2:-2])]
-        inner = r" \\ ".join(" & ".join(_latex(_all_math(x.strip())) for x in row) for row in rows)
+        inner = r" \\ ".join(" & ".join(_latex(_tokens(x.strip(), True)) for x in row) for row in rows)
         return rf"\begin{{bmatrix}} {inner} \end{{bmatrix}}"
     if token.kind == "operator":
         above = text[4:].replace("'", r"\prime").replace("^-1", "-1")
@@ -228,12 +239,8 @@ def _token_latex(token: _Token) -> str:
     return f" {_SIGNS[text]} " if text in _SPACED or text == "∫" else _SIGNS[text]
 
 
-def _all_math(text: str) -> list[_Token]:
-    return [_Token(m.lastgroup, m.group(), True) for m in _TOKEN.finditer(text)]
-
-
 def _word_latex(text: str) -> str:
-    word, part, mark, prime = re.fullmatch(r"(\w+\u0304?)(\.\w+)?([~*])?(')?", text).groups()
+    word, part, mark, prime = _split(r"(\w+\u0304?)(\.\w+)?([~*])?(')?", text)
     if word in _FUNCTIONS:
         return f"{_FUNCTIONS[word]} "
     symbol = latex_name(word)

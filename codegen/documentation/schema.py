@@ -57,6 +57,11 @@ def _bounded(bound: str) -> Schema:
     return {"anyOf": [{"type": "number", bound: 0}, {"type": "string"}]}
 
 
+def _told(words: str, schema: Schema) -> Schema:
+    """The schema with what editors show; beside $ref, it would be overlooked."""
+    return {"description": words} | ({"allOf": [schema]} if "$ref" in schema else schema)
+
+
 def _closed(properties: Schema, required: list[str]) -> Schema:
     found: Schema = {"type": "object", "properties": properties, "additionalProperties": False}
     return found | ({"required": required} if required else {})
@@ -67,29 +72,32 @@ def _by_name(schema: Schema) -> Schema:
 
 
 def _table(table: TableOf) -> Schema:
-    return _closed({key.name: {"description": key.words} | _key(key) for key in table.keys},
+    return _closed({key.name: _told(key.words, _key(key)) for key in table.keys},
                    [key.name for key in table.keys if key.required])
 
 
 def _key(key: Key) -> Schema:
     if key.table:
         inner = _table(key.table)
-        return {"table": inner, "tables": _by_name(inner), "expectations": _by_name(
-            {"anyOf": [inner, {"type": "array", "items": inner}]})}[key.kind]
+        several: Schema = {"anyOf": [inner, {"type": "array", "items": inner}]}
+        holding: dict[str, Schema] = {"table": inner, "tables": _by_name(inner),
+                                      "expectations": _by_name(several)}
+        return holding[key.kind]
     if key.choices:
         return {"enum": list(key.choices)}
-    moments = {"type": "array", "anyOf": [_array(3, _NUMBER), _array(6, _NUMBER),
-                                          _array(3, _array(3, _NUMBER))]}
-    return {"text": {"type": "string"}, "texts": _TEXTS, "number": _NUMBER,
-            "positive": _POSITIVE, "nonnegative": _NONNEGATIVE, "vector": _VECTOR,
-            "quaternion": _array(4, _NUMBER), "moments": moments,
-            "coordinates": _by_name({"anyOf": [_NUMBER, {"type": "array", "items": _NUMBER}]}),
-            "effects": _effects()}[key.kind]
+    moments: Schema = {"type": "array", "anyOf": [_array(3, _NUMBER), _array(6, _NUMBER),
+                                                  _array(3, _array(3, _NUMBER))]}
+    kinds: dict[str, Schema] = {
+        "text": {"type": "string"}, "texts": _TEXTS, "number": _NUMBER,
+        "positive": _POSITIVE, "nonnegative": _NONNEGATIVE, "vector": _VECTOR,
+        "quaternion": _array(4, _NUMBER), "moments": moments,
+        "coordinates": _by_name({"anyOf": [_NUMBER, {"type": "array", "items": _NUMBER}]})}
+    return _effects() if key.kind == "effects" else kinds[key.kind]
 
 
 def _effects() -> Schema:
-    return _closed({effect.name: {"description": f"{effect.words}: {effect.equation}"}
-                    | _effect(effect) for effect in EFFECTS}, [])
+    return _closed({effect.name: _told(f"{effect.words}: {effect.equation}", _effect(effect))
+                    for effect in EFFECTS}, [])
 
 
 def _one(effect: Effect) -> Schema:
@@ -100,16 +108,16 @@ def _one(effect: Effect) -> Schema:
     if effect.place is Place.PAIR:
         more = {"bodies": _array(2, {"type": "string"}) | {"uniqueItems": True}}
         needed = ["bodies", *needed]
-    values = {parameter.name: {"description": _described(parameter)} | _parameter(parameter)
+    values = {parameter.name: _told(_described(parameter), _parameter(parameter))
               for parameter in effect.parameters}
     return _closed(more | values, needed)
 
 
 def _effect(effect: Effect) -> Schema:
     """The table of the effect, of all places."""
-    one = {"$ref": f"#/definitions/{effect.name}"}
+    one: Schema = {"$ref": f"#/definitions/{effect.name}"}
     if effect.place is Place.SCENE:
-        return {"allOf": [one]}
+        return one
     if effect.place is Place.PAIR:
         return _by_name(one)
     several = "joints" if effect.place is Place.JOINT else "bodies"
@@ -132,4 +140,7 @@ def _parameter(parameter: ParameterOf) -> Schema:
         "number": number, "vector": _array(3, number), "formula": number,
         "formulas": _VECTOR, "body": {"type": "string"},
         "choice": {"enum": list(parameter.choices)}}
+    if parameter.kind not in kinds:
+        raise ValueError(f"parameter {parameter.name!r}: kind {parameter.kind!r} has no schema; "
+                         f"wanted one of {', '.join(kinds)}, or an entry for it here")
     return kinds[parameter.kind]

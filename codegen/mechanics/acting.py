@@ -61,16 +61,15 @@ class Paired:
 
 
 class Acting:
-    """The effects of a scene on one motion, at its time or at another; each is evaluated once.
+    """The effects of a scene on one motion, at its time; each is evaluated once.
 
     `later` are by how much joints see it later, by link."""
 
-    def __init__(self, scene: Scene, motion: Motion, t: Number | None = None,
-                 later: Mapping[int, Number] | None = None):
+    def __init__(self, scene: Scene, motion: Motion, later: Mapping[int, Number] | None = None):
         self.scene, self.motion = scene, motion
         recorder = motion.recorder
         self.recorder = recorder
-        self.t = t if t else recorder.argument("t")[0] if recorder.has("t") else recorder.number(0)
+        self.t = recorder.argument("t")[0] if recorder.has("t") else recorder.number(0)
         self.later = later or {}
         self.torques: dict[int, list[Torque]] = {}
         self.pushes: dict[int, list[Pushed]] = {}

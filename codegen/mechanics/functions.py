@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import cached_property, partial
 
 from coscrew_codegen.identifiers import identifiers
-from coscrew_codegen.integrators import STEPS
+from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.mechanics import (
     composite,
     coordinates,
@@ -19,6 +19,7 @@ from coscrew_codegen.mechanics import (
 from coscrew_codegen.mechanics.acting import Acting
 from coscrew_codegen.mechanics.ranges import refuse_numbers, refuse_products, refuse_quotients
 from coscrew_codegen.mechanics.recorded import Recording
+from coscrew_codegen.mechanics.steps import needs, stepped
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.recording.numbers import Number
 from coscrew_codegen.recording.recorder import Recorder, array, headings
@@ -89,17 +90,17 @@ class _Derivation:
         """What targets need."""
         scene, tree = self.scene, self.tree
         wanted = names or asked_for(scene)
-        steps = tuple(name for name, x in STEPS.items() if x.step_name in wanted)
-        called = together(*(STEPS[name].needs for name in steps))
+        steps = [x for x in EMITTED if x.step_name in wanted]
+        called = together(*map(needs, steps))
         found = [replace(made, internal=name not in wanted)
                  for name, make in self._makers().items() if name in wanted or name in called
                  if (made := make())]
         if not names:
             self._refuse_absent({f.name for f in found})
-        return SceneFunctions(
+        return stepped(SceneFunctions(
             scene.name, tree.nq, tree.nv, tree.coordinates, tuple(self.bodies),
             tuple((p.name, float(p.value)) for p in scene.parameters), coordinates.neutral(tree),
-            tuple(found), steps, scene.precisions, self.timed)
+            tuple(found), (), scene.precisions, self.timed), steps)
 
     def _makers(self) -> dict[str, Callable[[], Function | None]]:
         """What makes each function, by name, in the order in which they are emitted; None of what
@@ -114,7 +115,7 @@ class _Derivation:
             **{name: partial(self._reaction, name, joint)
                for name, joint in reactions(self.scene).items()},
             "integrated": self._integrated, "implicit_acceleration": self._implicit,
-            "leapfrog": self._leapfrog, "chart_rate": self._chart,
+            "midpoint_acceleration": self._kick, "chart_rate": self._chart,
             "free_momentum": self._free_momentum, "with_free_momentum": self._with_free_momentum,
             "closing_contacts": self._closing, "parts": self._parts}
 
@@ -198,16 +199,11 @@ class _Derivation:
             "forward_dynamics", "a with M(q) a + bias_torques(q, v) = tau", "q v tau",
             [self.inputs["a"]], compute, acted=True)
 
-    def _leapfrog(self) -> Function:
-        def compute(x: Recording):
-            q, v = leapfrog.step(x)
-            return [*([[x.recorder.argument("t")[0] + x.recorder.argument("h")[0]]]
-                      if self.timed else []), q, v]
-
+    def _kick(self) -> Function:
         return self._function(
-            "leapfrog", "t, q and v after drift, kick and drift", "h q v",
-            [self.inputs[x] for x in (*(["t"] if self.timed else []), "q", "v")], compute,
-            acted=True)
+            "midpoint_acceleration", "a with M(q) a = -bias_torques(q, v + h/2 a) as the default "
+            "integrator solves it, in two passes, implicit in damping and stiffness of the effects",
+            "h q v", [self.inputs["a"]], lambda x: [leapfrog.kick(x)], acted=True)
 
     @cached_property
     def _floating(self) -> tuple[int, ...]:

@@ -1,4 +1,4 @@
-"""The default integrator: drift, kick, drift.
+"""The kick of the default integrator (drift, kick, drift), and into how many parts it splits steps.
 
 Half a step the coordinates move with the speeds v0 the step starts with, to q_m; then all speeds
 change at once, at q_m; then the coordinates move on with the new ones, v1 = v0 + h a:
@@ -15,7 +15,7 @@ springs without damping keep ½ v·M v + ½ q·K q.  Of second order.
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-from coscrew_codegen.mechanics import coordinates, forward
+from coscrew_codegen.mechanics import forward
 from coscrew_codegen.mechanics.acting import Acting, settings
 from coscrew_codegen.mechanics.recorded import Recording
 from coscrew_codegen.program import NotANumber
@@ -44,26 +44,17 @@ def _beyond(h: Number, rate: Number) -> Number:
     return Fraction(1, 2) - 1 / (2 + h * rate)
 
 
-def step(x: Recording) -> tuple[list[Number], list[Number]]:
-    """q1 and v1."""
+def kick(x: Recording) -> list[Number]:
+    """a of the kick at q, over a step of h."""
     recorder = x.recorder
     h, = recorder.argument("h")
     q, v = recorder.argument("q"), recorder.argument("v")
-    middle = recorder.argument("t")[0] + h / 2 if recorder.has("t") else None
-    half = h / 2
-
-    def moved(q: Sequence[Number], v: Sequence[Number]) -> list[Number]:
-        return coordinates.integrated(recorder, x.tree, x.names, q, scaled(half, v))
-
-    q = moved(q, v)
     first = x.motion(at=(q, v))
-    start = Acting(x.scene, first, middle).act()
+    start = Acting(x.scene, first).act()
     guess = forward.implicit(first, start, x.rigids, x.inertias, weights(h))
-    second = x.motion(at=(q, _sum(v, scaled(half, guess.a))))
-    acting = Acting(x.scene, second, middle, _later(x, h, guess.rates)).act()
-    kick = forward.implicit(second, acting, x.rigids, x.inertias, weights(h), start)
-    v = _sum(v, scaled(h, kick.a))
-    return moved(q, v), v
+    second = x.motion(at=(q, _sum(v, scaled(h / 2, guess.a))))
+    acting = Acting(x.scene, second, _later(x, h, guess.rates)).act()
+    return forward.implicit(second, acting, x.rigids, x.inertias, weights(h), start).a
 
 
 def _later(x: Recording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.integrators import DEFAULT as DEFAULT_INTEGRATOR
-from coscrew_codegen.integrators import STEPS, named
+from coscrew_codegen.integrators import EMITTED, named
 from coscrew_codegen.scene.model import Kind
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.scene import Scene
@@ -54,7 +54,7 @@ def reactions(scene: Scene) -> dict[str, str]:
 def names(scene: Scene) -> tuple[str, ...]:
     """All functions that a scene of this model may have, in the order in which they are emitted."""
     return (*DYNAMICS, *jacobians(scene), *reactions(scene), MOVED, *FREE, *CONTACTS,
-            *(f"step_{step}" for step in STEPS))
+            *(x.step_name for x in EMITTED))
 
 
 def by_default(scene: Scene) -> tuple[str, ...]:
@@ -62,7 +62,7 @@ def by_default(scene: Scene) -> tuple[str, ...]:
     for them; momenta of what floats free, contacts; the step of its integrator (of SciPy's: the
     default one's)."""
     integrator = named(scene.run.integrator)
-    if not integrator.step_name:
+    if not integrator.emitted:
         integrator = named(DEFAULT_INTEGRATOR)
     recorded = {x.on for x in scene.effects if x.effect.reaction}
     asked = {*DYNAMICS, *(name for name, joint in reactions(scene).items() if joint in recorded),

@@ -46,6 +46,11 @@ class TableOf:
         return tuple(key.name for key in self.keys)
 
 
+def _written(number: float) -> str:
+    """As people write it: 1e-9, not 1e-09."""
+    return f"{number:g}".replace("e-0", "e-")
+
+
 BODY = TableOf("bodies.NAME", "A body; without keys, a frame without mass.", (
     Key("mass", "in kg", "nonnegative"),
     Key("com", "centre of mass in m, in the body's frame", "vector", default="[0, 0, 0]"),
@@ -103,13 +108,13 @@ OUTPUTS = TableOf("outputs", "What a run records.", (
         "steps", "positive", default="0.01")))
 
 RUN = TableOf("run", "How a run is integrated.", (
-    Key("duration", "in s", "positive", default=f"{Run().duration:g}"),
+    Key("duration", "in s", "positive", default=_written(Run().duration)),
     Key("integrator", "see Integrators", choices=NAMES),
-    Key("step", "in s", "positive", default=f"{Run().step:g}"),
+    Key("step", "in s", "positive", default=_written(Run().step)),
     Key("rtol", "relative tolerance of SciPy's integrators", "positive",
-        default=f"{Run().rtol:g}"),
+        default=_written(Run().rtol)),
     Key("atol", "absolute tolerance of SciPy's integrators", "positive",
-        default=f"{Run().atol:g}")))
+        default=_written(Run().atol))))
 
 EXPECT = TableOf('expect."QUANTITY"', "What `coscrew check` holds the run to: |quantity(at) - "
                  "value| <= rtol |value| + atol.  A table, or a list of tables.  One of rtol and "
@@ -129,7 +134,8 @@ SCENE = TableOf("", "The file itself.", (
         'says "double": needed where single\'s range (1.2e-38 to 3.4e38) cannot hold a number, '
         "which else is an error", choices=PRECISIONS),
     Key("implausible", '"warn" lets through inertias that no body has, that are massless or '
-        "incomplete, and names them", choices=(ERROR, WARN)),
+        "incomplete, and names them; on the command line --implausible warn",
+        choices=(ERROR, WARN)),
     Key("functions", "what is generated: names of functions; \"default\" and \"all\" stand for "
         "several", "texts", default='["default"]'),
     Key("runtime", "what stays an argument of the functions: BODY.mass, BODY.com, BODY.inertia, "

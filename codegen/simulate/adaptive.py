@@ -8,13 +8,13 @@ sampled.
 from collections.abc import Callable, Iterator
 
 import numpy as np
-from scipy.integrate import DOP853, OdeSolver, Radau
+import scipy.integrate
+from scipy.integrate import OdeSolver
 
 import coscrew
+from coscrew_codegen.integrators import ADAPTIVE
 from coscrew_codegen.simulate.plan import Plan
 from coscrew_codegen.simulate.system import State, System, Watch
-
-SOLVERS: dict[str, type[OdeSolver]] = {"dop853": DOP853, "radau": Radau}
 
 Rates = Callable[[float, np.ndarray], np.ndarray]
 
@@ -23,11 +23,12 @@ def adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np
              watch: Watch | None = None) -> Iterator[tuple[np.ndarray, np.ndarray, int, str]]:
     """(q, v, steps so far, "") at each sample after the first, or where and why it stopped."""
     rates, steps, sample = rates_of(system), 0, 1
-    options = {"jac": jacobian_of(system, rates)} if plan.integrator == "radau" else {}
+    scheme = ADAPTIVE[plan.integrator]
+    options = {"jac": jacobian_of(system, rates)} if scheme.implicit else {}
     y = np.concatenate((q, v)).astype(float)
     with np.errstate(all="ignore"):
-        solver = SOLVERS[plan.integrator](rates, 0.0, y, float(times[-1]), rtol=plan.rtol,
-                                          atol=plan.atol, **options)
+        solver: OdeSolver = getattr(scipy.integrate, scheme.solver)(
+            rates, 0.0, y, float(times[-1]), rtol=plan.rtol, atol=plan.atol, **options)
         while sample < len(times):
             if failed := _step(solver):
                 yield q, v, steps, f"{failed} at t = {solver.t:.9g} s: {_trouble(system, solver)}"

@@ -22,9 +22,9 @@ from coscrew_codegen.simulate.system import State, System
 ALLOWED = 1e-2
 """Of the largest kinetic energy so far, by which energy may change that has no reason to; and of
 the largest speeds, by which momentum may be off.  `check` allows a tenth."""
-RESOLVED = {1: 0.3, 2: 0.05, 4: 0.05}
-"""By how much of the speeds one step may differ from two halves, by order: so much do they where an
-undamped spring moves by about 1 rad a step."""
+ROUGH, RESOLVED = 0.3, 0.05
+"""By how much of the speeds one step may differ from two halves, for methods of order 1 and others:
+so much do they where an undamped spring moves by about 1 rad a step."""
 _SLOW = 1e-3
 """Of the largest kinetic energy: with less, speeds count as this large."""
 _AGAIN = 2  # looks in a row that find the step too large: one may meet a jolt
@@ -101,12 +101,12 @@ class Alarm:
                                       f"{self._remedy(abs(off) / ALLOWED)}")
 
     def _of_step(self, t: float, h: float, q: np.ndarray, v: np.ndarray) -> tuple[str, str] | None:
-        its, allowed = self.system, RESOLVED[self._integrator.order]
-        if self._integrator.name == DEFAULT and its.has("closing_contacts") \
+        its, allowed = self.system, ROUGH if self._integrator.order == 1 else RESOLVED
+        if self._integrator.splits and its.has("closing_contacts") \
                 and its.call("closing_contacts", h=h, q=q, v=v) > 0:
             return None
         once = self._stepped(t, h, q, v)[1]
-        twice = its.stepper(f"step_{named(DEFAULT).step}")(2, t, h / 2, q, v)[1]
+        twice = its.stepper(named(DEFAULT).step_name)(2, t, h / 2, q, v)[1]
         apart = np.asarray(twice, float) - once
         now = float(its.energies(t, q, v)[0])
         off = self._size(q, apart, max(now, _SLOW * self.kinetic))
@@ -119,7 +119,7 @@ class Alarm:
             f"speeds; {self._remedy(off / allowed)}")
 
     def _stepped(self, t: float, h: float, q: np.ndarray, v: np.ndarray) -> State:
-        return self.system.stepper(f"step_{self._integrator.step}")(1, t, h, q, v)
+        return self.system.stepper(self._integrator.step_name)(1, t, h, q, v)
 
     def _size(self, q: np.ndarray, v: np.ndarray, kinetic: float) -> float:
         """√(T(v)/T) for T = kinetic."""

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.integrate import cumulative_simpson
 
-from coscrew_codegen.integrators import DEFAULT
+from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.simulate.plan import Trajectory
 from coscrew_codegen.simulate.record import largest
 from coscrew_codegen.simulate.system import System
@@ -143,7 +143,8 @@ def _closely(system: System, t: np.ndarray, interval: np.ndarray, count: np.ndar
     h, total, before = interval / count, np.zeros(len(t)), _power(system, t, q, v)
     for k in range(count.max(initial=0)):
         i = np.flatnonzero(k < count)
-        q[i], v[i] = system.call(f"step_{DEFAULT}", t=t[i] + k * h[i], h=h[i], q=q[i], v=v[i])
+        q[i], v[i] = system.call(named(DEFAULT).step_name, t=t[i] + k * h[i], h=h[i], q=q[i],
+                                 v=v[i])
         after = _power(system, t[i] + (k + 1) * h[i], q[i], v[i])
         total[i] += h[i] / 2 * (before[i] + after)
         before[i] = after

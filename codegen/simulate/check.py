@@ -8,7 +8,7 @@ from functools import partial
 
 import numpy as np
 
-from coscrew_codegen.integrators import DEFAULT, named
+from coscrew_codegen.integrators import named
 from coscrew_codegen.scene.recorded import expected, recorded
 from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulate.alarm import Alarm
@@ -86,7 +86,7 @@ def _along(system: System, planned: Plan, trajectory: Trajectory) -> Along:
     if not along.shrinks:
         finest = _finer(system, planned, FINEST)
         along = replace(along, finest=balance(system, finest, trajectory.t))
-    if planned.integrator == DEFAULT and along.shrinks and coarse.part < planned.step:
+    if along.integrator.splits and along.shrinks and coarse.part < planned.step:
         # whether it is the step that is too long, or parts of steps
         alone = balance(system, _finer(system, planned, FINER, parts=1), trajectory.t)
         along = replace(along, part=math.inf if along.less(alone) else coarse.part)

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from coscrew_codegen.formats import BY_NAME
-from coscrew_codegen.integrators import Integrator
+from coscrew_codegen.integrator import Integrator
 from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulate.balance import Balance
 from coscrew_codegen.simulate.record import Difference

@@ -23,9 +23,9 @@ from coscrew_codegen.formats import PRECISIONS, Precision, named
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import SceneFunctions
-from coscrew_codegen.scene_layout import banner_of, c_files, python_files
+from coscrew_codegen.scene_layout import banner_of
 from coscrew_codegen.simulate import calls, native
-from coscrew_codegen.targets import scene_calls
+from coscrew_codegen.targets import scene_c, scene_calls, scene_python
 
 
 @dataclass(frozen=True, repr=False)
@@ -179,7 +179,8 @@ def restored(pickled: bytes) -> Kernels:
 
 def _library(functions: SceneFunctions, compiler: native.Compiler):
     source = f"{functions.name}_calls.c"
-    files = {**c_files(functions, banner_of(functions.name)), source: scene_calls.source(functions)}
+    files = {**scene_c.files(functions, banner_of(functions.name)),
+             source: scene_calls.source(functions)}
     units = {p.name: (source, *(f"-D{functions.name.upper()}_NO_{other.name.upper()}"
                                 for other in PRECISIONS if other != p))
              for p in named(functions.precisions)}
@@ -188,7 +189,7 @@ def _library(functions: SceneFunctions, compiler: native.Compiler):
 
 def _modules(functions: SceneFunctions) -> dict[str, ModuleType]:
     """The generated package's modules, imported from a folder where it stays."""
-    files = python_files(functions, banner_of(functions.name))
+    files = scene_python.files(functions, banner_of(functions.name))
     key = sha256("\0".join(x for pair in sorted(files.items()) for x in pair).encode()).hexdigest()
     folder = native.cache_folder() / f"python-{key[:32]}"
     emit.write(files, folder)

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from coscrew_codegen.integrators import ADAPTIVE, DEFAULT, NAMES, named
+from coscrew_codegen.integrators import DEFAULT, NAMES, named
 from coscrew_codegen.scene.asked import CONTACTS, FREE, reactions, together
 from coscrew_codegen.scene.recorded import Recorded, expected, recorded
 from coscrew_codegen.scene.scene import Scene
@@ -30,9 +30,9 @@ def of_check(scene: Scene, integrator: str | None) -> tuple[str, ...]:
 def _of_motion(scene: Scene, integrator: str | None) -> Iterable[str]:
     """What integrates, and for the Alarm the default integrator beside it."""
     name = integrator or scene.run.integrator
-    if name in ADAPTIVE:
-        return "energy", "forward_dynamics"
     own = named(name if name in NAMES else DEFAULT)
+    if not own.emitted:
+        return "energy", "forward_dynamics"
     return ("energy", "power", "mass_matrix", own.step_name, named(DEFAULT).step_name, *CONTACTS,
             *FREE)
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 import numpy as np
 from tabulate import tabulate
 
-from coscrew_codegen.integrators import DEFAULT
+from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.scene.mimics import without_chains
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
@@ -82,7 +82,7 @@ def bounces(outcome: Outcome) -> str:
     """Says that bounces are lost, where the integrator that loses them had limits close in a sample
     for which the default would split its step; else ""."""
     its, planned, run = outcome.system, outcome.plan, outcome.trajectory
-    if planned.integrator != "linear-implicit-euler" or not its.has("parts"):
+    if not (named(planned.integrator).damps_bounces and its.has("parts")):
         return ""
     with np.errstate(all="ignore"):
         closing = its.call("closing_contacts", h=planned.step, q=run.q, v=run.v) > 0

@@ -11,6 +11,7 @@ from functools import partial
 
 import numpy as np
 
+from coscrew_codegen.integrator import Integrator
 from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.adaptive import adaptive
@@ -58,11 +59,12 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
 def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
           watch: Watch | None = None, alarm: Alarming | None = None) -> Sampled:
     """(q, v, steps so far, "") at each sample after the first, or where and why it stopped."""
-    step, taken = system.stepper(f"step_{named(plan.integrator).step}", watch), 0
-    if plan.finer > 1 and plan.integrator == DEFAULT and system.has("parts"):
-        step = _in_finer_parts(system, plan.finer)
+    integrator = named(plan.integrator)
+    step, taken = system.stepper(integrator.step_name, watch), 0
+    if plan.finer > 1 and integrator.splits and system.has("parts"):
+        step = _in_finer_parts(system, integrator, plan.finer)
     look = alarm(system, plan, (q, v)) if alarm else None
-    kept = system.kept(q, v) if plan.integrator == DEFAULT else None
+    kept = system.kept(q, v) if integrator.keeps_momentum else None
     at_once = _KEPT if kept else _AT_ONCE
     with np.errstate(all="ignore"):
         for start, end in zip(times, times[1:]):
@@ -83,11 +85,11 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
             yield q, v, taken, stopped
 
 
-def _in_finer_parts(system: System, finer: int
+def _in_finer_parts(system: System, integrator: Integrator, finer: int
                     ) -> Callable[[int, float, float, np.ndarray, np.ndarray], State]:
-    """The default integrator, with as many parts of a step as one has that is `finer` times as
-    long."""
-    step = system.stepper(f"step_{DEFAULT}")
+    """An integrator that splits steps, with as many parts of a step as one has that is `finer`
+    times as long."""
+    step = system.stepper(integrator.step_name)
 
     def steps(n: int, t: float, h: float, q: np.ndarray, v: np.ndarray) -> State:
         for k in range(n):
@@ -104,7 +106,7 @@ def _where(system: System, plan: Plan, start: float, h: float, count: int, q: np
            v: np.ndarray) -> str:
     """When, after how many of `count` steps from `start`, and in which joint the state stops being
     finite; why, and what helps."""
-    step = system.stepper(f"step_{named(plan.integrator).step}")
+    step = system.stepper(named(plan.integrator).step_name)
     for i in range(count):
         before, (q, v) = (q, v), step(1, start + i * h, h, q, v)
         if lacking := system.lacking(q, v):

@@ -40,7 +40,7 @@ class System:
     @cached_property
     def inputs(self) -> Mapping[str, tuple[str, ...]]:
         """The names of each function's inputs, in order."""
-        steps = {f"step_{name}": step_inputs(self.functions) for name in self.functions.steps}
+        steps = {step.name: step_inputs(self.functions) for step in self.functions.steps}
         return steps | {name: tuple(a.name for a in x.inputs) for name, x in self.programs.items()}
 
     @cached_property

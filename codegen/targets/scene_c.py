@@ -12,14 +12,14 @@ from functools import partial
 from coscrew_codegen import version
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.identifiers import identifiers
-from coscrew_codegen.integrators import STEPS
 from coscrew_codegen.program import Input, Instruction, Operand
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
-from coscrew_codegen.scene_functions import Function, SceneFunctions
+from coscrew_codegen.scene_functions import Function, SceneFunctions, Step
 from coscrew_codegen.targets import scene_text
-from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, listed, product
-from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, function_named, size
+from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, listed
+from coscrew_codegen.targets.scene_c_steps import step_body
+from coscrew_codegen.targets.scene_text import size
 
 
 @dataclass(frozen=True)
@@ -37,8 +37,9 @@ _IN_WORDS = {("double",): "double precision alone, as the scene says",
              ("double", "single"): "double and (names that end in f) single precision"}
 
 
-def texts(scene: SceneFunctions, banner: str) -> tuple[str, str]:
-    """The texts of arm.h and arm.c."""
+def files(scene: SceneFunctions, banner: str) -> dict[str, str]:
+    """arm.h and arm.c.  Raises ValueError for a name that they cannot bear."""
+    scene_text.check_names(scene)
     sections = [{"precision": p, "functions": _functions(scene, p)}
                 for p in named(scene.precisions)]
     macros = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
@@ -50,8 +51,10 @@ def texts(scene: SceneFunctions, banner: str) -> tuple[str, str]:
     macros += [entry for p in named(scene.precisions) for entry in _defaults(scene, p)]
     shared = {"banner": banner, "name": scene.name, "upper": scene.name.upper(),
               "sections": sections}
-    return (render("scene/scene.h", about=comment_of(_about(scene)), macros=macros, **shared),
-            render("scene/scene.c", products=named(scene.precisions), **shared))
+    return {
+        f"{scene.name}.h": render("scene/scene.h", about=comment_of(_about(scene)), macros=macros,
+                                  **shared),
+        f"{scene.name}.c": render("scene/scene.c", products=named(scene.precisions), **shared)}
 
 
 def c_name(scene: SceneFunctions, name: str, precision: Precision) -> str:
@@ -102,8 +105,8 @@ def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str
 
 def _functions(scene: SceneFunctions, precision: Precision) -> list[CText]:
     """All functions that are emitted, in the order in which they call each other."""
-    functions = [_Writer(scene, f, precision).text() for f in scene.functions]
-    return functions + [_step(scene, name, precision) for name in scene.steps]
+    return [*(_Writer(scene, f, precision).text() for f in scene.functions),
+            *(_step(scene, step, precision) for step in scene.steps)]
 
 
 def _parameter(argument: Argument, precision: Precision, const: str) -> str:
@@ -197,38 +200,13 @@ def _within_width(text: str) -> str:
     return "\n".join(rows)
 
 
-def _step(scene: SceneFunctions, name: str, precision: Precision) -> CText:
+def _step(scene: SceneFunctions, step: Step, precision: Precision) -> CText:
     """A step, which moves q and v in place."""
-    step, real = STEPS[name], precision.c_type
+    real = precision.c_type
     declared = {"t": f"{real} t", "h": f"{real} h",
                 "p": f"const {real} p[{len(scene.parameters)}]",
                 "q": f"{real} q[{scene.nq}]", "v": f"{real} v[{scene.nv}]"}
     inputs = scene_text.step_inputs(scene)
-    accelerated = function_named(scene, step.calls)
-    call = partial(_call, scene, precision)
-    body = render(
-        f"scene/{step.template}.c", real=real, nq=scene.nq, nv=scene.nv,
-        times=partial(product, precision),
-        timed=scene_text.takes(accelerated, "t"), pushed=scene_text.takes(accelerated, "tau"),
-        unused=[x for x in inputs if x in ("t", "p") and not scene_text.takes(accelerated, x)],
-        accelerate=partial(call, accelerated),
-        integrate=lambda **values: call(function_named(scene, INTEGRATED), **values),
-        rate=partial(_rate, scene, precision),
-        **scene_text.step_calls(scene, call)).rstrip("\n")
-    return CText(f"step_{name}", comment_of([f"{step.equation}.  In place."]),
-                 _head(scene, f"step_{name}", precision, [declared[x] for x in inputs]), body)
-
-
-def _call(scene: SceneFunctions, precision: Precision, function: Function, out: str,
-          **values: str) -> str:
-    """A call of the function, with variables for inputs, which else go by their own names."""
-    arguments = [values.get(a.name, a.name) for a in function.program.inputs]
-    return f"{c_name(scene, function.name, precision)}({', '.join((*arguments, out))});"
-
-
-def _rate(scene: SceneFunctions, precision: Precision, out: str, **values: str) -> str:
-    """φ' for the speeds v; without quaternions that is v."""
-    found = next((f for f in scene.functions if f.name == RATE), None)
-    if found is None:
-        return f"memcpy({out}, {values['v']}, sizeof {out});"
-    return _call(scene, precision, found, out, **values)
+    return CText(step.name, comment_of([f"{step.words}.  In place."]),
+                 _head(scene, step.name, precision, [declared[x] for x in inputs]),
+                 step_body(scene, step, precision, partial(c_name, scene, precision=precision)))

@@ -40,10 +40,10 @@ def callables(scene: SceneFunctions) -> tuple[Callable, ...]:
                       tuple((a.name, tuple(a.quantity.shape)) for a in scene_text.outputs(f)),
                       scene_text.words(f)) for f in scene.functions if not f.internal]
     shapes = scene_text.step_shapes(scene)
-    for name in scene.steps:
+    for step in scene.steps:
         inputs = tuple((x, shapes[x]) for x in scene_text.step_inputs(scene))
-        found.append(Callable(f"step_{name}", inputs, (("q", shapes["q"]), ("v", shapes["v"])),
-                              scene_text.step_words(scene, name), moved=True))
+        found.append(Callable(step.name, inputs, (("q", shapes["q"]), ("v", shapes["v"])),
+                              scene_text.step_words(scene, step), moved=True))
     return tuple(found)
 
 

@@ -5,36 +5,35 @@ other.
 """
 
 from collections.abc import Iterator, Sequence
-from functools import partial
 from textwrap import wrap
 
 from coscrew_codegen.formats import Precision, named
-from coscrew_codegen.integrators import STEPS
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
-from coscrew_codegen.scene_functions import Function, SceneFunctions
+from coscrew_codegen.scene_functions import Function, SceneFunctions, Split, Step
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.numpy import NUMPY_NAMES
 from coscrew_codegen.targets.scene_expressions import Expressions
-from coscrew_codegen.targets.scene_text import INTEGRATED, RATE, function_named
+from coscrew_codegen.targets.scene_python_steps import python_name, step_lines
 from coscrew_codegen.version import VERSION
 
 
-def package(scene: SceneFunctions, banner: str) -> dict[str, str]:
-    """The package's files by name."""
+def files(scene: SceneFunctions, banner: str) -> dict[str, str]:
+    """The package arm/.  Raises ValueError for a name that it cannot bear."""
+    scene_text.check_names(scene)
     about = [row for line in scene_text.order_in_words(scene)
              for row in wrap(_quoted(line), WIDTH, subsequent_indent="    ")]
     head = render(
         "scene/package.py", banner=banner, name=scene.name, about=about, version=VERSION,
-        nq=scene.nq,
-        nv=scene.nv, precisions=scene.precisions,
+        nq=scene.nq, nv=scene.nv, precisions=scene.precisions,
         tables=[_tuple("JOINTS", [x.joint for x in scene.coordinates]),
                 _tuple("BODIES", scene.bodies), _dictionary("PARAMETERS", scene.parameters),
                 _tuple("NEUTRAL_Q", scene.neutral)])
-    files = {"__init__.py": head, "_arrays.py": render("scene/arrays.py", banner=banner)}
-    return files | {f"{p.name}.py": _module(scene, banner, p) for p in named(scene.precisions)}
+    modules = {"__init__": head, "_arrays": render("scene/arrays.py", banner=banner),
+               **{p.name: _module(scene, banner, p) for p in named(scene.precisions)}}
+    return {f"{scene.name}/{name}.py": text for name, text in modules.items()}
 
 
 def _tuple(name: str, values: Sequence[object]) -> str:
@@ -51,16 +50,17 @@ def _module(scene: SceneFunctions, banner: str, precision: Precision) -> str:
     names = {NUMPY_NAMES[op] for op in called} | {"errstate", precision.numpy_type}
     if any(NotANumber() in x.operands for f in functions for x in f.program.instructions):
         names.add("nan")
-    if scene.steps:
-        names |= {"newaxis", "zeros_like"}
-    if any(f.name == scene_text.PARTS for f in scene.functions):
-        names |= {"broadcast_to", "ones_like", "where"}
+    names |= {"zeros_like"} if any(step.zeros for step in scene.steps) else set()
+    split = any(isinstance(x, Split) for step in scene.steps for x in step.body)
+    names |= {"ones_like"} if split else set()
+    helpers = ["components", "assembled", "delivered",
+               *(["arrays", "spread"] if scene.steps else []),
+               *(["rounds", "merged"] if split else [])]
     return render("scene/precision.py", banner=banner, name=scene.name, precision=precision,
                   imports=listed("from numpy import (", sorted(names), ")"),
-                  helpers="components, assembled, delivered"
-                  f"{', arrays, spread' if scene.steps else ''}",
+                  helpers=", ".join(helpers),
                   functions=[*(_function(f, precision) for f in functions),
-                             *(_step(scene, name, precision) for name in scene.steps)])
+                             *(_step(scene, step, precision) for step in scene.steps)])
 
 
 def _quoted(text: str) -> str:
@@ -93,8 +93,8 @@ def _function(function: Function, precision: Precision) -> dict[str, str]:
     made = list(_assembled(outputs, expressions.results, precision))
     lines.append(f"return delivered(out, {made[0]})" if len(made) == 1 else
                  listed("return delivered(", ["out", *made], ")"))
-    return _text(_name(function), [a.name for a in program.inputs], scene_text.words(function),
-                 lines)
+    return _text(python_name(function), [a.name for a in program.inputs],
+                 scene_text.words(function), lines)
 
 
 def _assembled(outputs: Sequence[Argument], results: Sequence[str],
@@ -115,32 +115,8 @@ def _text(name: str, arguments: Sequence[str], words: Sequence[str],
             "body": body}
 
 
-def _step(scene: SceneFunctions, name: str, precision: Precision) -> dict[str, str]:
-    step, inputs = STEPS[name], scene_text.step_inputs(scene)
-    shapes = scene_text.step_shapes(scene)
-    accelerated = function_named(scene, step.calls)
-    body = render(
-        f"scene/{step.template}.py", timed=scene_text.takes(accelerated, "t"),
-        pushed=scene_text.takes(accelerated, "tau"), accelerate=partial(_call, accelerated),
-        integrate=lambda **values: _call(function_named(scene, INTEGRATED), **values),
-        rate=partial(_rate, scene),
-        **scene_text.step_calls(scene, _call))
+def _step(scene: SceneFunctions, step: Step, precision: Precision) -> dict[str, str]:
+    inputs, shapes = scene_text.step_inputs(scene), scene_text.step_shapes(scene)
     lines = [_unpacking("arrays", [(x, str(shapes[x])) for x in inputs], precision),
-             "q, v = spread(lead, q, v)", *body.rstrip("\n").split("\n")]
-    return _text(f"step_{name}", inputs, scene_text.step_words(scene, name), lines)
-
-
-def _name(function: Function) -> str:
-    return f"_{function.name}" if function.internal else function.name
-
-
-def _call(function: Function, **values: str) -> str:
-    """A call of the function, with expressions for inputs, which else go by their own names."""
-    arguments = [values.get(a.name, a.name) for a in function.program.inputs]
-    return f"{_name(function)}({', '.join(arguments)})"
-
-
-def _rate(scene: SceneFunctions, **values: str) -> str:
-    """φ' for the speeds v; without quaternions that is v."""
-    found = next((f for f in scene.functions if f.name == RATE), None)
-    return values["v"] if found is None else _call(found, **values)
+             "q, v = spread(lead, q, v)", *step_lines(scene, step)]
+    return _text(step.name, inputs, scene_text.step_words(scene, step), lines)

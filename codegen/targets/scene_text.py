@@ -5,16 +5,13 @@ Knows functions and words; nothing of how a language writes statements.
 
 import keyword
 import re
-from collections.abc import Callable
 from fractions import Fraction
-from functools import partial
 from math import prod
 
 from coscrew_codegen.formats import Precision
-from coscrew_codegen.integrators import STEPS
 from coscrew_codegen.program import Constant, counts_in_words
 from coscrew_codegen.quantity import Argument
-from coscrew_codegen.scene_functions import Function, SceneFunctions
+from coscrew_codegen.scene_functions import Function, SceneFunctions, Step
 
 _UNITS = {
     "revolute": "q in rad; v in rad/s",
@@ -33,18 +30,12 @@ dynamic_cast explicit export false friend mutable namespace new noexcept not not
 or or_eq private protected public reinterpret_cast requires static_assert static_cast template this
 thread_local throw true try typeid typename using virtual wchar_t xor xor_eq linux unix"""
 _CALLED = """fabs sqrt sin cos atan2 exp tanh fma fabsf sqrtf sinf cosf atan2f expf tanhf fmaf
-memcpy NAN absolute arctan2 where nan float32 float64 np errstate arrays array zeros_like newaxis
-range lead out delivered assembled components spread"""
+memcpy NAN absolute arctan2 where nan float32 float64 np errstate array zeros_like ones_like
+lead out arrays assembled components delivered merged rounds spread"""
 RESERVED = frozenset((*_C.split(), *_CPP.split(), *_CALLED.split(), *keyword.kwlist))
 """Names that no instruction may have: keywords of C, C++ and Python, and what kernels call."""
 
 _NAME = re.compile("[A-Za-z][A-Za-z0-9_]*")
-
-RATE = "chart_rate"
-MOMENTUM, CORRECTED = "free_momentum", "with_free_momentum"
-CLOSING, PARTS = "closing_contacts", "parts"
-INTEGRATED = "integrated"
-
 
 def count(shape: tuple[int, ...]) -> int:
     """How many numbers an array of this shape has."""
@@ -73,11 +64,11 @@ def step_shapes(scene: SceneFunctions) -> dict[str, tuple[int, ...]]:
     return {"t": (), "h": (), "p": (len(scene.parameters),), "q": (scene.nq,), "v": (scene.nv,)}
 
 
-def step_words(scene: SceneFunctions, name: str) -> tuple[str, ...]:
+def step_words(scene: SceneFunctions, step: Step) -> tuple[str, ...]:
     """A step's documentation in Python, a paragraph each."""
     shapes = step_shapes(scene)
     given = ", ".join(f"{x} {shapes[x]}" for x in step_inputs(scene))
-    return (f"{STEPS[name].equation}.  Returns q and v.",
+    return (f"{step.words}.  Returns q and v.",
             f"Last axes: {given} -> q {shapes['q']}, v {shapes['v']}.")
 
 
@@ -88,26 +79,12 @@ def words(function: Function) -> tuple[str, ...]:
     return (sentence(function.words), f"Last axes: {given} -> {made}.", cost(function))
 
 
-def function_named(scene: SceneFunctions, name: str) -> Function:
-    """The function of this name; a ValueError if there is none."""
-    found = next((f for f in scene.functions if f.name == name), None)
-    if found is None:
-        raise ValueError(f"scene {scene.name!r} has no function {name!r}, which a step needs")
-    return found
-
-
-def step_calls(scene: SceneFunctions, call: Callable[..., str]) -> dict[str, object]:
-    """What a template of a step may call beside its acceleration: partial calls by their roles, and
-    `kept`, how many numbers the momentum of what floats free has; None where there is no such."""
-    roles = {"momentum": MOMENTUM, "corrected": CORRECTED, "closing": CLOSING, "parts": PARTS}
-    known = {f.name: f for f in scene.functions}
-    kept = size(known[MOMENTUM].program.outputs[0]) if MOMENTUM in known else None
-    return {"kept": kept, **{role: partial(call, known[name]) if name in known else None
-                             for role, name in roles.items()}}
-
-
 def check_names(scene: SceneFunctions) -> None:
-    """Raises ValueError for names that are no variables' or are given twice in a function."""
+    """Raises ValueError for names that are no variables' or are given twice in a function, and for
+    a scene's that no file can bear."""
+    name = scene.name
+    if not (name.isascii() and name.isidentifier()) or keyword.iskeyword(name):
+        raise ValueError(f"scene {name!r}: a name that C and Python can import is wanted")
     for function in scene.functions:
         _check(function)
 
@@ -139,11 +116,6 @@ def printable(text: str) -> str:
 def sentence(words: str) -> str:
     """The words with one full stop."""
     return words.rstrip(". ") + "."
-
-
-def takes(function: Function, name: str) -> bool:
-    """Whether an input has this name."""
-    return any(a.name == name for a in function.program.inputs)
 
 
 def cost(function: Function) -> str:

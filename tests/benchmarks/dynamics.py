@@ -23,8 +23,8 @@ from coscrew_codegen.mechanics import derive
 from coscrew_codegen.native.timing import Timing, timed_calls
 from coscrew_codegen.program import Op
 from coscrew_codegen.scene.scene import Applied, Scene
-from coscrew_codegen.scene_layout import c_files
 from coscrew_codegen.simulate.load import Kernels, kernels_of
+from coscrew_codegen.targets import scene_c
 from tests.benchmarks.words import said
 from tests.support.scenes.robots import FOLDER, path_of, robot, scene_of
 
@@ -96,7 +96,7 @@ def _program() -> Path | None:
 
 def _from_c(program: Path, name: str, x: Kernels):
     file, free = ROBOTS[name]
-    sources = c_files(x.functions, "for the benchmark")
+    sources = scene_c.files(x.functions, "for the benchmark")
     for path, text in sources.items():
         (BUILD / path).write_text(text)
     for compiler in filter(shutil.which, ("gcc", "clang") if x.functions.nv < 20 else ("clang",)):

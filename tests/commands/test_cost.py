@@ -21,14 +21,16 @@ from coscrew_codegen.cost.plot import _accuracy, plot
 from coscrew_codegen.cost.table import table
 from coscrew_codegen.cost.work_precision import Point, Reference, error, reference
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE
+from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.program.interpreter import evaluate
 from coscrew_codegen.report.variants import flops
 from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.scene_layout import banner_of, c_files
+from coscrew_codegen.scene_layout import banner_of
 from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.system import system
+from coscrew_codegen.targets import scene_c
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.asking import STEPPED
 
@@ -96,22 +98,22 @@ def test_the_loops_call_the_scenes_functions(kernels, name, precision):
 def test_the_loops_compile_without_warnings(kernels, tmp_path):
     for name in kernels:
         whole = parts(kernels[name].scene)[0]
-        for file, content in {**c_files(whole.functions, banner_of(name)),
+        for file, content in {**scene_c.files(whole.functions, banner_of(name)),
                               "loops.c": text(whole, whole.public)}.items():
             (tmp_path / file).write_text(content)
         flags = ("-std=c11", "-Wall", "-Wextra", "-pedantic", "-Werror", "-fsyntax-only")
         subprocess.run(["cc", *flags, "loops.c"], cwd=tmp_path, check=True)
 
 
-@pytest.mark.parametrize("step", ("leapfrog", "semi_implicit_euler", "linear_implicit_euler",
-                                  "rk4"))
+@pytest.mark.parametrize("integrator", EMITTED, ids=lambda x: x.name)
 @pytest.mark.parametrize("precision", (DOUBLE, SINGLE), ids=lambda x: x.name)
-def test_runs_in_c_are_the_steps_of_the_kernels(kernels, precision, step):
+def test_runs_in_c_are_the_steps_of_the_kernels(kernels, precision, integrator):
     whole = parts(kernels["BRICK"].scene)[0]
     its = system(kernels["BRICK"], precision.name)
     library = compiled(whole, whole.public, native.compiler())
+    step = next(x for x in whole.functions.steps if x.name == integrator.step_name)
     q, v, seconds = library.run(step, precision, 50, 1e-3, its.p, its.start())
-    wanted = its.stepper(f"step_{step}")(50, 0.0, 1e-3, *its.start())
+    wanted = its.stepper(step.name)(50, 0.0, 1e-3, *its.start())
     assert (q.tobytes(), v.tobytes()) == (wanted[0].tobytes(), wanted[1].tobytes())
     assert seconds > 0
 

@@ -165,8 +165,9 @@ def imported_modules(node: ast.AST) -> list[str]:
 
 def test_imports_run_one_way():
     """version < … < algebra < … < kernel < passes < schedule < tiers < targets < … < emit."""
-    order = ["version", "integrators", "identifiers", "algebra", "quantity", "operations",
-             "kernel", "passes", "program", "formats", "scene_functions", "schedule", "programs",
+    order = ["version", "integrator", "integrators", "identifiers", "algebra", "quantity",
+             "operations", "kernel", "passes", "program", "formats", "scene_functions",
+             "schedule", "programs",
              "recording", "tiers", "render", "native", "targets", "special", "exact", "selection",
              "extension", "layout", "emit", "report", "scene", "mechanics", "effects",
              "scene_files", "scene_layout", "documentation", "simulate", "cost", "command_line",

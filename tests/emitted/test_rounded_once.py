@@ -1,3 +1,5 @@
+from coscrew_codegen.targets import scene_c
+
 """The text of all emitted C rounds once a statement, so that compilers find nothing to fuse.
 
 Outside KSL_MUL there is no product of two numbers that could round; and between commas and
@@ -10,7 +12,6 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from coscrew_codegen.scene_layout import c_files
 from tests.support.compiled.c_harness import C_FOLDER
 from tests.support.scenes import scene_bits
 from tests.support.scenes.generated_scenes import BANNER, CASES
@@ -54,7 +55,7 @@ def test_the_library_rounds_once_a_statement(name: str):
 
 @pytest.mark.parametrize("name", SCENES)
 def test_scenes_round_once_a_statement(name: str):
-    for text in c_files(SCENES[name](), BANNER).values():
+    for text in scene_c.files(SCENES[name](), BANNER).values():
         assert list(wrong(text)) == []
 
 

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import coscrew_codegen
-from coscrew_codegen.integrators import INTEGRATORS, STEPS
-from coscrew_codegen.mechanics import derive, functions
+from coscrew_codegen.integrators import EMITTED, INTEGRATORS
+from coscrew_codegen.mechanics import derive, functions, steps
 from coscrew_codegen.scene.asked import (
     CONTACTS,
     DYNAMICS,
@@ -23,8 +23,8 @@ from coscrew_codegen.scene.asked import (
 from coscrew_codegen.scene.scene import Run, Scene
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.scene_layout import c_files
 from coscrew_codegen.simulate import load, needs, plan, record, run, system
+from coscrew_codegen.targets import scene_c
 from tests.support.compiled.c_harness import COMPILERS, EXACT, STRICT
 from tests.support.compiled.c_harness import run as compiled
 from tests.support.scenes import mechanisms as m
@@ -49,7 +49,7 @@ def flyer(*asked: str) -> Scene:
 def public(scene: Scene) -> list[str]:
     """The functions that C declares, steps among them."""
     found = derive(scene)
-    header = c_files(found, "banner")[f"{scene.name}.h"]
+    header = scene_c.files(found, "banner")[f"{scene.name}.h"]
     return re.findall(rf"^void {scene.name}_(\w+?)\(", header.split("_NO_SINGLE")[0], re.M)
 
 
@@ -76,8 +76,8 @@ def test_each_function_can_stand_alone(name: str, tmp_path: Path):
             derive(arm(name))
         return
     assert public(arm(name)) == [name]
-    files = c_files(derive(arm(name)), "banner")
-    whole = c_files(derive(arm(*ALL)), "banner")["arm.c"]
+    files = scene_c.files(derive(arm(name)), "banner")
+    whole = scene_c.files(derive(arm(*ALL)), "banner")["arm.c"]
     text = files["arm.c"]
     for file, content in files.items():
         (tmp_path / file).write_text(content)
@@ -193,4 +193,4 @@ def test_runs_have_all_that_they_call_and_tell_what_they_lack(file: Path):
 
 def test_steps_need_what_the_derivation_has():
     known: dict[str, Callable] = functions._Derivation(arm())._makers()
-    assert {name for step in STEPS.values() for name in step.needs} <= known.keys()
+    assert {name for x in EMITTED for name in steps.needs(x)} <= known.keys()

@@ -2,11 +2,11 @@
 
 from dataclasses import replace
 
-from coscrew_codegen.integrators import STEPS
+from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.scene.asked import DEFAULT, jacobians
 from coscrew_codegen.scene.scene import Scene
 
-STEPPED = (DEFAULT, *(f"step_{name}" for name in STEPS))
+STEPPED = (DEFAULT, *(x.step_name for x in EMITTED))
 """The default functions, and every emitted integrator."""
 
 

@@ -13,10 +13,12 @@ from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
 
+from coscrew_codegen.integrators import named
+from coscrew_codegen.mechanics.steps import stepped
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.quantity import Argument, Part, Quantity
 from coscrew_codegen.scene_functions import Coordinate, Function, SceneFunctions
-from coscrew_codegen.scene_layout import c_files, python_files
+from coscrew_codegen.targets import scene_c, scene_python
 
 BANNER = "Made by `coscrew generate scene.toml`; changes are overwritten."
 
@@ -61,6 +63,11 @@ class Writer:
         program = Program(name, self.inputs, outputs, tuple(self.steps),
                           tuple(map(number, results)))
         return Function(name, words, program, tuple(self.headings), internal)
+
+
+def _stepping(scene: SceneFunctions, *integrators: str) -> SceneFunctions:
+    """The scene with the steps of these integrators."""
+    return stepped(scene, [named(x) for x in integrators])
 
 
 def _additive(n: int) -> Function:
@@ -122,11 +129,12 @@ def slider() -> SceneFunctions:
     swapped = w.function("swapped", "q_1, q_0", (argument("x", 2),), [w.at("q", 1), w.at("q", 0)])
     coordinates = tuple(Coordinate(name, "prismatic", range(i, i + 1), range(i, i + 1))
                         for i, name in enumerate(("class", "load */ x\\")))
-    return SceneFunctions(
+    return _stepping(SceneFunctions(
         "slider", 2, 2, coordinates, ("carriage", 'lambda """'), (("carriage.mass", 1.5),
                                                                   ("unused", 0.1)),
         (0.0, 0.25), (inverse, forward, mass, energy, poses, swapped, _additive(2), implicit),
-        ("semi_implicit_euler", "linear_implicit_euler", "rk4"), timed=True)
+        timed=True),
+        "semi-implicit-euler", "linear-implicit-euler", "rk4")
 
 
 def pendulum() -> SceneFunctions:
@@ -147,9 +155,10 @@ def pendulum() -> SceneFunctions:
     level = w.do("flat", Op.SELECT, small, 1, 0)
     height = w.function("height", "z in m, an angle, whether level",
                         (argument("z"), argument("angle"), argument("level")), [z, back, level])
-    return SceneFunctions("pendulum", 1, 1, (Coordinate("hinge", "revolute", range(1), range(1)),),
-                          ("rod",), (("length", 0.7),), (0.0,), (forward, height, _additive(1)),
-                          ("semi_implicit_euler", "rk4"))
+    hinge = Coordinate("hinge", "revolute", range(1), range(1))
+    return _stepping(SceneFunctions(
+        "pendulum", 1, 1, (hinge,), ("rod",), (("length", 0.7),), (0.0,),
+        (forward, height, _additive(1))), "semi-implicit-euler", "rk4")
 
 
 def _products(w: Writer, name: str, a: list[Operand], b: list[Operand]) -> list[Ref]:
@@ -212,9 +221,9 @@ def spinner() -> SceneFunctions:
         rate.append(w.do(f"rate_{i}", Op.ADD, moved, twelfth))
     chart = w.function("chart_rate", "φ' = v + φ × v / 2 + φ × (φ × v) / 12", (argument("u", 3),),
                        rate, internal=True)
-    return SceneFunctions(
+    return _stepping(SceneFunctions(
         "spinner", 4, 3, (Coordinate("ball", "spherical", range(4), range(3)),), ("top",), (),
-        (0.0, 0.0, 0.0, 1.0), (forward, integrated, chart), ("semi_implicit_euler", "rk4"))
+        (0.0, 0.0, 0.0, 1.0), (forward, integrated, chart)), "semi-implicit-euler", "rk4")
 
 
 def robot(joints: int, steps: int) -> SceneFunctions:
@@ -241,10 +250,11 @@ def robot(joints: int, steps: int) -> SceneFunctions:
 
     coordinates = tuple(Coordinate(f"joint{i}", "revolute", range(i, i + 1), range(i, i + 1))
                         for i in range(n))
-    return SceneFunctions("robot", n, n, coordinates, tuple(f"link{i}" for i in range(n)), (),
-                          (0.0,) * n, (function("forward_dynamics", "a"),
-                                       function("inverse_dynamics", "tau"), _additive(n)),
-                          ("semi_implicit_euler", "rk4"))
+    functions = (function("forward_dynamics", "a"), function("inverse_dynamics", "tau"),
+                 _additive(n))
+    return _stepping(SceneFunctions(
+        "robot", n, n, coordinates, tuple(f"link{i}" for i in range(n)), (), (0.0,) * n, functions),
+        "semi-implicit-euler", "rk4")
 
 
 CASES: dict[str, Callable[[], SceneFunctions]] = {
@@ -253,7 +263,7 @@ CASES: dict[str, Callable[[], SceneFunctions]] = {
 
 def files(functions: SceneFunctions) -> dict[str, str]:
     """All files of the functions, by path."""
-    return c_files(functions, BANNER) | python_files(functions, BANNER)
+    return scene_c.files(functions, BANNER) | scene_python.files(functions, BANNER)
 
 
 def written(functions: SceneFunctions, folder: Path) -> Path:

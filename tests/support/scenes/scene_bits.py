@@ -16,8 +16,7 @@ from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene.model import HERE, Kind, Parameter
 from coscrew_codegen.scene_functions import SceneFunctions
-from coscrew_codegen.scene_layout import c_files
-from coscrew_codegen.targets import scene_calls
+from coscrew_codegen.targets import scene_c, scene_calls
 from coscrew_codegen.targets.scene_c import c_name
 from coscrew_codegen.targets.scene_text import count
 from tests.support.compiled import stand_ins
@@ -50,7 +49,7 @@ def functions() -> SceneFunctions:
 
 def source(folder: Path) -> Path:
     """The program, one file beside the scene's own."""
-    for path, written in c_files(functions(), BANNER).items():
+    for path, written in scene_c.files(functions(), BANNER).items():
         (folder / path).write_text(written)
     (folder / "bits.c").write_text(_text())
     return folder / "bits.c"

@@ -1,0 +1,35 @@
+"""The integrators, a file each: the only list, which commands, scenes, documents and tests ask.
+
+A file put here is an integrator of every scene, in all languages and precisions.
+"""
+
+from importlib import import_module
+from pkgutil import iter_modules
+
+from coscrew_codegen.integrator import Adaptive, Integrator
+
+DEFAULT = "leapfrog"
+
+
+def _place(integrator: Integrator) -> tuple[bool, bool, int, str]:
+    """The default first, then those that are emitted, then SciPy's; by order."""
+    return integrator.name != DEFAULT, not integrator.emitted, integrator.order, integrator.name
+
+
+INTEGRATORS: tuple[Integrator, ...] = tuple(sorted(
+    (import_module(f"{__name__}.{found.name}").INTEGRATOR for found in iter_modules(__path__)),
+    key=_place))
+
+NAMES = tuple(x.name for x in INTEGRATORS)
+EMITTED = tuple(x for x in INTEGRATORS if x.emitted)
+ADAPTIVE = {x.name: x.scheme for x in INTEGRATORS if isinstance(x.scheme, Adaptive)}
+
+
+def named(name: str) -> Integrator:
+    """The integrator of this name."""
+    return next(x for x in INTEGRATORS if x.name == name)
+
+
+def in_words() -> str:
+    """All, with what they are good for, in one paragraph."""
+    return "; ".join(f"{x.name}, of order {x.order}: {x.good_for}" for x in INTEGRATORS)

@@ -1,0 +1,72 @@
+"""Steps of a scene's integrators in C: calls, the variables they write to, and loops over parts."""
+
+from collections.abc import Callable
+
+from coscrew_codegen.formats import Precision
+from coscrew_codegen.render import render
+from coscrew_codegen.scene_functions import Call, SceneFunctions, Split, Step
+from coscrew_codegen.targets.c_statements import listed
+from coscrew_codegen.targets.scene_text import outputs, size, step_inputs
+
+_WIDTH = 98  # of a statement, which is indented
+
+
+def step_body(scene: SceneFunctions, step: Step, precision: Precision,
+              c_name: Callable[[str], str]) -> str:
+    """The body of a function that takes `step_inputs` and moves q and v in place."""
+    return _Body(scene, step, precision, c_name).text()
+
+
+class _Body:
+    def __init__(self, scene: SceneFunctions, step: Step, precision: Precision,
+                 c_name: Callable[[str], str]):
+        self.scene, self.step, self.c_name = scene, step, c_name
+        self.real = precision.c_type
+        self.inputs = step_inputs(scene)
+        self.scalars = {"t", "h"} & set(self.inputs)
+
+    def text(self) -> str:
+        """The statements, indented."""
+        shapes = self._shapes()
+        self.scalars |= {name for name, length in shapes.items() if not length}
+        split = next((x for x in self.step.body if isinstance(x, Split)), None)
+        own = {x for call in (split.test, split.parts) for x in call.results} if split else set()
+        declared = [f"{name}[{length}]" if length else name
+                    for name, length in shapes.items() if name not in own]
+        return render(
+            "scene/step.c", real=self.real,
+            unused=[x for x in self.inputs if x in ("t", "p") and not self._read(x)],
+            zeros=[f"{x}[{self.scene.nv}]" for x in self.step.zeros],
+            rooms=listed(f"{self.real} ", declared, ";", _WIDTH).replace("\n", "\n  "),
+            declared=bool(declared), statements=list(map(self._statement, self.step.body)),
+        ).rstrip("\n")
+
+    def _shapes(self) -> dict[str, int]:
+        """The variables beside the inputs, and their lengths; 0 of numbers."""
+        found: dict[str, int] = {}
+        for call in self.step.calls:
+            of = outputs(self.scene.named(call.function))
+            for name, a in zip(call.results, of, strict=True):
+                if name not in self.inputs:
+                    found[name] = size(a) if a.quantity.shape else 0
+        return found
+
+    def _read(self, name: str) -> bool:
+        return any(name in self._arguments(call) for call in self.step.calls)
+
+    def _arguments(self, call: Call) -> list[str]:
+        given = dict(call.given)
+        return [given.get(a.name, a.name) for a in self.scene.named(call.function).program.inputs]
+
+    def _statement(self, statement: Call | Split) -> dict[str, object]:
+        """What the template writes of it."""
+        if isinstance(statement, Call):
+            return {"call": self._call(statement)}
+        (test,), (count, part) = statement.test.results, statement.parts.results
+        return {"call": "", "test": test, "count": count, "part": part,
+                "tested": self._call(statement.test), "parted": self._call(statement.parts),
+                "calls": [self._call(x) for x in statement.calls]}
+
+    def _call(self, call: Call) -> str:
+        results = [f"&{x}" if x in self.scalars else x for x in call.results]
+        return f"{self.c_name(call.function)}({', '.join((*self._arguments(call), *results))});"

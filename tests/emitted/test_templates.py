@@ -1,0 +1,91 @@
+"""Templates compute nothing: what a file computes comes from Programs, through holes.
+
+Comparisons are free: templates may loop and choose.
+"""
+
+from pathlib import Path
+
+import jinja2
+import pytest
+from jinja2 import nodes
+
+from tests.support.operators import operators
+
+ROOT = Path(__file__).parents[2] / "templates"
+
+PRIMITIVES = "what Programs' instructions are made of where a language has no such operation"
+CHECKS = "asks the compiler or the machine whether it rounds as it must, from outside of Programs"
+KSL = "functions KSL declares beside formulas: integers, sequences of axes, arrays, angles"
+PLACES = "indices, strides and shapes: where numbers stand, not what they are"
+MEASURES = "a measuring program of the reports, not emitted for users"
+EXEMPT = {
+    "c/products.jinja": PRIMITIVES, "python/_exact.py.jinja": PRIMITIVES,
+    "c/ksl_selfcheck.h.jinja": CHECKS, "python/_selfcheck.py.jinja": CHECKS,
+    **{f"c/ksl/{x}.jinja": KSL for x in (
+        "array.h", "euler.h", "inertia.h", "next_angles", "quaternion.h", "trig.h")},
+    "c/ksl_types.h.jinja": "a version's number as an integer",
+    "c/ksl_exact.h.jinja": PRIMITIVES,
+    **{f"{x}.jinja": PLACES for x in (
+        "gufunc/module.c", "gufunc/promoter.c", "gufunc/family.c", "python/_arrays.py",
+        "python/_kernel.py", "scene/arrays", "scene/arrays.py", "scene/out", "scene/buffers",
+        "scene/calls.c")},
+    "native/driver.c.jinja": MEASURES, "report/drift.c.jinja": MEASURES}
+"""Templates that compute, and why they may.  Pages' JavaScript is no kernel: it is left out."""
+
+TEMPLATES = sorted(p.relative_to(ROOT).as_posix() for p in ROOT.rglob("*.jinja")
+                   if ".html" not in p.name and ".md" not in p.name)
+
+def language_of(name: str) -> str:
+    """C or Python, by what the template's name says of the file it is for."""
+    python = name.startswith("python/") or ".py" in name or name == "scene/out.jinja"
+    return "python" if python else "c"
+
+
+@pytest.mark.parametrize("name", [x for x in TEMPLATES if x not in EXEMPT])
+def test_templates_compute_nothing(name: str):
+    found = operators((ROOT / name).read_text(encoding="utf-8"), language_of(name))
+    assert not found, (f"{name} computes; let a Program do it, or exempt the template with a "
+                       "reason:\n" + "\n".join(found))
+
+
+@pytest.mark.parametrize("name", EXEMPT)
+def test_exempt_templates_are_there_and_compute(name: str):
+    assert name in TEMPLATES, f"{name} is gone: so should its exemption be"
+    assert operators((ROOT / name).read_text(encoding="utf-8"), language_of(name)), (
+        f"{name} computes nothing: it needs no exemption")
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_holes_compute_nothing(name: str):
+    tree = jinja2.Environment().parse((ROOT / name).read_text(encoding="utf-8"))
+    arithmetic = (nodes.Add, nodes.Sub, nodes.Mul, nodes.Div, nodes.FloorDiv, nodes.Mod, nodes.Pow)
+    found = [x.lineno for kind in arithmetic for x in tree.find_all(kind)]
+    assert not found, f"{name}: computed within a hole or a loop, in lines {found}"
+
+
+@pytest.mark.parametrize("line", (
+    "v[i] += phi[i];", "phi[i] = h * v[i];", "x = {{ a }} - {{ b }};", "x = (a)/(b);", "y = 2*x;",
+    "z = f(x) % 3;", "w = a -b;", "const {{ real }} half = h / 2, sixth = h / 6;"))
+def test_computing_is_seen_in_c(line: str):
+    assert len(operators(line, "c")) == 1
+
+
+@pytest.mark.parametrize("line", (
+    "v = v + dt * a", "phi = {{ part }} * {{ speeds }}", "x **= y", "q //= h", "a = b[0]-c"))
+def test_computing_is_seen_in_python(line: str):
+    assert len(operators(line, "python")) == 1
+
+
+@pytest.mark.parametrize("line", (
+    "for (int k = 0; k < (int){{ count }}; k++) { f(&t, *p, -1.5e-3, x->y); } /* a + b */",
+    "const {{ real }} *x, **y = \"a + b\";", "return -1;", "static void f(double *q);",
+    "if (n > 0)", "#include <a-b/c.h>"))
+def test_loops_calls_and_pointers_are_free_in_c(line: str):
+    assert not operators(line, "c")
+
+
+@pytest.mark.parametrize("line", (
+    "def f(x, *, out=None, **more):", "q, v = spread(lead, q, v)  # a + b", "f(*x, **y)",
+    '"""a + b"""', "def f() -> int:", "return f(-1, x)"))
+def test_loops_calls_and_stars_are_free_in_python(line: str):
+    assert not operators(line, "python")

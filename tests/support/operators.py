@@ -1,0 +1,43 @@
+"""Where a template, or a text of C or Python, computes.
+
+An operator is + - * / % between two operands, with its assignments (+=); counters (++), signs of
+numbers and pointers are none.  Texts are taken to be spaced as ours: pointers are `real *x`.
+"""
+
+import re
+
+import jinja2
+
+_HOLE = "X"
+_LITERALS = {
+    "c": r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'|#include[^\n]*',
+    "python": r'[rf]?"""(?:.|\n)*?"""|#[^\n]*|[rf]?"(?:\\.|[^"\\\n])*"'}
+_NUMBER = r"\b(?:0[xX][0-9a-fA-F.]+(?:[pP][+-]?\d+)?|\d+\.?\d*(?:[eE][+-]?\d+)?)\w*"
+_OPERATOR = re.compile(
+    r"[\w)\]] +(?:[-*/%+]|//|\*\*) +(?=[\w(*&~!\[-])"  # a + b
+    r"|[\w)\]](?<!\breturn)(?:[-/%+*]|//|\*\*)(?=[\w(])(?!>)"  # a+b
+    r"|[\w)\]](?<!\breturn)(?<!\bcase) [-+](?=[\w(])"  # a +b
+    r"|(?:[-*/%+]|//|\*\*)=(?!=)")  # a += b
+
+
+def text_of(source: str) -> str:
+    """What a template writes, X in its holes."""
+    found, inside = [], False
+    for _, kind, value in jinja2.Environment().lex(source):
+        if kind == "data":
+            found.append(value)
+        elif kind == "variable_begin":
+            inside = True
+            found.append(_HOLE)
+        elif kind == "variable_end":
+            inside = False
+        assert kind != "data" or not inside
+    return "".join(found)
+
+
+def operators(source: str, language: str) -> list[str]:
+    """The lines of a template in which something is computed."""
+    code = re.sub(_LITERALS[language], lambda x: "\n" * x[0].count("\n"), text_of(source),
+                  flags=re.DOTALL)
+    code = re.sub(_NUMBER, "1", code)
+    return [row.strip() for row in code.split("\n") if _OPERATOR.search(row)]
