@@ -122,6 +122,9 @@ def freed(motion: Motion, number: int, body: Articulated, joint: Joint) -> Freed
         for k, (_, inertia) in enumerate(own):
             D[k][k] = D[k][k] + inertia
         factors = factored(D)
+        for i, inverse_of_pivot in enumerate(factors.inverse):
+            motion.recorder.label("D", D[i][i])
+            motion.recorder.label("Di", inverse_of_pivot)
     with motion.part(number, "K"):
         W = tuple(zip(*(factors.solve([u[i] for u in U]) for i in range(6)), strict=True))
         for column in W:

@@ -148,10 +148,16 @@ class _Derivation:
                              "masses or armatures that resist every joint, and no joint that "
                              "mimics another with multiplier 0") from None
         program = recorder.program(name, list(zip(outputs, results, strict=True)))
-        function = Function(name, words, program, headings(program))
+        function = Function(name, words, program, tuple(
+            (place, self._heading(words)) for place, words in headings(program)))
         refuse_products(self.scene, function)
         refuse_quotients(self.scene, function, self._at_rest())
         return function
+
+    def _heading(self, words: str) -> str:
+        """A link's name with how it moves: "forearm: elbow turns about y"."""
+        link = next((x for x in self.tree.links if x.name == words), None)
+        return f"{words}: {link.joint.in_words}" if link else words
 
     def _at_rest(self) -> dict[str, tuple[float, ...]]:
         """Inputs by name: neutral coordinates, parameters' values, nothing moves."""

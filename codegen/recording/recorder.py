@@ -68,7 +68,7 @@ class Recorder:
         self._instructions: list[Instruction] = []
         self._by_name: dict[str, Instruction] = {}
         self._issued: dict[tuple[Op, tuple[Operand, ...]], Ref] = {}
-        self._part = Part("x")
+        self._part = Part("total")  # of several links or effects
         self._parts: dict[str, Part] = {}  # by the instruction's name
         self._labels: dict[str, Part] = {}  # of values: by the name of what holds them
         self.heading = ""  # of the part in which something was divided by zero
