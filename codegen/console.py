@@ -1,7 +1,10 @@
 """Text for terminals and pipes of any encoding: what theirs cannot say is written another way."""
 
 import codecs
+import sys
 import unicodedata
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import TextIO
 
 _SPELLED = {"·": "*", "×": "x", "−": "-", "–": "-", "—": "-", "…": "...", "≤": "<=", "≥": ">=",
@@ -39,3 +42,23 @@ def _ascii(character: str) -> str:
         return f"^{raised}"
     plain = unicodedata.normalize("NFKD", character).encode("ascii", "ignore").decode()
     return plain or "?"
+
+
+@contextmanager
+def doing(what: str) -> Iterator[Callable[[str], None]]:
+    """Says on standard error what goes on, "deriving …", while it does, if that is a terminal: a
+    line that is gone afterwards.  Gives what says something else instead."""
+    told = sys.stderr is not None and sys.stderr.isatty()
+
+    def tell(words: str) -> None:
+        if told:
+            sys.stderr.write(f"\r\x1b[K{words} …")
+            sys.stderr.flush()
+
+    tell(what)
+    try:
+        yield tell
+    finally:
+        if told:
+            sys.stderr.write("\r\x1b[K")
+            sys.stderr.flush()

@@ -8,12 +8,13 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
+from coscrew_codegen.errors import Told
 from coscrew_codegen.layout import Files
 
 MARK = "Made by `coscrew generate"
 
 
-class EmitError(OSError):
+class EmitError(Told, OSError):
     """The files cannot be written; those on disk are as they were."""
 
 

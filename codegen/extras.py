@@ -9,7 +9,8 @@ EXTRAS = {"codegen": GENERATOR,
 """Modules by extra; pyarrow, of `simulate`, is needed for .parquet files only."""
 
 COMMANDS = {"generate": "codegen", "effects": "codegen", "schema": "codegen",
-            "simulate": "simulate", "check": "simulate", "cost": "simulate", "report": "report"}
+            "simulate": "simulate", "check": "simulate", "cache": "simulate", "cost": "simulate",
+            "report": "report"}
 """The extra of each command."""
 
 

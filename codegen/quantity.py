@@ -4,11 +4,15 @@ A quantity knows how its components are addressed mathematically; how a language
 targets' business.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from functools import cached_property
 from math import prod
+from typing import TYPE_CHECKING
 
-import sympy as sp
+if TYPE_CHECKING:  # imported where it is used: what only knows shapes starts without
+    import sympy as sp
 
 
 @dataclass(frozen=True)
@@ -131,6 +135,8 @@ class Argument:
     @cached_property
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """One SymPy symbol per component, row by row: `a`, `c_0`, `D_03`."""
+        import sympy as sp
+
         shape = self.quantity.shape
         if not shape:
             return (sp.Symbol(self.name),)
@@ -141,6 +147,8 @@ class Argument:
     @property
     def value(self) -> sp.Matrix | sp.Symbol:
         """The argument as formulas see it: a scalar symbol or a matrix of symbols."""
+        import sympy as sp
+
         if not self.quantity.shape:
             return self.symbols[0]
         return sp.Matrix(*self.quantity.rows_columns, self.symbols)

@@ -1,16 +1,13 @@
 """Renders the templates; they stand beside this package and hold file shapes only."""
 
+from functools import cache
 from importlib.resources import files
-
-import jinja2
+from typing import TYPE_CHECKING
 
 from coscrew_codegen.version import VERSION
 
-_ENVIRONMENT = jinja2.Environment(
-    loader=jinja2.FunctionLoader(
-        lambda name: files("coscrew_codegen.templates").joinpath(name).read_text("utf-8")),
-    undefined=jinja2.StrictUndefined, autoescape=False, trim_blocks=False, lstrip_blocks=False,
-    keep_trailing_newline=True)
+if TYPE_CHECKING:  # imported where it is used: what is cached is rendered no more
+    import jinja2
 
 
 _COMMENTS = {"c": " */\n/* ", "h": " */\n/* ", "py": "\n# ", "pyi": "\n# ",
@@ -23,6 +20,17 @@ LICENSE = ("SPDX-License-Identifier: MIT",
 code, and so bears its license; numbers and names in it are the scene's."""
 
 
+@cache
+def _environment() -> "jinja2.Environment":
+    import jinja2
+
+    return jinja2.Environment(
+        loader=jinja2.FunctionLoader(
+            lambda name: files("coscrew_codegen.templates").joinpath(name).read_text("utf-8")),
+        undefined=jinja2.StrictUndefined, autoescape=False, trim_blocks=False,
+        lstrip_blocks=False, keep_trailing_newline=True)
+
+
 def render(template: str, **holes: object) -> str:
     """The text of `template` with its holes filled; an unfilled hole is an error.
 
@@ -30,5 +38,5 @@ def render(template: str, **holes: object) -> str:
     if "banner" in holes:
         between = _COMMENTS[template.rpartition(".")[2]]
         holes["banner"] = between.join((str(holes["banner"]), *LICENSE))
-    text = _ENVIRONMENT.get_template(f"{template}.jinja").render(**holes)
+    text = _environment().get_template(f"{template}.jinja").render(**holes)
     return text.rstrip("\n") + "\n"

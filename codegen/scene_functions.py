@@ -4,6 +4,9 @@ from dataclasses import dataclass
 
 from coscrew_codegen.program import Program
 
+Arrays = tuple[tuple[str, tuple[int, ...]], ...]
+"""Names and shapes of arguments or results."""
+
 
 @dataclass(frozen=True)
 class Coordinate:
@@ -77,6 +80,39 @@ class Step:
         """All calls, in order."""
         return tuple(call for x in self.body
                      for call in ((x.test, x.parts, *x.calls) if isinstance(x, Split) else (x,)))
+
+
+@dataclass(frozen=True)
+class Signature:
+    """What a function takes and returns: names, shapes; those of `moved` are changed in place."""
+
+    name: str
+    inputs: Arrays
+    outputs: Arrays
+    words: tuple[str, ...]
+    moved: bool = False
+    computes: bool = True  # and does not only hand on inputs and constants
+
+    @property
+    def read(self) -> Arrays:
+        """The inputs that are only read."""
+        return tuple(x for x in self.inputs if not self.moved or x not in self.outputs)
+
+
+@dataclass(frozen=True)
+class SceneInterface:
+    """A scene as those see it who call its functions: sizes, names and places; no Programs."""
+
+    name: str
+    nq: int
+    nv: int
+    coordinates: tuple[Coordinate, ...]
+    bodies: tuple[str, ...]
+    parameters: tuple[tuple[str, float], ...]
+    neutral: tuple[float, ...]
+    precisions: tuple[str, ...]
+    timed: bool
+    signatures: tuple[Signature, ...]  # the public functions, steps behind the others
 
 
 @dataclass(frozen=True)

@@ -3,13 +3,14 @@
 from dataclasses import dataclass
 from difflib import get_close_matches
 
+from coscrew_codegen.errors import Told
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation
 
 LANGUAGES = ("c", "python")
 
 
-class SelectionError(ValueError):
+class SelectionError(Told, ValueError):
     """A name that means nothing here; the message gives the nearest that does."""
 
 

@@ -12,7 +12,9 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 import coscrew
-from coscrew_codegen import load_scene
+from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.simulate import needs
+from coscrew_codegen.simulate.load import kernels_for
 from coscrew_codegen.simulate.outcome import Asked, simulated
 from coscrew_codegen.simulate.view import drawn
 
@@ -28,7 +30,9 @@ CORNERS = np.array([(x, y, z) for z, y, x in product((-1, 1), repeat=3)])
 
 def boxes(path: str) -> tuple[np.ndarray, np.ndarray]:
     """Corners of all boxes at all frames, (frames, boxes, 8, 3), in m; and their bodies."""
-    run = simulated(load_scene(path), Asked(precision="double"))[0]
+    scene = read_scene(path)
+    kernels = kernels_for(scene, needs.of_run(scene, None, view=True))
+    run = simulated(kernels, Asked(precision="double"))[0]
     t = run.trajectory.t
     chosen = np.searchsorted(t, np.arange(0, t[-1] - 1e-9, 1 / FRAMES_A_SECOND))
     poses = np.asarray(run.system.call("body_poses", t=t[chosen], q=run.trajectory.q[chosen]))

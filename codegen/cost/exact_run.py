@@ -39,7 +39,7 @@ def exact_end(system: System, until: float, digits: int) -> tuple[np.ndarray, np
 
 def _rates(system: System) -> Rates:
     """(t, y) -> y', y = (q; v); quaternions move as r' = r (ω; 0) / 2."""
-    forward = next(f.program for f in system.functions.functions if f.name == "forward_dynamics")
+    forward = system.programs["forward_dynamics"]
     nq, nv = system.functions.nq, system.functions.nv
     p, tau = [mpf(x) for x in system.p], [mpf(0)] * nv
 

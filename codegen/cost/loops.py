@@ -17,8 +17,7 @@ from coscrew_codegen.scene_functions import Function, Step
 from coscrew_codegen.scene_layout import banner_of
 from coscrew_codegen.simulate.native import Compiler, library
 from coscrew_codegen.targets import scene_c
-from coscrew_codegen.targets.scene_c import c_name
-from coscrew_codegen.targets.scene_text import outputs, size, step_inputs
+from coscrew_codegen.targets.scene_text import c_name, outputs, size, step_inputs
 
 ELEMENTS = 64  # states a loop goes through: they stay in the first-level cache
 State = tuple[np.ndarray, np.ndarray]
@@ -77,7 +76,7 @@ def compiled(part: Part, functions: Sequence[Function], compiler: Compiler) -> C
     files = {**scene_c.files(part.functions, banner_of(name)), "loops.c": text(part, functions),
              "driver.c": driver()}
     units = {"scene": (f"{name}.c",), "loops": ("loops.c",), "driver": ("driver.c",)}
-    return Compiled(part, library(units, files, compiler))
+    return Compiled(part, library(units, files, compiler).opened)
 
 
 def text(part: Part, functions: Sequence[Function]) -> str:

@@ -220,7 +220,8 @@ def _token_latex(token: _Token) -> str:
     text = token.text
     if token.kind == "matrix":
         rows = [row.split(",") for row in re.split(r"\],\s*\[", text[2:-2])]
-        inner = r" \\ ".join(" & ".join(_latex(_tokens(x.strip(), True)) for x in row) for row in rows)
+        inner = r" \\ ".join(" & ".join(_latex(_tokens(entry.strip(), True)) for entry in row)
+                             for row in rows)
         return rf"\begin{{bmatrix}} {inner} \end{{bmatrix}}"
     if token.kind == "operator":
         above = text[4:].replace("'", r"\prime").replace("^-1", "-1")

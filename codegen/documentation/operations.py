@@ -1,5 +1,6 @@
 """The reference of operations: a page for each family, an entry for each operation."""
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
@@ -27,9 +28,7 @@ class Entry:
     formulas: tuple[str, ...]  # LaTeX, of each output by components
     signature: str
     arguments: str
-    cost: str
-    error: str
-    tiers: tuple[str, ...]
+    tiers: tuple[tuple[str, str, str], ...]  # plain first: name, cost, bound of the error
     prototypes: tuple[str, ...]  # C, double and single
     call: str  # Python
     modules: str  # where Python has it
@@ -66,7 +65,6 @@ def _entry(operation: Operation, program: Program, anchor: str) -> Entry:
     names = {a.name for a in arguments} | {part.name for a in arguments
                                            for part in a.quantity.parts if part.name}
     remark = f"  {operation.remark}" if operation.remark else ""
-    error = bounds.in_words(program) or operation.tested_bounds
     tiers = [tier for tier in TIERS if tier.has(program)]
     modules = ["coscrew", "coscrew.double", "coscrew.single",
                *(f"coscrew.{tier.name}" for tier in tiers if tier.in_python)]
@@ -74,15 +72,23 @@ def _entry(operation: Operation, program: Program, anchor: str) -> Entry:
         operation.name, anchor, escaped(operation.statement),
         f"{markdown(operation.statement, names, _CODE)}.{escaped(remark)}",
         formulas(operation), operation.signature, escaped(in_words(arguments)),
-        counts_in_words(program), escaped(error), tuple(_tiers(program, tiers)),
+        tuple(_tiers(operation, program, tiers)),
         tuple(f"{c.prototype(operation, precision)};" for precision in PRECISIONS),
         f"{operation.name}({', '.join(a.name for a in operation.inputs)}, out=None)",
         ", ".join(f"`{module}`" for module in modules))
 
 
-def _tiers(program: Program, tiers: list[Tier]) -> Iterator[str]:
-    """'accurate: 108 add, …. Error <= …', of double precision."""
+def _tiers(operation: Operation, program: Program,
+           tiers: list[Tier]) -> Iterator[tuple[str, str, str]]:
+    """Rows of the table of tiers, in double precision."""
+    yield "plain", counts_in_words(program), _bound(
+        bounds.in_words(program) or operation.tested_bounds)
     for tier in tiers:
         made = tier.program(program, DOUBLE.name)
-        error = bounds.in_words(made)
-        yield f"{tier.name}: {counts_in_words(made)}.{f'  {escaped(error)}' if error else ''}"
+        returned = "returned beside the result" if len(made.outputs) > len(program.outputs) else ""
+        yield tier.name, counts_in_words(made), _bound(bounds.in_words(made)) or returned
+
+
+def _bound(words: str) -> str:
+    """The bound alone, without what the page says once."""
+    return escaped(re.sub(r"^Error <= |, S the sum of .*|, barring over- .*|\.$", "", words))

@@ -46,5 +46,5 @@ def _row(key: Key) -> tuple[str, ...]:
     given = key.choices and " | ".join(f'"{choice}"' for choice in key.choices)
     default = "required" if key.required else key.default or (
         f'"{key.choices[0]}"' if key.choices else "")
-    words = f"{key.words}: {given}" if given else key.words
+    words = f"{given}: {key.words}" if given else key.words
     return f"`{key.name}`", escaped(words), escaped(default)

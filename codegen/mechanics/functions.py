@@ -41,14 +41,15 @@ from coscrew_codegen.scene_functions import Function, SceneFunctions
 _BODY_FRAME = "in the frame of the body, at its origin"
 
 
-def derive(scene: Scene, functions: Collection[str] = ()) -> SceneFunctions:
+def derive(scene: Scene, functions: Collection[str] = (),
+           tell: Callable[[str], None] = lambda name: None) -> SceneFunctions:
     """The functions that a scene asks for, or those of these names that it has, and internal ones
-    that their steps call.
+    that their steps call.  `tell` is told the name of each before it is derived.
 
     Raises RangeError for numbers that a precision it is generated in cannot hold, ModelError for a
     model whose mass matrix is singular whatever q is, AskedError for functions it cannot have."""
     refuse_numbers(scene)
-    return _Derivation(scene).functions(functions)
+    return _Derivation(scene, tell).functions(functions)
 
 
 def is_timed(scene: Scene) -> bool:
@@ -69,8 +70,8 @@ def tree_for(scene: Scene) -> Tree:
 class _Derivation:
     """The functions one by one, each recorded from its inputs."""
 
-    def __init__(self, scene: Scene):
-        self.scene, self.tree = scene, tree_for(scene)
+    def __init__(self, scene: Scene, tell: Callable[[str], None] = lambda name: None):
+        self.scene, self.tree, self.tell = scene, tree_for(scene), tell
         self.names = identifiers([link.name for link in self.tree.links])
         bodies = [body.name for body in scene.model.bodies]
         self.bodies = dict(zip(bodies, identifiers(bodies), strict=True))
@@ -138,6 +139,7 @@ class _Derivation:
                  *(["h"] if "h" in inputs.split() else []),
                  *(["p"] if dynamic and self.scene.parameters else []),
                  *(x for x in inputs.split() if x not in ("t", "h"))]
+        self.tell(name)
         recorder = Recorder([self.inputs[x] for x in given])
         try:
             results = compute(Recording(self.scene, self.tree, self.names, recorder))

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from coscrew_codegen.errors import Told
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.program import Constant, Instruction, Op, Program
 from coscrew_codegen.program.interpreter import Arithmetic, evaluate, exactly
@@ -25,7 +26,7 @@ _REMEDY = ('; precision = "double" in the scene file, or --precision double, lea
            "precision out")
 
 
-class RangeError(ValueError):
+class RangeError(Told, ValueError):
     """"SCENE: body 'tool': mass 1e+60 kg is outside single precision's range: …"."""
 
 

@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 
+from coscrew_codegen.parameter import Parameter, Scalar
 from coscrew_codegen.program import (
     Constant,
     Input,
@@ -38,17 +39,6 @@ from coscrew_codegen.recording.numbers import Number
 
 Numbers = Sequence[Number]
 
-
-@dataclass(frozen=True)
-class Parameter:
-    """A number that stays an argument of the kernels: element `index` of their argument p."""
-
-    name: str  # as in a scene's `runtime`: tool.mass
-    index: int
-    value: Fraction  # where nothing else is given
-
-
-Scalar = Fraction | Parameter
 
 COMPONENTS = {1: ("",), 3: ("x", "y", "z"), 6: ("xx", "yy", "zz", "xy", "xz", "yz"),
               9: ("xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz")}

@@ -6,6 +6,7 @@ A function that is not asked for is neither derived nor printed nor compiled.
 
 from collections.abc import Iterable, Sequence
 
+from coscrew_codegen.errors import Told
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.integrators import DEFAULT as DEFAULT_INTEGRATOR
 from coscrew_codegen.integrators import EMITTED, named
@@ -25,7 +26,7 @@ CONTACTS = ("closing_contacts", "parts")
 MOVED = "integrated"
 
 
-class AskedError(ValueError):
+class AskedError(Told, ValueError):
     """A function that the scene does not have; says which name is nearest."""
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
 
-from coscrew_codegen.recording.recorder import Parameter, Scalar
+from coscrew_codegen.parameter import Parameter, Scalar
 
 Vector = tuple["Scalar", "Scalar", "Scalar"]
 

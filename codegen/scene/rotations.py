@@ -6,8 +6,6 @@ Rotations are nine entries, row by row, as in `Placement`.
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-import mpmath
-
 DIGITS = 50
 
 SNAP = Fraction(1, 10**11)
@@ -62,6 +60,8 @@ def unit(vector: Iterable[Fraction]) -> Entries:
         raise ValueError("the vector is zero")
     if square == 1:
         return snapped(entries)
+    import mpmath
+
     with mpmath.workdps(DIGITS):
         norm = mpmath.sqrt(_real(square))
         return snapped([_fraction(_real(x) / norm) for x in entries])
@@ -121,6 +121,8 @@ def _about(axis: int, angle: Fraction) -> Entries:
 
 
 def _sine_cosine(angle: Fraction) -> Entries:
+    import mpmath
+
     with mpmath.workdps(DIGITS):
         cosine, sine = mpmath.cos_sin(_real(angle))
         return snapped([_fraction(sine), _fraction(cosine)])
@@ -128,14 +130,18 @@ def _sine_cosine(angle: Fraction) -> Entries:
 
 def _rounded(entries: Sequence[Fraction]) -> Entries:
     """The entries, snapped, to 50 digits: products of such would need ever more."""
+    import mpmath
+
     with mpmath.workdps(DIGITS):
         return tuple(x if x.denominator == 1 else _fraction(_real(x)) for x in snapped(entries))
 
 
-def _real(x: Fraction) -> mpmath.mpf:
+def _real(x: Fraction) -> "mpmath.mpf":
+    import mpmath
+
     return mpmath.mpf(x.numerator) / x.denominator
 
 
-def _fraction(x: mpmath.mpf) -> Fraction:
+def _fraction(x: "mpmath.mpf") -> Fraction:
     sign, mantissa, exponent, _ = x._mpf_
     return (-1)**sign * Fraction(int(mantissa)) * Fraction(2)**exponent

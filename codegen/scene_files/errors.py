@@ -2,8 +2,10 @@
 
 from pathlib import Path
 
+from coscrew_codegen.errors import Told
 
-class SceneError(ValueError):
+
+class SceneError(Told, ValueError):
     """"FILE: key or element: what came; what was wanted; did you mean …?"."""
 
     def __init__(self, file: Path | str, where: str, problem: str) -> None:

@@ -3,7 +3,6 @@
 import math
 from fractions import Fraction
 
-from coscrew_codegen.scene.constants import constant
 from coscrew_codegen.scene.effect import ParameterOf
 from coscrew_codegen.scene.formulas import Formula, FormulaError
 from coscrew_codegen.scene.model import WORLD
@@ -39,6 +38,7 @@ def setting(table: Table, parameter: ParameterOf, value: object, bodies: tuple[s
 def _number(table: Table, parameter: ParameterOf, value: object) -> Fraction:
     if parameter.model and _is_text(value):
         try:
+            from coscrew_codegen.scene.constants import constant
             return constant(value)
         except FormulaError:
             table.refuse(parameter.name, f"the text {shown(value)}; wanted a number without "

@@ -7,11 +7,10 @@ from fractions import Fraction
 from pathlib import Path
 from typing import NoReturn
 
-from coscrew_codegen.scene.constants import constant
 from coscrew_codegen.scene.names import did_you_mean, or_mean
+from coscrew_codegen.scene_files.contents import read_bytes
 from coscrew_codegen.scene_files.decimals import LARGEST, bounded, decimal
 from coscrew_codegen.scene_files.errors import SceneError, shown
-from coscrew_codegen.scene_files.xml import read_bytes
 
 SIZE = 2**20  # bytes
 _MESSAGE = 300  # characters of a message of tomllib
@@ -150,6 +149,7 @@ class Table:
             if isinstance(value, int) and not isinstance(value, bool):
                 return bounded(Fraction(value), "the number")
             if isinstance(value, str):
+                from coscrew_codegen.scene.constants import constant
                 return constant(value)
         except ValueError as error:
             self.refuse(key, str(error))

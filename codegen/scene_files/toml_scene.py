@@ -28,7 +28,6 @@ from coscrew_codegen.scene_files.tables import Table, described, read_toml
 from coscrew_codegen.scene_files.toml_effects import read_effects, with_reactions
 from coscrew_codegen.scene_files.toml_model import read_model, refuse_not_unit
 from coscrew_codegen.scene_files.unused import unused
-from coscrew_codegen.scene_files.urdf import read_urdf
 
 
 @dataclass(frozen=True)
@@ -56,6 +55,7 @@ def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
     suffix = path.suffix.lower()
     if suffix == ".urdf":
         implausible = said.implausible or ERROR
+        from coscrew_codegen.scene_files.urdf import read_urdf
         model = read_urdf(path, implausible=implausible)
         _refuse_unmoved(path, model, Scene(path.stem, model))
         return _asking(Scene(identifier(path.stem), model, unused=unused(model, set(), effects),
@@ -154,6 +154,7 @@ def _model(file: Table, name: str, implausible: str) -> Model:
     if not path.is_file():
         file.refuse("model", f"{shown(str(named))}: there is no such file; it is looked for in the "
                              "folder of the scene")
+    from coscrew_codegen.scene_files.urdf import read_urdf
     return read_urdf(path, base, implausible)
 
 

@@ -14,6 +14,7 @@ from xml.sax.handler import ContentHandler
 from defusedxml import DefusedXmlException
 from defusedxml.sax import make_parser
 
+from coscrew_codegen.scene_files.contents import read_bytes
 from coscrew_codegen.scene_files.errors import SceneError, shown
 
 DEPTH = 100  # elements in each other
@@ -56,19 +57,6 @@ def read_xml(path: Path, ignored: frozenset[str]) -> Element:
         raise SceneError(path, f"line {parser.getLineNumber()}",
                          f"{shown(error)}; wanted well-formed XML") from None
     return handler.root.children[0]
-
-
-def read_bytes(path: Path, largest: int) -> bytes:
-    """The contents of a file; SceneError if it cannot be read or is larger than `largest` bytes."""
-    try:
-        with path.open("rb") as file:
-            contents = file.read(largest + 1)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise SceneError(path, "", f"cannot be read ({reason})") from None
-    if len(contents) > largest:
-        raise SceneError(path, "", f"is larger than {largest // 2**20} MiB; wanted a smaller file")
-    return contents
 
 
 class _Handler(ContentHandler):

@@ -1,5 +1,7 @@
 """Simulates scenes: integrates their equations of motion, records, writes, plots and shows."""
 
+from coscrew_codegen.errors import Told
 
-class SimulateError(ValueError):
+
+class SimulateError(Told, ValueError):
     """The run cannot be made as asked; the message says what came and what was wanted."""

@@ -11,7 +11,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.integrate import cumulative_simpson
 
 from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.simulate.plan import Trajectory
@@ -67,13 +66,15 @@ def _balance(system: System, trajectory: Trajectory, among: np.ndarray | None) -
     energy, work = kinetic + potential, np.zeros(len(t))
     power = np.broadcast_to(np.asarray(system.call("power", t=t, q=q, v=v), float), t.shape)
     if len(t) > 2 and np.any(power):
+        from scipy.integrate import cumulative_simpson  # takes longer to import than short runs
+
         work = cumulative_simpson(power, x=t, initial=0)
     elif len(t) == 2:
         work[1] = (t[1] - t[0]) * power.mean()
     change = energy - energy[0]
     scale = max(np.max(np.abs(x)) for x in (kinetic, change))
     parts = _parts(system, trajectory)
-    if system.programs["power"].instructions:
+    if system.computes("power"):
         work = _refined(system, trajectory, np.diff(energy), work, scale, parts)
     defect = np.abs(change - work)
     at = largest(defect if among is None else np.where(np.isin(t, among), defect, 0))

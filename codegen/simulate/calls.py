@@ -11,12 +11,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coscrew_codegen.formats import Precision
-from coscrew_codegen.render import render
+from coscrew_codegen.native import cache
 from coscrew_codegen.scene.asked import names
 from coscrew_codegen.scene.names import or_mean
-from coscrew_codegen.scene_functions import SceneFunctions
-from coscrew_codegen.targets import scene_calls
-from coscrew_codegen.targets.scene_c import c_name
+from coscrew_codegen.scene_functions import SceneInterface, Signature
+from coscrew_codegen.targets.scene_text import c_name
 
 _PLAIN = frozenset((float, np.float64, np.float32, np.int64, np.int32))
 """Types of t and h that C takes as they are."""
@@ -112,7 +111,7 @@ class _Callable:
         return f"<{self.__name__} of {self._of._about}>"
 
 
-def gathered(scene: SceneFunctions, precision: Precision,
+def gathered(scene: SceneInterface, precision: Precision,
              functions: Mapping[str, Callable]) -> Functions:
     """The functions, each taking `self` first, as attributes of one object."""
     found = Functions(scene.name, precision)
@@ -125,12 +124,17 @@ def gathered(scene: SceneFunctions, precision: Precision,
 @functools.cache
 def _checks() -> ModuleType:
     """The checks of generated packages."""
+    def text() -> str:
+        from coscrew_codegen.render import render  # imports Jinja
+
+        return render("scene/arrays.py", banner="in memory")
+
     module = ModuleType("coscrew_scene_arrays")
-    exec(render("scene/arrays.py", banner="in memory"), module.__dict__)
+    exec(cache.text("checks", text), module.__dict__)
     return module
 
 
-def compiled(scene: SceneFunctions, library: ctypes.PyDLL, described: scene_calls.Callable,
+def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
              precision: Precision) -> Callable:
     """A function of the library of the same name and arguments, behind `self`."""
     kind, name = np.dtype(precision.numpy_type), c_name(scene, described.name, precision)
@@ -149,7 +153,7 @@ def compiled(scene: SceneFunctions, library: ctypes.PyDLL, described: scene_call
     return function
 
 
-def in_numpy(twin: Callable, described: scene_calls.Callable) -> Callable:
+def in_numpy(twin: Callable, described: Signature) -> Callable:
     """A function of a generated package with the same name and arguments, behind `self`."""
     given = ", ".join(x for x, _ in described.inputs)
     names = {"twin": twin}
@@ -158,7 +162,7 @@ def in_numpy(twin: Callable, described: scene_calls.Callable) -> Callable:
     return _described(names[described.name], described)
 
 
-def _described(function: Callable, described: scene_calls.Callable) -> Callable:
+def _described(function: Callable, described: Signature) -> Callable:
     function.__doc__ = "\n\n".join(described.words)
     return function
 
@@ -178,7 +182,7 @@ def _repeated(library: ctypes.PyDLL, name: str, kind: np.dtype) -> Callable:
     return function
 
 
-def _text(described: scene_calls.Callable) -> str:
+def _text(described: Signature) -> str:
     """The text of a function: with arguments spelled out, it takes half a microsecond less than
     with *values, and Python itself refuses missing and unknown ones."""
     given = [x for x, _ in described.inputs]
@@ -203,7 +207,7 @@ def _text(described: scene_calls.Callable) -> str:
         f"    return many({{{', '.join(f'{x!r}: {x}' for x in given)}}}, out)", ""))
 
 
-def _many(library: ctypes.PyDLL, name: str, described: scene_calls.Callable, kind: np.dtype,
+def _many(library: ctypes.PyDLL, name: str, described: Signature, kind: np.dtype,
           call: Callable) -> Callable:
     """The function for any arguments: checked, cast, and broadcast."""
     loop = getattr(_unlocked(library._name), f"many_{name}")
@@ -238,8 +242,8 @@ def _is_place(x: np.ndarray | None, kind: np.dtype, arrays: list[np.ndarray]) ->
 
 
 def _over(loop: Callable, lead: tuple[int, ...], given: dict[str, np.ndarray],
-          described: scene_calls.Callable, results: list[np.ndarray]) -> None:
-    """Call the loop over all states."""
+          described: Signature, results: list[np.ndarray]) -> None:
+    """Signature the loop over all states."""
     words: list[int] = [prod(lead)]
     kept = []
     for x, shape in described.read:

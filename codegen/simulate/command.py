@@ -96,20 +96,22 @@ def _setting(text: str) -> tuple[str, float]:
 
 def run(options: argparse.Namespace) -> int:
     """Simulate; returns the exit status: 0, 1 if a run stopped early, 130 if it was interrupted."""
-    from coscrew_codegen.simulate import needs, outcome, plot, view, write
-    from coscrew_codegen.simulate.load import kernels_for
+    from coscrew_codegen.simulate import needs, outcome, write
+    from coscrew_codegen.simulate.load import BOTH, kernels_for
 
-    for path, endings in ((options.output, tuple(write.FORMATS)), (options.plot, plot.ENDINGS),
+    for path, endings in ((options.output, tuple(write.FORMATS)), (options.plot, write.FIGURES),
                           (options.view, (".html",))):
         if path:
             write.check_target(path, endings)
     scene = scene_of(options, options.precision)
-    kernels = kernels_for(scene, needs.of_run(scene, options.integrator, bool(options.view)))
+    one = options.precision or scene.precision
+    kernels = kernels_for(scene, needs.of_run(scene, options.integrator, bool(options.view)),
+                          BOTH if one == "both" else (one,))
     for line in _notes(kernels.scene, options.unused):
         print(f"coscrew: {line}", file=sys.stderr)
     outcomes = outcome.simulated(kernels, outcome.Asked(
         options.until, options.step, options.integrator, options.precision,
-        tuple(options.settings)))
+        tuple(options.settings)), told=bool(options.output or options.plot or options.view))
     for note in (outcome.outside(outcomes[0].system), outcome.bounces(outcomes[0])):
         if note:
             print(f"coscrew: {note}", file=sys.stderr)
@@ -118,8 +120,12 @@ def run(options: argparse.Namespace) -> int:
         for path, recording in zip(_outputs(options.output), recordings):
             write.write(recording, path)
     if options.plot:
+        from coscrew_codegen.simulate import plot  # imports Matplotlib
+
         plot.plot(recordings, options.plot)
     if options.view:
+        from coscrew_codegen.simulate import view
+
         first = outcomes[0]
         view.view(first.system, first.trajectory, first.recording.provenance, options.view)
     print(outcome.summary(outcomes))

@@ -9,7 +9,7 @@ import pickle
 import sys
 import warnings
 import zlib
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
@@ -18,14 +18,15 @@ from types import ModuleType
 import numpy as np
 from numpy.typing import NDArray
 
-from coscrew_codegen import emit
+from coscrew_codegen.console import doing
 from coscrew_codegen.formats import PRECISIONS, Precision, named
-from coscrew_codegen.mechanics import derive
+from coscrew_codegen.native import cache
+from coscrew_codegen.scene.content import content_hash
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene_functions import SceneFunctions
-from coscrew_codegen.scene_layout import banner_of
+from coscrew_codegen.scene_functions import SceneFunctions, SceneInterface, Signature
 from coscrew_codegen.simulate import calls, native
-from coscrew_codegen.targets import scene_c, scene_calls, scene_python
+
+BOTH = tuple(p.name for p in PRECISIONS)
 
 
 @dataclass(frozen=True, repr=False)
@@ -41,40 +42,51 @@ class Kernels:
     """
 
     scene: Scene | None
-    functions: SceneFunctions
+    interface: SceneInterface
     double: calls.Functions[np.float64]
     single: calls.Functions[np.float32]
     compiler: str  # its version and flags; "" where the generated Python runs
+    library: str = ""  # its key in the cache
+    asked: tuple[str, ...] = ()  # names of functions; none: as the scene says
+    _derived: SceneFunctions | None = None
+
+    @functools.cached_property
+    def functions(self) -> SceneFunctions:
+        """The functions as Programs, derived anew where kernels were found in the cache."""
+        if self._derived:
+            return self._derived
+        from coscrew_codegen.mechanics import derive
+        return derive(self.scene, self.asked)
 
     @property
     def NQ(self) -> int:
         """How many numbers q holds."""
-        return self.functions.nq
+        return self.interface.nq
 
     @property
     def NV(self) -> int:
         """How many numbers v, a and tau hold."""
-        return self.functions.nv
+        return self.interface.nv
 
     @property
     def joints(self) -> tuple[str, ...]:
         """Names of the joints that move, in the order of q and v."""
-        return tuple(c.joint for c in self.functions.coordinates)
+        return tuple(c.joint for c in self.interface.coordinates)
 
     @property
     def bodies(self) -> tuple[str, ...]:
         """Bodies' names, in the order of body_poses' and body_twists' rows."""
-        return self.functions.bodies
+        return self.interface.bodies
 
     @property
     def parameters(self) -> dict[str, float]:
         """Default values by name, in the order of p."""
-        return dict(self.functions.parameters)
+        return dict(self.interface.parameters)
 
     @property
     def neutral_q(self) -> NDArray[np.float64]:
         """q where every joint is at rest in its placement, in double.  (NQ)."""
-        return np.array(self.functions.neutral, float)
+        return np.array(self.interface.neutral, float)
 
     @property
     def compiled(self) -> bool:
@@ -83,7 +95,8 @@ class Kernels:
 
     @functools.cached_property
     def _pickled(self) -> bytes:
-        return zlib.compress(pickle.dumps((self.scene, self.functions)))
+        functions = None if self.scene else self.functions
+        return zlib.compress(pickle.dumps((self.scene, self.asked, functions)))
 
     def __reduce__(self) -> tuple[Callable, tuple[bytes]]:
         """Of the scene and its functions; where they are unpickled, they are compiled, or found
@@ -97,7 +110,7 @@ class Kernels:
         return self
 
     def __repr__(self) -> str:
-        return f"<kernels of {self.functions.name}: {self.compiler or 'pure NumPy'}>"
+        return f"<kernels of {self.interface.name}: {self.compiler or 'pure NumPy'}>"
 
 
 def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
@@ -129,12 +142,7 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
                         "has its own")
     elif functions:
         scene = replace(scene, functions=functions)
-    return kernels_of(derive(scene), scene)
-
-
-def kernels_for(scene: Scene, functions: Collection[str]) -> Kernels:
-    """The kernels of those functions of a scene that it has, and of no others."""
-    return kernels_of(derive(scene, functions), scene)
+    return kernels_for(scene)
 
 
 def _names(functions: Sequence[str]) -> tuple[str, ...]:
@@ -144,28 +152,110 @@ def _names(functions: Sequence[str]) -> tuple[str, ...]:
     return tuple(functions)
 
 
+def kernels_for(scene: Scene, functions: Collection[str] = (),
+                precisions: tuple[str, ...] = BOTH) -> Kernels:
+    """The kernels of the functions that a scene asks for, or of those of these names that it has,
+    compiled in these precisions: found in the cache, or made."""
+    compiler = _compiler(scene.name)
+    key = compiler and _key(scene, functions, precisions, compiler)
+    if key and (kept := _kept(key)):
+        interface, library = kept
+        return _compiled(scene, tuple(functions), interface, library, precisions, compiler)
+    with doing(f"deriving {scene.name}") as tell:
+        from coscrew_codegen.mechanics import derive  # imports SymPy
+
+        derived = derive(scene, functions, lambda name: tell(f"deriving {name}"))
+    made = _made(derived, scene, tuple(functions), precisions, compiler)
+    if key and made.compiled:
+        cache.write(key, ".scene", pickle.dumps((made.interface, made.library)))
+    return made
+
+
 def kernels_of(functions: SceneFunctions, scene: Scene | None = None) -> Kernels:
     """The kernels of functions, wherever they come from."""
+    return _made(functions, scene, (), BOTH, _compiler(functions.name))
+
+
+def _compiler(name: str) -> native.Compiler | None:
+    """The compiler; None if there is none that works, which a warning tells."""
     try:
-        compiler = native.compiler()
-        library = _library(functions, compiler)
+        return native.compiler()
     except native.CompilationError as error:
-        warnings.warn(f"{functions.name} runs in pure NumPy: {error}", RuntimeWarning, stacklevel=3)
-        modules = _modules(functions)
-        return _kernels(scene, functions, "", lambda x, p: calls.in_numpy(
-            getattr(modules[p.name], x.name), x))
-    return _kernels(scene, functions, str(compiler), lambda x, p: calls.compiled(
-        functions, library, x, p))
+        _warn(name, error)
+        return None
 
 
-def _kernels(scene: Scene | None, functions: SceneFunctions, compiler: str,
-             made: Callable[[scene_calls.Callable, Precision], Callable]) -> Kernels:
-    described = scene_calls.callables(functions)
-    found = [calls.gathered(functions, p, {x.name: made(x, p) for x in described
-                                               if p.name in functions.precisions})
-             for p in PRECISIONS]
-    kernels = Kernels(scene, functions, *found, compiler)
-    for x in found:
+def _warn(name: str, error: native.CompilationError) -> None:
+    level = next((n for n, frame in enumerate(_frames()) if frame != __file__), 0)
+    warnings.warn(f"{name} runs in pure NumPy: {error}", RuntimeWarning, stacklevel=level + 1)
+
+
+def _frames() -> Iterator[str]:
+    """The files of the functions that call each other, from `_warn` on."""
+    frame = sys._getframe(1)
+    while frame:
+        yield frame.f_code.co_filename
+        frame = frame.f_back
+
+
+def _key(scene: Scene, functions: Collection[str], precisions: tuple[str, ...],
+         compiler: native.Compiler) -> str:
+    """Names all that kernels are made from; "" where an effect is not of the catalogue, since its
+    name does not tell what it does."""
+    from coscrew_codegen.effects import EFFECTS
+
+    if any(not any(x.effect is effect for effect in EFFECTS) for x in scene.effects):
+        return ""
+    return cache.key_of(cache.generator(), content_hash(scene), *native.place(compiler),
+                        " ".join(precisions), *functions)
+
+
+def _kept(key: str) -> tuple[SceneInterface, native.Library] | None:
+    """What the cache has of this key, if that can be read and its library is there."""
+    path = cache.found(key, ".scene")
+    if path is None:
+        return None
+    try:
+        interface, library_key = pickle.loads(path.read_bytes())
+    except Exception:  # of what is no pickle of ours, pickle raises anything
+        path.unlink(missing_ok=True)
+        return None
+    library = native.kept(library_key)
+    return (interface, library) if library else None
+
+
+def _made(functions: SceneFunctions, scene: Scene | None, asked: tuple[str, ...],
+          precisions: tuple[str, ...], compiler: native.Compiler | None) -> Kernels:
+    """The kernels: compiled, or where that fails generated Python."""
+    from coscrew_codegen.targets.scene_calls import interface
+
+    found = interface(functions)
+    if compiler:
+        try:
+            library = _library(functions, compiler, precisions)
+            return _compiled(scene, asked, found, library, precisions, compiler, functions)
+        except native.CompilationError as error:
+            _warn(functions.name, error)
+    modules = _modules(functions)
+    return _kernels(scene, asked, found, "", "", functions, precisions, lambda x, p: (
+        calls.in_numpy(getattr(modules[p.name], x.name), x)))
+
+
+def _compiled(scene: Scene | None, asked: tuple[str, ...], found: SceneInterface,
+              library: native.Library, precisions: tuple[str, ...], compiler: native.Compiler,
+              functions: SceneFunctions | None = None) -> Kernels:
+    return _kernels(scene, asked, found, str(compiler), library.key, functions, precisions,
+                    lambda x, p: calls.compiled(found, library.opened, x, p))
+
+
+def _kernels(scene: Scene | None, asked: tuple[str, ...], found: SceneInterface, compiler: str,
+             library: str, functions: SceneFunctions | None, precisions: tuple[str, ...],
+             made: Callable[[Signature, Precision], Callable]) -> Kernels:
+    each = [calls.gathered(found, p, {x.name: made(x, p) for x in found.signatures
+                                      if p.name in found.precisions and p.name in precisions})
+            for p in PRECISIONS]
+    kernels = Kernels(scene, found, *each, compiler, library, asked, functions)
+    for x in each:
         x._kernels = kernels
     return kernels
 
@@ -173,25 +263,34 @@ def _kernels(scene: Scene | None, functions: SceneFunctions, compiler: str,
 @functools.lru_cache(maxsize=32)
 def restored(pickled: bytes) -> Kernels:
     """The kernels of a scene and its functions, pickled: made once in a process."""
-    scene, functions = pickle.loads(zlib.decompress(pickled))
-    return kernels_of(functions, scene)
+    scene, asked, functions = pickle.loads(zlib.decompress(pickled))
+    return kernels_of(functions, scene) if functions else kernels_for(scene, asked)
 
 
-def _library(functions: SceneFunctions, compiler: native.Compiler):
-    source = f"{functions.name}_calls.c"
-    files = {**scene_c.files(functions, banner_of(functions.name)),
-             source: scene_calls.source(functions)}
+def _library(functions: SceneFunctions, compiler: native.Compiler, precisions: tuple[str, ...]
+             ) -> native.Library:
+    from coscrew_codegen.scene_layout import banner_of
+    from coscrew_codegen.targets import scene_c, scene_calls
+
+    with doing(f"writing {functions.name}"):
+        source = f"{functions.name}_calls.c"
+        files = {**scene_c.files(functions, banner_of(functions.name)),
+                 source: scene_calls.source(functions)}
     units = {p.name: (source, *(f"-D{functions.name.upper()}_NO_{other.name.upper()}"
                                 for other in PRECISIONS if other != p))
-             for p in named(functions.precisions)}
+             for p in named(functions.precisions) if p.name in precisions}
     return native.library(units, files, compiler)
 
 
 def _modules(functions: SceneFunctions) -> dict[str, ModuleType]:
     """The generated package's modules, imported from a folder where it stays."""
+    from coscrew_codegen import emit
+    from coscrew_codegen.scene_layout import banner_of
+    from coscrew_codegen.targets import scene_python
+
     files = scene_python.files(functions, banner_of(functions.name))
     key = sha256("\0".join(x for pair in sorted(files.items()) for x in pair).encode()).hexdigest()
-    folder = native.cache_folder() / f"python-{key[:32]}"
+    folder = cache.folder() / f"python-{key[:32]}"
     emit.write(files, folder)
     name = f"_coscrew_scene_{key[:32]}"
     if name not in sys.modules:

@@ -1,21 +1,22 @@
-"""The system's C compiler, and libraries it made, kept by content.
+"""The system's C compiler, and libraries it made, kept in the cache.
 
 Knows C texts and folders; nothing of scenes.
 """
 
 import ctypes
 import functools
-import hashlib
 import os
 import platform
 import shlex
 import subprocess
-import tempfile
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from shutil import which
+
+from coscrew_codegen.console import doing
+from coscrew_codegen.native import cache
 
 # Straight-line code gains nothing from more: of clang's levels, -O1 compiles a third faster
 # than -O3 and runs as fast or, on 35 joints, faster (2.0 for 2.6 us); gcc at -O1 is 5 %
@@ -69,46 +70,51 @@ def _compiler(command: tuple[str, ...], path: str) -> Compiler | None:
     return Compiler(command, version, (*level, *_FLAGS))
 
 
+@dataclass(frozen=True)
+class Library:
+    """A library, and the key of its entry in the cache."""
+
+    opened: ctypes.PyDLL
+    key: str
+
+
 def library(units: Mapping[str, Sequence[str]], files: Mapping[str, str],
-            using: Compiler) -> ctypes.PyDLL:
+            using: Compiler) -> Library:
     """The library of `units`: for each object file, its source and its own flags; compiled side by
     side.  `files` are all texts by name.  Raises CompilationError."""
     key = _key(units, files, using)
-    folder = cache_folder()
-    for path in sorted(folder.glob(f"{key}-*.so")):
-        if library := _opened(path):
-            return library
-        path.unlink(missing_ok=True)
-    path = _built(units, files, using, folder, key)
-    if library := _opened(path):
+    if library := kept(key):
         return library
+    with doing(f"compiling {' and '.join(sorted(units))}"):
+        path = _built(units, files, using, key)
+    if library := _opened(path):
+        return Library(library, key)
     raise CompilationError(f"{using.command[0]} made a library that cannot be loaded")
 
 
-def cache_folder() -> Path:
-    """$XDG_CACHE_HOME/coscrew or ~/.cache/coscrew; where neither can be written to, a
-    folder of this process."""
-    base = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
-    folder = Path(base) / "coscrew"
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=folder):
-            return folder
-    except OSError:
-        return _own_folder()
+def kept(key: str) -> Library | None:
+    """The library of this key, if the cache has it."""
+    path = cache.found(key, ".so")
+    if path is None:
+        return None
+    if opened := _opened(path):
+        return Library(opened, key)
+    path.unlink(missing_ok=True)
+    return None
 
 
-@functools.cache
-def _own_folder() -> Path:
-    return Path(tempfile.mkdtemp(prefix="coscrew-"))
+def place(using: Compiler) -> tuple[str, ...]:
+    """What compiled code depends on beside its text: compiler, flags and, as code is for this
+    processor, the processor."""
+    return (using.version, *using.command, *using.flags, _processor())
 
 
 def _key(units: Mapping[str, Sequence[str]], files: Mapping[str, str], using: Compiler) -> str:
-    """Names content, compiler, flags and, as code is for this processor, the processor."""
-    parts = [using.version, *using.command, *using.flags, _processor()]
+    """Names content and place."""
+    parts = [*place(using)]
     parts += [x for name, flags in sorted(units.items()) for x in (name, *flags)]
     parts += [x for pair in sorted(files.items()) for x in pair]
-    return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
+    return cache.key_of(*parts)
 
 
 @functools.cache
@@ -123,33 +129,24 @@ def _processor() -> str:
 
 
 def _opened(path: Path) -> ctypes.PyDLL | None:
-    """The library, or None where the file is not what it was when it was made: its name ends in the
-    hash of its content, since to open a truncated one may end the process."""
+    """The library, or None where it is none.  (The cache has looked whether it is what it was: to
+    open a truncated one may end the process.)"""
     try:
-        if _digest(path) != path.stem.rpartition("-")[2]:
-            return None
         return ctypes.PyDLL(str(path))
     except OSError:
         return None
 
 
-def _digest(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
-
-
 def _built(units: Mapping[str, Sequence[str]], files: Mapping[str, str], using: Compiler,
-           folder: Path, key: str) -> Path:
-    with tempfile.TemporaryDirectory(prefix=".building-", dir=folder) as name:
-        work = Path(name)
+           key: str) -> Path:
+    with cache.building() as work:
         for file, text in files.items():
             (work / file).write_text(text, encoding="utf-8")
         with ThreadPoolExecutor(len(units)) as pool:
             objects = list(pool.map(lambda unit: _object(using, work, unit, *units[unit]), units))
         made = work / "library.so"
         _run(using, [*using.flags, "-shared", *_LINK, *objects, "-o", made.name, "-lm"], work)
-        path = folder / f"{key}-{_digest(made)}.so"
-        os.replace(made, path)
-    return path
+        return cache.keep(made, key, ".so")
 
 
 def _object(using: Compiler, work: Path, unit: str, source: str, *flags: str) -> str:

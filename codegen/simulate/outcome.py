@@ -12,7 +12,6 @@ from coscrew_codegen.scene.mimics import without_chains
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
 from coscrew_codegen.simulate.progress import Progress
-from coscrew_codegen.simulate.provenance import provenance
 from coscrew_codegen.simulate.record import Difference, differences, record
 from coscrew_codegen.simulate.recording import Recording
 from coscrew_codegen.simulate.run import integrate
@@ -41,25 +40,32 @@ class Outcome:
     recording: Recording
 
 
-def simulated(kernels: object, asked: Asked, also: tuple[float, ...] = ()) -> tuple[Outcome, ...]:
-    """The runs, double first.  `also` are further times to sample at.  Raises SimulateError."""
+def simulated(kernels: object, asked: Asked, also: tuple[float, ...] = (), told: bool = True
+              ) -> tuple[Outcome, ...]:
+    """The runs, double first.  `also` are further times to sample at; without `told`, recordings do
+    not say where they come from.  Raises SimulateError."""
     precision = asked.precision or kernels.scene.precision
     names = ("double", "single") if precision == "both" else (precision,)
     outcomes: list[Outcome] = []
     for name in names:
-        outcomes.append(_run(kernels, name, asked, also))
+        outcomes.append(_run(kernels, name, asked, also, told))
         if outcomes[-1].trajectory.interrupted:
             break
     return tuple(outcomes)
 
 
-def _run(kernels: object, precision: str, asked: Asked, also: tuple[float, ...]) -> Outcome:
+def _run(kernels: object, precision: str, asked: Asked, also: tuple[float, ...], told: bool
+         ) -> Outcome:
     its = system(kernels, precision, dict(asked.settings))
     planned = plan(its, asked.until, asked.step, asked.integrator, also=also)
     with Progress(its, planned.until) as watch:
         trajectory = integrate(its, planned, watch, Alarm)
-    told = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy")
-    return Outcome(its, planned, trajectory, record(its, trajectory, told))
+    origin = ()
+    if told:
+        from coscrew_codegen.simulate.provenance import provenance  # asks Git
+
+        origin = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy")
+    return Outcome(its, planned, trajectory, record(its, trajectory, origin))
 
 
 def summary(outcomes: tuple[Outcome, ...]) -> str:

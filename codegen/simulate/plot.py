@@ -12,7 +12,6 @@ from coscrew_codegen.report.figures import STYLE
 from coscrew_codegen.simulate.recording import Column, Recording
 from coscrew_codegen.simulate.write import delivered
 
-ENDINGS = (".svg", ".png")
 _MOST_NAMED = 12  # lines of a panel that its legend names
 _DASHES = ("-", "--")
 

@@ -8,8 +8,7 @@ from coscrew_codegen.scene.asked import reactions
 from coscrew_codegen.scene.recorded import Recorded, recorded
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.plan import Trajectory
-from coscrew_codegen.simulate.provenance import Provenance
-from coscrew_codegen.simulate.recording import Column, Recording
+from coscrew_codegen.simulate.recording import Column, Provenance, Recording
 from coscrew_codegen.simulate.system import System
 
 _AT_ONCE = 4096  # samples: what pure NumPy holds besides stays within megabytes

@@ -14,6 +14,10 @@ class Column:
     quantity: str  # what it is one of: q, v, energy; columns of one are plotted together
 
 
+Provenance = tuple[tuple[str, str], ...]
+"""Where a recording comes from: (what, its value)."""
+
+
 @dataclass(frozen=True)
 class Recording:
     """Columns over time, in the precision they were computed in."""
@@ -21,7 +25,7 @@ class Recording:
     t: np.ndarray  # (n), s, in double
     columns: tuple[Column, ...]
     values: np.ndarray  # (n, m)
-    provenance: tuple[tuple[str, str], ...]
+    provenance: Provenance
 
     def of(self, name: str) -> np.ndarray:
         """The column of this name."""

@@ -14,7 +14,6 @@ import numpy as np
 from coscrew_codegen.integrator import Integrator
 from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.simulate import SimulateError
-from coscrew_codegen.simulate.adaptive import adaptive
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.system import State, System, Watch
@@ -36,7 +35,7 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
     `watch` is called with each sample as it is reached, and often enough in between to tell how far
     the run is: after every step of SciPy's and of pure NumPy's, else after 10000."""
     times, (q, v) = plan.samples, system.start()
-    run = adaptive if plan.adaptive else partial(fixed, alarm=alarm)
+    run = _adaptive if plan.adaptive else partial(fixed, alarm=alarm)
     sampled, stopped, interrupted, steps = [(q, v)], "", False, 0
     began, at = time.perf_counter(), 0.0
     if lacking := system.lacking(q, v):
@@ -54,6 +53,12 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
     seconds = time.perf_counter() - began
     qs, vs = (np.array([state[i] for state in sampled], system.dtype) for i in (0, 1))
     return Trajectory(times[:len(sampled)], qs, vs, steps, seconds, stopped, interrupted)
+
+
+def _adaptive(system: System, plan: Plan, *others: object) -> Sampled:
+    from coscrew_codegen.simulate.adaptive import adaptive  # imports SciPy
+
+    return adaptive(system, plan, *others)
 
 
 def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,

@@ -13,7 +13,7 @@ import numpy as np
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.program import Program
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene_functions import SceneFunctions
+from coscrew_codegen.scene_functions import SceneInterface
 from coscrew_codegen.simulate.settings import refuse_settings
 from coscrew_codegen.targets.scene_text import step_inputs
 
@@ -27,10 +27,11 @@ class System:
     """A scene's functions: `kernels` has a callable for each, in `precision`; p are parameters."""
 
     scene: Scene
-    functions: SceneFunctions
+    functions: SceneInterface
     kernels: SimpleNamespace
     precision: Precision
     p: tuple[float, ...] = ()
+    origin: object = None  # the kernels of all precisions
 
     @property
     def dtype(self) -> np.dtype:
@@ -40,13 +41,16 @@ class System:
     @cached_property
     def inputs(self) -> Mapping[str, tuple[str, ...]]:
         """The names of each function's inputs, in order."""
-        steps = {step.name: step_inputs(self.functions) for step in self.functions.steps}
-        return steps | {name: tuple(a.name for a in x.inputs) for name, x in self.programs.items()}
+        return {x.name: tuple(name for name, _ in x.inputs) for x in self.functions.signatures}
 
-    @cached_property
+    @property
     def programs(self) -> Mapping[str, Program]:
         """What each function computes."""
-        return {f.name: f.program for f in self.functions.functions if not f.internal}
+        return {f.name: f.program for f in self.origin.functions.functions if not f.internal}
+
+    def computes(self, name: str) -> bool:
+        """Whether the function's results are more than inputs and constants."""
+        return any(x.name == name and x.computes for x in self.functions.signatures)
 
     def has(self, name: str) -> bool:
         """Whether the scene has this function."""
@@ -134,8 +138,8 @@ def system(kernels: object, precision: str, settings: Mapping[str, float] | None
 
     `settings` are values for parameters that the scene keeps at run time; raises SimulateError for
     others, and for values that a scene's file is refused for."""
-    functions, scene = kernels.functions, kernels.scene
+    functions, scene = kernels.interface, kernels.scene
     found = next(x for x in PRECISIONS if x.name == precision)
     refuse_settings(scene, settings or {}, found)
     values = tuple((settings or {}).get(name, value) for name, value in functions.parameters)
-    return System(scene, functions, getattr(kernels, precision), found, values)
+    return System(scene, functions, getattr(kernels, precision), found, values, kernels)

@@ -15,6 +15,10 @@ from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.recording import Recording
 
 
+FIGURES = (".svg", ".png")
+"""Endings of the names of plots."""
+
+
 def write(recording: Recording, path: Path) -> None:
     """Write the recording in the format that the name's ending says.  Raises SimulateError."""
     with delivered(path) as temporary:

@@ -19,7 +19,7 @@ from coscrew_codegen.scene_functions import Function, SceneFunctions, Step
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, listed
 from coscrew_codegen.targets.scene_c_steps import step_body
-from coscrew_codegen.targets.scene_text import size
+from coscrew_codegen.targets.scene_text import c_name, size
 
 
 @dataclass(frozen=True)
@@ -57,11 +57,6 @@ def files(scene: SceneFunctions, banner: str) -> dict[str, str]:
                                   **shared),
         f"{scene.name}.c": render("scene/scene.c", names=[comment_of(names)] if names else [],
                                   products=named(scene.precisions), **shared)}
-
-
-def c_name(scene: SceneFunctions, name: str, precision: Precision) -> str:
-    """arm_forward_dynamics, arm_forward_dynamicsf."""
-    return f"{scene.name}_{name}{precision.suffix}"
 
 
 def _about(scene: SceneFunctions) -> list[str]:

@@ -6,44 +6,34 @@ output a pointer; `run_…` takes n steps of h in a row, from the time t on.  Al
 without its headers.
 """
 
-from dataclasses import dataclass
-
 from coscrew_codegen.formats import PRECISIONS, Precision, named
 from coscrew_codegen.render import render
-from coscrew_codegen.scene_functions import SceneFunctions
+from coscrew_codegen.scene_functions import SceneFunctions, SceneInterface, Signature
 from coscrew_codegen.targets import scene_text
-from coscrew_codegen.targets.scene_c import c_name
+from coscrew_codegen.targets.scene_text import c_name
 
 # Times and steps are those of steps called one by one: rounded from double.
 _RUN = {"t": "({real})(t + (double)k * h)", "h": "({real})h"}
 
 
-@dataclass(frozen=True)
-class Callable:
-    """What a function takes and returns: names, shapes; those of `moved` are changed in place."""
-
-    name: str
-    inputs: tuple[tuple[str, tuple[int, ...]], ...]
-    outputs: tuple[tuple[str, tuple[int, ...]], ...]
-    words: tuple[str, ...]
-    moved: bool = False
-
-    @property
-    def read(self) -> tuple[tuple[str, tuple[int, ...]], ...]:
-        """The inputs that are only read."""
-        return tuple(x for x in self.inputs if not self.moved or x not in self.outputs)
+def interface(scene: SceneFunctions) -> SceneInterface:
+    """The scene as its callers see it."""
+    return SceneInterface(scene.name, scene.nq, scene.nv, scene.coordinates, scene.bodies,
+                      scene.parameters, scene.neutral, scene.precisions, scene.timed,
+                      callables(scene))
 
 
-def callables(scene: SceneFunctions) -> tuple[Callable, ...]:
+def callables(scene: SceneFunctions) -> tuple[Signature, ...]:
     """All public functions, steps behind the others."""
-    found = [Callable(f.name, tuple((a.name, tuple(a.quantity.shape)) for a in f.program.inputs),
-                      tuple((a.name, tuple(a.quantity.shape)) for a in scene_text.outputs(f)),
-                      scene_text.words(f)) for f in scene.functions if not f.internal]
+    found = [Signature(f.name, tuple((a.name, tuple(a.quantity.shape)) for a in f.program.inputs),
+                  tuple((a.name, tuple(a.quantity.shape)) for a in scene_text.outputs(f)),
+                  scene_text.words(f), computes=bool(f.program.instructions))
+             for f in scene.functions if not f.internal]
     shapes = scene_text.step_shapes(scene)
     for step in scene.steps:
         inputs = tuple((x, shapes[x]) for x in scene_text.step_inputs(scene))
-        found.append(Callable(step.name, inputs, (("q", shapes["q"]), ("v", shapes["v"])),
-                              scene_text.step_words(scene, step), moved=True))
+        found.append(Signature(step.name, inputs, (("q", shapes["q"]), ("v", shapes["v"])),
+                          scene_text.step_words(scene, step), moved=True))
     return tuple(found)
 
 
@@ -56,7 +46,7 @@ def source(scene: SceneFunctions) -> str:
     return render("scene/calls.c", name=scene.name, upper=scene.name.upper(), sections=sections)
 
 
-def _function(scene: SceneFunctions, function: Callable, precision: Precision) -> dict[str, object]:
+def _function(scene: SceneFunctions, function: Signature, precision: Precision) -> dict[str, object]:
     real, name = precision.c_type, c_name(scene, function.name, precision)
     scalars = [x for x, shape in function.read if not shape]
     read = [_array(x, shape) for x, shape in function.read if shape]

@@ -13,7 +13,7 @@ from coscrew_codegen import scene_symbols
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, counts_in_words
 from coscrew_codegen.quantity import Argument
-from coscrew_codegen.scene_functions import Function, SceneFunctions, Step
+from coscrew_codegen.scene_functions import Function, SceneFunctions, SceneInterface, Step
 
 _UNITS = {
     "revolute": "q in rad; v in rad/s",
@@ -39,6 +39,12 @@ RESERVED = frozenset((*_C.split(), *_CPP.split(), *_CALLED.split(), *keyword.kwl
 
 _NAME = re.compile("[A-Za-z][A-Za-z0-9_]*")
 
+
+def c_name(scene: SceneFunctions | SceneInterface, name: str, precision: Precision) -> str:
+    """arm_forward_dynamics, arm_forward_dynamicsf."""
+    return f"{scene.name}_{name}{precision.suffix}"
+
+
 def count(shape: tuple[int, ...]) -> int:
     """How many numbers an array of this shape has."""
     return prod(shape)
@@ -56,7 +62,7 @@ def outputs(function: Function) -> tuple[Argument, ...]:
                  for a in function.program.outputs)
 
 
-def step_inputs(scene: SceneFunctions) -> tuple[str, ...]:
+def step_inputs(scene: SceneFunctions | SceneInterface) -> tuple[str, ...]:
     """Names of what a step takes: t where forces depend on it, h, p where there are any, q, v."""
     return (*(["t"] if scene.timed else []), "h", *(["p"] if scene.parameters else []), "q", "v")
 

@@ -158,7 +158,7 @@ def test_the_exact_run_of_a_free_body_is_dop853s(kernels):
 
 def test_programs_are_evaluated_with_all_digits(kernels):
     its = system(kernels["PENDULUM"], "double")
-    forward = next(f.program for f in its.functions.functions if f.name == "forward_dynamics")
+    forward = its.programs["forward_dynamics"]
     with mp.workdps(60):
         q = mp.mpf(1) / 3
         (a,) = evaluate(forward, [{"q": [q], "v": [mp.mpf(2)], "tau": [mp.mpf(0)]}[x.name]

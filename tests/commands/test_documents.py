@@ -11,6 +11,9 @@ from pathlib import Path
 
 import jsonschema
 import pytest
+from PIL import Image, ImageChops
+
+from coscrew_codegen.__main__ import main
 
 ROOT = Path(__file__).parents[2]
 README = ROOT / "README.md"
@@ -18,10 +21,12 @@ WRITTEN = (README, *sorted((ROOT / "docs").glob("*.md")))
 TEXTS = {path.relative_to(ROOT).as_posix(): path.read_text(encoding="utf-8") for path in WRITTEN}
 
 
-def snippets(language: str) -> list:
-    return [pytest.param(snippet, id=f"{name}-{number}") for name, text in TEXTS.items()
-            for number, snippet in enumerate(re.findall(rf"```{language}\n(.*?)```", text,
-                                                        re.DOTALL))]
+def snippets(language: str, holding: str = "") -> list:
+    found = [pytest.param(snippet, id=f"{name}-{number}") for name, text in TEXTS.items()
+             for number, snippet in enumerate(re.findall(rf"```{language}\n(.*?)```", text,
+                                                         re.DOTALL)) if holding in snippet]
+    assert found
+    return found
 
 
 def test_the_readme_is_a_first_screen():
@@ -48,7 +53,21 @@ def test_python_snippets_print_what_their_comments_say(snippet, tmp_path):
     assert done.stdout.splitlines() == re.findall(r"^# (.*)$", snippet, re.MULTILINE)
 
 
-@pytest.mark.parametrize("snippet", snippets("c"))
+@pytest.mark.parametrize("snippet", snippets("c", '"swing.h"'))
+def test_c_snippets_of_scenes_print_what_their_comments_say(snippet, tmp_path):
+    """The scene stands above in the same guide."""
+    (scene,) = re.findall(r"```toml\n(.*?)```", TEXTS["docs/c.md"], re.DOTALL)
+    (tmp_path / "swing.toml").write_text(scene)
+    (tmp_path / "program.c").write_text(snippet)
+    assert main(["generate", str(tmp_path / "swing.toml"), "-o", str(tmp_path / "firmware")]) == 0
+    subprocess.run(["cc", "-std=c11", "-Wall", "-Wextra", "-Wdouble-promotion", "-Werror",
+                    "-DSWING_NO_DOUBLE", "-I", "firmware", "program.c", "firmware/swing.c", "-o",
+                    "program", "-lm"], cwd=tmp_path, check=True)
+    done = subprocess.run([str(tmp_path / "program")], text=True, capture_output=True, check=True)
+    assert done.stdout.splitlines() == re.findall(r"/\* (.*?) \*/", snippet)
+
+
+@pytest.mark.parametrize("snippet", snippets("c", "ksl/coscrew.h"))
 @pytest.mark.parametrize("include", ("generated/c/include", "amalgamation"))
 def test_c_snippets_compile_and_run(snippet, include, tmp_path):
     if include == "amalgamation":
@@ -121,6 +140,25 @@ def test_links_lead_somewhere():
 def test_every_guide_is_reached_from_the_readme():
     for path in WRITTEN[1:]:
         assert f"]({path.relative_to(ROOT).as_posix()}" in TEXTS["README.md"], path.name
+
+
+def test_the_picture_is_made_by_its_command(tmp_path):
+    """Of a scene that is quicker to derive and shorter."""
+    command = re.search(r"`python (examples/playback.py) (\S+) (\S+)`", TEXTS["README.md"])
+    assert (ROOT / command[2]).exists() and (ROOT / command[3]).exists()
+    scene = tmp_path / "swing.toml"
+    scene.write_text("[bodies]\nbob = { mass = 2, com = [0, 0, -0.5], inertia = [1, 1, 1] }\n"
+                     '[joints]\npin = { type = "continuous", child = "bob", axis = [0, 1, 0] }\n'
+                     "[effects.gravity]\n[start.q]\npin = 1\n")
+    done = subprocess.run([sys.executable, command[1], str(scene), str(tmp_path / "motion.gif")],
+                          cwd=ROOT, text=True, capture_output=True)
+    assert done.returncode == 0, done.stderr
+    for path in (tmp_path / "motion.gif", ROOT / command[3]):
+        with Image.open(path) as image:
+            assert image.n_frames >= 20
+            first = image.convert("RGB")
+            image.seek(10)
+            assert ImageChops.difference(first, image.convert("RGB")).getbbox(), "nothing moves"
 
 
 def test_the_documentation_builds_without_a_warning(tmp_path):

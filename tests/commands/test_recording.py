@@ -12,10 +12,10 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene.content import content_hash
 from coscrew_codegen.simulate import SimulateError, write
 from coscrew_codegen.simulate.outcome import Asked, simulated
 from coscrew_codegen.simulate.plot import plot
-from coscrew_codegen.simulate.provenance import scene_hash
 from coscrew_codegen.simulate.record import differences
 from coscrew_codegen.simulate.recording import Column, Recording
 from tests.support.scenes import scene_texts as texts
@@ -215,7 +215,7 @@ def test_the_hash_is_of_what_the_scene_says_not_of_its_layout(tmp_path):
     def hashed(text: str) -> str:
         path = tmp_path / "scene.toml"
         path.write_text(text)
-        return scene_hash(read_scene(path))
+        return content_hash(read_scene(path))
 
     own = hashed(texts.SPRING)
     assert hashed("# a comment\n" + texts.SPRING.replace("mass = 2", "mass = 2.0")) == own

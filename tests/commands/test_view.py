@@ -32,7 +32,8 @@ def runs(tmp_path_factory):
     for name, text in TEXTS.items():
         path = folder / f"{name}.toml"
         path.write_text(text)
-        (found[name],) = simulated(load_scene(path, functions=STEPPED), Asked(until=2.0, precision="double"))
+        kernels = load_scene(path, functions=STEPPED)
+        (found[name],) = simulated(kernels, Asked(until=2.0, precision="double"))
         shown = found[name]
         view(shown.system, shown.trajectory, shown.recording.provenance, folder / f"{name}.html")
     return found, folder

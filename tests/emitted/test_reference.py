@@ -65,6 +65,22 @@ def test_calls_are_those_of_the_modules():
         assert len(arguments.split(", ")) == len(operation.inputs)
 
 
+def test_costs_and_bounds_are_those_of_the_docstrings():
+    for operation in OPERATIONS:
+        rows = re.findall(r"^\| (\w+) \| (.*?) \| ((?:\\\||[^|])*) \|$", ENTRIES[operation.name],
+                          re.MULTILINE)
+        assert [row[0] for row in rows[:2]] == ["tier", "plain"]
+        for tier, cost, error in rows[1:]:
+            if tier == "fused":  # C alone has it
+                continue
+            module = coscrew.double if tier == "plain" else __import__(
+                f"coscrew.{tier}.double", fromlist=["_"])
+            said = " ".join(inspect.getdoc(getattr(module, operation.name)).split())
+            assert cost.capitalize() in said, (operation.name, tier)
+            wanted = " ".join(re.sub(r"\\(?=[|<>*_\[\]])", "", error).split())
+            assert wanted in said or "returned" in error, (operation.name, tier)
+
+
 def shown(operation: Operation) -> list[str]:
     return BLOCK.findall(ENTRIES[operation.name])
 

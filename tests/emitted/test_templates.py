@@ -63,6 +63,13 @@ def test_holes_compute_nothing(name: str):
     assert not found, f"{name}: computed within a hole or a loop, in lines {found}"
 
 
+@pytest.mark.parametrize("name", ("scene/step.c.jinja", "scene/step.py.jinja"))
+def test_templates_of_steps_call_nothing_back(name: str):
+    """They print what the steps' calls are; they ask no generator for them."""
+    tree = jinja2.Environment().parse((ROOT / name).read_text(encoding="utf-8"))
+    assert not list(tree.find_all(nodes.Call))
+
+
 @pytest.mark.parametrize("line", (
     "v[i] += phi[i];", "phi[i] = h * v[i];", "x = {{ a }} - {{ b }};", "x = (a)/(b);", "y = 2*x;",
     "z = f(x) % 3;", "w = a -b;", "const {{ real }} half = h / 2, sixth = h / 6;"))

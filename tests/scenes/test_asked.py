@@ -25,6 +25,7 @@ from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import load, needs, plan, record, run, system
 from coscrew_codegen.targets import scene_c
+from coscrew_codegen.targets import scene_c
 from tests.support.compiled.c_harness import COMPILERS, EXACT, STRICT
 from tests.support.compiled.c_harness import run as compiled
 from tests.support.scenes import mechanisms as m

@@ -222,6 +222,29 @@ def test_errors_fall_with_the_declared_order(all_steps, integrator: str):
     assert np.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.15)
 
 
+@pytest.fixture(scope="module")
+def spun(tmp_path_factory: pytest.TempPathFactory):
+    """A free body on a spherical joint, with the step of every tableau."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
+        plain = replace(CASES["spinner"](), name="spun", steps=(), functions=tuple(
+            f for f in CASES["spinner"]().functions if not f.name.startswith(("kick", "drift"))))
+        return kernels_of(stepped(plain, TABLEAUS.values())).double
+
+
+@pytest.mark.parametrize("name", TABLEAUS)
+def test_orders_hold_on_quaternions(spun, name: str):
+    """In the chart around each step's start; with speeds about one radian a second."""
+    def end(name: str, n: int) -> np.ndarray:
+        take = getattr(spun, f"step_{name.replace('-', '_')}").repeated
+        q, v = take(n, 0.0, 1 / n, np.zeros(0), np.array([0, 0, 0, 1.0]), np.array([1.0, 2, -0.5]))
+        return np.concatenate((q, v))
+
+    truth = end("rk4", 4000)
+    errors = [np.linalg.norm(end(name, n) - truth) for n in (64, 128)]
+    assert np.log2(errors[0] / errors[1]) == pytest.approx(TABLEAUS[name].order, abs=0.15)
+
+
 @pytest.mark.parametrize("scene", [*CASES, "stepper"])
 def test_steps_call_and_compute_nothing(scene: str, all_steps):
     functions = all_steps[0] if scene == "stepper" else CASES[scene]()

@@ -7,8 +7,9 @@ from pathlib import Path
 import pytest
 
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
+from coscrew_codegen.scene_functions import Signature
 from coscrew_codegen.targets import scene_calls
-from coscrew_codegen.targets.scene_c import c_name
+from coscrew_codegen.targets.scene_text import c_name
 from coscrew_codegen.targets.scene_text import count
 from tests.support.compiled.c_harness import C11, COMPILERS, DIALECTS, EXACT, STRICT, run
 from tests.support.compiled.flags import SANITIZERS, has_sanitizers
@@ -133,7 +134,7 @@ def _overlaps(case, precision: Precision) -> str:
         '  printf("%d\\n", checked);', "  return 0;", "}", ""))
 
 
-def _calls(case, function: scene_calls.Callable, precision: Precision) -> str:
+def _calls(case, function: Signature, precision: Precision) -> str:
     name = c_name(case, function.name, precision)
     if function.moved:
         arguments = ", ".join(f"{x}" if shape else "(real)0.125" for x, shape in function.inputs)
@@ -150,7 +151,7 @@ def _calls(case, function: scene_calls.Callable, precision: Precision) -> str:
     return "\n".join(found)
 
 
-def _overlap(name: str, function: scene_calls.Callable, into: int, output: int, shift: int) -> str:
+def _overlap(name: str, function: Signature, into: int, output: int, shift: int) -> str:
     """One call with arrays apart, one with an output `shift` numbers behind an input's start."""
     inputs, outputs = function.inputs, function.outputs
     n, m = count(inputs[into][1]), count(outputs[output][1])

@@ -15,10 +15,9 @@ import numpy as np
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene.model import HERE, Kind, Parameter
-from coscrew_codegen.scene_functions import SceneFunctions
+from coscrew_codegen.scene_functions import SceneFunctions, Signature
 from coscrew_codegen.targets import scene_c, scene_calls
-from coscrew_codegen.targets.scene_c import c_name
-from coscrew_codegen.targets.scene_text import count
+from coscrew_codegen.targets.scene_text import c_name, count
 from tests.support.compiled import stand_ins
 from tests.support.compiled.bits_program import HEAD, ROWS, hashed, numbers, numbers_and_hashes
 from tests.support.scenes.generated_scenes import BANNER, imported
@@ -64,7 +63,7 @@ def _text() -> str:
         *(f"  do_{c_name(functions(), f.name, p)}();" for f, p in called), "  return 0;", "}", ""])
 
 
-def _function(f: scene_calls.Callable, p: Precision) -> str:
+def _function(f: Signature, p: Precision) -> str:
     """void do_carrier_energy(void): all rows."""
     name, real = c_name(functions(), f.name, p), p.c_type
     made = {} if f.moved else {f"out_{x}": shape for x, shape in f.outputs}
@@ -111,7 +110,7 @@ def wanted(folder: Path) -> list[str]:
                 for p in PRECISIONS for f in scene_calls.callables(functions())]
 
 
-def _hash(module: ModuleType, f: scene_calls.Callable, p: Precision) -> int:
+def _hash(module: ModuleType, f: Signature, p: Precision) -> int:
     given = {x: _rows(x, number, shape, p) for number, (x, shape) in enumerate(f.inputs)}
     call = getattr(module, f.name)
     if not f.moved:

@@ -6,14 +6,14 @@ import mpmath
 import numpy as np
 from mpmath import mpf
 
-from coscrew_codegen.targets import scene_calls
+from coscrew_codegen.scene_functions import Signature
 from tests.support.scenes.evaluation import Evaluated
 
 UNIT = {"double": 2.0**-53, "single": 2.0**-24}
 SPECIAL = (0.0, -0.0, 1.0, -1.0, 1e-300, 1e30, 5e-324, np.inf, np.nan, 1.5)
 
 
-def inputs(function: scene_calls.Callable, kind: str, *lead: int, special: bool = False):
+def inputs(function: Signature, kind: str, *lead: int, special: bool = False):
     """Arguments of the function, drawn for these leading axes."""
     draw = np.random.default_rng(len(function.name))
     with np.errstate(over="ignore", under="ignore"):

@@ -1,0 +1,121 @@
+"""`coscrew generate`: options; writes the library's kernels or a scene's dynamics, or checks them.
+
+Imports what derives only when it is asked to, so that other commands start at once."""
+
+import argparse
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from coscrew_codegen.simulate.command import add_implausible, scene_of
+
+if TYPE_CHECKING:
+    from coscrew_codegen.layout import Programs
+    from coscrew_codegen.selection import Selection
+
+DEFAULT_OUTPUT = "generated"
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add `generate` to the command line."""
+    parser = commands.add_parser("generate", help="write the kernels, or check them",
+                                 description="Write the kernels, or check that they are current.")
+    parser.add_argument("scene", metavar="SCENE", nargs="?", type=Path,
+                        help="a scene file: write its dynamics instead of the library's kernels")
+    parser.add_argument("-o", "--output", metavar="DIR",
+                        help=f"folder to write to (default: {DEFAULT_OUTPUT}; scenes need one)")
+    parser.add_argument("--check", action="store_true",
+                        help="write nothing; print what is out of date as a diff and exit 1")
+    parser.add_argument("--family", metavar="NAME", nargs="+", action="extend",
+                        help="only these families: vec3, SE3, …, as the headers are called")
+    parser.add_argument("--precision", metavar="NAME",
+                        help="double, single or both (default)")
+    parser.add_argument("--language", metavar="NAME",
+                        help="c or python (default: both, and the extension)")
+    parser.add_argument("--functions", metavar="NAME", nargs="+", action="extend",
+                        help="of a scene, only these functions; default and all stand for several")
+    add_implausible(parser)
+    parser.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Write, or check; returns the exit status: 0, or 1 if something is out of date."""
+    return _scene(options) if options.scene else _library(options)
+
+
+def _library(options: argparse.Namespace) -> int:
+    from coscrew_codegen.documentation import reference_files
+    from coscrew_codegen.emit import stale_files
+    from coscrew_codegen.layout import generated_files
+    from coscrew_codegen.selection import Selection, SelectionError, select
+
+    if options.functions:
+        raise SelectionError("--functions selects functions of a scene, and no scene is given")
+    selection = select(options.family or [], options.precision or "both", options.language)
+    folder, check = Path(options.output or DEFAULT_OUTPUT), options.check
+    programs = _programs(selection)
+    files = generated_files(selection, programs)
+    whole = selection == Selection()
+    files |= reference_files(programs, selection.banner) if whole else {}
+    stale = stale_files(files, folder) if whole else ()
+    option = "" if folder == Path(DEFAULT_OUTPUT) else f" --output {folder}"
+    return _deliver(selection.command + option, files, folder, stale, check, str(folder))
+
+
+def _scene(options: argparse.Namespace) -> int:
+    """Write a scene's dynamics; what its model says and nothing uses goes to standard error."""
+    from coscrew_codegen.emit import refuse_others, stale_files
+    from coscrew_codegen.mechanics import derive
+    from coscrew_codegen.scene_layout import scene_files
+    from coscrew_codegen.selection import SelectionError
+
+    given = [name for name in ("family", "language") if getattr(options, name)]
+    if options.precision not in (None, "double", "both"):
+        raise SelectionError(f"--precision {options.precision}: a scene's files hold double "
+                             "precision, or both")
+    if given:
+        raise SelectionError(f"--{given[0]} selects kernels of the library; a scene's files are "
+                             f"always whole")
+    if not options.output:
+        raise SelectionError(f"where to?  Wanted: coscrew generate {options.scene} -o DIR")
+    scene = scene_of(options, options.precision, tuple(options.functions or ()))
+    for line in scene.unused:
+        print(f"{options.scene.name}: {line}", file=sys.stderr)
+    said = "".join(f" --{name} {word}" for name in ("precision", "implausible")
+                   if (word := getattr(options, name)))
+    said += f" --functions {' '.join(options.functions)}" if options.functions else ""
+    files = scene_files(scene, derive(scene), f"coscrew generate {options.scene.name}{said}")
+    folder = Path(options.output)
+    if not options.check:
+        refuse_others(files, folder)
+    return _deliver(f"coscrew generate {options.scene} -o {folder}{said}", files, folder,
+                    stale_files(files, folder), options.check, str(folder))
+
+
+def _deliver(command: str, files: Mapping[str, str], folder: Path, stale: tuple[str, ...],
+             check: bool, output: str) -> int:
+    """Write the files, or show what is out of date and the command that mends it."""
+    from coscrew_codegen.emit import differences, write
+
+    if not check:
+        changed = write(files, folder, stale)
+        print(f"{output}: {len(files)} files, {len(changed)} changed")
+        return 0
+    diffs = differences(files, folder, stale)
+    if not diffs:
+        print(f"{output}: {len(files)} files are current")
+        return 0
+    sys.stdout.write("".join(diffs))
+    print(f"{output}: {len(diffs)} files are out of date; run `{command}`", file=sys.stderr)
+    return 1
+
+
+def _programs(selection: "Selection") -> "Programs":
+    from tqdm import tqdm
+
+    from coscrew_codegen.programs import program_of
+
+    progress = tqdm(selection.operations, desc="deriving", unit="operation", leave=False,
+                    disable=None, file=sys.stderr)
+    return {operation.name: program_of(operation) for operation in progress}

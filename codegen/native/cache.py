@@ -1,0 +1,191 @@
+"""What was derived and compiled once, kept by content: files in $XDG_CACHE_HOME/coscrew.
+
+An entry's name is its key, which names all that it was made from, and the hash of its content: what
+is damaged is not what it was, and is made again.  Entries are written under another name and then
+renamed, so that processes at once see whole ones.  The entries that were used least recently go
+when all together take more than the limit, $COSCREW_CACHE_LIMIT.
+"""
+
+import functools
+import hashlib
+import os
+import re
+import shutil
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from coscrew_codegen.errors import Told
+
+LIMIT = "COSCREW_CACHE_LIMIT"
+"""The variable that holds the limit: 200 MB, 2 GB, 0."""
+DEFAULT_LIMIT = "1 GB"
+_UNITS = {"": 1, "B": 1, "KB": 10**3, "MB": 10**6, "GB": 10**9}
+_SIZE = re.compile(r"([0-9]+(?:\.[0-9]+)?) *([KMG]?B)?", re.I)
+_ABANDONED = 86400.0  # s after which what another process was writing counts as left behind
+
+
+class CacheError(Told, ValueError):
+    """The limit is no size."""
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A file, or a folder, of the cache."""
+
+    path: Path
+    size: int  # bytes
+    used: float  # when, in s since 1970
+
+
+def folder() -> Path:
+    """$XDG_CACHE_HOME/coscrew or ~/.cache/coscrew; where neither can be written to, a folder of
+    this process."""
+    place = wanted_folder()
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=place):
+            return place
+    except OSError:
+        return _own_folder()
+
+
+def wanted_folder() -> Path:
+    """Where the cache is, if it can be written to."""
+    base = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
+    return Path(base) / "coscrew"
+
+
+@functools.cache
+def _own_folder() -> Path:
+    return Path(tempfile.mkdtemp(prefix="coscrew-"))
+
+
+def limit() -> int:
+    """The most bytes that entries may take together.  Raises CacheError."""
+    text = os.environ.get(LIMIT, "").strip() or DEFAULT_LIMIT
+    found = _SIZE.fullmatch(text)
+    if not found:
+        raise CacheError(f"{LIMIT}={text!r}: wanted a size, such as 200 MB, 2 GB or 0")
+    return int(float(found[1]) * _UNITS[(found[2] or "").upper()])
+
+
+def key_of(*parts: str) -> str:
+    """A key that names all of the parts."""
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
+
+
+def hashed(content: bytes) -> str:
+    """The hash of an entry's content, in its name."""
+    return hashlib.sha256(content).hexdigest()[:16]
+
+
+def found(key: str, suffix: str) -> Path | None:
+    """The entry of this key, which counts as used now; None if there is none, or none that is what
+    it was when it was made."""
+    for path in sorted(folder().glob(f"{key}-*{suffix}")):
+        with suppress(OSError):
+            if hashed(path.read_bytes()) == path.name.removesuffix(suffix).rpartition("-")[2]:
+                os.utime(path)
+                return path
+        with suppress(OSError):
+            path.unlink()
+    return None
+
+
+def keep(made: Path, key: str, suffix: str) -> Path:
+    """The entry that a file, made in a folder of `building`, becomes; others go where there are too
+    many."""
+    most = limit()
+    path = folder() / f"{key}-{hashed(made.read_bytes())}{suffix}"
+    os.replace(made, path)
+    evict(most, path)
+    return path
+
+
+@contextmanager
+def building() -> Iterator[Path]:
+    """A folder beside the entries, to make one in; it is gone afterwards."""
+    limit()  # says what is wrong with it before anything is made
+    with tempfile.TemporaryDirectory(prefix=".building-", dir=folder()) as name:
+        yield Path(name)
+
+
+def text(name: str, make: Callable[[], str]) -> str:
+    """A text that depends on the generator alone: kept, or made."""
+    key = key_of(name, generator())
+    if path := found(key, ".txt"):
+        return path.read_text("utf-8")
+    made = make()
+    write(key, ".txt", made.encode())
+    return made
+
+
+def write(key: str, suffix: str, content: bytes) -> None:
+    """Keep this content."""
+    with building() as work:
+        (work / "content").write_bytes(content)
+        keep(work / "content", key, suffix)
+
+
+def entries() -> list[Entry]:
+    """All entries, those used least recently first; and what was left behind half made."""
+    entries = []
+    place = wanted_folder()
+    for path in place.iterdir() if place.is_dir() else ():
+        with suppress(OSError):
+            used = path.stat().st_mtime
+            if not path.name.startswith(".") or time.time() - used > _ABANDONED:
+                entries.append(Entry(path, _size(path), used))
+    return sorted(entries, key=lambda x: (x.used, x.path.name))
+
+
+def evict(most: int, kept: Path | None = None) -> list[Entry]:
+    """Removes entries until the others take no more than `most` bytes, those used least recently
+    first, but never `kept`; returns them."""
+    all_of_them = entries()
+    total, gone = sum(x.size for x in all_of_them), []
+    for entry in all_of_them:
+        if total <= most:
+            break
+        if entry.path != kept:
+            _remove(entry.path)
+            total -= entry.size
+            gone.append(entry)
+    return gone
+
+
+def _remove(path: Path) -> None:
+    if path.is_dir():
+        shutil.rmtree(path, ignore_errors=True)
+    else:
+        with suppress(OSError):
+            path.unlink()
+
+
+def _size(path: Path) -> int:
+    if path.is_dir():
+        return sum(x.stat().st_size for x in path.rglob("*") if x.is_file())
+    return path.stat().st_size
+
+
+@functools.cache
+def generator() -> str:
+    """The hash of the generator's own sources and templates: what it makes may change with any."""
+    package = Path(__file__).resolve().parents[1]
+    total = hashlib.sha256()
+    for root in (package, _templates()):
+        for path in sorted(root.rglob("*")):
+            if path.suffix in (".py", ".jinja"):
+                total.update(f"{path.relative_to(root)}\0".encode())
+                total.update(path.read_bytes())
+    return total.hexdigest()
+
+
+def _templates() -> Path:
+    import coscrew_codegen.templates
+
+    return Path(next(iter(coscrew_codegen.templates.__path__)))

@@ -1,0 +1,39 @@
+"""`coscrew cache`: shows what is kept of scenes that were loaded, and empties it."""
+
+import argparse
+
+from coscrew_codegen.native import cache
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add `cache` to the command line."""
+    parser = commands.add_parser(
+        "cache", help="show or empty what is kept of loaded scenes",
+        description="Show what is kept of scenes that were derived and compiled: folder, entries, "
+        f"bytes, limit.  The limit is ${cache.LIMIT}, {cache.DEFAULT_LIMIT} if that is not set; "
+        "entries used least recently go when there is more.")
+    parser.add_argument("--clear", action="store_true", help="empty it")
+    parser.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Show or empty the cache; returns the exit status."""
+    most = cache.limit()
+    if options.clear:
+        gone = cache.evict(-1)
+        print(f"{len(gone)} entries, {shown(sum(x.size for x in gone))}, are gone")
+        return 0
+    entries = cache.entries()
+    print(f"folder   {cache.wanted_folder()}\n"
+          f"entries  {len(entries)}\n"
+          f"size     {shown(sum(x.size for x in entries))}\n"
+          f"limit    {shown(most)} (${cache.LIMIT})")
+    return 0
+
+
+def shown(size: int) -> str:
+    """Bytes in words: 12.3 MB."""
+    for unit, factor in (("GB", 10**9), ("MB", 10**6), ("KB", 10**3)):
+        if size >= factor:
+            return f"{size / factor:.3g} {unit}"
+    return f"{size} bytes"

@@ -1,0 +1,36 @@
+"""What a scene says, as one hash."""
+
+import hashlib
+from collections.abc import Iterator, Mapping
+from dataclasses import fields, is_dataclass
+from enum import Enum
+
+from coscrew_codegen.scene.effect import Effect
+from coscrew_codegen.scene.scene import Scene
+
+
+def content_hash(scene: Scene) -> str:
+    """SHA-256 of all that the scene and its model say, however the files were laid out."""
+    return hashlib.sha256("\n".join(_told(scene)).encode()).hexdigest()
+
+
+def _told(value: object) -> Iterator[str]:
+    """The value in words, always the same: effects by name, mappings sorted, exact fractions."""
+    if isinstance(value, Effect | Enum):
+        yield f"{type(value).__name__} {value.name}"
+    elif is_dataclass(value):
+        yield type(value).__name__
+        for field in fields(value):
+            if field.compare:
+                yield field.name
+                yield from _told(getattr(value, field.name))
+    elif isinstance(value, Mapping):
+        for key in sorted(value):
+            yield f"key {key}"
+            yield from _told(value[key])
+    elif isinstance(value, tuple | list):
+        yield f"{len(value)} entries"
+        for entry in value:
+            yield from _told(entry)
+    else:
+        yield repr(value)

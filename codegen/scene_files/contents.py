@@ -1,0 +1,18 @@
+"""The contents of files, of no more than some size."""
+
+from pathlib import Path
+
+from coscrew_codegen.scene_files.errors import SceneError
+
+
+def read_bytes(path: Path, largest: int) -> bytes:
+    """The contents of a file; SceneError if it cannot be read or is larger than `largest` bytes."""
+    try:
+        with path.open("rb") as file:
+            contents = file.read(largest + 1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise SceneError(path, "", f"cannot be read ({reason})") from None
+    if len(contents) > largest:
+        raise SceneError(path, "", f"is larger than {largest // 2**20} MiB; wanted a smaller file")
+    return contents

@@ -1,0 +1,226 @@
+"""What is kept of loaded scenes: found again where nothing changed, made again where anything did."""
+
+import os
+import shutil
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import coscrew_codegen
+from coscrew_codegen import mechanics
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.native import cache
+from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.simulate import calls, native
+from coscrew_codegen.simulate.load import kernels_for
+
+ROOT = Path(__file__).parents[2]
+TEXT = """functions = ["forward_dynamics", "energy"]
+[bodies]
+bob = { mass = 2, com = [0, 0, -0.5], inertia = [0.01, 0.01, 0.01] }
+[joints.pivot]
+type = "revolute"
+child = "bob"
+axis = [0, 1, 0]
+[effects.gravity]
+"""
+STATE = ([0.3], [0.5])
+ENERGY = [0.51 * 0.5**2 / 2, -2 * 9.81 * 0.5 * np.cos(0.3)]
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    monkeypatch.delenv(cache.LIMIT, raising=False)
+    return tmp_path / "cache" / "coscrew"
+
+
+@pytest.fixture
+def path(tmp_path: Path) -> Path:
+    found = tmp_path / "swing.toml"
+    found.write_text(TEXT)
+    return found
+
+
+@pytest.fixture
+def derived(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """A word for each derivation."""
+    found, derive = [], mechanics.derive
+    monkeypatch.setattr(mechanics, "derive", lambda scene, *others: (
+        found.append(scene.name), derive(scene, *others))[1])
+    return found
+
+
+def energy(path: Path, **others: object) -> np.ndarray:
+    return coscrew_codegen.load_scene(path, **others).double.energy(*STATE)
+
+
+def test_the_second_time_nothing_is_derived_or_compiled(path: Path, derived: list, monkeypatch):
+    first = coscrew_codegen.load_scene(path)
+    assert derived == ["swing"]
+    monkeypatch.setattr(native, "_run", lambda *words: pytest.fail("compiled again"))
+    again = coscrew_codegen.load_scene(path)
+    assert derived == ["swing"]
+    assert np.allclose(again.double.energy(*STATE), ENERGY, rtol=1e-15, atol=0)
+    assert again.interface == first.interface and again.compiler == first.compiler
+    assert dir(again.single) == dir(first.single) == ["energy", "forward_dynamics"]
+    assert again.double.energy.__doc__ == first.double.energy.__doc__
+    assert again.functions == first.functions and derived == ["swing"] * 2  # Programs, when asked
+
+
+def test_a_change_of_the_scene_misses(path: Path, derived: list):
+    before = energy(path)
+    path.write_text(TEXT.replace("mass = 2", "mass = 4"))
+    assert energy(path)[1] == 2 * before[1] and len(derived) == 2
+    path.write_text(f"# a comment\n{TEXT}")
+    assert (energy(path) == before).all() and len(derived) == 2
+
+
+def test_functions_precisions_flags_and_compilers_miss(path: Path, derived: list, monkeypatch):
+    energy(path)
+    energy(path, functions=["energy"])
+    energy(path, precision="double")
+    kernels_for(read_scene(path), precisions=("double",))
+    monkeypatch.setattr(native, "_FLAGS", (*native._FLAGS, "-DANOTHER"))
+    native._compiler.cache_clear()
+    energy(path)
+    other = shutil.which("gcc")
+    if other and native.compiler().command != ("gcc",):
+        monkeypatch.setenv("CC", "gcc")
+        energy(path)
+    count = len(derived)
+    assert count >= 5
+    energy(path)
+    assert len(derived) == count
+    native._compiler.cache_clear()
+
+
+@pytest.mark.parametrize("source", ("effects/gravity.py", "mechanics/forward.py"))
+def test_a_change_of_a_source_of_the_generator_misses(source: str, tmp_path: Path, monkeypatch):
+    """In a copy of it: one byte of one file."""
+    copy = tmp_path / "codegen"
+    shutil.copytree(Path(coscrew_codegen.__file__).parent, copy)
+    monkeypatch.setattr(cache, "__file__", str(copy / "native" / "cache.py"))
+    hashes = set()
+    for text in ("", "", "#"):
+        with (copy / source).open("a") as file:
+            file.write(text)
+        cache.generator.cache_clear()
+        hashes.add(cache.generator())
+    assert len(hashes) == 2
+    monkeypatch.undo()
+    cache.generator.cache_clear()
+
+
+def test_the_generator_s_hash_is_part_of_every_key(path: Path, derived: list, monkeypatch):
+    energy(path)
+    monkeypatch.setattr(cache, "generator", lambda: "another")
+    energy(path)
+    assert len(derived) == 2
+
+
+def test_effects_of_one_s_own_are_never_found_by_name(path: Path, derived: list):
+    """Their names do not tell what they do."""
+    scene = read_scene(path)
+    gravity = scene.effects[0]
+    own = replace(scene, effects=(replace(gravity, effect=replace(gravity.effect)),))
+    for _ in range(2):
+        kernels_for(own)
+    assert len(derived) == 2
+
+
+@pytest.mark.parametrize("damage", ("truncated", "emptied", "changed", "another's", "no pickle"))
+@pytest.mark.parametrize("suffix", (".scene", ".so"))
+def test_damaged_entries_are_made_again(path: Path, folder: Path, damage: str, suffix: str):
+    """In a process of its own, since what is mapped stays what it was."""
+    program = ("import coscrew_codegen, sys\n"
+               "print(coscrew_codegen.load_scene(sys.argv[1]).double.energy([0.3], [0.5]).tolist())")
+
+    def run() -> str:
+        done = subprocess.run([sys.executable, "-W", "error", "-c", program, str(path)],
+                              capture_output=True, text=True, cwd=ROOT)
+        return done.stdout + done.stderr
+
+    wanted = run()
+    entry, = folder.glob(f"*{suffix}")
+    content = entry.read_bytes()
+    bad = {"truncated": content[:len(content) // 2], "emptied": b"",
+           "changed": content[:-1] + bytes([content[-1] ^ 1]), "another's": b"\x80\x04N.",
+           "no pickle": b"no pickle"}[damage]
+    entry.unlink()
+    if damage in ("another's", "no pickle"):  # with the hash of its content: whole, but not ours
+        entry = folder / f"{entry.name.split('-')[0]}-{cache.hashed(bad)}{suffix}"
+    entry.write_bytes(bad)
+    assert run() == wanted
+    entry, = folder.glob(f"*{suffix}")
+    assert entry.read_bytes() != bad
+
+
+def test_the_limit_holds_and_what_was_used_last_stays(folder: Path, tmp_path: Path, monkeypatch):
+    monkeypatch.setenv(cache.LIMIT, "2.5 kB")
+    for number, key in enumerate("ab"):
+        cache.write(cache.key_of(key), ".txt", bytes(1000))
+        os.utime(cache.found(cache.key_of(key), ".txt"), (number, number))
+    assert cache.found(cache.key_of("a"), ".txt")  # counts as used now
+    cache.write(cache.key_of("c"), ".txt", bytes(1000))
+    assert cache.found(cache.key_of("b"), ".txt") is None
+    assert cache.found(cache.key_of("a"), ".txt") and cache.found(cache.key_of("c"), ".txt")
+    cache.write(cache.key_of("d"), ".txt", bytes(9000))
+    assert [x.size for x in cache.entries()] == [9000]  # what was made just now stays
+    left = folder / ".building-left"
+    left.mkdir()
+    assert len(cache.entries()) == 1  # somebody may be at it
+    os.utime(left, (0, 0))
+    assert len(cache.entries()) == 2  # a day later nobody is
+
+
+def test_the_limit_is_a_size(path: Path, monkeypatch, capsys: pytest.CaptureFixture[str]):
+    for text, size in (("0", 0), ("12", 12), ("1.5MB", 1_500_000), ("2 gb", 2 * 10**9)):
+        monkeypatch.setenv(cache.LIMIT, text)
+        assert cache.limit() == size
+    monkeypatch.setenv(cache.LIMIT, "much")
+    with pytest.raises(cache.CacheError, match="COSCREW_CACHE_LIMIT='much': wanted a size"):
+        energy(path)
+    assert main(["cache"]) == 2
+    assert "coscrew: COSCREW_CACHE_LIMIT='much': wanted" in capsys.readouterr().err
+
+
+def test_processes_at_once_find_or_make_the_same(path: Path, folder: Path):
+    program = ("import coscrew_codegen, sys\n"
+               "print(coscrew_codegen.load_scene(sys.argv[1]).double.energy([0.3], [0.5]).tolist())")
+    running = [subprocess.Popen([sys.executable, "-W", "error", "-c", program, str(path)],
+                                cwd=ROOT, stdout=subprocess.PIPE, text=True) for _ in range(3)]
+    said = {x.communicate()[0] for x in running}
+    assert len(said) == 1 and said != {""} and {x.returncode for x in running} == {0}
+    assert {x.suffix for x in folder.iterdir()} == {".so", ".scene", ".txt"}
+
+
+def test_the_command_shows_and_empties(path: Path, folder: Path, capsys):
+    assert main(["cache"]) == 0
+    assert "entries  0\nsize     0 bytes\nlimit    1 GB" in capsys.readouterr().out
+    assert not folder.exists()
+    calls._checks.cache_clear()
+    energy(path)
+    assert main(["cache"]) == 0
+    shown = capsys.readouterr().out
+    assert f"folder   {folder}\nentries  3\n" in shown
+    assert main(["cache", "--clear"]) == 0
+    assert "3 entries" in capsys.readouterr().out
+    assert list(folder.iterdir()) == []
+
+
+def test_what_is_found_imports_neither_sympy_nor_scipy(path: Path):
+    """Nor what derives, prints and plots: that takes longer than most runs."""
+    program = ("import sys\nfrom coscrew_codegen.__main__ import main\n"
+               f"status = main(['simulate', {str(path)!r}, '--until', '0.01'])\n"
+               "heavy = {'sympy', 'scipy', 'matplotlib', 'jinja2', 'coscrew',\n"
+               "         'coscrew_codegen.mechanics'}\n"
+               "print(status, sorted(heavy & set(sys.modules)))")
+    for wanted in (None, "0 []"):
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True,
+                              cwd=ROOT, check=True)
+        assert wanted in (None, done.stdout.splitlines()[-1])
