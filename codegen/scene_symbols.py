@@ -1,4 +1,4 @@
-"""What names in a scene's text stand for: the symbols behind a link's name, and a legend of them."""
+"""Names in a scene's text: the symbols behind a link's name, and a legend of them."""
 
 import re
 from collections.abc import Iterable, Iterator

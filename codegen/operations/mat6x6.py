@@ -48,8 +48,8 @@ def _moved(name: str, of: Argument, displacement: Callable[[sp.Matrix], sp.Matri
            derivation: Callable[..., sp.Matrix]) -> Operation:
     x = of.name
     return Operation(
-        f"mat6x6_{name}", FAMILY, f"Mo = [Ad]*({x}) M [Ad]^-1({x}), M symmetric, of which the lower "
-        f"triangle is read: the articulated inertia M {name} by {x}", (of, _M), (_Mo,),
+        f"mat6x6_{name}", FAMILY, f"Mo = [Ad]*({x}) M [Ad]^-1({x}), M symmetric, of which the "
+        f"lower triangle is read: the articulated inertia M {name} by {x}", (of, _M), (_Mo,),
         lambda x, M: CoAd(displacement(x)) * _symmetric(M) * CoAd(displacement(x)).T, derivation)
 
 

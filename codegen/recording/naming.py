@@ -83,7 +83,6 @@ def _renamed(program: Program, names: Mapping[str, str]) -> Program:
     def renamed(x: Operand) -> Operand:
         return Ref(names[x.name]) if isinstance(x, Ref) else x
 
-    return replace(
-        program, results=tuple(map(renamed, program.results)),
-        instructions=tuple(Instruction(names[step.name], step.op, tuple(map(renamed, step.operands)),
-                                       step.component) for step in program.instructions))
+    steps = tuple(replace(step, name=names[step.name], operands=tuple(map(renamed, step.operands)))
+                  for step in program.instructions)
+    return replace(program, instructions=steps, results=tuple(map(renamed, program.results)))

@@ -14,8 +14,6 @@ Instructions are named when the program is done, so that none that is left out l
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
-from fractions import Fraction
 from functools import partial
 
 from coscrew_codegen.parameter import Parameter, Scalar

@@ -1,4 +1,4 @@
-"""How many operations the functions of robots and examples take: committed, so that none rises unseen.
+"""Operations that functions of robots and examples take: committed, so that none rises unseen.
 
 `python -m tests.scenes.test_operation_counts` writes the file anew.
 """
