@@ -1,6 +1,8 @@
 """The functions of a scene: each a recording of its own, which holds what its outputs need."""
 
-from collections.abc import Callable, Collection, Sequence
+import gc
+from collections.abc import Callable, Collection, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import cached_property, partial
 
@@ -30,6 +32,7 @@ from coscrew_codegen.scene.asked import (
     asked_for,
     jacobians,
     reactions,
+    refuse_many,
     together,
 )
 from coscrew_codegen.scene.assembly import ModelError
@@ -47,9 +50,25 @@ def derive(scene: Scene, functions: Collection[str] = (),
     that their steps call.  `tell` is told the name of each before it is derived.
 
     Raises RangeError for numbers that a precision it is generated in cannot hold, ModelError for a
-    model whose mass matrix is singular whatever q is, AskedError for functions it cannot have."""
+    model whose mass matrix is singular whatever q is, AskedError for functions it cannot have, and
+    for more joints than a compiler takes."""
+    refuse_many(scene)
     refuse_numbers(scene)
-    return _Derivation(scene, tell).functions(functions)
+    with uncollected():
+        return _Derivation(scene, tell).functions(functions)
+
+
+@contextmanager
+def uncollected() -> Iterator[None]:
+    """Without Python's garbage collector, which walks all instructions again and again while there
+    are ever more of them: of 100 joints it took a third of the time, and more of more."""
+    on = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if on:
+            gc.enable()
 
 
 def is_timed(scene: Scene) -> bool:

@@ -20,6 +20,7 @@ from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, listed
 from coscrew_codegen.targets.scene_c_steps import step_body
 from coscrew_codegen.targets.scene_text import c_name, size
+from coscrew_codegen.targets.target import Files, Target
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,7 @@ _IN_WORDS = {("double",): "double precision alone, as the scene says",
              ("double", "single"): "double and (names that end in f) single precision"}
 
 
-def files(scene: SceneFunctions, banner: str) -> dict[str, str]:
+def files(scene: SceneFunctions, banner: str) -> Files:
     """arm.h and arm.c.  Raises ValueError for a name that they cannot bear."""
     scene_text.check_names(scene)
     sections = [{"precision": p, "functions": _functions(scene, p)}
@@ -207,3 +208,6 @@ def _step(scene: SceneFunctions, step: Step, precision: Precision) -> CText:
     return CText(step.name, comment_of([f"{step.words}.  In place."]),
                  _head(scene, step.name, precision, [declared[x] for x in inputs]),
                  step_body(scene, step, precision, partial(c_name, scene, precision=precision)))
+
+
+TARGET = Target("scene in C", ("c",), scene=files)

@@ -11,6 +11,7 @@ from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import SceneFunctions, SceneInterface, Signature
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.scene_text import c_name
+from coscrew_codegen.targets.target import Files, Target
 
 # Times and steps are those of steps called one by one: rounded from double.
 _RUN = {"t": "({real})(t + (double)k * h)", "h": "({real})h"}
@@ -37,6 +38,11 @@ def callables(scene: SceneFunctions) -> tuple[Signature, ...]:
     return tuple(found)
 
 
+def files(scene: SceneFunctions, banner: str) -> Files:
+    """arm_calls.c, which is compiled with arm.c for Python, and bears no banner."""
+    return {f"{scene.name}_calls.c": source(scene)}
+
+
 def source(scene: SceneFunctions) -> str:
     """The text of the file that is compiled for Python."""
     sections = [{"precision": p, "format": p.buffer_format,
@@ -46,7 +52,8 @@ def source(scene: SceneFunctions) -> str:
     return render("scene/calls.c", name=scene.name, upper=scene.name.upper(), sections=sections)
 
 
-def _function(scene: SceneFunctions, function: Signature, precision: Precision) -> dict[str, object]:
+def _function(scene: SceneFunctions, function: Signature, precision: Precision
+              ) -> dict[str, object]:
     real, name = precision.c_type, c_name(scene, function.name, precision)
     scalars = [x for x, shape in function.read if not shape]
     read = [_array(x, shape) for x, shape in function.read if shape]
@@ -74,3 +81,6 @@ def _array(name: str, shape: tuple[int, ...]) -> dict[str, str]:
     size = scene_text.count(shape)
     return {"name": name, "size": str(size), "room": str(max(size, 1)), "axes": str(len(shape)),
             "shape": ", ".join(map(str, shape)) or "1"}
+
+
+TARGET = Target("calls of a scene", ("c", "python"), scene=files, asked=False)

@@ -17,10 +17,11 @@ from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.numpy import NUMPY_NAMES
 from coscrew_codegen.targets.scene_expressions import Expressions
 from coscrew_codegen.targets.scene_python_steps import python_name, step_lines
+from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.version import VERSION
 
 
-def files(scene: SceneFunctions, banner: str) -> dict[str, str]:
+def files(scene: SceneFunctions, banner: str) -> Files:
     """The package arm/.  Raises ValueError for a name that it cannot bear."""
     scene_text.check_names(scene)
     about = [row for line in scene_text.order_in_words(scene)
@@ -124,3 +125,6 @@ def _step(scene: SceneFunctions, step: Step, precision: Precision) -> dict[str, 
     lines = [_unpacking("arrays", [(x, str(shapes[x])) for x in inputs], precision),
              "q, v = spread(lead, q, v)", *step_lines(scene, step)]
     return _text(step.name, inputs, scene_text.step_words(scene, step), lines)
+
+
+TARGET = Target("scene in Python", ("python",), scene=files)

@@ -87,6 +87,12 @@ def words(function: Function) -> tuple[str, ...]:
     return (sentence(function.words), f"Last axes: {given} -> {made}.", cost(function))
 
 
+def banner_of(name: str, command: str = "") -> str:
+    """The first line of a scene's files, as a comment's text; `command` makes them."""
+    made = printable(command or f"coscrew generate {name}.toml")
+    return f"Made by `{made}`; changes are overwritten."
+
+
 def check_names(scene: SceneFunctions) -> None:
     """Raises ValueError for names that are no variables' or are given twice in a function, and for
     a scene's that no file can bear."""

@@ -30,10 +30,10 @@ EXEMPT = {
         "python/_kernel.py", "scene/arrays", "scene/arrays.py", "scene/out", "scene/buffers",
         "scene/calls.c")},
     "native/driver.c.jinja": MEASURES, "report/drift.c.jinja": MEASURES}
-"""Templates that compute, and why they may.  Pages' JavaScript is no kernel: it is left out."""
+"""Templates that compute, and why they may.  Pages are no kernels: they are left out."""
 
 TEMPLATES = sorted(p.relative_to(ROOT).as_posix() for p in ROOT.rglob("*.jinja")
-                   if ".html" not in p.name and ".md" not in p.name)
+                   if not {".html", ".css", ".md"} & set(p.suffixes))
 
 def language_of(name: str) -> str:
     """C or Python, by what the template's name says of the file it is for."""
