@@ -50,7 +50,8 @@ def _moved(name: str, of: Argument, displacement: Callable[[sp.Matrix], sp.Matri
     x = of.name
     return Operation(
         f"mat6x6_{name}", FAMILY, f"Mo = [Ad]*({x}) M [Ad]^-1({x}), M symmetric, of which the "
-        f"lower triangle is read: the articulated inertia M {name} by {x}", (of, _articulated), (_Mo,),
+        f"lower triangle is read: the articulated inertia M {name} by {x}",
+        (of, _articulated), (_Mo,),
         lambda x, M: CoAd(displacement(x)) * _symmetric(M) * CoAd(displacement(x)).T, derivation)
 
 
