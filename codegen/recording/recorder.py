@@ -7,8 +7,6 @@ issued once; signs move outwards until a sum takes them up.  Knows no mechanics.
 import string
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
-from fractions import Fraction
 from functools import partial
 
 from coscrew_codegen.parameter import Parameter, Scalar

@@ -15,7 +15,6 @@ from coscrew_codegen.program import Program
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import SceneInterface
 from coscrew_codegen.simulate.settings import refuse_settings
-from coscrew_codegen.targets.scene_text import step_inputs
 
 State = tuple[np.ndarray, np.ndarray]
 Watch = Callable[[float, np.ndarray, np.ndarray], None]

@@ -14,7 +14,6 @@ import numpy as np
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.recording import Recording
 
-
 FIGURES = (".svg", ".png")
 """Endings of the names of plots."""
 
