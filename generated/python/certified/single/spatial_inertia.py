@@ -287,11 +287,10 @@ def spatial_inertia_energy(B, s):
     L_2_size = absolute(L_2a) + absolute(L_2b) + absolute(L_2d)
     twice_a_size = absolute(s_0) * (p_0_size + 1.9721522630525295e-31)
     twice_c_size = twice_a_size + absolute(s_1) * (p_1_size + 1.9721522630525295e-31)
-    twice_e_size = twice_c_size + absolute(s_2) * (p_2_size + 1.9721522630525295e-31)
     twice_f_size = absolute(s_3) * (L_0_size + 1.9721522630525295e-31)
     twice_h_size = twice_f_size + absolute(s_4) * (L_1_size + 1.9721522630525295e-31)
-    twice_j_size = twice_h_size + absolute(s_5) * (L_2_size + 1.9721522630525295e-31)
-    twice_size = twice_e_size + twice_j_size
+    twice_e_size = twice_c_size + absolute(s_2) * (p_2_size + 1.9721522630525295e-31)
+    twice_size = twice_e_size + (twice_h_size + absolute(s_5) * (L_2_size + 1.9721522630525295e-31))
     energy_size = 0.5 * (twice_size + 1.9721522630525295e-31)
     energy_error_bound = 5.36442e-07 * (energy_size + 1.9721522630525295e-31)
     return (energy, energy_error_bound)
@@ -501,8 +500,8 @@ def spatial_inertia_transformed(D, B):
     turned_3_size = absolute(turned_3a) + absolute(turned_3b) + absolute(turned_3d)
     RI_0_padded = RI_0_size + 1.9721522630525295e-31
     RI_1_padded = RI_1_size + 1.9721522630525295e-31
-    turned_4c_size = absolute(D_00) * RI_0_padded + absolute(D_01) * RI_1_padded
     RI_2_padded = RI_2_size + 1.9721522630525295e-31
+    turned_4c_size = absolute(D_00) * RI_0_padded + absolute(D_01) * RI_1_padded
     turned_4_size = turned_4c_size + absolute(D_02) * RI_2_padded
     RI_3_padded = RI_3_size + 1.9721522630525295e-31
     D_10_abs = absolute(D_10)
@@ -512,10 +511,10 @@ def spatial_inertia_transformed(D, B):
     D_12_abs = absolute(D_12)
     turned_5_size = D_10_abs * RI_3_padded + D_11_abs * RI_4_padded + D_12_abs * RI_5_padded
     D_20_abs = absolute(D_20)
-    turned_6a_size = D_20_abs * (RI_6_size + 1.9721522630525295e-31)
     D_21_abs = absolute(D_21)
-    turned_6c_size = turned_6a_size + D_21_abs * (RI_7_size + 1.9721522630525295e-31)
+    turned_6a_size = D_20_abs * (RI_6_size + 1.9721522630525295e-31)
     D_22_abs = absolute(D_22)
+    turned_6c_size = turned_6a_size + D_21_abs * (RI_7_size + 1.9721522630525295e-31)
     turned_6_size = turned_6c_size + D_22_abs * (RI_8_size + 1.9721522630525295e-31)
     turned_7_size = D_10_abs * RI_0_padded + D_11_abs * RI_1_padded + D_12_abs * RI_2_padded
     turned_8_size = D_20_abs * RI_0_padded + D_21_abs * RI_1_padded + D_22_abs * RI_2_padded
