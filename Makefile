@@ -13,7 +13,7 @@ all: generate
 
 # The environment.  Its first install finds generated/ as committed, so coscrew itself is there to
 # be regenerated from, and its extension module is built.
-$(VENV)/ready: pyproject.toml
+$(VENV)/ready: pyproject.toml setup.py
 	$(PYTHON3) -m venv $(VENV)
 	$(PIP) install --upgrade pip "setuptools>=77" wheel
 	$(PIP) install "numpy>=2.0"

@@ -66,8 +66,8 @@ def _library(options: argparse.Namespace) -> int:
 def _scene(options: argparse.Namespace) -> int:
     """Write a scene's dynamics; what its model says and nothing uses goes to standard error."""
     from coscrew_codegen.emit import refuse_others, stale_files
+    from coscrew_codegen.layout import scene_files
     from coscrew_codegen.mechanics import derive
-    from coscrew_codegen.scene_layout import scene_files
     from coscrew_codegen.selection import SelectionError
 
     given = [name for name in ("family", "language") if getattr(options, name)]
@@ -85,7 +85,7 @@ def _scene(options: argparse.Namespace) -> int:
     said = "".join(f" --{name} {word}" for name in ("precision", "implausible")
                    if (word := getattr(options, name)))
     said += f" --functions {' '.join(options.functions)}" if options.functions else ""
-    files = scene_files(scene, derive(scene), f"coscrew generate {options.scene.name}{said}")
+    files = scene_files(derive(scene), f"coscrew generate {options.scene.name}{said}")
     folder = Path(options.output)
     if not options.check:
         refuse_others(files, folder)

@@ -90,6 +90,9 @@ class Adaptive:
     implicit: bool = False  # asks for the Jacobian of the rates
 
 
+Scheme = Tableau | Composition | Adaptive
+
+
 @dataclass(frozen=True)
 class Integrator:
     """One of them."""
@@ -97,7 +100,7 @@ class Integrator:
     name: str  # as scenes and commands call it
     order: int
     good_for: str  # and what not
-    scheme: Tableau | Composition | Adaptive
+    scheme: Scheme
     equation: str = ""  # of a step that is emitted
 
     @property

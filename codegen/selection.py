@@ -6,8 +6,9 @@ from difflib import get_close_matches
 from coscrew_codegen.errors import Told
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation
+from coscrew_codegen.targets import languages
 
-LANGUAGES = ("c", "python")
+LANGUAGES = languages()
 
 
 class SelectionError(Told, ValueError):

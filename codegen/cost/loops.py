@@ -14,10 +14,9 @@ from coscrew_codegen.native.timing import Loop, driver, pointers
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, Step
-from coscrew_codegen.scene_layout import banner_of
 from coscrew_codegen.simulate.native import Compiler, library
 from coscrew_codegen.targets import scene_c
-from coscrew_codegen.targets.scene_text import c_name, outputs, size, step_inputs
+from coscrew_codegen.targets.scene_text import banner_of, c_name, outputs, size, step_inputs
 
 ELEMENTS = 64  # states a loop goes through: they stay in the first-level cache
 State = tuple[np.ndarray, np.ndarray]

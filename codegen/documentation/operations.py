@@ -12,7 +12,7 @@ from coscrew_codegen.program import Program, bounds, counts_in_words
 from coscrew_codegen.quantity import in_words
 from coscrew_codegen.render import render
 from coscrew_codegen.targets import c
-from coscrew_codegen.tiers.table import TIERS, Tier
+from coscrew_codegen.tiers import PLAIN, TIERS, Tier
 
 _CODE = frozenset(operation.name for operation in OPERATIONS if "_" in operation.name)
 
@@ -66,8 +66,8 @@ def _entry(operation: Operation, program: Program, anchor: str) -> Entry:
                                            for part in a.quantity.parts if part.name}
     remark = f"  {operation.remark}" if operation.remark else ""
     tiers = [tier for tier in TIERS if tier.has(program)]
-    modules = ["coscrew", "coscrew.double", "coscrew.single",
-               *(f"coscrew.{tier.name}" for tier in tiers if tier.in_python)]
+    packages = [tier.package for tier in tiers if tier.in_python]
+    modules = [*packages[:1], *(f"{packages[0]}.{p.name}" for p in PRECISIONS), *packages[1:]]
     return Entry(
         operation.name, anchor, escaped(operation.statement),
         f"{markdown(operation.statement, names, _CODE)}.{escaped(remark)}",
@@ -81,12 +81,12 @@ def _entry(operation: Operation, program: Program, anchor: str) -> Entry:
 def _tiers(operation: Operation, program: Program,
            tiers: list[Tier]) -> Iterator[tuple[str, str, str]]:
     """Rows of the table of tiers, in double precision."""
-    yield "plain", counts_in_words(program), _bound(
-        bounds.in_words(program) or operation.tested_bounds)
     for tier in tiers:
-        made = tier.program(program, DOUBLE.name)
+        made = tier.program(program, DOUBLE)
         returned = "returned beside the result" if len(made.outputs) > len(program.outputs) else ""
-        yield tier.name, counts_in_words(made), _bound(bounds.in_words(made)) or returned
+        tested = operation.tested_bounds if tier is PLAIN else ""
+        yield (tier.name, counts_in_words(made),
+               _bound(bounds.in_words(made) or tested) or returned)
 
 
 def _bound(words: str) -> str:

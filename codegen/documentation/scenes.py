@@ -1,7 +1,10 @@
 """The reference of scene files: effects with their equations, keys, integrators."""
 
+from fractions import Fraction
+
 from coscrew_codegen.documentation.notation import escaped, markdown
 from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.integrator import Composition, Drift, Scheme, Tableau
 from coscrew_codegen.integrators import INTEGRATORS
 from coscrew_codegen.render import render
 from coscrew_codegen.scene.effect import Effect, ParameterOf
@@ -26,7 +29,33 @@ def integrators_page(banner: str) -> str:
     """The integrators, in Markdown."""
     return render("docs/integrators.md", banner=banner, integrators=[
         {"name": x.name, "order": x.order, "good_for": escaped(x.good_for),
-         "equation": markdown(x.equation, ("q_m",))} for x in INTEGRATORS])
+         "equation": markdown(x.equation, ("q_m",)), "rows": _tableau(x.scheme),
+         "stages": _stages(x.scheme)} for x in INTEGRATORS])
+
+
+def _tableau(scheme: Scheme) -> list[list[str]]:
+    """A Butcher tableau's rows, the stages' numbers first, b last; none of other schemes."""
+    if not isinstance(scheme, Tableau):
+        return []
+    count = len(scheme.b)
+    rows = [[str(c), *map(str, row), *[""] * (count - len(row))]
+            for c, row in zip(scheme.c, ((), *scheme.a), strict=True)]
+    return [["c", *map(str, range(1, count + 1))], ["---"] * (count + 1), *rows,
+            ["b", *map(str, scheme.b)]]
+
+
+def _stages(scheme: Scheme) -> str:
+    """Drifts and kicks in order; "" of other schemes."""
+    if not isinstance(scheme, Composition):
+        return ""
+    return ", ".join(f"drift by {_of_step(x.part)}" if isinstance(x, Drift) else
+                     f"kick by {_of_step(x.part)} with `{x.by}`" for x in scheme.stages)
+
+
+def _of_step(part: Fraction) -> str:
+    """h, h/2, 3 h/4."""
+    above = "h" if part.numerator == 1 else f"{part.numerator} h"
+    return above if part.denominator == 1 else f"{above}/{part.denominator}"
 
 
 def _effect(effect: Effect) -> dict[str, object]:

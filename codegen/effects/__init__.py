@@ -6,14 +6,11 @@ multipliers, hence a slot for rows of constraints, which forward dynamics then s
 """
 
 import copyreg
-from importlib import import_module
-from pkgutil import iter_modules
 
+from coscrew_codegen.found import found
 from coscrew_codegen.scene.effect import Effect
 
-EFFECTS: tuple[Effect, ...] = tuple(
-    import_module(f"{__name__}.{module}").EFFECT
-    for module in sorted(found.name for found in iter_modules(__path__)))
+EFFECTS: tuple[Effect, ...] = found(__name__, __path__, "EFFECT", Effect)
 """The catalogue, by name: a file put here is in it, one taken away is gone without a trace."""
 
 

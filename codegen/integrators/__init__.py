@@ -3,9 +3,7 @@
 A file put here is an integrator of every scene, in all languages and precisions.
 """
 
-from importlib import import_module
-from pkgutil import iter_modules
-
+from coscrew_codegen.found import found
 from coscrew_codegen.integrator import Adaptive, Integrator
 
 DEFAULT = "leapfrog"
@@ -16,9 +14,7 @@ def _place(integrator: Integrator) -> tuple[bool, bool, int, str]:
     return integrator.name != DEFAULT, not integrator.emitted, integrator.order, integrator.name
 
 
-INTEGRATORS: tuple[Integrator, ...] = tuple(sorted(
-    (import_module(f"{__name__}.{found.name}").INTEGRATOR for found in iter_modules(__path__)),
-    key=_place))
+INTEGRATORS = tuple(sorted(found(__name__, __path__, "INTEGRATOR", Integrator), key=_place))
 
 NAMES = tuple(x.name for x in INTEGRATORS)
 EMITTED = tuple(x for x in INTEGRATORS if x.emitted)

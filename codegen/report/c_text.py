@@ -22,6 +22,7 @@ from coscrew_codegen.targets.c import (
     parameters,
     returned,
 )
+from coscrew_codegen.tiers import tier_named
 
 _CACHE = 16384  # bytes of inputs and outputs, half of a small first-level cache
 
@@ -43,7 +44,7 @@ class Variant:
     def name(self) -> str:
         """As the headers call it, without ksl_."""
         name = c_name(self.operation.name, self.precision).removeprefix("ksl_")
-        return name if self.tier == "plain" else f"{name}_{self.tier}"
+        return "_".join(filter(None, (name, tier_named(self.tier).mark)))
 
     @property
     def elements(self) -> int:
@@ -68,8 +69,7 @@ class _Loops:
 
 def kernels_text(variants: Sequence[Variant]) -> str:
     """The C text for variants of one tier."""
-    tier = variants[0].tier
-    return render("report/kernels.c", header="ksl" if tier == "plain" else f"ksl_{tier}",
+    return render("report/kernels.c", header=tier_named(variants[0].tier).umbrella,
                   kernels=list(map(_loops, variants)))
 
 

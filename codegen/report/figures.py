@@ -12,15 +12,16 @@ from matplotlib.figure import Figure
 from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.report.overview import (
     PRECISIONS,
-    TIERS,
     first_layout,
     formatted,
     headline_operations,
+    tiers_of,
     time_of,
 )
 from coscrew_codegen.report.schema import Entry, ProvenBound, Report
+from coscrew_codegen.tiers import TIERS
 
-_COLOURS = {"plain": "#6b7280", "fused": "#0072b2", "accurate": "#c2570c", "certified": "#00805d"}
+_COLOURS = {tier.name: tier.colours[0] for tier in TIERS}
 _MARKERS = {"double": "o", "single": "s"}
 _DASHES = {"double": "-", "single": "--"}
 _LINEAR_BELOW = 0.1  # ulp: zero has its place on a symmetrical logarithmic axis
@@ -101,8 +102,8 @@ def _axes(axes: Axes, entries: Iterable[Entry], layout: str) -> None:
     axes.xaxis.set_minor_formatter(lambda x, _: formatted(x) if f"{x:e}"[0] in "25" else "")
     axes.set_xlabel(f"ns per element: {layout}")
     axes.set_ylabel(f"worst error, hard inputs ({_measures(entries)})")
-    for tier in (tier for tier in TIERS if any(entry.tier == tier for entry in entries)):
-        axes.plot([], [], "o", color=_COLOURS[tier], label=tier)
+    for tier in tiers_of(entries):
+        axes.plot([], [], "o", color=tier.colours[0], label=tier.name)
     if axes.get_legend_handles_labels()[0]:
         axes.legend(frameon=False)
 

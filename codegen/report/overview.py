@@ -1,13 +1,13 @@
 """What a report says in a few sentences, and what its figures show first."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from decimal import ROUND_HALF_UP, Context
 from math import inf, isfinite, isnan, log
 
 from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.report.schema import Change, Comparison, Entry, Report, Time
+from coscrew_codegen.tiers import PLAIN, TIERS, Tier
 
-TIERS = ("plain", "fused", "accurate", "certified")
 PRECISIONS = tuple(BY_NAME)
 HEADLINE = ("product_CoAdc", "cross_sc", "dot_cs")
 
@@ -37,6 +37,12 @@ def layout_name(time: Time) -> str:
 def with_interval(median: float | None, low: float | None, high: float | None) -> str:
     """A median and its interval: 1.39 (1.38–1.41)."""
     return f"{formatted(median)} ({formatted(low)}–{formatted(high)})" if median else "–"
+
+
+def tiers_of(entries: Iterable[Entry]) -> tuple[Tier, ...]:
+    """The tiers that entries are of, in their order."""
+    names = {entry.tier for entry in entries}
+    return tuple(tier for tier in TIERS if tier.name in names)
 
 
 def first_layout(report: Report) -> str:
@@ -96,9 +102,9 @@ def _price(report: Report, operation: str) -> Iterator[str]:
     by_tier = {entry.tier: entry for entry in report.entries
                if (entry.operation, entry.precision) == (operation, "double") and entry.hard
                and time_of(entry, layout)}
-    if "plain" not in by_tier or len(by_tier) == 1:
+    if PLAIN.name not in by_tier or len(by_tier) == 1:
         return
-    plain = by_tier.pop("plain")
+    plain = by_tier.pop(PLAIN.name)
     best = min(by_tier.values(), key=lambda entry: entry.hard.worst)
     times = [with_interval(t.ns, t.low, t.high)
              for t in (time_of(plain, layout), time_of(best, layout))]

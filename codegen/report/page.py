@@ -10,12 +10,12 @@ from coscrew_codegen.render import render
 from coscrew_codegen.report.figures import figures
 from coscrew_codegen.report.markdown import markdown
 from coscrew_codegen.report.overview import (
-    TIERS,
     first_layout,
     formatted,
     headline_operations,
     largest_changes,
     sentences,
+    tiers_of,
 )
 from coscrew_codegen.report.schema import Report
 
@@ -34,9 +34,10 @@ def write(report: Report, folder: Path, operations: tuple[str, ...] = ()) -> tup
 def page(report: Report) -> str:
     """The text of report.html."""
     data = {**asdict(report), "headline": headline_operations(report),
-            "layout": first_layout(report)}
+            "layout": first_layout(report),
+            "tiers": [tier.name for tier in tiers_of(report.entries)]}
     return render("report/page.html", report=report, sentences=sentences(report),
-                  tiers=[tier for tier in TIERS if any(e.tier == tier for e in report.entries)],
+                  tiers=tiers_of(report.entries),
                   changes=report.compare and largest_changes(report.compare),
                   shown=formatted, data=_embedded(data))
 

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from coscrew_codegen.report.schema import Change, Comparison, Report, Time
 from coscrew_codegen.report.timing import Timed
+from coscrew_codegen.tiers import PLAIN
 
 Key = tuple[str, str, str]  # operation, precision, tier
 
@@ -21,7 +22,7 @@ def times(timed: Iterable[list[Timed]], worst: Mapping[Key, float]) -> dict[Key,
     found: dict[Key, list[Time]] = {}
     for rivals in timed:
         its = {key(t): t.timing.time for t in rivals}
-        plain = next((t.timing for t in rivals if t.variant.tier == "plain"), None)
+        plain = next((t.timing for t in rivals if t.variant.tier == PLAIN.name), None)
 
         def no_worse(other: Timed, than: Timed) -> bool:
             return (worst.get(key(other), 0.0) <= worst.get(key(than), 0.0)

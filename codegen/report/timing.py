@@ -14,6 +14,7 @@ from coscrew_codegen.native.timing import Timing, timed_calls
 from coscrew_codegen.report import inputs
 from coscrew_codegen.report.c_text import Variant
 from coscrew_codegen.report.native import Library
+from coscrew_codegen.tiers import tier_named
 
 LAYOUTS = {"rows": "array of structs", "planes": "structure of arrays", "chain": "latency"}
 COUNTS = (1, 1000, 1_000_000)
@@ -57,9 +58,9 @@ def compiled(library: Library, variants: Sequence[Variant], seed: int,
 
 def python_function(variant: Variant) -> Callable[..., object] | None:
     """The package's function for the variant, if it has one."""
-    name = "coscrew" if variant.tier == "plain" else f"coscrew.{variant.tier}"
+    package = tier_named(variant.tier).package
     try:
-        return getattr(importlib.import_module(name), variant.operation.name, None)
+        return getattr(importlib.import_module(package), variant.operation.name, None)
     except ModuleNotFoundError:
         return None
 

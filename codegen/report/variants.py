@@ -1,4 +1,4 @@
-"""The variants of an operation: plain and every tier that makes something else of it."""
+"""The variants of an operation: every tier that it has."""
 
 import functools
 
@@ -7,7 +7,7 @@ from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Op, Program
 from coscrew_codegen.programs import program_of
 from coscrew_codegen.report.c_text import Variant
-from coscrew_codegen.tiers.table import TIERS
+from coscrew_codegen.tiers import TIERS
 
 # An fma is two, also where it takes the rounded product off the exact one.
 _FLOPS = {Op.NEG: 0, Op.ABS: 0, Op.LESS: 0, Op.EQUAL: 0, Op.SELECT: 0, Op.FMA: 2, Op.FMS: 2,
@@ -16,11 +16,10 @@ _FLOPS = {Op.NEG: 0, Op.ABS: 0, Op.LESS: 0, Op.EQUAL: 0, Op.SELECT: 0, Op.FMA: 2
 
 @functools.cache
 def variants_of(operation: Operation, precision: Precision) -> tuple[Variant, ...]:
-    """Plain first, then the tiers in their table's order."""
+    """Plain first, then the tiers in their order."""
     plain = program_of(operation)
-    return (Variant(operation, precision, "plain", plain), *(
-        Variant(tier.operation(operation), precision, tier.name,
-                tier.program(plain, precision.name)) for tier in TIERS if tier.has(plain)))
+    return tuple(Variant(tier.operation(operation), precision, tier.name,
+                         tier.program(plain, precision)) for tier in TIERS if tier.has(plain))
 
 
 def flops(program: Program) -> int:

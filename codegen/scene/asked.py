@@ -24,6 +24,11 @@ FREE = ("free_momentum", "with_free_momentum")
 CONTACTS = ("closing_contacts", "parts")
 """Of scenes with limits that close."""
 MOVED = "integrated"
+MANY = 100
+"""Speeds above which the mass matrix is no default function: its text grows as their square, that
+of the others in proportion."""
+MOST = 1000
+"""Joints that move, at most: the functions of as many are 100 MB of C, which no compiler takes."""
 
 
 class AskedError(Told, ValueError):
@@ -59,16 +64,31 @@ def names(scene: Scene) -> tuple[str, ...]:
 
 
 def by_default(scene: Scene) -> tuple[str, ...]:
-    """What a scene has if it asks for nothing: its dynamics; reactions where effects or records ask
-    for them; momenta of what floats free, contacts; the step of its integrator (of SciPy's: the
-    default one's)."""
+    """What a scene has if it asks for nothing: its dynamics (of more than MANY speeds without the
+    mass matrix); reactions where effects or records ask for them; momenta of what floats free,
+    contacts; the step of its integrator (of SciPy's: the default one's)."""
     integrator = named(scene.run.integrator)
     if not integrator.emitted:
         integrator = named(DEFAULT_INTEGRATOR)
     recorded = {x.on for x in scene.effects if x.effect.reaction}
     asked = {*DYNAMICS, *(name for name, joint in reactions(scene).items() if joint in recorded),
              MOVED, *FREE, *CONTACTS, integrator.step_name}
+    if speeds(scene) > MANY:
+        asked.remove("mass_matrix")
     return tuple(name for name in names(scene) if name in asked)
+
+
+def speeds(scene: Scene) -> int:
+    """How many speeds the joints have, followers' included."""
+    return sum(joint.kind.nv for joint in scene.model.joints)
+
+
+def refuse_many(scene: Scene) -> None:
+    """Raise AskedError for a scene of more than MOST joints that move."""
+    count = sum(joint.kind is not Kind.FIXED for joint in scene.model.joints)
+    if count > MOST:
+        raise AskedError(f"{scene.name}: {count} joints move; wanted at most {MOST}, since of more "
+                         "no C compiler takes the functions")
 
 
 def asked_for(scene: Scene) -> tuple[str, ...]:

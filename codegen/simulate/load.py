@@ -269,13 +269,13 @@ def restored(pickled: bytes) -> Kernels:
 
 def _library(functions: SceneFunctions, compiler: native.Compiler, precisions: tuple[str, ...]
              ) -> native.Library:
-    from coscrew_codegen.scene_layout import banner_of
     from coscrew_codegen.targets import scene_c, scene_calls
+    from coscrew_codegen.targets.scene_text import banner_of
 
     with doing(f"writing {functions.name}"):
-        source = f"{functions.name}_calls.c"
-        files = {**scene_c.files(functions, banner_of(functions.name)),
-                 source: scene_calls.source(functions)}
+        banner = banner_of(functions.name)
+        files = scene_c.files(functions, banner) | scene_calls.files(functions, banner)
+    source = f"{functions.name}_calls.c"
     units = {p.name: (source, *(f"-D{functions.name.upper()}_NO_{other.name.upper()}"
                                 for other in PRECISIONS if other != p))
              for p in named(functions.precisions) if p.name in precisions}
@@ -285,8 +285,8 @@ def _library(functions: SceneFunctions, compiler: native.Compiler, precisions: t
 def _modules(functions: SceneFunctions) -> dict[str, ModuleType]:
     """The generated package's modules, imported from a folder where it stays."""
     from coscrew_codegen import emit
-    from coscrew_codegen.scene_layout import banner_of
     from coscrew_codegen.targets import scene_python
+    from coscrew_codegen.targets.scene_text import banner_of
 
     files = scene_python.files(functions, banner_of(functions.name))
     key = sha256("\0".join(x for pair in sorted(files.items()) for x in pair).encode()).hexdigest()

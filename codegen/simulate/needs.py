@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from coscrew_codegen.integrators import DEFAULT, NAMES, named
-from coscrew_codegen.scene.asked import CONTACTS, FREE, reactions, together
+from coscrew_codegen.scene.asked import CONTACTS, FREE, MANY, reactions, speeds, together
 from coscrew_codegen.scene.recorded import Recorded, expected, recorded
 from coscrew_codegen.scene.scene import Scene
 
@@ -33,7 +33,8 @@ def _of_motion(scene: Scene, integrator: str | None) -> Iterable[str]:
     own = named(name if name in NAMES else DEFAULT)
     if not own.emitted:
         return "energy", "forward_dynamics"
-    return ("energy", "power", "mass_matrix", own.step_name, named(DEFAULT).step_name, *CONTACTS,
+    mass = () if speeds(scene) > MANY else ("mass_matrix",)
+    return ("energy", "power", *mass, own.step_name, named(DEFAULT).step_name, *CONTACTS,
             *FREE)
 
 

@@ -5,6 +5,7 @@ from coscrew_codegen.scene.content import content_hash
 from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.recording import Provenance
 from coscrew_codegen.simulate.system import System
+from coscrew_codegen.tiers import PLAIN
 
 
 def provenance(system: System, plan: Plan, trajectory: Trajectory, compiled: str) -> Provenance:
@@ -13,7 +14,7 @@ def provenance(system: System, plan: Plan, trajectory: Trajectory, compiled: str
     parameters = ", ".join(f"{name} = {value:g}" for (name, _), value in
                            zip(system.functions.parameters, system.p))
     told = (("scene", system.scene.name), ("scene sha256", content_hash(system.scene)),
-            ("precision", system.precision.name), ("tier", "plain"),
+            ("precision", system.precision.name), ("tier", PLAIN.name),
             ("integrator", f"{plan.integrator}, {how}"), ("compiler", compiled),
             ("parameters", parameters), ("coscrew", coscrew_version()),
             ("stopped", trajectory.stopped))

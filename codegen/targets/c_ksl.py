@@ -10,10 +10,12 @@ from functools import partial
 import mpmath
 
 from coscrew_codegen.formats import Precision
+from coscrew_codegen.library import Library
 from coscrew_codegen.program import Constant
 from coscrew_codegen.render import render
 from coscrew_codegen.targets.c_statements import product
 from coscrew_codegen.targets.c_storage import INTEGER, allocation, integers
+from coscrew_codegen.targets.target import Files, Target
 
 SEQUENCES = tuple((name, tuple("XYZ".index(axis) for axis in name)) for name in (
     "XYZ", "YZX", "ZXY", "XZY", "YXZ", "ZYX", "XYX", "XZX", "YXY", "YZY", "ZXZ", "ZYZ"))
@@ -74,3 +76,13 @@ def _holes(precision: Precision) -> dict[str, object]:
             "eighth": literal(pi / 4), "half": literal(pi), "whole": literal(2 * pi),
             "turns": (("Degrees", literal(360), "360"), ("Radians", literal(2 * pi), "2 π")),
             "noise": literal(NOISE * precision.u), "times": partial(product, precision)}
+
+
+def refusals(library: Library) -> Files:
+    """The headers that refuse to be included."""
+    return {f"c/include/ksl/{name}.h": render("c/refused.h", banner=library.banner, what=what,
+                                              sentence=sentence)
+            for name, (what, sentence) in REFUSED.items() if "vec3" in library.families}
+
+
+TARGET = Target("KSL's other headers", ("c",), library=refusals)

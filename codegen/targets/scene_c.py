@@ -19,12 +19,13 @@ from coscrew_codegen.targets.c_function import Body, CFunction, Stored, document
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
 from coscrew_codegen.targets.scene_c_steps import step_body
 from coscrew_codegen.targets.scene_text import c_name, size
+from coscrew_codegen.targets.target import Files, Target
 
 _IN_WORDS = {("double",): "double precision alone, as the scene says",
              ("double", "single"): "double and (names that end in f) single precision"}
 
 
-def files(scene: SceneFunctions, banner: str) -> dict[str, str]:
+def files(scene: SceneFunctions, banner: str) -> Files:
     """arm.h and arm.c.  Raises ValueError for a name that they cannot bear."""
     scene_text.check_names(scene)
     sections = [{"precision": p, "functions": _functions(scene, p)}
@@ -36,12 +37,14 @@ def files(scene: SceneFunctions, banner: str) -> dict[str, str]:
         macros.append(("NP", str(len(scene.parameters))))
     macros += _places(scene)
     macros += [entry for p in named(scene.precisions) for entry in _defaults(scene, p)]
+    names = scene_text.legend(scene, [x.body for part in sections for x in part["functions"]])
     shared = {"banner": banner, "name": scene.name, "upper": scene.name.upper(),
               "sections": sections}
     return {
         f"{scene.name}.h": render("scene/scene.h", about=comment_of(_about(scene)), macros=macros,
                                   **shared),
-        f"{scene.name}.c": render("scene/scene.c", products=named(scene.precisions), **shared)}
+        f"{scene.name}.c": render("scene/scene.c", names=[comment_of(names)] if names else [],
+                                  products=named(scene.precisions), **shared)}
 
 
 def _about(scene: SceneFunctions) -> list[str]:
@@ -136,3 +139,6 @@ def _step(scene: SceneFunctions, step: Step, precision: Precision) -> CFunction:
     return CFunction(step.name, comment_of([f"{step.words}.  In place."]),
                  _head(scene, step.name, precision, [declared[x] for x in inputs]),
                  step_body(scene, step, precision, partial(c_name, scene, precision=precision)))
+
+
+TARGET = Target("scene in C", ("c",), scene=files)

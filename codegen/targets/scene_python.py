@@ -17,10 +17,11 @@ from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.nesting import Nesting
 from coscrew_codegen.targets.numpy import NUMPY_NAMES, language
 from coscrew_codegen.targets.scene_python_steps import python_name, step_lines
+from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.version import VERSION
 
 
-def files(scene: SceneFunctions, banner: str) -> dict[str, str]:
+def files(scene: SceneFunctions, banner: str) -> Files:
     """The package arm/.  Raises ValueError for a name that it cannot bear."""
     scene_text.check_names(scene)
     about = [row for line in scene_text.order_in_words(scene)
@@ -56,11 +57,15 @@ def _module(scene: SceneFunctions, banner: str, precision: Precision) -> str:
     helpers = ["components", "assembled", "delivered",
                *(["arrays", "spread"] if scene.steps else []),
                *(["rounds", "merged"] if split else [])]
+    made = [*(_function(f, precision) for f in functions),
+            *(_step(scene, step, precision) for step in scene.steps)]
+    legend = scene_text.legend(scene, [x["body"] for x in made])
     return render("scene/precision.py", banner=banner, name=scene.name, precision=precision,
+                  names=[row for words in legend
+                         for row in wrap(words, WIDTH, subsequent_indent="    ")],
                   imports=listed("from numpy import (", sorted(names), ")"),
                   helpers=", ".join(helpers),
-                  functions=[*(_function(f, precision) for f in functions),
-                             *(_step(scene, step, precision) for step in scene.steps)])
+                  functions=made)
 
 
 def _quoted(text: str) -> str:
@@ -131,3 +136,6 @@ def _step(scene: SceneFunctions, step: Step, precision: Precision) -> dict[str, 
     lines = [_unpacking("arrays", [(x, str(shapes[x])) for x in inputs], precision),
              "q, v = spread(lead, q, v)", *step_lines(scene, step)]
     return _text(step.name, inputs, scene_text.step_words(scene, step), lines)
+
+
+TARGET = Target("scene in Python", ("python",), scene=files)

@@ -5,9 +5,11 @@ Knows functions and words; nothing of how a language writes statements.
 
 import keyword
 import re
+from collections.abc import Sequence
 from fractions import Fraction
 from math import prod
 
+from coscrew_codegen import scene_symbols
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, counts_in_words
 from coscrew_codegen.quantity import Argument
@@ -85,6 +87,12 @@ def words(function: Function) -> tuple[str, ...]:
     return (sentence(function.words), f"Last axes: {given} -> {made}.", cost(function))
 
 
+def banner_of(name: str, command: str = "") -> str:
+    """The first line of a scene's files, as a comment's text; `command` makes them."""
+    made = printable(command or f"coscrew generate {name}.toml")
+    return f"Made by `{made}`; changes are overwritten."
+
+
 def check_names(scene: SceneFunctions) -> None:
     """Raises ValueError for names that are no variables' or are given twice in a function, and for
     a scene's that no file can bear."""
@@ -106,6 +114,13 @@ def _check(function: Function) -> None:
         if step.name in seen:
             raise ValueError(f"{function.name}: the name {step.name!r} is given twice")
         seen.add(step.name)
+
+
+def legend(scene: SceneFunctions, bodies: Sequence[str]) -> tuple[str, ...]:
+    """Paragraphs on what the names of instructions in these bodies of functions mean."""
+    written = {word for body in bodies for word in re.findall(r"\w+", body)}
+    return scene_symbols.legend(sorted(written.intersection(
+        step.name for f in scene.functions for step in f.program.instructions)))
 
 
 def literal(value: float, precision: Precision) -> str:

@@ -1,7 +1,25 @@
-"""Accuracy tiers: one function each, from a kernel's plain program to the tier's.
+"""Accuracy tiers: a file each, from a plain program to the tier's.
 
 plain       fixed order, every operation rounded once             the names without a suffix
 fused       products fused into sums by fma                       C only
 accurate    single: computed in double, rounded once; double: compensated, carried as hi + lo
 certified   plain, and a bound of each component's error that always holds
+
+A tier may also add in another order: `program.sums` gives the terms of a plain program's sums.
 """
+
+from coscrew_codegen.found import found
+from coscrew_codegen.tiers.tier import Tier
+
+TIERS: tuple[Tier, ...] = tuple(sorted(found(__name__, __path__, "TIER", Tier),
+                                       key=lambda tier: tier.order))
+"""All, from the cheapest on."""
+
+PLAIN = next(tier for tier in TIERS if not tier.marked)
+MARKED = tuple(tier for tier in TIERS if tier.marked)
+"""Those behind plain, which mark their names."""
+
+
+def tier_named(name: str) -> Tier:
+    """The tier of this name; a KeyError if there is none."""
+    return {tier.name: tier for tier in TIERS}[name]

@@ -1,4 +1,6 @@
-"""The accurate tier in double precision: the plain program with every intermediate result
+"""The accurate tier.  In single precision: computed in double, rounded once.
+
+In double precision: the plain program with every intermediate result
 carried as hi + lo, rounded to hi + lo at the end.  First-order errors cancel; what
 remains is of order u² S.
 
@@ -14,7 +16,9 @@ that fewer meet the roundings of lo.
 
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 
+from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
 from coscrew_codegen.program import (
     Constant,
     Instruction,
@@ -26,6 +30,8 @@ from coscrew_codegen.program import (
 )
 from coscrew_codegen.program.bounds import bounds_of
 from coscrew_codegen.tiers.compensated import Compensator
+from coscrew_codegen.tiers.negation import negating_terms
+from coscrew_codegen.tiers.tier import Tier, rounds_by
 
 _ZERO, _ONE = (Constant(Fraction(n), Fraction(n)) for n in (0, 1))
 _NONLINEAR = {Op.DIV, Op.SQRT, Op.ATAN2, Op.SCALE}
@@ -46,6 +52,24 @@ def accurate(program: Program) -> Program:
         return quick
     sums = {step.name for step in program.instructions if step.op in (Op.ADD, Op.SUB)}
     return _compensated(program, _Accurate(frozenset(sums)))
+
+
+def widened(program: Program) -> Program:
+    """The plain program computed in the wider precision, with single's constants."""
+    def narrow(x: Operand) -> Operand:
+        if not isinstance(x, Constant):
+            return x
+        value = Fraction(float(SINGLE.rounded(x.single)))
+        return Constant(value, value)
+
+    program = negating_terms(program)  # C fuses exact products into sums
+    steps = tuple(replace(step, operands=tuple(map(narrow, step.operands)))
+                  for step in program.instructions)
+    return replace(program, instructions=steps, wide=True)
+
+
+def _made(program: Program, precision: Precision) -> Program:
+    return accurate(program) if precision == DOUBLE else widened(program)
 
 
 def _compensated(program: Program, compensator: "_Accurate") -> Program:
@@ -201,3 +225,11 @@ class _Accurate(Compensator):
         if choice not in self.steps:
             self.steps += [at, choice]
         return Ref(choice.name)
+
+
+TIER = Tier(
+    "accurate", 2, "Accurate tier: double compensated, single computed in double.",
+    ("#c2570c", "#f5a04d"), _made, has=partial(rounds_by, COMPENSATED), header="ksl_exact",
+    in_words="""\
+The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed in
+float64 and rounded once.  The same bits as the C kernels, with fma or without.""")

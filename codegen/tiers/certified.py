@@ -32,6 +32,7 @@ from coscrew_codegen.formats import Format
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.quantity import Argument
+from coscrew_codegen.tiers.tier import Tier
 
 _ZERO = Constant(Fraction(0), Fraction(0))
 
@@ -151,3 +152,13 @@ class _Certifier:
 
 def _constant(value: Fraction) -> Constant:
     return Constant(value, value)
+
+
+TIER = Tier(
+    "certified", 3, "Certified tier: plain results, and bounds of their errors that hold.",
+    ("#00805d", "#3ccf9f"), certified,
+    operation=certified_operation, in_words="""\
+The certified tier: every operation returns the plain result, bit for bit, and a bound of each
+component's error, whatever the numbers are, under- and overflow included: (result, bound).  \
+Where the
+bound is infinite or NaN, something overflowed, and it says nothing.""")

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from coscrew_codegen.program import Instruction, Op, Program, Ref
 from coscrew_codegen.tiers.negation import negating_terms
+from coscrew_codegen.tiers.tier import Tier
 
 
 def fused(program: Program) -> Program:
@@ -38,3 +39,7 @@ def _fused(step: Instruction, products: dict[str, Instruction]) -> Instruction:
         op = Op.FMA if step.op is Op.ADD else Op.FMS
         return replace(step, op=op, operands=(*products[left.name].operands, right))
     return step
+
+
+TIER = Tier("fused", 1, "Fused tier: products fused into sums.", ("#0072b2", "#56b4e9"),
+            make=lambda program, precision: fused(program))

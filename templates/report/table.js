@@ -3,7 +3,6 @@
 
 const $ = id => document.getElementById(id);
 const report = JSON.parse($("report-data").textContent);
-const TIERS = ["plain", "fused", "accurate", "certified"];
 const PRECISIONS = ["double", "single"];
 
 // What JSON has no number for stands in strings: "Infinity", "NaN"; nothing measured is null.
@@ -51,7 +50,7 @@ const COLUMNS = [
   { id: "precision", title: "precision", group: "variant", className: "text",
     value: e => e.precision, text: v => v },
   { id: "tier", title: "tier", group: "variant", className: "text",
-    value: e => TIERS.indexOf(e.tier), text: (v, e) => e.tier },
+    value: e => report.tiers.indexOf(e.tier), text: (v, e) => e.tier },
   { id: "hard-worst", title: "worst", group: "error, hard inputs", ...error("hard", "worst") },
   { id: "hard-p999", title: "99.9 %", group: "error, hard inputs", ...error("hard", "p999") },
   { id: "hard-median", title: "median", group: "error, hard inputs", ...error("hard", "median") },

@@ -26,11 +26,11 @@ from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.program.interpreter import evaluate
 from coscrew_codegen.report.variants import flops
 from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.scene_layout import banner_of
 from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.system import system
 from coscrew_codegen.targets import scene_c
+from coscrew_codegen.targets.scene_text import banner_of
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.asking import STEPPED
 

@@ -14,6 +14,7 @@ import pytest
 from PIL import Image, ImageChops
 
 from coscrew_codegen.__main__ import main
+from coscrew_codegen.extras import COMMANDS
 
 ROOT = Path(__file__).parents[2]
 README = ROOT / "README.md"
@@ -110,6 +111,12 @@ def test_targets_of_make_exist():
     assert {"", "test", "docs", "report", "bench", "attack"} <= named
     for target in named:
         assert re.search(rf"^{target or 'all'}:", makefile, re.MULTILINE), target
+
+
+def test_every_command_is_told_of():
+    for command in COMMANDS:
+        assert f"`coscrew {command}" in "".join(TEXTS.values()), \
+            f"say in docs/scenes.md or another guide what `coscrew {command}` does"
 
 
 def test_modules_named_exist():

@@ -11,8 +11,8 @@ import pyarrow.parquet
 import pytest
 
 from coscrew_codegen import load_scene
-from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.scene.content import content_hash
+from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import SimulateError, write
 from coscrew_codegen.simulate.outcome import Asked, simulated
 from coscrew_codegen.simulate.plot import plot

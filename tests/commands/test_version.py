@@ -10,9 +10,9 @@ import pytest
 
 import coscrew
 import coscrew_codegen
+from coscrew_codegen.layout import scene_files
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene_files.toml_scene import read_scene
-from coscrew_codegen.scene_layout import scene_files
 from tests.support.scenes import scene_texts as texts
 
 ROOT = Path(__file__).parents[2]
@@ -64,7 +64,7 @@ def scene(tmp_path_factory):
     folder = tmp_path_factory.mktemp("scene")
     (folder / "arm6.toml").write_text(texts.SPRING)
     scene = read_scene(folder / "arm6.toml")
-    for path, text in scene_files(scene, derive(scene)).items():
+    for path, text in scene_files(derive(scene)).items():
         (folder / path).parent.mkdir(exist_ok=True)
         (folder / path).write_text(text, encoding="utf-8")
     return folder

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from coscrew_codegen.tiers import TIERS
 from tests.support.compiled.bits_program import Kernel, kernels, text, wanted
 from tests.support.compiled.c_harness import INCLUDE, in_parallel, run
 from tests.support.scenes import scene_bits
@@ -23,7 +24,7 @@ PACKAGES = (
     "qemu-user gcc-arm-none-eabi libnewlib-arm-none-eabi")
 CORTEX_M4F = ("arm-none-eabi-gcc", "-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard",
               "-mfpu=fpv4-sp-d16", "-O2", "-DKSL_NO_ALLOC")
-TIERS = ("", "fused", "accurate", "certified")
+MARKS = tuple(tier.mark for tier in TIERS)
 
 # What computes in double: software's arithmetic, comparisons, conversions; <math.h> without f.
 DOUBLE = re.compile(r"__aeabi_(d\w+|f2d|[u]?i2d|[u]?l2d)|fma|sqrt|fabs|sin|cos|atan2|pow|exp|tanh")
@@ -39,12 +40,12 @@ def needed(*commands: str) -> None:
 def built(folder: Path, command: tuple[str, ...]) -> list[Path]:
     """A program a tier, with every function in both precisions."""
     commands = []
-    for tier in TIERS:
+    for tier in MARKS:
         source = folder / f"bits_{tier}.c"
         source.write_text(text(kernels(tier), planes=False))
         commands.append((*command, "-I", INCLUDE, source, "-o", source.with_suffix(""), "-lm"))
     in_parallel(commands)
-    return [folder / f"bits_{tier}" for tier in TIERS]
+    return [folder / f"bits_{tier}" for tier in MARKS]
 
 
 @pytest.fixture(scope="module")
@@ -55,7 +56,7 @@ def right(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
     folder = tmp_path_factory.mktemp("fused")
     (folder / "fused.c").write_text(text(fused, planes=False))
     run(("gcc", "-O1", "-I", INCLUDE, folder / "fused.c", "-o", folder / "fused", "-lm"))
-    return [line for tier in TIERS for line in (
+    return [line for tier in MARKS for line in (
         run([folder / "fused"]).splitlines() if tier == "fused"
         else wanted(kernels(tier), planes=False))]
 

@@ -10,8 +10,9 @@ from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS
 from coscrew_codegen.program import Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.targets.c_statements import Statements
+from coscrew_codegen.tiers import MARKED, tier_named
 from coscrew_codegen.tiers.negation import negating_terms
-from coscrew_codegen.tiers.table import ACCURATE, CERTIFIED, FUSED, Tier
+from coscrew_codegen.tiers.tier import Tier
 from tests.support.scenes.evaluation import evaluator, rational
 from tests.support.truth.attack import plain_program
 
@@ -42,17 +43,17 @@ def negated_fused_sums(program: Program) -> list[str]:
 
 
 @pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
-@pytest.mark.parametrize("tier", (FUSED, ACCURATE, CERTIFIED), ids=lambda tier: tier.name)
+@pytest.mark.parametrize("tier", MARKED, ids=lambda tier: tier.name)
 def test_no_fused_sum_is_negated(tier: Tier, precision: Precision):
     plain = [p for p in map(plain_program, OPERATIONS) if tier.has(p)]
     assert len(plain) > 100
-    found = {p.name: negated_fused_sums(tier.program(p, precision.name)) for p in plain}
+    found = {p.name: negated_fused_sums(tier.program(p, precision)) for p in plain}
     assert {name: sums for name, sums in found.items() if sums} == {}
 
 
 def test_negating_terms_changes_no_value_and_adds_no_rounding():
     chooser, changed = random.Random(5), 0
-    for plain in filter(FUSED.has, map(plain_program, OPERATIONS)):
+    for plain in filter(tier_named("fused").has, map(plain_program, OPERATIONS)):
         inputs = [[Fraction(chooser.randint(-99, 99), 7) for _ in range(a.quantity.size)]
                   for a in plain.inputs]
         program = negating_terms(plain)

@@ -7,7 +7,7 @@ import pytest
 
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.targets.c_ksl import MARK
-from coscrew_codegen.tiers.table import TIERS
+from coscrew_codegen.tiers import TIERS
 from tests.support.compiled import c_calls
 from tests.support.compiled.c_harness import C11, COMPILERS, EXACT, INCLUDE, run
 from tests.support.compiled.flags import SANITIZERS, has_sanitizers
@@ -15,7 +15,7 @@ from tests.support.compiled.flags import SANITIZERS, has_sanitizers
 DEFINED = re.compile(r"^static inline [^(]*?\*?(ksl_\w+)\(", re.MULTILINE)
 
 
-TIER_NAMES = ("", *(tier.name for tier in TIERS))
+TIER_NAMES = tuple(tier.mark for tier in TIERS)
 
 # Optimised without sanitizers as well: there a compiler acts on what it assumes of aliases.
 BUILDS = (*((name, SANITIZERS) for name in COMPILERS if has_sanitizers(name)),

@@ -30,10 +30,10 @@ EXEMPT = {
         "python/_kernel.py", "scene/arrays", "scene/arrays.py", "scene/out", "scene/buffers",
         "scene/calls.c")},
     "native/driver.c.jinja": MEASURES, "report/drift.c.jinja": MEASURES}
-"""Templates that compute, and why they may.  Pages' JavaScript is no kernel: it is left out."""
+"""Templates that compute, and why they may.  Pages are no kernels: they are left out."""
 
 TEMPLATES = sorted(p.relative_to(ROOT).as_posix() for p in ROOT.rglob("*.jinja")
-                   if ".html" not in p.name and ".md" not in p.name)
+                   if not {".html", ".css", ".md"} & set(p.suffixes))
 
 def language_of(name: str) -> str:
     """C or Python, by what the template's name says of the file it is for."""
@@ -61,6 +61,13 @@ def test_holes_compute_nothing(name: str):
     arithmetic = (nodes.Add, nodes.Sub, nodes.Mul, nodes.Div, nodes.FloorDiv, nodes.Mod, nodes.Pow)
     found = [x.lineno for kind in arithmetic for x in tree.find_all(kind)]
     assert not found, f"{name}: computed within a hole or a loop, in lines {found}"
+
+
+@pytest.mark.parametrize("name", ("scene/step.c.jinja", "scene/step.py.jinja"))
+def test_templates_of_steps_call_nothing_back(name: str):
+    """They print what the steps' calls are; they ask no generator for them."""
+    tree = jinja2.Environment().parse((ROOT / name).read_text(encoding="utf-8"))
+    assert not list(tree.find_all(nodes.Call))
 
 
 @pytest.mark.parametrize("line", (

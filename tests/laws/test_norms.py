@@ -12,7 +12,7 @@ import coscrew
 import coscrew.accurate
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.tiers.table import ACCURATE
+from coscrew_codegen.tiers import tier_named
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
 from tests.support.truth.attack import plain_program
 
@@ -76,7 +76,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def evaluates(tier: str, folder: Path) -> dict[str, Evaluate]:
     module = {"plain": coscrew, "accurate": coscrew.accurate}[tier]
     suffix, operations = ("", OPERATIONS) if tier == "plain" else (tier, tuple(
-        op for op in OPERATIONS if ACCURATE.has(plain_program(op))))
+        op for op in OPERATIONS if tier_named("accurate").has(plain_program(op))))
     library = harness(folder, COMPILERS[0], ("-O2", EXACT), suffix, operations)
     return {
         "gufunc": lambda op, precision, x: getattr(module, op.name)(x),

@@ -3,6 +3,8 @@
 import re
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -11,10 +13,13 @@ import pytest
 import coscrew_codegen
 from coscrew_codegen.integrators import EMITTED, INTEGRATORS
 from coscrew_codegen.mechanics import derive, functions, steps
+from coscrew_codegen.recording.recorder import Recorder
 from coscrew_codegen.scene.asked import (
     CONTACTS,
     DYNAMICS,
     FREE,
+    MANY,
+    MOST,
     AskedError,
     asked_for,
     names,
@@ -24,7 +29,7 @@ from coscrew_codegen.scene.scene import Run, Scene
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import load, needs, plan, record, run, system
-from coscrew_codegen.targets import scene_c
+from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.targets import scene_c
 from tests.support.compiled.c_harness import COMPILERS, EXACT, STRICT
 from tests.support.compiled.c_harness import run as compiled
@@ -195,3 +200,53 @@ def test_runs_have_all_that_they_call_and_tell_what_they_lack(file: Path):
 def test_steps_need_what_the_derivation_has():
     known: dict[str, Callable] = functions._Derivation(arm())._makers()
     assert {name for x in EMITTED for name in steps.needs(x)} <= known.keys()
+
+
+def chain(joints: int) -> Scene:
+    """Joints about x, y and z in turn, of equal bodies."""
+    links = [(m.Kind.REVOLUTE, (m.X, m.Y, m.Z)[n % 3], m.at(0, 0, 1),
+              m.inertia(1, (0, 0, "1/2"), (1, 1, 1, 0, 0, 0))) for n in range(joints)]
+    return replace(m.scene(m.chain(*links), m.gravity()), functions=())
+
+
+def test_deriving_takes_in_proportion_to_the_number_of_joints(monkeypatch: pytest.MonkeyPatch):
+    """Operations that are looked at, of all default functions but the mass matrix.  Three joints
+    more are the same number more, wherever they are in the chain."""
+    issued = [0]
+    issue = Recorder.issue
+
+    def counted(self, *words):
+        issued[0] += 1
+        return issue(self, *words)
+
+    monkeypatch.setattr(Recorder, "issue", counted)
+    counts = []
+    for joints in (9, 12, 15, 18):
+        issued[0] = 0
+        derive(chain(joints), [name for name in asked_for(chain(3)) if name != "mass_matrix"])
+        counts.append(issued[0])
+    more = [b - a for a, b in pairwise(counts)]
+    assert more[0] == more[1] == more[2] > 0, counts
+
+
+def test_many_joints_have_no_mass_matrix_unless_asked_and_no_end_of_them_is_refused():
+    assert "mass_matrix" in asked_for(chain(MANY))
+    many = chain(MANY + 1)
+    assert {*asked_for(chain(MANY))} - {*asked_for(many)} == {"mass_matrix"}
+    assert "mass_matrix" not in needs.of_run(many, None)
+    assert "mass_matrix" in asked_for(replace(many, functions=("default", "mass_matrix")))
+    with pytest.raises(AskedError, match=f"chain: {MOST + 1} joints move; wanted at most {MOST}"):
+        derive(chain(MOST + 1))
+
+
+def test_alarms_do_without_a_mass_matrix(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """It weighs joints, to name the one that a step is too large for."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(needs, "MANY", 0)
+    scene = m.scene(m.slider(1), m.applied("spring", "j0", k=10**6))
+    its = system.system(load.kernels_for(scene, needs.of_run(scene, "semi-implicit-euler")), "double")
+    assert not its.has("mass_matrix")
+    start = replace(its, scene=replace(scene, start_q={"j0": (1.0,)}))
+    planned = plan.plan(start, integrator="semi-implicit-euler", step=1.9e-3, until=1.0)
+    found = run.integrate(start, planned, alarm=partial(Alarm, of_steps_alone=True))
+    assert "at joint j0 one of 0.00167 s differs" in found.stopped

@@ -9,11 +9,11 @@ import pytest
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.formats import DOUBLE, SINGLE
+from coscrew_codegen.layout import scene_files
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.mechanics.ranges import RangeError
 from coscrew_codegen.program import Constant
 from coscrew_codegen.scene_files.toml_scene import Said, read_scene
-from coscrew_codegen.scene_layout import scene_files
 
 SCENE = """
 {precision}
@@ -102,7 +102,7 @@ def test_what_single_precision_cannot_hold_is_named(path, old, new, words):
 @pytest.mark.parametrize("old, new, words", CASES)
 def test_double_precision_alone_is_not_refused_for_single(path, old, new, words):
     functions = derive(read_scene(path(old, new, DOUBLE_SAID)))
-    files = scene_files(read_scene(path(old, new, DOUBLE_SAID)), functions)
+    files = scene_files(functions)
     assert set(files) == {"arm.h", "arm.c", "arm/__init__.py", "arm/_arrays.py", "arm/double.py"}
     assert "3.4028235e+38" not in files["arm.c"] and " float " not in files["arm.c"]
     assert derive(read_scene(path(old, new), said=Said("double"))) == functions

@@ -9,8 +9,7 @@ import pytest
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.scene_functions import Signature
 from coscrew_codegen.targets import scene_calls
-from coscrew_codegen.targets.scene_text import c_name
-from coscrew_codegen.targets.scene_text import count
+from coscrew_codegen.targets.scene_text import c_name, count
 from tests.support.compiled.c_harness import C11, COMPILERS, DIALECTS, EXACT, STRICT, run
 from tests.support.compiled.flags import SANITIZERS, has_sanitizers
 from tests.support.scenes.generated_scenes import CASES, files, written

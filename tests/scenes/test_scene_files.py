@@ -1,7 +1,10 @@
 """Scene files: every number arrives exactly, and everything else is one clear error."""
 
 import math
+import subprocess
+import sys
 from fractions import Fraction as F
+from pathlib import Path
 
 import pytest
 
@@ -354,3 +357,19 @@ def test_other_texts_are_no_quantities(read, text, words):
     with pytest.raises(QuantityError) as caught:
         recorded(text, scene)
     assert words in str(caught.value)
+
+
+def test_readers_of_files_know_no_dynamics():
+    """What reads a scene file: readers, what a scene is, the lists of effects and integrators, and
+    what these are written with; no derivation, no target, no SymPy."""
+    program = ("import sys; from pathlib import Path; "
+               "from coscrew_codegen.scene_files.toml_scene import read_scene; "
+               "read_scene(Path('examples/scenes/quadruped.toml')); print(*sys.modules)")
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True,
+                          check=True, cwd=Path(__file__).parents[2])
+    loaded = set(done.stdout.split())
+    ours = {x.split(".")[1] for x in loaded if x.startswith("coscrew_codegen.")}
+    assert ours <= {"scene_files", "scene", "effects", "integrators", "integrator", "identifiers",
+                    "errors", "found", "parameter", "program", "quantity", "recording",
+                    "scene_functions"}
+    assert not loaded & {"coscrew_codegen.recording.recorder", "sympy", "numpy"}

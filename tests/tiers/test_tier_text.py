@@ -23,7 +23,7 @@ from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import scales
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.targets.c import c_name, member, returned
-from coscrew_codegen.tiers.table import TIERS
+from coscrew_codegen.tiers import MARKED, tier_named
 from tests.support.compiled.c_reader import INCLUDE
 from tests.support.truth.attack import TIERED, bounds, plain_program
 
@@ -40,8 +40,8 @@ EXACTLY = {
 COMPENSATED = re.compile(r"_error\([^()]*, (\w+)\)|_rest\([^()]*, (\w+), \w+\)|(\w+)_right =")
 NORMALIZED = re.compile(r"(\w+_of_\w+)_right =")  # sums hi + lo that take their place
 ERROR = re.compile(r"\w+_(error|rest|lo\d?) = ")
-TEXT = {tier: "".join(path.read_text() for path in INCLUDE.glob(f"*_{tier}.h"))
-        for tier in ("fused", "accurate", "certified")}
+TEXT = {tier.name: "".join(path.read_text() for path in INCLUDE.glob(f"*_{tier.name}.h"))
+        for tier in MARKED}
 
 MOST_SIGNS = 30  # flipped in a text
 
@@ -85,7 +85,7 @@ def identifier(text: str) -> str:
 
 def made(operation: Operation, tier: str) -> Operation:
     """The operation as the tier has it: a certified one has bounds among its outputs."""
-    return next(t for t in TIERS if t.name == tier).operation(operation)
+    return tier_named(tier).operation(operation)
 
 
 def evaluated(text: str, operation: Operation, inputs: Sequence[object],

@@ -18,7 +18,7 @@ from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.targets.c import c_name, c_type, member
-from coscrew_codegen.tiers.table import TIERS
+from coscrew_codegen.tiers import TIERS
 from tests.support.compiled import stand_ins
 from tests.support.compiled.c_harness import call_of, distinct, is_array
 from tests.support.truth.attack import plain_program
@@ -99,12 +99,12 @@ class Kernel:
 
 def kernels(tier: str, names: Sequence[str] = ()) -> tuple[Kernel, ...]:
     """The kernels of a tier, of these names or of all."""
-    made = next((t for t in TIERS if t.name == tier), None)
+    made = next(t for t in TIERS if t.mark == tier)
     assert set(names) <= {op.name for op in OPERATIONS}, names
     chosen = [op for op in OPERATIONS if not names or op.name in names]
-    return tuple(Kernel(made.operation(op) if made else op, precision, tier)
+    return tuple(Kernel(made.operation(op), precision, tier)
                  for precision in PRECISIONS for op in chosen
-                 if not made or made.has(plain_program(op)))
+                 if made.has(plain_program(op)))
 
 
 def text(chosen: Sequence[Kernel], planes: bool = True) -> str:

@@ -14,7 +14,7 @@ from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.quantity import INERTIA, MAT3X3, MAT4X4, MAT6X6, SE3, Argument, Quantity
 from coscrew_codegen.targets.c import c_type, parameters
 from coscrew_codegen.targets.c_storage import TYPES
-from coscrew_codegen.tiers.table import TIERS
+from coscrew_codegen.tiers import TIERS
 from tests.support.compiled.c_harness import call_of, distinct, is_array
 from tests.support.truth.attack import plain_program
 
@@ -27,11 +27,7 @@ PLACES = {
     "coscrew": {"vec3": ("lin", "ang"), "angular_first": ("at",)},
 }
 
-_HEAD = """\
-#include <ksl/ksl.h>
-#include <ksl/ksl_accurate.h>
-#include <ksl/ksl_certified.h>
-#include <ksl/ksl_fused.h>
+_HEAD = "".join(f"#include <ksl/{tier.umbrella}.h>\n" for tier in TIERS) + """\
 #include <limits.h>
 #include <stdio.h>
 
@@ -104,9 +100,8 @@ _UNITY = {"mat3x3": (0, 4, 8), "mat4x4": (0, 5, 10, 15), "SE3": (0, 4, 8), "quat
 
 def program(precision: Precision, tier: str = "") -> str:
     """The program for one precision: plain kernels and storage, or the kernels of a tier."""
-    made = [t for t in TIERS if t.name == tier]
-    operations = [made[0].operation(op) for op in OPERATIONS
-                  if made[0].has(plain_program(op))] if made else OPERATIONS
+    made = next(t for t in TIERS if t.mark == tier)
+    operations = [made.operation(op) for op in OPERATIONS if made.has(plain_program(op))]
     tests = [(op.name, lines) for op in operations
              for lines in (_alone(op, precision, tier), *_aliased(op, precision, tier))]
     tests += [] if tier else _storage(precision)

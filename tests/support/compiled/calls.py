@@ -7,25 +7,25 @@ import numpy as np
 import coscrew
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.tiers.table import TIERS
+from coscrew_codegen.tiers import TIERS, tier_named
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
 from tests.support.truth.attack import Arrays, Implementation, plain_program
 
 # gcc's vectoriser contracts products of alternating signs, whatever -ffp-contract says.
 FLAGS = ("-O2", "-march=native", "-fno-tree-vectorize", EXACT)
-TIER_NAMES = ("plain", *(tier.name for tier in TIERS))
+TIER_NAMES = tuple(tier.name for tier in TIERS)
 
 
 def tiers_of(operation: Operation) -> tuple[str, ...]:
     """The tiers the operation has."""
-    return ("plain", *(tier.name for tier in TIERS if tier.has(plain_program(operation))))
+    return tuple(tier.name for tier in TIERS if tier.has(plain_program(operation)))
 
 
 def of_tier(folder: Path, tier: str, operations: tuple[Operation, ...]) -> Implementation:
     """The tier's kernels of these operations; C is compiled in the folder."""
     if tier == "plain":
         return _gufunc
-    made = next(t for t in TIERS if t.name == tier)
+    made = tier_named(tier)
     having = tuple(made.operation(op) for op in operations if tier in tiers_of(op))
     library = harness(folder, COMPILERS[0], FLAGS, tier, having)
     return lambda operation, precision, inputs: call(library, made.operation(operation), precision,

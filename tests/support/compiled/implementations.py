@@ -10,7 +10,7 @@ import coscrew.accurate
 import coscrew.certified
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.tiers.table import TIERS
+from coscrew_codegen.tiers import tier_named
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
 from tests.support.truth.attack import TIERED, Arrays, Implementation
 
@@ -40,7 +40,7 @@ def gufuncs(package: ModuleType) -> Implementation:
 
 def compiled(folder: Path, tier: str, compiler: str, flags: tuple[str, ...]) -> Implementation:
     """The C kernels of a tier behind plain."""
-    made = next(t for t in TIERS if t.name == tier)
+    made = tier_named(tier)
     operations = tuple(map(made.operation, TIERED))
     library = harness(folder, compiler, (*flags, EXACT), tier, operations)
     return lambda operation, precision, inputs: call(library, made.operation(operation), precision,

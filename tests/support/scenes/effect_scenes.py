@@ -11,10 +11,10 @@ from dataclasses import replace
 from fractions import Fraction
 from hashlib import sha256
 
+from coscrew_codegen.layout import scene_files
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene.model import HERE, Kind, Model
 from coscrew_codegen.scene.scene import Applied, Scene
-from coscrew_codegen.scene_layout import scene_files
 from tests.support.scenes.mechanisms import (
     Formula,
     X,
@@ -88,7 +88,7 @@ def all_but(name: str) -> Scene:
 def hashes(made: Scene) -> dict[str, str]:
     """Of the text of each file of a scene."""
     return {path: sha256(text.encode()).hexdigest()
-            for path, text in scene_files(made, derive(made)).items()}
+            for path, text in scene_files(derive(made)).items()}
 
 
 if __name__ == "__main__":

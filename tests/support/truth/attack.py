@@ -23,7 +23,8 @@ from coscrew_codegen.program import Program
 from coscrew_codegen.program.bounds import Bound, bounds_of
 from coscrew_codegen.programs import program_of
 from coscrew_codegen.report.inputs import cancel
-from coscrew_codegen.tiers.table import TIERS, has_tiers
+from coscrew_codegen.tiers import tier_named
+from coscrew_codegen.tiers.tier import is_polynomial
 from tests.support.sampling import inputs_of
 
 Arrays = tuple[np.ndarray, ...]
@@ -36,16 +37,13 @@ def plain_program(operation: Operation) -> Program:
     return program_of(operation)
 
 
-TIERED = tuple(op for op in OPERATIONS if has_tiers(plain_program(op)))
+TIERED = tuple(op for op in OPERATIONS if is_polynomial(plain_program(op)))
 
 
 @functools.cache
 def bounds(operation: Operation, precision: Precision, tier: str) -> tuple[Bound, ...]:
     """The emitted bounds of the operation's results."""
-    program = plain_program(operation)
-    if tier != "plain":
-        program = next(t for t in TIERS if t.name == tier).program(program, precision.name)
-    return bounds_of(program)
+    return bounds_of(tier_named(tier).program(plain_program(operation), precision))
 
 
 def rows(operation: Operation, precision: Precision, count: int, seed: int) -> Arrays:

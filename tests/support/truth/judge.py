@@ -17,7 +17,7 @@ from gmpy2 import mpq
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Program
-from coscrew_codegen.tiers.table import TIERS
+from coscrew_codegen.tiers import tier_named
 from tests.support.domains import angle, defect
 from tests.support.truth import backward
 from tests.support.truth.attack import TIERED, UNIT, bounds, exact_functions, plain_program
@@ -54,8 +54,7 @@ JUDGED = tuple(op for op in OPERATIONS if op in TIERED or op.normwise
 @functools.cache
 def tier_program(operation: Operation, precision: Precision, tier: str) -> Program:
     """What the tier computes."""
-    plain = plain_program(operation)
-    return next((t.program(plain, precision.name) for t in TIERS if t.name == tier), plain)
+    return tier_named(tier).program(plain_program(operation), precision)
 
 
 @functools.cache

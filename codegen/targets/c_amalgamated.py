@@ -1,0 +1,37 @@
+"""All C headers of a tier in one file: c/coscrew.h, c/coscrew_accurate.h."""
+
+from functools import cache
+
+from coscrew_codegen.library import Library
+from coscrew_codegen.render import LICENSE, render
+from coscrew_codegen.targets.c_headers import headers, umbrellas
+from coscrew_codegen.targets.target import Files, Target
+from coscrew_codegen.tiers import PLAIN, TIERS, Tier
+
+_SHARED = ("ksl_rounding", "ksl_types")  # what plain headers hold and every tier needs
+
+
+def files(library: Library) -> Files:
+    """One file a tier."""
+    return {f"c/{file_name(tier)}": text(library, tier) for tier in TIERS}
+
+
+def file_name(tier: Tier) -> str:
+    """coscrew.h, coscrew_accurate.h."""
+    return "_".join(filter(None, ("coscrew", tier.mark))) + ".h"
+
+
+@cache  # extensions are made from it
+def text(library: Library, tier: Tier) -> str:
+    """The headers of a tier, without what they include of each other."""
+    plain = headers(library, PLAIN)
+    made = {name: plain[name] for name in _SHARED} | dict(headers(library, tier))
+    head = 1 + len(LICENSE)
+    sections = ["\n".join(line for line in content.splitlines()[head:]
+                          if not line.startswith('#include "')) + "\n"
+                for name, content in made.items() if name not in umbrellas()]
+    return render("c/coscrew.h", banner=library.banner, sections=sections,
+                  title=f"All headers of {tier.name} kernels")
+
+
+TARGET = Target("amalgamated C headers", ("c",), library=files)

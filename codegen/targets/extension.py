@@ -1,0 +1,112 @@
+"""The extension modules' sources: one a tier that Python has, with loops over its C kernels."""
+
+import hashlib
+from dataclasses import asdict, dataclass
+from functools import cache
+
+from coscrew_codegen.library import Library
+from coscrew_codegen.quantity import QUANTITIES
+from coscrew_codegen.render import render
+from coscrew_codegen.targets import c_amalgamated, gufunc, numpy
+from coscrew_codegen.targets.c_statements import listed
+from coscrew_codegen.targets.target import Files, Target
+from coscrew_codegen.tiers import TIERS, Tier
+
+# NumPy's C names for the precisions: type number, DType.
+_NUMPY_C_NAMES = {"double": ("NPY_DOUBLE", "PyArray_DoubleDType"),
+                  "single": ("NPY_FLOAT", "PyArray_FloatDType")}
+
+
+@dataclass(frozen=True)
+class _Best:
+    """The loops for processors with AVX2: what they are called, what they are compiled for, and how
+    C asks whether this processor has it.
+
+    gcc's vectoriser fuses products and sums in spite of its flag: plain loops must not have FMA.
+    It does so where sums and differences alternate, which compensated loops do not."""
+
+    best: str
+    fma: bool
+    gcc_target: str
+    clang_target: str
+    supported: str
+
+
+_AVX2 = _Best("AVX2", False, "avx2,no-fma,no-avx512f", "avx2", '__builtin_cpu_supports("avx2")')
+_FMA = _Best("AVX2 with FMA", True, "avx2,fma,no-avx512f", "avx2,fma",
+             '__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")')
+
+
+def files(library: Library) -> Files:
+    """gufunc/module.c, gufunc/accurate/module.c and so on."""
+    return {"/".join(filter(None, ("gufunc", tier.mark, file))): text for tier in TIERS
+            if has_extension(library, tier) for file, text in _sources(library, tier).items()}
+
+
+def has_extension(library: Library, tier: Tier) -> bool:
+    """Whether there is one: Python has the tier, both languages are asked for, it is not empty."""
+    return (tier.in_python and bool(library.documented(tier))
+            and set(TARGET.languages) <= set(library.languages))
+
+
+def provenance(library: Library, tier: Tier) -> str:
+    """What names the sources' content, so that Python knows its extension; empty without one."""
+    if not has_extension(library, tier):
+        return ""
+    texts = "\0".join((c_amalgamated.text(library, tier), *_loops(library, tier).values()))
+    return hashlib.sha256(texts.encode()).hexdigest()[:16]
+
+
+def _sources(library: Library, tier: Tier) -> Files:
+    return {**_loops(library, tier), "module.c": _module(library, tier)}
+
+
+@cache  # the Python package asks for their provenance
+def _loops(library: Library, tier: Tier) -> Files:
+    """The sources but for the one that says what they are made of."""
+    kernels, families = library.documented(tier), _families(library, tier)
+    accesses = [gufunc.access(quantity, precision)
+                for quantity in QUANTITIES for precision in library.precisions]
+    best = _best(tier)
+    up = "../../" if tier.mark else "../"
+    sources = {"_gufunc.h": render("gufunc/_gufunc.h", banner=library.banner, accesses=accesses,
+                                   families=families, **asdict(best),
+                                   amalgamation=f"{up}c/{c_amalgamated.file_name(tier)}")}
+    dtypes = [_NUMPY_C_NAMES[precision.name][1] for precision in library.precisions]
+    sources["promoter.c"] = render("gufunc/promoter.c", banner=library.banner, dtypes=dtypes,
+                                   package=tier.package)
+    for family in families:
+        gufuncs = [gufunc.gufunc(op, library.precisions, numpy.docstring_of(op, program), tier.mark)
+                   for op, program in kernels.items() if op.family == family]
+        sources[f"{family}.c"] = render("gufunc/family.c", banner=library.banner,
+                                        family=family, gufuncs=gufuncs)
+        sources[f"{family}_avx2.c"] = render("gufunc/family_avx2.c", banner=library.banner,
+                                             family=family, best=best.best)
+    return sources
+
+
+def _families(library: Library, tier: Tier) -> tuple[str, ...]:
+    return tuple(library.by_family(tier, library.precisions[0]))
+
+
+def _best(tier: Tier) -> _Best:
+    return _FMA if tier.exact else _AVX2
+
+
+def _module(library: Library, tier: Tier) -> str:
+    families, best = _families(library, tier), _best(tier)
+    most = max(len(op.inputs) + len(op.outputs) for op in library.documented(tier))
+    return render("gufunc/module.c", banner=library.banner, families=families,
+                  package=tier.package, supported=best.supported, best=best.best,
+                  most_arguments=most, provenance=provenance(library, tier),
+                  baseline=_table(families, "baseline", "gufuncs"),
+                  avx2=_table(families, "avx2", "gufuncs_avx2"),
+                  types=[_NUMPY_C_NAMES[precision.name][0] for precision in library.precisions])
+
+
+def _table(families: tuple[str, ...], name: str, suffix: str) -> str:
+    entries = [f"coscrew_{family}_{suffix}" for family in families]
+    return listed(f"static const coscrew_gufunc *const {name}[] = {{", entries, "};")
+
+
+TARGET = Target("extension modules", ("c", "python"), library=files)
