@@ -10,9 +10,7 @@ if TYPE_CHECKING:  # imported where it is used: what is cached is rendered no mo
     import jinja2
 
 
-_COMMENTS = {"c": " */\n/* ", "h": " */\n/* ", "py": "\n# ", "pyi": "\n# ",
-             "md": " -->\n<!-- "}
-"""What stands between the lines of a comment, by the ending of a template's name."""
+_BANNER = "{{ banner }}"
 
 LICENSE = ("SPDX-License-Identifier: MIT",
            f"coscrew {VERSION}.  Copyright (c) 2026 The coscrew authors.")
@@ -31,12 +29,20 @@ def _environment() -> "jinja2.Environment":
         lstrip_blocks=False, keep_trailing_newline=True)
 
 
+@cache
+def _between_lines(template: str) -> str:
+    """What stands between two lines of comments, as the template comments its banner's."""
+    text, _, _ = _environment().loader.get_source(_environment(), f"{template}.jinja")
+    line = next(line for line in text.splitlines() if _BANNER in line)
+    before, after = line.split(_BANNER)
+    return f"{after}\n{before}"
+
+
 def render(template: str, **holes: object) -> str:
     """The text of `template` with its holes filled; an unfilled hole is an error.
 
     The hole `banner`, a file's first line, brings the lines of LICENSE with it."""
     if "banner" in holes:
-        between = _COMMENTS[template.rpartition(".")[2]]
-        holes["banner"] = between.join((str(holes["banner"]), *LICENSE))
+        holes["banner"] = _between_lines(template).join((str(holes["banner"]), *LICENSE))
     text = _environment().get_template(f"{template}.jinja").render(**holes)
     return text.rstrip("\n") + "\n"

@@ -8,14 +8,14 @@ from collections.abc import Iterator, Sequence
 from textwrap import wrap
 
 from coscrew_codegen.formats import Precision, named
-from coscrew_codegen.program import NotANumber
+from coscrew_codegen.program import Input, NotANumber
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, SceneFunctions, Split, Step
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_statements import WIDTH, listed
-from coscrew_codegen.targets.numpy import NUMPY_NAMES
-from coscrew_codegen.targets.scene_expressions import Expressions
+from coscrew_codegen.targets.nesting import Nesting
+from coscrew_codegen.targets.numpy import NUMPY_NAMES, language
 from coscrew_codegen.targets.scene_python_steps import python_name, step_lines
 from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.version import VERSION
@@ -57,11 +57,15 @@ def _module(scene: SceneFunctions, banner: str, precision: Precision) -> str:
     helpers = ["components", "assembled", "delivered",
                *(["arrays", "spread"] if scene.steps else []),
                *(["rounds", "merged"] if split else [])]
+    made = [*(_function(f, precision) for f in functions),
+            *(_step(scene, step, precision) for step in scene.steps)]
+    legend = scene_text.legend(scene, [x["body"] for x in made])
     return render("scene/precision.py", banner=banner, name=scene.name, precision=precision,
+                  names=[row for words in legend
+                         for row in wrap(words, WIDTH, subsequent_indent="    ")],
                   imports=listed("from numpy import (", sorted(names), ")"),
                   helpers=", ".join(helpers),
-                  functions=[*(_function(f, precision) for f in functions),
-                             *(_step(scene, step, precision) for step in scene.steps)])
+                  functions=made)
 
 
 def _quoted(text: str) -> str:
@@ -72,6 +76,10 @@ def _quoted(text: str) -> str:
 def _docstring(paragraphs: Sequence[str]) -> str:
     first, *rest = ("\n    ".join(wrap(_quoted(text), WIDTH - 8)) for text in paragraphs)
     return "\n".join((first, "", *(f"    {text}" for text in rest)))
+
+
+_RESULT = 40
+"""Characters of a result that is no line of its own."""
 
 
 def _shape(argument: Argument) -> str:
@@ -88,7 +96,14 @@ def _unpacking(helper: str, arguments: Sequence[tuple[str, str]], precision: Pre
 
 def _function(function: Function, precision: Precision) -> dict[str, str]:
     program, outputs = function.program, scene_text.outputs(function)
-    expressions = Expressions(function, precision)
+
+    def access(operand: Input) -> str:
+        argument = program.inputs[operand.argument]
+        return f"{argument.name}[{operand.index}]" if argument.quantity.shape else argument.name
+
+    headings = {number: scene_text.printable(words) for number, words in function.headings}
+    expressions = Nesting(program, language(precision, precision.literal), access, WIDTH - 4,
+                          headings, result_width=_RESULT)
     lines = [_unpacking("components", [(a.name, _shape(a)) for a in program.inputs], precision),
              *expressions.lines]
     made = list(_assembled(outputs, expressions.results, precision))

@@ -6,12 +6,15 @@ import re
 import shutil
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
 
 from coscrew_codegen.__main__ import main
+from coscrew_codegen.build import extensions, packages
 from coscrew_codegen.operations import FAMILIES
+from coscrew_codegen.tiers import TIERS
 
 ROOT = Path(__file__).parents[2]
 
@@ -166,11 +169,12 @@ def imported_modules(node: ast.AST) -> list[str]:
 def test_imports_run_one_way():
     """version < … < algebra < … < kernel < passes < schedule < tiers < targets < … < emit."""
     order = ["version", "errors", "parameter", "found", "integrator", "integrators", "identifiers",
-             "algebra", "quantity", "operations", "kernel", "passes", "program", "formats",
-             "scene_functions", "schedule", "programs", "recording", "tiers", "library", "render",
-             "native", "targets", "special", "exact", "selection", "layout", "emit",
-             "report", "scene", "mechanics", "effects", "scene_files", "documentation", "console",
-             "simulate", "cost", "generate_command", "command_line", "extras", "__main__"]
+             "algebra", "quantity", "domains", "operations", "kernel", "passes", "program",
+             "formats", "scene_functions", "scene_symbols", "schedule", "programs", "recording",
+             "tiers", "library", "render", "native", "targets", "special", "exact", "selection", "layout",
+             "emit", "report", "scene", "mechanics", "effects", "scene_files", "documentation",
+             "console", "simulate", "cost", "generate_command", "command_line", "extras",
+             "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
 
@@ -220,12 +224,19 @@ def test_no_hand_written_line_is_over_100_characters():
     assert not over, "\n".join(over)
 
 
-def test_pyproject_compiles_every_family():
-    import tomllib
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
-    for extension in project["tool"]["setuptools"]["ext-modules"]:
-        tier = extension["name"].removeprefix("coscrew.").removesuffix("_gufunc").rstrip(".")
-        folder = ROOT / "generated/gufunc" / tier
-        expected = {p.relative_to(ROOT).as_posix() for p in folder.glob("*.c")}
-        assert expected and set(extension["sources"]) == expected
-    assert len(project["tool"]["setuptools"]["ext-modules"]) == 3
+def test_what_is_built_is_what_is_generated():
+    """Every source of an extension, every package, those of a tier too: no list has them."""
+    made = [path for path in committed() if path.endswith(".c")]
+    built = {extension.name: extension for extension in extensions(ROOT)}
+    assert {source for x in built.values() for source in x.sources} == {
+        f"generated/{path}" for path in made}
+    assert set(built) == {f"{tier.package}._gufunc" for tier in TIERS if tier.in_python}
+    assert all((ROOT / path).is_file() for x in built.values() for path in x.depends)
+    python = {path.removesuffix("/__init__.py") for path in committed()
+              if path.startswith("python/") and path.endswith("/__init__.py")}
+    written = {path.parent.relative_to(ROOT) for path in (ROOT / "codegen").rglob("*.py")}
+    names = {".".join(Path(path).parts).replace("python", "coscrew") for path in python} | {
+        ".".join(path.parts).replace("codegen", "coscrew_codegen") for path in written}
+    assert set(packages(ROOT)) == names | {"coscrew", "coscrew.c", "coscrew_codegen.templates"}
+    listed = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["setuptools"]
+    assert listed.keys() == {"include-package-data", "package-data"}

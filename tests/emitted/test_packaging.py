@@ -22,7 +22,8 @@ def without_compiler(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for name in ("codegen", "templates", "generated"):
         shutil.copytree(ROOT / name, folder / name,
                         ignore=shutil.ignore_patterns("*.so", "__pycache__"))
-    for name in ("pyproject.toml", "README.md", "LICENSE", "CHANGELOG.md", "MANIFEST.in"):
+    for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE", "CHANGELOG.md",
+                 "MANIFEST.in"):
         shutil.copy(ROOT / name, folder)
     done = subprocess.run([sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir",
                            str(folder)], cwd=folder, text=True, capture_output=True,

@@ -1,0 +1,78 @@
+"""The sums of a Program with all their terms, for tiers that add in another order.
+
+A Program has kept the terms of its sums: a partial sum that only the next addition uses is no more
+than a place in the order of evaluation.
+"""
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+from coscrew_codegen.program.ops import Op
+from coscrew_codegen.program.program import Instruction, Operand, Program, Ref
+
+_SUMS = (Op.ADD, Op.SUB)
+
+
+@dataclass(frozen=True)
+class Term:
+    """± x, one term of a sum."""
+
+    negative: bool
+    x: Operand
+
+
+Tree = int | tuple["Tree", "Tree"]
+"""How n terms are added: a term's number, or two trees whose values are added."""
+
+
+def rearranged(program: Program, tree: Callable[[Sequence[Term]], Tree]) -> Program:
+    """The program with every sum added as `tree` says, which gets the terms in the order they were
+    added in.  As many additions as before, under their old names; products stay as they are."""
+    uses = Counter(x.name for x in (*program.results, *(
+        x for step in program.instructions for x in step.operands)) if isinstance(x, Ref))
+    sums = {step.name: step for step in program.instructions if step.op in _SUMS}
+    partial = {x.name for step in sums.values() for x in step.operands
+               if isinstance(x, Ref) and x.name in sums and uses[x.name] == 1}
+    steps: list[Instruction] = []
+    for step in program.instructions:
+        if step.name in sums and step.name not in partial:
+            terms, names = _taken_apart(step, sums, partial)
+            steps += _added(step, terms, names, tree(terms))
+        elif step.name not in partial:
+            steps.append(step)
+    return replace(program, instructions=tuple(steps))
+
+
+def _taken_apart(step: Instruction, sums: dict[str, Instruction], partial: set[str]
+                 ) -> tuple[list[Term], list[str]]:
+    """The terms, and the names of all its additions, its own last."""
+    terms: list[Term] = []
+    names: list[str] = []
+    for x, negated in zip(step.operands, (False, step.op is Op.SUB), strict=True):
+        if isinstance(x, Ref) and x.name in partial:
+            inner, inside = _taken_apart(sums[x.name], sums, partial)
+            terms += [Term(term.negative != negated, term.x) for term in inner]
+            names += inside
+        else:
+            terms.append(Term(negated, x))
+    return terms, [*names, step.name]
+
+
+def _added(last: Instruction, terms: Sequence[Term], names: list[str], tree: Tree
+           ) -> list[Instruction]:
+    """The additions, those of the left tree first.  A sum of negative terms stays negative until it
+    meets a positive one, and the first term is always positive."""
+    steps: list[Instruction] = []
+
+    def value(tree: Tree) -> Term:
+        if isinstance(tree, int):
+            return terms[tree]
+        left, right = map(value, tree)
+        op = Op.ADD if left.negative == right.negative else Op.SUB
+        operands = (right.x, left.x) if left.negative and not right.negative else (left.x, right.x)
+        steps.append(replace(last, name=names[len(steps)], op=op, operands=operands))
+        return Term(left.negative and right.negative, Ref(steps[-1].name))
+
+    value(tree)
+    return steps
