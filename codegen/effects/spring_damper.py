@@ -12,7 +12,7 @@ CLOSEST = Fraction(1, 10**12)
 def _forces(first, second, values: Values) -> tuple[Force, Force, Line]:
     """±[k (l - length) + d l'] e, e = x / max(l, CLOSEST) x from the first point to the second."""
     a, b = values["first"], values["second"]
-    x = first.apart(a, second, b)
+    x = first.line_to(a, second, b)
     length = sqrt(dot(x, x))
     k, d = (length.like(0) if values[name] is None else values[name] for name in ("k", "d"))
     e = scaled(1 / maximum(length, CLOSEST), x)

@@ -8,7 +8,7 @@ from coscrew_codegen.mechanics.motion import Motion
 from coscrew_codegen.mechanics.states import BodyOfLink
 from coscrew_codegen.program.folding import constant_pi
 from coscrew_codegen.recording import numbers as n
-from coscrew_codegen.recording.numbers import Number, Vector, add, cross, dot, negative, rotated
+from coscrew_codegen.recording.numbers import Number, Vector, add, displacement, negative
 from coscrew_codegen.recording.recorder import Recorder
 from coscrew_codegen.scene.effect import Effect, Force, JointState, Line, Torque
 from coscrew_codegen.scene.formulas import Formula
@@ -24,18 +24,21 @@ class Pushed:
     force: Force
 
     @property
-    def on_link(self) -> tuple[Vector, Vector]:
-        """Force and moment about the link's origin, in its frame."""
-        R = self.state.place[0]
-        force = rotated(R, self.force.force)
-        moment = cross(self.state.in_link(self.force.point), force)
-        return force, add(moment, rotated(R, self.force.moment)) if self.force.moment else moment
+    def wrench(self) -> tuple[Number, ...]:
+        """(f; τ) at the point, in the body's frame."""
+        return (*self.force.force, *(self.force.moment or self.state.motion.zero))
+
+    @property
+    def on_link(self) -> tuple[Number, ...]:
+        """[Ad]* c: force and moment about the link's origin, in its frame."""
+        return self.state.t.recorder.call("product_CoAdc", self.state.frame(self.force.point),
+                                          self.wrench)
 
     @property
     def power(self) -> Number:
         """f·v + τ·ω."""
-        power = dot(self.force.force, self.state.velocity(self.force.point))
-        return power + dot(self.force.moment, self.state.turning) if self.force.moment else power
+        return self.state.t.recorder.call("dot_cs", self.wrench,
+                                          self.state.twist(self.force.point))[0]
 
 
 @dataclass(frozen=True)
@@ -47,8 +50,8 @@ class Paired:
     line: Line
 
     @property
-    def apart(self) -> list[tuple[int, tuple[Vector, Vector]]]:
-        """Links, with the force and moment on each of forces of 1 N that push the points apart."""
+    def unit_wrenches(self) -> list[tuple[int, tuple[Number, ...]]]:
+        """Links, with the wrench on each of forces of 1 N that push the points apart."""
         first, second = self.states
         u = self.line.direction
         forces = (Force(self.points[0], first.own_direction(negative(u))),
@@ -75,9 +78,9 @@ class Acting:
     def act(self) -> "Acting":
         """Evaluates the effects, in the order of their files' names and of the scene."""
         for number, applied in enumerate(self.scene.effects):
-            name = f"{applied.effect.name}_{number}"
-            with self.recorder.part(name, f"{applied.effect.name}"
-                                    + (f" at {applied.on}" if applied.on else "")):
+            at = f" at {applied.on}" if applied.on else ""
+            with self.recorder.part(f"{applied.effect.name}_{number}",
+                                    heading=f"{applied.effect.name}{at}"):
                 self._apply(applied.effect, applied)
         return self
 
@@ -102,7 +105,7 @@ class Acting:
 
     def _body(self, name: str) -> BodyOfLink:
         link, placement = self.motion.tree.seat_of(name)
-        place = self.recorder.numbers(placement.R), self.recorder.numbers(placement.t)
+        place = displacement(self.recorder.numbers(placement.R), self.recorder.numbers(placement.t))
         return BodyOfLink(self.motion, link, place, self.t)
 
     def _push(self, state: BodyOfLink, force: Force) -> None:
@@ -122,11 +125,11 @@ class Acting:
         """-∂/∂q of it."""
         return self._sum(x.stiffness for x in self.torques.get(link, ()) if x.stiffness)
 
-    def force(self, link: int) -> tuple[Vector, Vector]:
-        """The sum of the forces on a link: force, moment about its origin, in its frame."""
-        total = self.motion.zero, self.motion.zero
+    def force(self, link: int) -> tuple[Number, ...]:
+        """The sum of the forces on a link: force; moment about its origin, in its frame."""
+        total = (*self.motion.zero, *self.motion.zero)
         for push in self.pushes.get(link, ()):
-            total = tuple(map(add, total, push.on_link))
+            total = add(total, push.on_link)
         return total
 
     def resisting(self, link: int) -> list[tuple[Number, Vector]]:

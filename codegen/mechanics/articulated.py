@@ -8,11 +8,20 @@ no term holds a velocity.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from coscrew_codegen.mechanics.bodies import UPPER, Rigid, symmetric
-from coscrew_codegen.mechanics.inverse import Wrench, along, handed_on
+from coscrew_codegen.mechanics import inverse
+from coscrew_codegen.mechanics.bodies import Rigid
+from coscrew_codegen.mechanics.inverse import Wrench, along, to_parent
 from coscrew_codegen.mechanics.linear import Factors, factored
-from coscrew_codegen.mechanics.motion import Motion
-from coscrew_codegen.recording.numbers import Number, Vector, add, cross, rotated_back, scaled
+from coscrew_codegen.mechanics.motion import Displacement, Motion
+from coscrew_codegen.recording.numbers import (
+    Number,
+    add,
+    angular,
+    linear,
+    rotation,
+    scaled,
+    translation,
+)
 from coscrew_codegen.scene.model import Kind
 
 Column = tuple[Number, ...]  # six: force and moment, or linear and angular acceleration
@@ -25,40 +34,28 @@ it has of its own."""
 class Articulated:
     """[[M, H^T], [H, I]]: what maps a link's acceleration (linear; angular) to force and moment."""
 
-    M: tuple[Number, ...]  # symmetric, six numbers
-    H: tuple[Number, ...]  # nine, row by row
-    I: tuple[Number, ...]  # symmetric, six numbers
+    entries: tuple[Number, ...]  # 36, row by row; symmetric
 
     @classmethod
     def of(cls, rigid: Rigid) -> "Articulated":
-        """m, h~, I of a rigid body."""
-        zero, (x, y, z) = rigid.m.like(0), rigid.h
-        return cls((rigid.m,) * 3 + (zero,) * 3, (zero, -z, y, z, zero, -x, -y, x, zero), rigid.I)
+        """[[m 1, -h~], [h~, I]] of a rigid body."""
+        return cls(rigid.m.recorder.call("spatial_inertia_matrix", rigid.numbers))
 
     def plus(self, other: "Articulated") -> "Articulated":
         """The sum."""
-        return Articulated(*map(add, (self.M, self.H, self.I), (other.M, other.H, other.I)))
+        return _symmetric(lambda i, j: self.entry(i, j) + other.entry(i, j))
 
     def entry(self, row: int, column: int) -> Number:
         """An entry of the 6×6 matrix."""
-        if row < 3 and column < 3:
-            return symmetric(self.M)[3 * row + column]
-        if row >= 3 and column >= 3:
-            return symmetric(self.I)[3 * (row - 3) + column - 3]
-        return self.H[3 * (row - 3) + column] if row >= 3 else self.H[3 * (column - 3) + row]
+        return self.entries[6 * max(row, column) + min(row, column)]
 
-    def moved(self, R: Sequence[Number], t: Vector) -> "Articulated":
-        """In the parent's frame: turned by R, then shifted by t.
+    def transformed(self, D: Displacement) -> "Articulated":
+        """[Ad]*(D) A [Ad]^-1(D): in the parent's frame."""
+        call = D[0].recorder.call
+        rotated = call("mat6x6_rotated", rotation(D), self.entries)
+        return Articulated(call("mat6x6_shifted", translation(D), rotated))
 
-        M' = R M R^T, G = R H R^T + t~ M', I' = R I R^T + t~ (R H R^T)^T - G t~."""
-        M, I = _turned(R, self.M), _turned(R, self.I)
-        call = M[0].recorder.call
-        H = call("product_drdrinv", call("product_drdr", R, self.H), R)
-        G = add(H, _crossed(t, symmetric(M)))
-        shift = [x - y for x, y in zip(_crossed(t, _transposed(H)), _crossing(G, t), strict=True)]
-        return Articulated(M, G, add(I, [shift[3 * i + j] for i, j in UPPER]))
-
-    def without(self, joint: "Opened") -> "Articulated":
+    def without(self, joint: "Freed") -> "Articulated":
         """A - U D^-1 U^T: what a joint's freedom leaves; rows and columns of its axes vanish."""
         def less(row: int, column: int) -> Number:
             if row in joint.axes or column in joint.axes:
@@ -68,14 +65,26 @@ class Articulated:
                 value = value - u[row] * w[column]
             return value
 
-        rows = range(3)
-        return Articulated(tuple(less(i, j) for i, j in UPPER),
-                           tuple(less(3 + i, j) for i in rows for j in rows),
-                           tuple(less(3 + i, 3 + j) for i, j in UPPER))
+        return _symmetric(less)
+
+    def label(self, motion: Motion, symbol: str) -> None:
+        """Names its blocks: l linear, a angular, c what couples them."""
+        rows, upper = range(3), ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+        blocks = {"l": [self.entry(i, j) for i, j in upper],
+                  "c": [self.entry(3 + i, j) for i in rows for j in rows],
+                  "a": [self.entry(3 + i, 3 + j) for i, j in upper]}
+        for block, numbers in blocks.items():
+            motion.recorder.label(f"{symbol}{block}", numbers)
+
+
+def _symmetric(entry: Callable[[int, int], Number]) -> Articulated:
+    """The matrix with these entries, those on and below the diagonal asked for once."""
+    lower = {(i, j): entry(i, j) for i in range(6) for j in range(i + 1)}
+    return Articulated(tuple(lower[max(i, j), min(i, j)] for i in range(6) for j in range(6)))
 
 
 @dataclass(frozen=True)
-class Opened:
+class Freed:
     """A joint's freedoms as its articulated inertia sees them."""
 
     S: tuple[tuple[Number, ...], ...]  # screws of the freedoms, six numbers each
@@ -99,70 +108,97 @@ def freedoms(motion: Motion, number: int) -> tuple[tuple[Number, ...], ...]:
         ((*motion.zero, *axis),)
 
 
-def opened(motion: Motion, number: int, body: Articulated, joint: Joint) -> Opened:
+def freed(motion: Motion, number: int, body: Articulated, joint: Joint) -> Freed:
     """The joint before a link, with what it has of its own."""
-    zero = motion.zero[0]
-    S = freedoms(motion, number)
-    U = tuple(tuple(_sum(zero, (body.entry(i, k) * s[k] for k in range(6))) for i in range(6))
-              for s in S)
-    D = [[_sum(zero, (s[k] * u[k] for k in range(6))) for u in U] for s in S]
-    own = [joint(k, D[i][i]) for i, k in enumerate(motion.tree.links[number].v)]
-    for k, (_, inertia) in enumerate(own):
-        D[k][k] = D[k][k] + inertia
-    factors = factored(D)
-    W = tuple(zip(*(factors.solve([u[i] for u in U]) for i in range(6)), strict=True))
+    zero, S = motion.zero[0], freedoms(motion, number)
+    with motion.part(number, "S"):
+        U = tuple(tuple(_sum(zero, (body.entry(i, k) * s[k] for k in range(6))) for i in range(6))
+                  for s in S)
+        for column in U:
+            _label_column(motion, "S", column)
+    with motion.part(number, "D"):
+        D = [[_sum(zero, (s[k] * u[k] for k in range(6))) for u in U] for s in S]
+        own = [joint(k, D[i][i]) for i, k in enumerate(motion.tree.links[number].v)]
+        for k, (_, inertia) in enumerate(own):
+            D[k][k] = D[k][k] + inertia
+        factors = factored(D)
+        for i, inverse_of_pivot in enumerate(factors.inverse):
+            motion.recorder.label("D", D[i][i])
+            motion.recorder.label("Di", inverse_of_pivot)
+    with motion.part(number, "K"):
+        W = tuple(zip(*(factors.solve([u[i] for u in U]) for i in range(6)), strict=True))
+        for column in W:
+            _label_column(motion, "K", column)
     pure = all(inertia.is_zero for _, inertia in own)
     axes = frozenset(s.index(one) for s in S for one in s if one.constant == 1) if pure else ()
-    return Opened(S, U, factors, tuple(torque for torque, _ in own), W, frozenset(axes), zero)
+    return Freed(S, U, factors, tuple(torque for torque, _ in own), W, frozenset(axes), zero)
+
+
+def _label_column(motion: Motion, symbol: str, column: Column) -> None:
+    motion.recorder.label(f"{symbol}l", linear(column))
+    motion.recorder.label(f"{symbol}a", angular(column))
 
 
 def accelerations(motion: Motion, bodies: Sequence[Articulated], wrenches: Sequence[Wrench],
                   joint: Joint) -> list[Number]:
     """a of every speed: bodies the links' inertias, wrenches those of the motion with a = 0."""
     links, body, wrench = motion.tree.links, list(bodies), list(wrenches)
-    joints: list[tuple[Opened, list[Number]]] = []
+    joints: list[tuple[Freed, list[Number]]] = []
     for number in reversed(range(len(links))):
-        link = links[number]
-        with motion.recorder.part(f"{motion.names[number]}_articulated", link.name):
-            free = opened(motion, number, body[number], joint)
+        free = freed(motion, number, body[number], joint)
+        with motion.part(number, "u"):
             rest = [torque - x for torque, x in
                     zip(free.torques, along(motion, number, wrench[number]), strict=True)]
-            joints.append((free, rest))
-            if link.parent >= 0:
-                _hand_on(motion, number, free, rest, body, wrench)
+            for value in rest:
+                motion.recorder.label("u", value)
+        joints.append((free, rest))
+        if links[number].parent >= 0:
+            _hand_on(motion, number, free, rest, body, wrench)
     return _outwards(motion, joints[::-1])
 
 
-def _hand_on(motion: Motion, number: int, joint: Opened, rest: Sequence[Number],
+def _hand_on(motion: Motion, number: int, joint: Freed, rest: Sequence[Number],
              body: list[Articulated], wrench: list[Wrench]) -> None:
     """Adds what the joint leaves of its link's inertia and wrench to its parent's."""
     parent = motion.tree.links[number].parent
-    left = body[number].without(joint)
-    felt = [*wrench[number][0], *wrench[number][1]]
-    for w, r in zip(joint.W, rest, strict=True):
-        felt = [x + y * r for x, y in zip(felt, w, strict=True)]
-    R, t = motion.frame(number)
-    body[parent] = body[parent].plus(left.moved(R, t))
-    brought = handed_on(motion, number, (tuple(felt[:3]), tuple(felt[3:])))
-    wrench[parent] = tuple(map(add, wrench[parent], brought))
+    with motion.part(number, "Ap"):
+        left = body[number].without(joint).transformed(motion.frame(number))
+        left.label(motion, "Ap")
+    with motion.part(parent, "A"):
+        body[parent] = body[parent].plus(left)
+        body[parent].label(motion, "A")
+    with motion.part(number, "fj"):
+        felt = wrench[number]
+        for w, r in zip(joint.W, rest, strict=True):
+            felt = tuple(x + y * r for x, y in zip(felt, w, strict=True))
+        inverse.label(motion, "fj", "mj", felt)
+    brought = to_parent(motion, number, felt)
+    with motion.part(parent, "f"):
+        wrench[parent] = add(wrench[parent], brought)
+        inverse.label(motion, "f", "m", wrench[parent])
 
 
-def _outwards(motion: Motion, joints: Sequence[tuple[Opened, list[Number]]]) -> list[Number]:
+def _outwards(motion: Motion, joints: Sequence[tuple[Freed, list[Number]]]) -> list[Number]:
     """From the base on: a = D^-1 (rest - U^T A), A = [Ad]^-1 A_parent + S a."""
     found: list[Number] = []
     frames: list[Column] = []
     for number, (joint, rest) in enumerate(joints):
         link = motion.tree.links[number]
-        with motion.recorder.part(f"{motion.names[number]}_a", link.name):
-            brought = (*motion.zero, *motion.zero)
-            if link.parent >= 0:
-                (R, t), above = motion.frame(number), frames[link.parent]
-                linear = add(tuple(above[:3]), cross(tuple(above[3:]), t))
-                brought = (*rotated_back(R, linear), *rotated_back(R, tuple(above[3:])))
+        brought: Column = (*motion.zero, *motion.zero)
+        if link.parent >= 0:
+            with motion.part(number, "al"):
+                brought = motion.recorder.call("product_Adinvs", motion.frame(number),
+                                               frames[link.parent])
+        with motion.part(number, "qdd"):
             a = [x - _sum(joint.zero, (w[i] * brought[i] for i in range(6)))
                  for x, w in zip(joint.D.solve(rest), joint.W, strict=True)]
+            for value in a:
+                motion.recorder.label("qdd", value)
+        with motion.part(number, "al"):
             for s, x in zip(joint.S, a, strict=True):
                 brought = add(brought, scaled(x, s))
+            motion.recorder.label("al", linear(brought))
+            motion.recorder.label("aa", angular(brought))
         found += a
         frames.append(brought)
     return found
@@ -173,26 +209,3 @@ def _sum(zero: Number, values) -> Number:
     for value in values:
         total = total + value
     return total
-
-
-def _turned(R: Sequence[Number], six: Sequence[Number]) -> tuple[Number, ...]:
-    """R X R^T of a symmetric X."""
-    call = R[0].recorder.call
-    nine = call("product_drdrinv", call("product_drdr", R, symmetric(six)), R)
-    return tuple(nine[3 * i + j] for i, j in UPPER)
-
-
-def _transposed(X: Sequence[Number]) -> tuple[Number, ...]:
-    return tuple(X[3 * j + i] for i in range(3) for j in range(3))
-
-
-def _crossed(t: Vector, X: Sequence[Number]) -> tuple[Number, ...]:
-    """t~ X, column by column."""
-    columns = [cross(t, tuple(X[3 * i + j] for i in range(3))) for j in range(3)]
-    return tuple(columns[j][i] for i in range(3) for j in range(3))
-
-
-def _crossing(X: Sequence[Number], t: Vector) -> tuple[Number, ...]:
-    """X t~, row by row: x^T t~ = (x × t)^T."""
-    rows = [cross(tuple(X[3 * i:3 * i + 3]), t) for i in range(3)]
-    return tuple(x for row in rows for x in row)

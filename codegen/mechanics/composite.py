@@ -7,25 +7,32 @@ Followers' columns and rows are merged into those of the joints they follow.
 from collections.abc import Mapping, Sequence
 
 from coscrew_codegen.mechanics.articulated import freedoms
-from coscrew_codegen.mechanics.bodies import Rigid
-from coscrew_codegen.mechanics.inverse import along, handed_on
+from coscrew_codegen.mechanics.bodies import Rigid, rigid_of
+from coscrew_codegen.mechanics.inverse import along
 from coscrew_codegen.mechanics.motion import Motion
-from coscrew_codegen.recording.numbers import Number, add, row_by_row
+from coscrew_codegen.recording.numbers import Number, add
 
 
 def composites(motion: Motion, rigids: Sequence[Rigid]) -> list[Rigid]:
     """The inertia of each link and all beyond it, in its frame."""
     found = list(rigids)
     for number in reversed(range(len(found))):
-        link = motion.tree.links[number]
-        if link.parent >= 0:
-            with motion.recorder.part(f"{motion.names[number]}_moved", link.name):
-                R, t = motion.frame(number)
-                moved = motion.recorder.call("spatial_inertia_transformed", row_by_row(R, t),
+        parent = motion.tree.links[number].parent
+        if parent >= 0:
+            with motion.part(number, "Cp"):
+                moved = motion.recorder.call("spatial_inertia_transformed", motion.frame(number),
                                              found[number].numbers)
-                total = add(found[link.parent].numbers, moved)
-                found[link.parent] = Rigid(total[0], tuple(total[1:4]), tuple(total[4:]))
+                _label(motion, "Cp", rigid_of(moved))
+            with motion.part(parent, "C"):
+                found[parent] = rigid_of(add(found[parent].numbers, moved))
+                _label(motion, "C", found[parent])
     return found
+
+
+def _label(motion: Motion, symbol: str, body: Rigid) -> None:
+    """Names mass, first and second moments."""
+    for part, value in (("m", body.m), ("h", body.h), ("I", body.I)):
+        motion.recorder.label(f"{symbol}{part}", value)
 
 
 def mass_matrix(motion: Motion, rigids: Sequence[Rigid],
@@ -35,7 +42,7 @@ def mass_matrix(motion: Motion, rigids: Sequence[Rigid],
     M = [[zero] * tree.nv for _ in range(tree.nv)]
     bodies = composites(motion, rigids)
     for number, link in enumerate(tree.links):
-        with motion.recorder.part(f"{motion.names[number]}_mass", link.name):
+        with motion.part(number, "M"):
             for freedom, screw in enumerate(freedoms(motion, number)):
                 column = motion.recorder.call("product_Bs", bodies[number].numbers, screw)
                 _enter(motion, number, freedom, column, M)
@@ -48,7 +55,7 @@ def mass_matrix(motion: Motion, rigids: Sequence[Rigid],
 def _enter(motion: Motion, number: int, freedom: int, column: Sequence[Number],
            M: list[list[Number]]) -> None:
     """Enters what a unit acceleration of one freedom needs at its joint and those before it."""
-    wrench, at = (tuple(column[:3]), tuple(column[3:])), number
+    wrench, at = tuple(column), number
     j, factor_j = _speed(motion, number, freedom)
     while at >= 0:
         parts = along(motion, at, wrench)
@@ -59,9 +66,8 @@ def _enter(motion: Motion, number: int, freedom: int, column: Sequence[Number],
             row, place = max(i, j), min(i, j)
             M[row][place] = M[row][place] + (value * 2 if twice else value)
         if motion.tree.links[at].parent >= 0:
-            with motion.recorder.part(f"{motion.names[number]}_column",
-                                      motion.tree.links[number].name):
-                wrench = handed_on(motion, at, wrench)
+            with motion.part(number, "F"):
+                wrench = motion.recorder.call("product_CoAdc", motion.frame(at), wrench)
         at = motion.tree.links[at].parent
 
 

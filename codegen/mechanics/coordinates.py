@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from coscrew_codegen.recording.numbers import Number, add, cross, dot, rotated, scaled
+from coscrew_codegen.recording.numbers import Number, add, cross, rotated, scaled
 from coscrew_codegen.recording.recorder import Recorder
 from coscrew_codegen.scene.model import Kind
 from coscrew_codegen.scene.tree import Tree
@@ -25,7 +25,7 @@ def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence
     for name, link in zip(names, tree.links, strict=True):
         if link.driver:
             continue
-        with recorder.part(f"{name}_moved", link.name):
+        with recorder.part(name, "q", link.name):
             own, step = q[link.q.start:link.q.stop], phi[link.v.start:link.v.stop]
             if link.joint.kind is Kind.FREE:
                 exponential = recorder.call("SE3_exp", step)
@@ -42,7 +42,7 @@ def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence
 def _turned(recorder: Recorder, q: Sequence[Number], step: Sequence[Number]) -> tuple[Number, ...]:
     """q exp(step/2), and a step of Newton's towards norm 1, so that roundings don't add up."""
     turned = recorder.call("quaternion_product_qq", q, recorder.call("quaternion_exp", step))
-    square = dot(turned[:3], turned[:3]) + turned[3] * turned[3]
+    (square,) = recorder.call("dot_qq", turned, turned)
     return scaled((3 - square) / 2, turned)
 
 
@@ -53,7 +53,7 @@ def chart_rate(recorder: Recorder, tree: Tree, names: Sequence[str]) -> list[Num
     for name, link in zip(names, tree.links, strict=True):
         if link.driver:
             continue
-        with recorder.part(f"{name}_rate", link.name):
+        with recorder.part(name, "v", link.name):
             own, at = v[link.v.start:link.v.stop], phi[link.v.start:link.v.stop]
             if link.joint.kind is Kind.SPHERICAL:
                 first = cross(at, own)

@@ -1,19 +1,20 @@
 """Energies and momentum of a scene's links."""
 
-from coscrew_codegen.mechanics.bodies import kinetic_energy
+from coscrew_codegen.mechanics import composite, inverse
 from coscrew_codegen.mechanics.motion import Motion
 from coscrew_codegen.mechanics.recorded import Recording
-from coscrew_codegen.recording.numbers import Number, add, cross, dot, rotated, scaled
+from coscrew_codegen.recording.numbers import Number, add, dot
 
 
 def kinetic(x: Recording, motion: Motion) -> Number:
-    """Σ (m v·v)/2 + v·(ω × h) + (ω·I ω)/2, and of joints' own inertias I v²/2."""
+    """Σ s·B s / 2, and of joints' own inertias I v²/2."""
     total = x.recorder.number(0)
     for number, (rigid, link) in enumerate(zip(x.rigids, x.tree.links, strict=True)):
-        with x.recorder.part(f"{x.names[number]}_kinetic", link.name):
+        with motion.part(number, "T"):
             if not rigid.vanishes:
-                total = total + kinetic_energy(rigid, motion.velocity(number),
-                                               motion.turning(number))
+                (own,) = x.recorder.call("spatial_inertia_energy", rigid.numbers,
+                                         motion.twist(number))
+                total = total + own
             if link.joint.name in x.inertias:
                 v = motion.speeds(number)[0]
                 total = total + x.inertias[link.joint.name] * (v * v) / 2
@@ -21,24 +22,33 @@ def kinetic(x: Recording, motion: Motion) -> Number:
 
 
 def potential(x: Recording, motion: Motion) -> Number:
-    """-Σ g·(m t + R h)."""
+    """-g·h, h the first moment of all links in the world's frame."""
     total = x.recorder.number(0)
-    for number, (rigid, link) in enumerate(zip(x.rigids, x.tree.links, strict=True)):
-        with x.recorder.part(f"{x.names[number]}_potential", link.name):
-            R, t = motion.pose(number)
-            moment = add(scaled(rigid.m, t), rotated(R, rigid.h))
-            total = total - dot(motion.gravity, moment)
+    bodies = composite.composites(motion, x.rigids)
+    for number, link in enumerate(x.tree.links):
+        if link.parent < 0:
+            with motion.part(number, "V"):
+                moved = x.recorder.call("spatial_inertia_transformed", motion.frame(number),
+                                        bodies[number].numbers)
+                total = total - dot(motion.gravity, moved[1:4])
     return total
+
+
+def momenta(x: Recording, motion: Motion) -> list[inverse.Wrench]:
+    """(p; L) of each link and all beyond it, in its frame: B s, handed on by [Ad]*."""
+    found = []
+    for number, rigid in enumerate(x.rigids):
+        with motion.part(number, "p"):
+            own = x.recorder.call("product_Bs", rigid.numbers, motion.twist(number))
+            inverse.label(motion, "p", "L", own)
+            found.append(own)
+    return inverse.transmitted(motion, found)
 
 
 def momentum(x: Recording, motion: Motion) -> tuple[Number, ...]:
     """Σ [Ad]*(D) B s: of all links in the world's frame."""
     total = (*motion.zero, *motion.zero)
-    for number, rigid in enumerate(x.rigids):
-        with x.recorder.part(f"{x.names[number]}_momentum", x.tree.links[number].name):
-            screw = (*motion.velocity(number), *motion.turning(number))
-            own = x.recorder.call("product_Bs", rigid.numbers, screw)
-            R, t = motion.pose(number)
-            force = rotated(R, tuple(own[:3]))
-            total = add(total, (*force, *add(rotated(R, tuple(own[3:])), cross(t, force))))
+    for number, own in enumerate(momenta(x, motion)):
+        if x.tree.links[number].parent < 0:
+            total = add(total, inverse.to_parent(motion, number, own))
     return total

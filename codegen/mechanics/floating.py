@@ -5,7 +5,7 @@ momentum about the centre of mass stays."""
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from coscrew_codegen.mechanics import composite, inverse
+from coscrew_codegen.mechanics import composite, energies
 from coscrew_codegen.mechanics.acting import Acting, gravity
 from coscrew_codegen.mechanics.bodies import Rigid
 from coscrew_codegen.mechanics.linear import factored
@@ -15,9 +15,12 @@ from coscrew_codegen.recording.numbers import (
     Number,
     Vector,
     add,
+    angular,
     cross,
+    linear,
     rotated,
     rotated_back,
+    rotation,
     scaled,
     subtract,
 )
@@ -56,7 +59,7 @@ def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
     motion = Motion(recorder, tree, [f"link{n}" for n in range(len(tree.links))],
                     gravity(scene, recorder))
     acting = Acting(replace(scene, effects=(applied,)), motion).act()
-    return all(x.is_zero for link in acting.pushes for part in acting.force(link) for x in part)
+    return all(x.is_zero for link in acting.pushes for x in acting.force(link))
 
 
 def _root(tree: Tree, number: int) -> int:
@@ -77,19 +80,13 @@ class _Whole:
 
 
 def _wholes(x: Recording, motion: Motion, roots: Sequence[int]) -> list[_Whole]:
-    momenta = []
-    for number, rigid in enumerate(x.rigids):
-        with x.recorder.part(f"{x.names[number]}_momentum", x.tree.links[number].name):
-            screw = (*motion.velocity(number), *motion.turning(number))
-            own = x.recorder.call("product_Bs", rigid.numbers, screw)
-            momenta.append((tuple(own[:3]), tuple(own[3:])))
-    momenta, bodies = inverse.transmitted(motion, momenta), composite.composites(motion, x.rigids)
+    momenta, bodies = energies.momenta(x, motion), composite.composites(motion, x.rigids)
     found = []
     for root in roots:
-        with x.recorder.part(f"{x.names[root]}_whole", x.tree.links[root].name):
-            com = scaled(1 / bodies[root].m, bodies[root].h)
-            p, moment = momenta[root]
-            found.append(_Whole(bodies[root], com, p, subtract(moment, cross(com, p))))
+        with motion.part(root, "L"):
+            com = scaled(1 / bodies[root].m, bodies[root].h)  # of constant mass no quotient
+            about_com = x.recorder.call("product_CoAdtinvc", com, momenta[root])
+            found.append(_Whole(bodies[root], com, linear(about_com), angular(about_com)))
     return found
 
 
@@ -99,8 +96,8 @@ def momentum(x: Recording, roots: Sequence[int]) -> list[Number]:
     motion = x.motion(accelerating=False)
     found: list[Number] = []
     for root, whole in zip(roots, _wholes(x, motion, roots), strict=True):
-        with x.recorder.part(f"{x.names[root]}_c", x.tree.links[root].name):
-            R = motion.pose(root)[0]
+        with motion.part(root, "p"):
+            R = rotation(motion.pose(root))
             found += [*rotated(R, whole.p), *rotated(R, whole.L)]
     return found
 
@@ -110,13 +107,13 @@ def corrected(x: Recording, roots: Sequence[int]) -> list[Number]:
     motion = x.motion(accelerating=False)
     (t,), c, v = x.recorder.argument("t"), x.recorder.argument("c"), list(motion.v)
     for n, (root, whole) in enumerate(zip(roots, _wholes(x, motion, roots), strict=True)):
-        with x.recorder.part(f"{x.names[root]}_kept", x.tree.links[root].name):
-            R, m = motion.pose(root)[0], whole.rigid.m
+        with motion.part(root, "v"):
+            R, m = rotation(motion.pose(root)), whole.rigid.m
             p = add(c[6 * n:6 * n + 3], scaled(m * t, motion.gravity))
             faster = scaled(1 / m, subtract(rotated_back(R, p), whole.p))
-            turning = _about_com(whole).solve(
+            w = _about_com(whole).solve(
                 subtract(rotated_back(R, tuple(c[6 * n + 3:6 * n + 6])), whole.L))
-            change = (*subtract(faster, cross(tuple(turning), whole.com)), *turning)
+            change = (*subtract(faster, cross(tuple(w), whole.com)), *w)
             places = x.tree.links[root].v
             v[places.start:places.stop] = add(v[places.start:places.stop], change)
     return v

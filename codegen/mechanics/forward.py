@@ -14,11 +14,11 @@ from fractions import Fraction
 from coscrew_codegen.mechanics import articulated, composite, inverse
 from coscrew_codegen.mechanics.acting import Acting, Paired
 from coscrew_codegen.mechanics.articulated import Articulated, Joint
-from coscrew_codegen.mechanics.bodies import Rigid
+from coscrew_codegen.mechanics.bodies import Rigid, rigid_of
 from coscrew_codegen.mechanics.inverse import Wrench
 from coscrew_codegen.mechanics.linear import factored
 from coscrew_codegen.mechanics.motion import Motion
-from coscrew_codegen.recording.numbers import Number, add, cross, maximum, scaled, subtract
+from coscrew_codegen.recording.numbers import Number, add, linear, maximum, scaled, subtract
 
 Weights = Callable[[Number, Number, Number], tuple[Number, Number]]
 """(m, c) of a damping, a stiffness, and the damping by the inertia that feels it, in 1/s."""
@@ -66,7 +66,7 @@ def implicit(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
 
     solve = _solver(motion, _heavier(motion, start, rigids, weights))
     for number, pair in enumerate(start.pairs):
-        with motion.recorder.part(f"pair_{number}", "pairs of bodies"):
+        with motion.recorder.part(f"pair_{number}", heading="pairs of bodies"):
             solve, joint = _with_pair(motion, pair, acting.pairs[number], weights, solve, joint)
     wrenches = inverse.net_wrenches(motion, rigids, acting)
     return Implicit(solve(joint, _about(motion, wrenches, acting, start)), rates)
@@ -77,7 +77,7 @@ def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[s
     """∂a/∂tau of a joint with one coordinate, all others free to move."""
     own = _own(motion, inertias)
     unit = _gathered(motion, {number: motion.recorder.number(1)})
-    still = [(motion.zero, motion.zero)] * len(motion.tree.links)
+    still = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
     a = _solver(motion, rigids)(lambda k, _: (unit[k], own[k]), still)
     return _product(unit, a)
 
@@ -103,7 +103,7 @@ def _gathered(motion: Motion, of_links: Mapping[int, Number], power: int = 1) ->
     found = [motion.zero[0]] * motion.tree.nv
     for number, value in of_links.items():
         link = motion.tree.links[number]
-        with motion.recorder.part(f"{motion.names[number]}_own", link.name):
+        with motion.part(number, "own"):
             if power == 2 and link.driver:
                 value = value * link.driver.multiplier
             inverse.gather(motion, number, [value], found)
@@ -114,8 +114,8 @@ def _heavier(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
              weights: Weights) -> list[Rigid]:
     """The links with point masses where forces resist points' motion."""
     found = list(rigids)
-    for number, link in enumerate(motion.tree.links):
-        with motion.recorder.part(f"{motion.names[number]}_own", link.name):
+    for number in range(len(found)):
+        with motion.part(number, "B"):
             for damping, point in acting.resisting(number):
                 rate = damping / maximum(rigids[number].m, _LEAST)
                 mass, _ = weights(damping, damping.like(0), rate)
@@ -128,15 +128,16 @@ def _about(motion: Motion, wrenches: Sequence[Wrench], acting: Acting,
     """The wrenches links need, where forces that resist a point act with d (u - u_start) besides,
     u the point's velocity."""
     found = list(wrenches)
-    for number, link in enumerate(motion.tree.links):
+    for number in range(len(found)):
         if start is acting:
             break
-        with motion.recorder.part(f"{motion.names[number]}_about", link.name):
+        with motion.part(number, "f"):
             for damping, point in start.resisting(number):
-                turning = subtract(motion.turning(number), start.motion.turning(number))
-                velocity = subtract(motion.velocity(number), start.motion.velocity(number))
-                force = scaled(damping, add(velocity, cross(turning, point)))
-                found[number] = tuple(map(subtract, found[number], (force, cross(point, force))))
+                call = motion.recorder.call
+                faster = subtract(motion.twist(number), start.motion.twist(number))
+                force = scaled(damping, linear(call("product_Adtinvs", point, faster)))
+                wrench = call("product_CoAdtc", point, (*force, *motion.zero))
+                found[number] = subtract(found[number], wrench)
     return found
 
 
@@ -150,7 +151,7 @@ def _solver(motion: Motion, rigids: Sequence[Rigid]) -> _Solve:
 
     def solve(joint: Joint, wrenches: Sequence[Wrench]) -> list[Number]:
         bias = inverse.joint_torques(motion, inverse.transmitted(motion, wrenches), None, {})
-        with motion.recorder.part("solution", "M a = tau"):
+        with motion.recorder.part("solution", heading="M a = tau"):
             torques, heavier = [], [list(row) for row in M]
             for k, row in enumerate(heavier):
                 torque, own = joint(k, row[k])
@@ -168,24 +169,24 @@ def _with_pair(motion: Motion, pair: Paired, now: Paired, weights: Weights, solv
 
     a = a' - w (m e·a')/(1 + m e·w), w = solve(e): Sherman and Morrison; nothing divides by zero,
     and 1/(e·w) is the inertia that feels the pair."""
-    still = [(motion.zero, motion.zero)] * len(motion.tree.links)
+    still = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
     wrenches = list(still)
-    for link, wrench in pair.apart:
+    for link, wrench in pair.unit_wrenches:
         if link >= 0:
-            wrenches[link] = tuple(map(add, wrenches[link], wrench))
-    apart = inverse.joint_torques(motion, inverse.transmitted(motion, wrenches), None, {})
-    w = solve(lambda k, inertia: (apart[k], joint(k, inertia)[1]), still)
-    line, product = pair.line, _product(apart, w)
+            wrenches[link] = add(wrenches[link], wrench)
+    e = inverse.joint_torques(motion, inverse.transmitted(motion, wrenches), None, {})
+    w = solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), still)
+    line, product = pair.line, _product(e, w)
     mass, fall = weights(line.damping, line.stiffness, line.damping * product)
     share = mass / (1 + mass * product)
     pull = fall * line.rate
     if now is not pair:
         pull = pull - line.damping * (now.line.rate - line.rate)
-    less = scaled(pull, apart)
+    less = scaled(pull, e)
 
     def coupled(joint: Joint, wrenches: Sequence[Wrench]) -> list[Number]:
         a = solve(joint, wrenches)
-        return list(subtract(a, scaled(share * _product(apart, a), w)))
+        return list(subtract(a, scaled(share * _product(e, a), w)))
 
     def felt(k: int, inertia: Number) -> tuple[Number, Number]:
         torque, own = joint(k, inertia)
@@ -204,6 +205,5 @@ def _product(a: Sequence[Number], b: Sequence[Number]) -> Number:
 def _with_mass(body: Rigid, mass: Number, point) -> Rigid:
     """The body with a point mass."""
     zero = mass.like(0)
-    total = add(body.numbers, mass.recorder.call(
-        "spatial_inertia_from_com", mass, point, [zero] * 9))
-    return Rigid(total[0], tuple(total[1:4]), tuple(total[4:]))
+    return rigid_of(add(body.numbers, mass.recorder.call(
+        "spatial_inertia_from_com", mass, point, [zero] * 9)))

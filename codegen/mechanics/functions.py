@@ -23,7 +23,7 @@ from coscrew_codegen.mechanics.ranges import refuse_numbers, refuse_products, re
 from coscrew_codegen.mechanics.recorded import Recording
 from coscrew_codegen.mechanics.steps import needs, stepped
 from coscrew_codegen.quantity import Argument
-from coscrew_codegen.recording.numbers import Number, row_by_row
+from coscrew_codegen.recording.numbers import Number
 from coscrew_codegen.recording.recorder import Recorder, array, headings
 from coscrew_codegen.scene.asked import (
     CONTACTS,
@@ -169,10 +169,16 @@ class _Derivation:
                              "masses or armatures that resist every joint, and no joint that "
                              "mimics another with multiplier 0") from None
         program = recorder.program(name, list(zip(outputs, results, strict=True)))
-        function = Function(name, words, program, headings(program))
+        function = Function(name, words, program, tuple(
+            (place, self._heading(words)) for place, words in headings(program)))
         refuse_products(self.scene, function)
         refuse_quotients(self.scene, function, self._at_rest())
         return function
+
+    def _heading(self, words: str) -> str:
+        """A link's name with how it moves: "forearm: elbow turns about y"."""
+        link = next((x for x in self.tree.links if x.name == words), None)
+        return f"{words}: {link.joint.in_words}" if link else words
 
     def _at_rest(self) -> dict[str, tuple[float, ...]]:
         """Inputs by name: neutral coordinates, parameters' values, nothing moves."""
@@ -329,7 +335,7 @@ class _Derivation:
         def compute(x: Recording):
             motion, found = x.motion(falling=False), []
             for body in self.bodies:
-                found += row_by_row(*frames.pose(x, motion, body))
+                found += frames.pose(x, motion, body)
             return [found]
 
         return self._function(
@@ -341,7 +347,7 @@ class _Derivation:
         def compute(x: Recording):
             motion, found = x.motion(accelerating=False, falling=False), []
             for body, name in self.bodies.items():
-                with x.recorder.part(f"{name}_twist", body):
+                with x.recorder.part(name, "v", body):
                     found += frames.twist(x, motion, body)
             return [found]
 
@@ -351,7 +357,7 @@ class _Derivation:
 
     def _jacobian(self, name: str, body: str) -> Function:
         def compute(x: Recording):
-            with x.recorder.part(f"{self.bodies[body]}_J", body):
+            with x.recorder.part(self.bodies[body], "J", body):
                 columns = frames.jacobian(x, x.motion(False, False, False), body)
             return [[columns[j][i] for i in range(6) for j in range(self.tree.nv)]]
 
@@ -365,8 +371,7 @@ class _Derivation:
             acting = Acting(self.scene, motion).act()
             wrenches = inverse.transmitted(
                 motion, inverse.net_wrenches(motion, x.rigids, acting))
-            force, moment = wrenches[self.tree.links.index(self.tree.link_of(joint))]
-            return [(*force, *moment)]
+            return [wrenches[self.tree.links.index(self.tree.link_of(joint))]]
 
         return self._function(
             name, f"f = (force; moment) that {joint} exerts on the body behind it, "

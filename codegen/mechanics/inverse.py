@@ -7,55 +7,68 @@ its axis.
 from collections.abc import Mapping, Sequence
 
 from coscrew_codegen.mechanics.acting import Acting
-from coscrew_codegen.mechanics.bodies import Rigid, net_force
+from coscrew_codegen.mechanics.bodies import Rigid
 from coscrew_codegen.mechanics.motion import Motion
-from coscrew_codegen.recording.numbers import Number, Vector, add, cross, dot, rotated, subtract
+from coscrew_codegen.recording.numbers import Number, add, angular, dot, linear, subtract
 from coscrew_codegen.scene.model import Kind
 
-Wrench = tuple[Vector, Vector]  # force, moment about the link's origin; in the link's frame
+Wrench = tuple[Number, ...]  # force; moment about the link's origin, in the link's frame
 
 
 def net_wrenches(motion: Motion, rigids: Sequence[Rigid], acting: Acting | None) -> list[Wrench]:
     """What gives each link its motion, less what effects supply of it."""
     wrenches: list[Wrench] = []
     for number, rigid in enumerate(rigids):
-        with motion.recorder.part(f"{motion.names[number]}_net", motion.tree.links[number].name):
-            wrench = motion.zero, motion.zero
+        if not rigid.vanishes:
+            motion.acceleration_tensor(number)  # first, so that its steps bear its name
+        with motion.part(number, "f"):
+            wrench = (*motion.zero, *motion.zero)
             if not rigid.vanishes:
-                wrench = net_force(rigid, motion.curl(number), motion.acceleration(number))
+                acceleration = *motion.acceleration(number), *motion.angular_acceleration(number)
+                wrench = motion.recorder.call("spatial_inertia_net_wrench", rigid.numbers,
+                                              motion.angular_velocity(number), acceleration)
             if acting:
-                wrench = tuple(map(subtract, wrench, acting.force(number)))
+                wrench = subtract(wrench, acting.force(number))
+            label(motion, "f", "m", wrench)
         wrenches.append(wrench)
     return wrenches
+
+
+def label(motion: Motion, force: str, moment: str, wrench: Wrench) -> None:
+    """Names a wrench of the part's link."""
+    motion.recorder.label(force, linear(wrench))
+    motion.recorder.label(moment, angular(wrench))
 
 
 def transmitted(motion: Motion, wrenches: Sequence[Wrench]) -> list[Wrench]:
     """The wrench each joint transmits: that of its link and of all beyond."""
     total = list(wrenches)
     for number in reversed(range(len(total))):
-        link = motion.tree.links[number]
-        if link.parent >= 0:
-            with motion.recorder.part(f"{motion.names[number]}_handed", link.name):
-                total[link.parent] = tuple(map(add, total[link.parent],
-                                               handed_on(motion, number, total[number])))
+        parent = motion.tree.links[number].parent
+        if parent >= 0:
+            brought = to_parent(motion, number, total[number])
+            with motion.part(parent, "fj"):
+                total[parent] = add(total[parent], brought)
+                label(motion, "fj", "mj", total[parent])
     return total
 
 
-def handed_on(motion: Motion, number: int, wrench: Wrench) -> Wrench:
+def to_parent(motion: Motion, number: int, wrench: Wrench) -> Wrench:
     """[Ad]*(D) c: a wrench in the parent's frame."""
-    R, t = motion.frame(number)
-    force = rotated(R, wrench[0])
-    return force, add(rotated(R, wrench[1]), cross(t, force))
+    with motion.part(number, "fp"):
+        found = motion.recorder.call("product_CoAdc", motion.frame(number), wrench)
+        label(motion, "fp", "mp", found)
+    return found
 
 
 def along(motion: Motion, number: int, wrench: Wrench) -> tuple[Number, ...]:
     """h·c: the part of a wrench along each of the joint's freedoms."""
     link = motion.tree.links[number]
     if link.joint.kind is Kind.FREE:
-        return (*wrench[0], *wrench[1])
+        return wrench
     if link.joint.kind is Kind.SPHERICAL:
-        return wrench[1]
-    part = wrench[0] if link.joint.kind is Kind.PRISMATIC else wrench[1]
+        return angular(wrench)
+    part = linear(wrench) if link.joint.kind is Kind.PRISMATIC else angular(wrench)
     return (dot(motion.axis(link), part),)
 
 
@@ -65,7 +78,7 @@ def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: Acting | N
     followers' go to what they follow."""
     torques = [motion.recorder.number(0)] * motion.tree.nv
     for number, link in enumerate(motion.tree.links):
-        with motion.recorder.part(f"{motion.names[number]}_torque", link.name):
+        with motion.part(number, "tau"):
             parts = list(along(motion, number, wrenches[number]))
             if link.joint.name in inertias:
                 parts[0] = parts[0] + inertias[link.joint.name] * motion.accelerations(number)[0]

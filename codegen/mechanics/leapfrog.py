@@ -63,7 +63,7 @@ def _later(x: Recording, h: Number, rates: Sequence[Number]) -> dict[int, Number
     for number, link in enumerate(x.tree.links):
         own = x.tree.links[link.driver.link] if link.driver else link
         if not (rate := rates[own.v.start]).is_zero:
-            with x.recorder.part(f"{x.names[number]}_later", link.name):
+            with x.recorder.part(x.names[number], "own", link.name):
                 found[number] = h * _beyond(h, rate)
     return found
 
@@ -72,7 +72,7 @@ def closing(x: Recording) -> Number:
     """How many contacts of joints are closed now or, if they moved on with v, after h."""
     count = x.recorder.number(0)
     for link, before, after in _contacts(x):
-        with x.recorder.part(f"{x.names[link]}_closing", x.tree.links[link].name):
+        with x.recorder.part(x.names[link], "own", x.tree.links[link].name):
             count = count + where(less(count.like(0), before.depth + after.depth), 1, 0)
     return count
 
@@ -87,7 +87,7 @@ def split(x: Recording) -> tuple[Number, Number]:
     (h,), motion = recorder.argument("h"), x.motion(accelerating=False)
     number, worst = closing(x), recorder.number(0)
     for link, before, after in _contacts(x):
-        with recorder.part(f"{x.names[link]}_split", x.tree.links[link].name):
+        with recorder.part(x.names[link], "own", x.tree.links[link].name):
             mobility = forward.inverse_inertia(motion, x.rigids, x.inertias, link)
             deepest = _power(before.depth, 2) * sqrt(before.depth)
             v = motion.speeds(link)[0]
@@ -96,7 +96,7 @@ def split(x: Recording) -> tuple[Number, Number]:
             fifth = _power(rate, 2) * sqrt(rate * deepest)
             fifth = where(less(fifth.like(0), before.depth + after.depth), fifth, 0)
             worst = where(less(worst, fifth), fifth, worst)
-    with recorder.part("parts", "parts of the step"):
+    with recorder.part("parts", heading="parts of the step"):
         parts, n = recorder.number(1), 1
         while n < MOST:
             parts, n = where(less(recorder.number(n**5), worst), 2 * n, parts), 2 * n
@@ -111,7 +111,7 @@ def _contacts(x: Recording) -> Iterator[tuple[int, Contact, Contact]]:
     for applied in x.scene.effects:
         if applied.effect.joint_torque:
             link = x.tree.links.index(x.tree.link_of(applied.on))
-            with recorder.part(f"{x.names[link]}_contact", x.tree.links[link].name):
+            with recorder.part(x.names[link], "own", x.tree.links[link].name):
                 values = settings(recorder, applied.values, zero)
                 q, v = motion.coordinates(link)[0], motion.speeds(link)[0]
                 before = applied.effect.joint_torque(JointState(q, v, zero), values).contact
@@ -126,5 +126,5 @@ def _power(x: Number, n: int) -> Number:
 
 
 def _sum(v: Sequence[Number], change: Sequence[Number]) -> list[Number]:
-    with v[0].recorder.part("faster", "speeds"):
+    with v[0].recorder.part("speeds", heading="speeds"):
         return list(add(v, change))

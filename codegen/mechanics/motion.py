@@ -12,35 +12,44 @@ from coscrew_codegen.recording.numbers import (
     Number,
     Vector,
     add,
-    cos,
+    angular,
     cross,
+    displacement,
+    linear,
     rotated,
     rotated_back,
+    rotation,
     scaled,
-    sin,
     subtract,
+    translation,
 )
 from coscrew_codegen.recording.recorder import Recorder
 from coscrew_codegen.scene.model import Kind
 from coscrew_codegen.scene.tree import Link, Tree
 
 Rotation = tuple[Number, ...]  # nine, row by row
+Displacement = tuple[Number, ...]  # twelve: [R | t], row by row
+Twist = tuple[Number, ...]  # six: velocity of the origin; angular velocity
 
 
-def _of_link(compute: Callable[["Motion", int], object]) -> Callable[["Motion", int], object]:
-    """Computed once a link, instructions named after link and method, below the link's heading."""
-    title = compute.__name__
-
-    @wraps(compute)
-    def cached(self: "Motion", link: int) -> object:
-        known = self._known.setdefault(title, {})
-        if link not in known:
-            name = self.names[link] if link >= 0 else "world"
-            with self.recorder.part(f"{name}_{title}", self.tree.links[link].name
-                                    if link >= 0 else "world"):
-                known[link] = compute(self, link)
-        return known[link]
-    return cached
+def _of_link(symbol: str, origin: str = "") -> Callable:
+    """Computed once a link, named by the symbol, a displacement's translation by that of its
+    origin, below the link's heading."""
+    def decorated(compute: Callable[["Motion", int], object]) -> Callable[["Motion", int], object]:
+        @wraps(compute)
+        def cached(self: "Motion", link: int) -> object:
+            known = self._known.setdefault(symbol, {})
+            if link not in known:
+                with self.part(link, symbol):
+                    known[link] = compute(self, link)
+                    if origin:
+                        self.recorder.label(symbol, rotation(known[link]))
+                        self.recorder.label(origin, translation(known[link]))
+                    else:
+                        self.recorder.label(symbol, known[link])
+            return known[link]
+        return cached
+    return decorated
 
 
 class Motion:
@@ -62,6 +71,12 @@ class Motion:
             self._q, self.v = at
         self._a = recorder.argument("a") if accelerating and recorder.has("a") else still
         self.still = not (moving and recorder.has("v"))
+
+    def part(self, link: int, symbol: str):
+        """What is issued within computes this of the link."""
+        if link < 0:
+            return self.recorder.part("world", symbol, "world")
+        return self.recorder.part(self.names[link], symbol, self.tree.links[link].name)
 
     # joints
 
@@ -87,15 +102,15 @@ class Motion:
         """a of the joint before the link."""
         return self._rates(link, self._a)
 
-    def _relative(self, link: int, values: Sequence[Number]) -> tuple[Vector, Vector]:
-        """Linear and angular part of the joint's screw for these speeds."""
+    def _relative(self, link: int, values: Sequence[Number]) -> Twist:
+        """The joint's screw for these speeds."""
         x = self.tree.links[link]
         if x.joint.kind is Kind.FREE:
-            return tuple(values[:3]), tuple(values[3:])
+            return tuple(values)
         if x.joint.kind is Kind.SPHERICAL:
-            return self.zero, tuple(values)
+            return (*self.zero, *values)
         along = scaled(values[0], self.axis(x))
-        return (along, self.zero) if x.joint.kind is Kind.PRISMATIC else (self.zero, along)
+        return (*along, *self.zero) if x.joint.kind is Kind.PRISMATIC else (*self.zero, *along)
 
     def axis(self, link: Link) -> Vector:
         """The joint's axis: the same in both frames it joins, but for the placement."""
@@ -103,86 +118,95 @@ class Motion:
 
     # frames
 
-    @_of_link
-    def frame(self, link: int) -> tuple[Rotation, Vector]:
-        """R and t of the link in its parent."""
-        x = self.tree.links[link]
+    @_of_link("R", "t")
+    def frame(self, link: int) -> Displacement:
+        """D of the link in its parent: its placement, then the joint's."""
+        x, call = self.tree.links[link], self.recorder.call
         R, t = self.recorder.numbers(x.placement.R), self.recorder.numbers(x.placement.t)
-        q, call = self.coordinates(link), self.recorder.call
+        q = self.coordinates(link)
         if x.joint.kind is Kind.PRISMATIC:
-            return R, add(t, scaled(q[0], rotated(R, self.axis(x))))
-        if x.joint.kind is Kind.REVOLUTE:
-            return call("product_drdr", R, self._turn(x, q[0])), t
-        if x.joint.kind is Kind.SPHERICAL:
-            return call("product_drdr", R, call("mat3x3_from_quaternion", q)), t
-        return (call("product_drdr", R, call("mat3x3_from_quaternion", q[3:])),
-                add(t, rotated(R, tuple(q[:3]))))
+            return displacement(R, add(t, scaled(q[0], rotated(R, self.axis(x)))))
+        if x.joint.kind is Kind.FREE:
+            own = displacement(call("mat3x3_from_quaternion", q[3:]), q[:3])
+            return call("product_dd", displacement(R, t), own)
+        own = call("mat3x3_from_quaternion", q) if x.joint.kind is Kind.SPHERICAL else \
+            call("mat3x3_setFromAxisDC", self.axis(x), self._sine_and_cosine(q[0]))
+        return call("product_ddr", displacement(R, t), own)
 
-    def _turn(self, link: Link, angle: Number) -> Rotation:
-        """I cos + a~ sin + a a^T (1 - cos): entry by entry a constant, a cosine and a sine."""
-        a, s, c = link.joint.axis, sin(angle), cos(angle)
-        skew = (0, -a[2], a[1], a[2], 0, -a[0], -a[1], a[0], 0)
-        outer = [x * y for x in a for y in a]
-        return tuple(c * ((i % 4 == 0) - outer[i]) + outer[i] + s * skew[i] for i in range(9))
+    def _sine_and_cosine(self, angle: Number) -> tuple[Number, ...]:
+        found = self.recorder.call("dc", angle)
+        for symbol, value in zip("sc", found, strict=True):
+            self.recorder.label(symbol, value)
+        return found
 
-    @_of_link
-    def pose(self, link: int) -> tuple[Rotation, Vector]:
-        """R and t of the link in the world."""
+    @_of_link("Rw", "tw")
+    def pose(self, link: int) -> Displacement:
+        """D of the link in the world."""
         if link < 0:
-            return self.recorder.numbers([int(i % 4 == 0) for i in range(9)]), self.zero
-        (R, t), (Rp, tp) = self.frame(link), self.pose(self.tree.links[link].parent)
-        return self.recorder.call("product_drdr", Rp, R), add(tp, rotated(Rp, t))
+            return displacement(self.recorder.numbers([int(i % 4 == 0) for i in range(9)]),
+                                self.zero)
+        return self.recorder.call("product_dd", self.pose(self.tree.links[link].parent),
+                                  self.frame(link))
 
     # velocities
 
-    @_of_link
-    def carried(self, link: int) -> Vector:
+    @_of_link("wp")
+    def parent_angular_velocity(self, link: int) -> Vector:
         """The parent's angular velocity, in the link's frame."""
-        return rotated_back(self.frame(link)[0], self.turning(self.tree.links[link].parent))
+        return rotated_back(rotation(self.frame(link)),
+                            self.angular_velocity(self.tree.links[link].parent))
 
-    @_of_link
-    def turning(self, link: int) -> Vector:
+    @_of_link("w")
+    def angular_velocity(self, link: int) -> Vector:
         """ω."""
         if link < 0 or self.still:
             return self.zero
-        return add(self.carried(link), self._relative(link, self.speeds(link))[1])
+        return add(self.parent_angular_velocity(link),
+                   angular(self._relative(link, self.speeds(link))))
 
-    @_of_link
+    @_of_link("v")
     def velocity(self, link: int) -> Vector:
         """Of the link's origin."""
         if link < 0 or self.still:
             return self.zero
-        (R, t), parent = self.frame(link), self.tree.links[link].parent
-        brought = add(self.velocity(parent), cross(self.turning(parent), t))
-        return add(rotated_back(R, brought), self._relative(link, self.speeds(link))[0])
+        brought = self.recorder.call("product_Adinvs", self.frame(link),
+                                     self.twist(self.tree.links[link].parent))
+        return add(linear(brought), linear(self._relative(link, self.speeds(link))))
+
+    def twist(self, link: int) -> Twist:
+        """(v; ω)."""
+        return (*self.velocity(link), *self.angular_velocity(link))
 
     # accelerations
 
-    @_of_link
-    def spinning(self, link: int) -> Vector:
-        """ω', the angular acceleration."""
+    @_of_link("dw")
+    def angular_acceleration(self, link: int) -> Vector:
+        """ω'."""
         if link < 0:
             return self.zero
-        brought = rotated_back(self.frame(link)[0], self.spinning(self.tree.links[link].parent))
-        relative = self._relative(link, self.speeds(link))[1]
-        own = self._relative(link, self.accelerations(link))[1]
-        return add(add(brought, cross(self.carried(link), relative)), own)
+        brought = rotated_back(rotation(self.frame(link)),
+                               self.angular_acceleration(self.tree.links[link].parent))
+        relative = angular(self._relative(link, self.speeds(link)))
+        own = angular(self._relative(link, self.accelerations(link)))
+        return add(add(brought, cross(self.parent_angular_velocity(link), relative)), own)
 
-    @_of_link
-    def curl(self, link: int) -> Rotation:
+    @_of_link("U")
+    def acceleration_tensor(self, link: int) -> Rotation:
         """ω'~ + ω~ ω~: maps points of the link to their accelerations beyond the origin's."""
-        (x, y, z), (a, b, c) = self.turning(link), self.spinning(link)
-        xx, yy, zz, xy, xz, yz = x * x, y * y, z * z, x * y, x * z, y * z
-        return (-(yy + zz), xy - c, xz + b, xy + c, -(xx + zz), yz - a, xz - b, yz + a, -(xx + yy))
+        return self.recorder.call("acceleration_tensor", self.angular_velocity(link),
+                                  self.angular_acceleration(link))
 
-    @_of_link
+    @_of_link("a")
     def acceleration(self, link: int) -> Vector:
         """Of the link's origin, less that of gravity."""
         if link < 0:
             return subtract(self.zero, self.gravity)
-        (R, t), parent = self.frame(link), self.tree.links[link].parent
-        brought = rotated_back(R, add(self.acceleration(parent), rotated(self.curl(parent), t)))
-        v, w = self._relative(link, self.speeds(link))
-        own = add(self._relative(link, self.accelerations(link))[0], cross(w, v))
-        carried = self.carried(link)
-        return add(brought, add(cross(add(carried, carried), v), own))
+        D, parent = self.frame(link), self.tree.links[link].parent
+        at_origin = add(self.acceleration(parent),
+                        rotated(self.acceleration_tensor(parent), translation(D)))
+        relative = self._relative(link, self.speeds(link))
+        own = add(linear(self._relative(link, self.accelerations(link))),
+                  cross(angular(relative), linear(relative)))
+        w = self.parent_angular_velocity(link)
+        return add(rotated_back(rotation(D), at_origin),
+                   add(cross(add(w, w), linear(relative)), own))

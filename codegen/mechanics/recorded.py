@@ -35,8 +35,10 @@ class Recording:
         """The inertia of each link."""
         found = []
         for name, link in zip(self.names, self.tree.links, strict=True):
-            with self.recorder.part(f"{name}_inertia", link.name):
+            with self.recorder.part(name, "B", link.name):
                 found.append(lumped(self.recorder, link.seats))
+                for part, value in (("m", found[-1].m), ("h", found[-1].h), ("I", found[-1].I)):
+                    self.recorder.label(f"B{part}", value)
         return found
 
     @cached_property

@@ -2,14 +2,16 @@
 
 from dataclasses import dataclass
 
-from coscrew_codegen.mechanics.motion import Motion, Rotation
+from coscrew_codegen.mechanics.motion import Displacement, Motion, Twist
 from coscrew_codegen.recording.numbers import (
     Number,
     Vector,
-    add,
-    cross,
+    angular,
+    displacement,
+    linear,
     rotated,
     rotated_back,
+    rotation,
     subtract,
 )
 from coscrew_codegen.scene.effect import BodyState
@@ -21,7 +23,7 @@ class BodyOfLink(BodyState):
 
     motion: Motion
     link: int
-    place: tuple[Rotation, Vector]  # of the body in its link
+    place: Displacement  # of the body in its link
     t: Number
 
     @property
@@ -31,38 +33,40 @@ class BodyOfLink(BodyState):
 
     def world_direction(self, vector: Vector) -> Vector:
         """R x: a vector of the body as the world sees it."""
-        return rotated(self.motion.pose(self.link)[0], rotated(self.place[0], vector))
+        return rotated(rotation(self.motion.pose(self.link)), rotated(rotation(self.place), vector))
 
     def own_direction(self, vector: Vector) -> Vector:
         """R^T x: a vector of the world as the body sees it."""
-        return rotated_back(self.place[0], rotated_back(self.motion.pose(self.link)[0], vector))
+        in_link = rotated_back(rotation(self.motion.pose(self.link)), vector)
+        return rotated_back(rotation(self.place), in_link)
 
     def world_position(self, point: Vector) -> Vector:
         """R x + t: where a point of the body is."""
-        R, t = self.motion.pose(self.link)
-        return add(t, rotated(R, self.in_link(point)))
+        return _at(self.motion.pose(self.link), self.in_link(point))
 
     def velocity(self, point: Vector) -> Vector:
         """v + ω × x of a point of the body."""
-        link = self.link
-        moved = add(self.motion.velocity(link), cross(self.turning_of_link, self.in_link(point)))
-        return rotated_back(self.place[0], moved)
+        return linear(self.twist(point))
 
     @property
-    def turning(self) -> Vector:
+    def angular_velocity(self) -> Vector:
         """ω."""
-        return rotated_back(self.place[0], self.turning_of_link)
+        return angular(self.twist(self.motion.zero))
 
-    @property
-    def turning_of_link(self) -> Vector:
-        """ω in the link's frame."""
-        return self.motion.turning(self.link)
+    def twist(self, point: Vector) -> Twist:
+        """[Ad]^-1 s: (v; ω) of a point of the body."""
+        return self.motion.recorder.call("product_Adinvs", self.frame(point),
+                                         self.motion.twist(self.link))
+
+    def frame(self, point: Vector) -> Displacement:
+        """The body's frame moved to one of its points, in its link."""
+        return displacement(rotation(self.place), self.in_link(point))
 
     def in_link(self, point: Vector) -> Vector:
         """A point of the body in its link's frame."""
-        return add(self.place[1], rotated(self.place[0], point))
+        return _at(self.place, point)
 
-    def apart(self, point: Vector, other: "BodyOfLink", other_point: Vector) -> Vector:
+    def line_to(self, point: Vector, other: "BodyOfLink", other_point: Vector) -> Vector:
         """From a point of this body to one of another, in the world's frame.
 
         Where both hang on common links only what lies between counts: far from the origin nothing
@@ -71,7 +75,11 @@ class BodyOfLink(BodyState):
         shared = next(link for link in chains[0] if link in chains[1])
         ends = [_position_in(self.motion, shared, state.link, state.in_link(x))
                 for state, x in ((self, point), (other, other_point))]
-        return rotated(self.motion.pose(shared)[0], subtract(ends[1], ends[0]))
+        return rotated(rotation(self.motion.pose(shared)), subtract(ends[1], ends[0]))
+
+
+def _at(D: Displacement, point: Vector) -> Vector:
+    return D[0].recorder.call("product_dv", D, point)
 
 
 def _ancestors(motion: Motion, link: int) -> list[int]:
@@ -85,6 +93,5 @@ def _ancestors(motion: Motion, link: int) -> list[int]:
 
 def _position_in(motion: Motion, base: int, link: int, point: Vector) -> Vector:
     while link != base:
-        R, t = motion.frame(link)
-        point, link = add(t, rotated(R, point)), motion.tree.links[link].parent
+        point, link = _at(motion.frame(link), point), motion.tree.links[link].parent
     return point

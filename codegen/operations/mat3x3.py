@@ -29,6 +29,7 @@ FAMILY = "mat3x3"
 _R, _self, _Ro = (Argument(name, MAT3X3) for name in ("R", "self", "Ro"))
 _v, _axis, _dc = Argument("v", VEC3), Argument("axis", VEC3), Argument("dc", DC)
 _x, _y, _z = (Argument(name, VEC3) for name in "xyz")
+_w, _dw = Argument("w", VEC3), Argument("dw", VEC3)
 _det = Argument("det", SCALAR)
 
 
@@ -51,6 +52,18 @@ def _bound_about(let: Let, axis: sp.Matrix, dc: sp.Matrix) -> sp.Matrix:
         x * axis[0], y * axis[1], z * axis[2], x * axis[1], x * axis[2], y * axis[2]]))
     symmetric = sp.Matrix([[dc[1] + xx, xy, xz], [xy, dc[1] + yy, yz], [xz, yz, dc[1] + zz]])
     return symmetric + skew(let("sine_axis", dc[0] * axis))
+
+
+def products_of(let: Let, w: sp.Matrix) -> sp.Matrix:
+    """ω ω^T: xx, yy, zz, xy, xz, yz."""
+    x, y, z = w
+    return let("ww", sp.Matrix([x * x, y * y, z * z, x * y, x * z, y * z]))
+
+
+def acceleration_tensor(ww: sp.Matrix, dw: sp.Matrix) -> sp.Matrix:
+    """ω'~ + ω~ ω~, of which the six products of ω with itself are given."""
+    xx, yy, zz, xy, xz, yz = ww
+    return sp.Matrix([[-(yy + zz), xy, xz], [xy, -(xx + zz), yz], [xz, yz, -(xx + yy)]]) + skew(dw)
 
 
 def _inverse(let: Let, R: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
@@ -128,6 +141,10 @@ OPERATIONS = (
     _op("mat3x3_setFromVectors", "R = [x y z], the columns", (_x, _y, _z), (_R,),
         lambda x, y, z: sp.Matrix.hstack(x, y, z), order=("R", "x", "y", "z")),
     _op("skew", "Ro = v~, the matrix with v~ y = v × y", (_v,), (_Ro,), skew),
+    _op("acceleration_tensor", "Ro = w'~ + w~ w~ of a body with angular velocity w and angular "
+        "acceleration w' = dw: its point x is accelerated by Ro x beyond its origin",
+        (_w, _dw), (_Ro,), lambda w, dw: skew(dw) + skew(w)**2,
+        lambda let, w, dw: acceleration_tensor(products_of(let, w), dw)),
     _op("mat3x3_transpose", "self = self^T, the inverse of a rotation", (_self,), (_self,),
         lambda R: R.T),
     _op("mat3x3_transposed", "Ro = R^T, the inverse of a rotation", (_R,), (_Ro,), lambda R: R.T),

@@ -1,16 +1,62 @@
-"""6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them."""
+"""6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them, and symmetric
+ones from screws to coscrews: articulated inertias."""
+
+from collections.abc import Callable
 
 import sympy as sp
 
+from coscrew_codegen.algebra import CoAd, blocks, shifted, skew, turned
+from coscrew_codegen.operations.norm import Let
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.quantity import MAT6X6, Argument
+from coscrew_codegen.quantity import MAT3X3, MAT6X6, VEC3, Argument
 
 FAMILY = "mat6x6"
 
 _M, _self, _Mo = (Argument(name, MAT6X6) for name in ("M", "self", "Mo"))
+_R, _t = Argument("R", MAT3X3), Argument("t", VEC3)
+
+
+def _symmetric(M: sp.Matrix) -> sp.Matrix:
+    """The matrix with this lower triangle."""
+    return sp.Matrix(*M.shape, lambda i, j: M[max(i, j), min(i, j)])
+
+
+def _bound(let: Let, name: str, S: sp.Matrix) -> sp.Matrix:
+    """S, symmetric, each entry bound once."""
+    places = [(i, j) for i in range(S.rows) for j in range(i + 1)]
+    x = let(name, sp.Matrix([S[place] for place in places]))
+    return sp.Matrix(*S.shape, lambda i, j: x[places.index((max(i, j), min(i, j)))])
+
+
+def _rotated(let: Let, R: sp.Matrix, M: sp.Matrix) -> sp.Matrix:
+    """Of M = [[M, H^T], [H, I]]: R M R^T, R H R^T, R I R^T."""
+    M = _symmetric(M)
+    linear = _bound(let, "linear", let("RM", R * M[:3, :3]) * R.T)
+    H = let("coupling", let("RH", R * M[3:, :3]) * R.T)
+    return blocks(linear, H.T, H, _bound(let, "angular", let("RI", R * M[3:, 3:]) * R.T))
+
+
+def _shifted(let: Let, t: sp.Matrix, M: sp.Matrix) -> sp.Matrix:
+    """Of M = [[M, H^T], [H, I]]: G = H + t~ M and I + t~ H^T - G t~, H^T's t~ its transpose."""
+    M, t = _symmetric(M), skew(t)
+    linear, H = M[:3, :3], M[3:, :3]
+    G = let("G", H + t * linear)
+    return blocks(linear, G.T, G, _bound(let, "moved", M[3:, 3:] + t * H.T - G * t))
+
+
+def _moved(name: str, of: Argument, displacement: Callable[[sp.Matrix], sp.Matrix],
+           derivation: Callable[..., sp.Matrix]) -> Operation:
+    x = of.name
+    return Operation(
+        f"mat6x6_{name}", FAMILY, f"Mo = [Ad]*({x}) M [Ad]^-1({x}), M symmetric, of which the "
+        f"lower triangle is read: the articulated inertia M {name} by {x}", (of, _M), (_Mo,),
+        lambda x, M: CoAd(displacement(x)) * _symmetric(M) * CoAd(displacement(x)).T, derivation)
+
 
 OPERATIONS = (
     Operation("mat6x6_copy", FAMILY, "Mo = M", (_M,), (_Mo,), lambda M: M),
     Operation("mat6x6_setIdentity", FAMILY, "self = I", (_self,), (_self,), lambda M: sp.eye(6)),
     Operation("mat6x6_transposed", FAMILY, "Mo = M^T", (_M,), (_Mo,), lambda M: M.T),
+    _moved("rotated", _R, turned, _rotated),
+    _moved("shifted", _t, shifted, _shifted),
 )

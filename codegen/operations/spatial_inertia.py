@@ -9,6 +9,7 @@ import sympy as sp
 from coscrew_codegen.algebra import I3, ang, blocks, lin, rotation, skew, stack, translation
 from coscrew_codegen.operations import inertia as centroidal
 from coscrew_codegen.operations.linear import linear_space
+from coscrew_codegen.operations.mat3x3 import acceleration_tensor, products_of
 from coscrew_codegen.operations.norm import Let, unnamed
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.operations.special import smallest_pivot
@@ -32,9 +33,11 @@ _B, _Bo = Argument("B", SPATIAL_INERTIA), Argument("Bo", SPATIAL_INERTIA)
 _J, _Jo, _m = Argument("J", INERTIA), Argument("Jo", INERTIA), Argument("m", SCALAR)
 _com, _Ic, _t = Argument("com", VEC3), Argument("Ic", MAT3X3), Argument("t", VEC3)
 _D, _s, _co = Argument("D", SE3), Argument("s", SCREW), Argument("co", COSCREW)
+_w, _ds = Argument("w", VEC3), Argument("ds", SCREW)
 _energy, _pivot = Argument("energy", SCALAR), Argument("pivot", SCALAR)
 _vo, _Ro, _Mo = Argument("vo", VEC3), Argument("Ro", MAT3X3), Argument("Mo", MAT6X6)
 
+_CYCLES = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
 _UPPER = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 
@@ -68,11 +71,31 @@ def _momentum(B: sp.Matrix, s: sp.Matrix) -> sp.Matrix:
 
 
 def _energy_of(let: Let, B: sp.Matrix, s: sp.Matrix) -> sp.Expr:
-    """(v·(m v + 2 ω × h) + ω·I ω) / 2: what m v and h share is computed once."""
+    """(ω·I ω + m v·v) / 2 + v·(ω × h)."""
     v, w = lin(s), ang(s)
-    twice = let("twice_across", 2 * let("across", w.cross(_first(B))))
-    p, L = let("p", B[0] * v + twice), let("L", _second(B) * w)
-    return let("twice", v.dot(p) + w.dot(L)) / 2
+    square, L = let("square", v.dot(v)), let("L", _second(B) * w)
+    return let("twice", w.dot(L) + B[0] * square) / 2 + v.dot(let("across", w.cross(_first(B))))
+
+
+def _net_wrench(let: Let, B: sp.Matrix, w: sp.Matrix, ds: sp.Matrix) -> sp.Matrix:
+    """(m a + U h; h × a + N), U = ω'~ + ω~ ω~.  N = I ω' + ω × I ω takes 15 products instead of 24
+    with the entries of U and of ω ω^T, which no other component needs to have formed again:
+    N_x = I_xx ω'_x + (I_zz - I_yy) ω_y ω_z + I_yz (ω_y² - ω_z²) - I_xy U_zx + I_xz U_yx."""
+    h, a, dw, I = _first(B), lin(ds), ang(ds), _second(B)
+    xx, yy, zz, xy, xz, yz = ww = products_of(let, w)
+    U = let("U", acceleration_tensor(ww, dw))
+    others = let("others", sp.Matrix([I[k, k] - I[j, j] for _, j, k in _CYCLES]))
+    squares = let("squares", sp.Matrix([yy - zz, zz - xx, xx - yy]))
+    own = let("own", sp.Matrix([I[i, i] * dw[i] + others[i] * (yz, xz, xy)[i] for i in range(3)]))
+    N = let("N", sp.Matrix([
+        own[i] + I[j, k] * squares[i] - I[i, j] * U[k, i] + I[k, i] * U[j, i]
+        for i, j, k in _CYCLES]))
+    return stack(B[0] * a + U * h, N + h.cross(a))
+
+
+def _wrench_formula(B: sp.Matrix, w: sp.Matrix, ds: sp.Matrix) -> sp.Matrix:
+    """B s' and what turning takes."""
+    return _momentum(B, ds) + stack(w.cross(w.cross(_first(B))), w.cross(_second(B) * w))
 
 
 def _from_com(let: Let, m: sp.Expr, com: sp.Matrix, Ic: sp.Matrix) -> sp.Matrix:
@@ -132,13 +155,17 @@ def _to_inertia(let: Let, B: sp.Matrix) -> sp.Matrix:
     return centroidal.inertia(B[0], h, _second(B) - moved)
 
 
+def _sigma(let: Let, B: sp.Matrix) -> sp.Matrix:
+    """The diagonal of Σ = tr(I)/2 1 - I = ∫ x x^T dm, whose other entries are those of -I."""
+    second = _second(B)
+    trace = let("trace", let("twice_trace", second.trace()) / 2)
+    return let("sigma", sp.Matrix([trace - second[i, i] for i in range(3)]))
+
+
 def _pseudo_inertia(let: Let, B: sp.Matrix) -> sp.Matrix:
     """[[m, h^T], [h, tr(I)/2 1 - I]]: ∫ (1; x) (1; x)^T dm."""
     second = _second(B)
-    trace = let("trace", (second[0, 0] + second[1, 1] + second[2, 2]) / 2)
-    Sigma = let("sigma", sp.Matrix([trace - second[0, 0], trace - second[1, 1],
-                                    trace - second[2, 2]]))
-    x, y, z = Sigma
+    x, y, z = _sigma(let, B)
     xy, xz, yz = -second[0, 1], -second[0, 2], -second[1, 2]
     h = _first(B)
     return sp.Matrix([[B[0], h[0], h[1], h[2]], [h[0], x, xy, xz], [h[1], xy, y, yz],
@@ -179,6 +206,10 @@ OPERATIONS = (
         "with s", (_B, _s), (_co,), _momentum),
     _op("spatial_inertia_energy", "s·B s / 2, the kinetic energy in J of a body that moves with s",
         (_B, _s), (_energy,), lambda B, s: s.dot(_momentum(B, s)) / 2, _energy_of),
+    _op("spatial_inertia_net_wrench", "co = B ds + (w × (w × h); w × I w): the wrench about the "
+        "origin that a body takes to move with angular velocity w and acceleration ds = (a; w'), a "
+        "that of the point now at the origin; a less that of gravity: the wrench beside gravity's",
+        (_B, _w, _ds), (_co,), _wrench_formula, _net_wrench),
     _op("spatial_inertia_shifted", "Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~",
         (_t, _B), (_Bo,), lambda t, B: _shifted(unnamed, t, B), _shifted),
     _op("spatial_inertia_transformed", "Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D "

@@ -86,7 +86,16 @@ def _add(known, a, b):
         return _sub(known, a, y) or Folded(Op.SUB, (a, y))
     if x is not None:
         return _sub(known, b, x) or Folded(Op.SUB, (b, x))
-    return _joined(known, a, b, 1)
+    return _completed(known, a, b) or _completed(known, b, a) or _joined(known, a, b, 1)
+
+
+def _completed(known, a, b):
+    """(c - x) + x is c, for a constant c."""
+    if isinstance(a, Ref) and known[a.name].op is Op.SUB:
+        c, x = known[a.name].operands
+        if x == b and isinstance(c, Constant):
+            return c
+    return None
 
 
 def _joined(known, a, b, sign):

@@ -114,9 +114,29 @@ def negative(a: Sequence[Number]) -> tuple[Number, ...]:
     return tuple(-x for x in a)
 
 
-def row_by_row(R: Sequence[Number], t: Vector) -> tuple[Number, ...]:
-    """[R | t], as the library's operations take a displacement."""
+def displacement(R: Sequence[Number], t: Sequence[Number]) -> tuple[Number, ...]:
+    """D = [R | t], row by row, as the library's operations take it."""
     return (*R[:3], t[0], *R[3:6], t[1], *R[6:], t[2])
+
+
+def rotation(D: Sequence[Number]) -> tuple[Number, ...]:
+    """R of D = [R | t]."""
+    return (*D[:3], *D[4:7], *D[8:11])
+
+
+def translation(D: Sequence[Number]) -> Vector:
+    """t of D = [R | t]."""
+    return D[3], D[7], D[11]
+
+
+def linear(s: Sequence[Number]) -> Vector:
+    """v of a screw (v; ω), f of a coscrew (f; τ)."""
+    return tuple(s[:3])
+
+
+def angular(s: Sequence[Number]) -> Vector:
+    """ω of a screw (v; ω), τ of a coscrew (f; τ)."""
+    return tuple(s[3:])
 
 
 def rotated(R: Sequence[Number], a: Vector) -> Vector:

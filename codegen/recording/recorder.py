@@ -2,9 +2,16 @@
 
 What is constant folds exactly, in rationals; zeros and ones cost nothing; equal instructions are
 issued once; signs move outwards until a sum takes them up.  Knows no mechanics.
+
+Instructions are named when the program is done, so that none that is left out leaves a gap:
+
+    link_wx      component x of the value w of the link
+    link_wxn     its negative
+    link_wx2     where a function has the value twice, the second
+    link_wx_1    the first step towards it, which nothing else needs
+    link_w_1     the first step of the part w of the link that several need
 """
 
-import string
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
@@ -25,11 +32,15 @@ from coscrew_codegen.program.folding import Folded, Sign, folded, fraction
 from coscrew_codegen.program.interpreter import Arithmetic, interpreter
 from coscrew_codegen.programs import library_program
 from coscrew_codegen.quantity import Argument, Quantity
+from coscrew_codegen.recording.naming import Part, named
 from coscrew_codegen.recording.numbers import Number
 
 Numbers = Sequence[Number]
 
 
+COMPONENTS = {1: ("",), 3: ("x", "y", "z"), 6: ("xx", "yy", "zz", "xy", "xz", "yz"),
+              9: ("xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz")}
+"""What components are called behind a symbol, by their number."""
 
 
 def array(name: str, shape: tuple[int, ...], words: str = "") -> Argument:
@@ -45,10 +56,10 @@ class Recorder:
         self._instructions: list[Instruction] = []
         self._by_name: dict[str, Instruction] = {}
         self._issued: dict[tuple[Op, tuple[Operand, ...]], Ref] = {}
-        self._component = "x"
-        self._heading = ""
+        self._part = Part("total")  # of several links or effects
+        self._parts: dict[str, Part] = {}  # by the instruction's name
+        self._labels: dict[str, Part] = {}  # of values: by the name of what holds them
         self.heading = ""  # of the part in which something was divided by zero
-        self._taken: dict[str, int] = {}
         self._arithmetic: Arithmetic[Operand] = Arithmetic(
             lambda x: x, lambda step, _: partial(self._issued_of, step.op), NotANumber())
         self._replays: dict[str, Callable[[Sequence[Sequence[Operand]]], list[Operand]]] = {}
@@ -79,17 +90,27 @@ class Recorder:
     # what happens to it
 
     @contextmanager
-    def part(self, component: str, heading: str = "") -> Iterator[None]:
-        """Names what is issued within after `component`, below a heading in the text."""
-        before = self._component, self._heading
-        self._component, self._heading = component, heading or self._heading
+    def part(self, owner: str, symbol: str = "", heading: str = "") -> Iterator[None]:
+        """Names what is issued within after its owner and what it computes, below a heading."""
+        before = self._part
+        self._part = Part(owner, symbol, heading or before.heading)
         try:
             yield
         except ZeroDivisionError:
-            self.heading = self.heading or self._heading
+            self.heading = self.heading or self._part.heading
             raise
         finally:
-            self._component, self._heading = before
+            self._part = before
+
+    def label(self, symbol: str, value: Number | Numbers, owner: str = "") -> None:
+        """Names a value of the part's owner, or another, by a symbol: components are x, y, z, of
+        symmetric matrices xx, yy, zz, xy, xz, yz, of other 3×3 ones xx, xy, xz, yx, ….  Names that
+        something has, it keeps."""
+        numbers = [value] if isinstance(value, Number) else value
+        for suffix, x in zip(COMPONENTS[len(numbers)], numbers, strict=True):
+            if isinstance(x.operand, Ref):
+                self._labels.setdefault(x.operand.name, Part(
+                    owner or self._part.owner, f"{symbol}{suffix}", self._part.heading))
 
     def call(self, operation: str, *arguments: Number | Numbers) -> tuple[Number, ...]:
         """All components of the operation's outputs, its plain program replayed."""
@@ -117,12 +138,11 @@ class Recorder:
         return self._issued[key]
 
     def _new(self, op: Op, operands: tuple[Operand, ...]) -> Ref:
-        count = self._taken.get(self._component, 0)
-        self._taken[self._component] = count + 1
-        name = f"{self._component}_{_letters(count)}"
-        instruction = Instruction(name, op, operands, f"{self._heading}:{self._component}")
+        name = f"{len(self._instructions):06}"
+        instruction = Instruction(name, op, operands, self._part.component)
         self._instructions.append(instruction)
         self._by_name[name] = instruction
+        self._parts[name] = self._part
         return Ref(name)
 
     # what comes out
@@ -131,8 +151,9 @@ class Recorder:
         """The program with these outputs; what none of them needs is not in it."""
         results = tuple(x.operand for argument, numbers in outputs
                         for x in _exactly(argument, numbers))
-        return without_dead_steps(Program(name, self.inputs, tuple(a for a, _ in outputs),
-                                          tuple(self._instructions), results))
+        program = without_dead_steps(Program(name, self.inputs, tuple(a for a, _ in outputs),
+                                             tuple(self._instructions), results))
+        return named(program, self._parts, self._labels, self._by_name)
 
 
 def headings(program: Program) -> tuple[tuple[int, str], ...]:
@@ -153,18 +174,8 @@ def _exactly(argument: Argument, numbers: Numbers) -> Numbers:
     return numbers
 
 
-def _letters(count: int) -> str:
-    """a, …, z, aa, ab, …"""
-    letters = ""
-    count += 1
-    while count:
-        count, last = divmod(count - 1, 26)
-        letters = string.ascii_lowercase[last] + letters
-    return letters
-
-
 def _order(x: Operand) -> tuple:
-    """Constants first, then inputs, then results by name."""
+    """Constants first, then inputs, then results in their order."""
     if isinstance(x, Constant):
         return 0, "", x.double, x.single
     if isinstance(x, Input):

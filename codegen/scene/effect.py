@@ -64,7 +64,7 @@ class BodyState(Protocol):
         """The scene's acceleration of free fall, in the world's frame; zero without gravity."""
 
     @property
-    def turning(self) -> Vector:
+    def angular_velocity(self) -> Vector:
         """ω."""
 
     def world_direction(self, vector: Vector) -> Vector:
@@ -79,7 +79,7 @@ class BodyState(Protocol):
     def velocity(self, point: Vector) -> Vector:
         """v + ω × x of a point of the body."""
 
-    def apart(self, point: Vector, other: "BodyState", other_point: Vector) -> Vector:
+    def line_to(self, point: Vector, other: "BodyState", other_point: Vector) -> Vector:
         """From a point of this body to one of another, in the world's frame."""
 
 

@@ -101,6 +101,22 @@ class Joint:
     friction: Fraction | None = None
     mimic: Mimic | None = None
 
+    @property
+    def in_words(self) -> str:
+        """How it moves: "elbow turns about y", "slide moves along -z"."""
+        moves = {Kind.REVOLUTE: f"turns about {self._axis}",
+                 Kind.PRISMATIC: f"moves along {self._axis}", Kind.SPHERICAL: "turns freely",
+                 Kind.FREE: "moves freely", Kind.FIXED: "is fixed"}
+        return f"{self.name} {moves[self.kind]}"
+
+    @property
+    def _axis(self) -> str:
+        """x, -y, (0.6, 0, 0.8)."""
+        for letter, x in zip("xyz", self.axis, strict=True):
+            if abs(x) == 1:
+                return f"-{letter}" if x < 0 else letter
+        return f"({', '.join(f'{float(x):.6g}' for x in self.axis)})"
+
 
 @dataclass(frozen=True)
 class Model:

@@ -50,12 +50,14 @@ def files(scene: SceneFunctions, banner: str) -> Files:
         macros.append(("NP", str(len(scene.parameters))))
     macros += _places(scene)
     macros += [entry for p in named(scene.precisions) for entry in _defaults(scene, p)]
+    names = scene_text.legend(scene, [x.body for part in sections for x in part["functions"]])
     shared = {"banner": banner, "name": scene.name, "upper": scene.name.upper(),
               "sections": sections}
     return {
         f"{scene.name}.h": render("scene/scene.h", about=comment_of(_about(scene)), macros=macros,
                                   **shared),
-        f"{scene.name}.c": render("scene/scene.c", products=named(scene.precisions), **shared)}
+        f"{scene.name}.c": render("scene/scene.c", names=[comment_of(names)] if names else [],
+                                  products=named(scene.precisions), **shared)}
 
 
 def _about(scene: SceneFunctions) -> list[str]:

@@ -57,11 +57,15 @@ def _module(scene: SceneFunctions, banner: str, precision: Precision) -> str:
     helpers = ["components", "assembled", "delivered",
                *(["arrays", "spread"] if scene.steps else []),
                *(["rounds", "merged"] if split else [])]
+    made = [*(_function(f, precision) for f in functions),
+            *(_step(scene, step, precision) for step in scene.steps)]
+    legend = scene_text.legend(scene, [x["body"] for x in made])
     return render("scene/precision.py", banner=banner, name=scene.name, precision=precision,
+                  names=[row for words in legend
+                         for row in wrap(words, WIDTH, subsequent_indent="    ")],
                   imports=listed("from numpy import (", sorted(names), ")"),
                   helpers=", ".join(helpers),
-                  functions=[*(_function(f, precision) for f in functions),
-                             *(_step(scene, step, precision) for step in scene.steps)])
+                  functions=made)
 
 
 def _quoted(text: str) -> str:

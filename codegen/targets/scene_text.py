@@ -5,9 +5,11 @@ Knows functions and words; nothing of how a language writes statements.
 
 import keyword
 import re
+from collections.abc import Sequence
 from fractions import Fraction
 from math import prod
 
+from coscrew_codegen import scene_symbols
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, counts_in_words
 from coscrew_codegen.quantity import Argument
@@ -112,6 +114,13 @@ def _check(function: Function) -> None:
         if step.name in seen:
             raise ValueError(f"{function.name}: the name {step.name!r} is given twice")
         seen.add(step.name)
+
+
+def legend(scene: SceneFunctions, bodies: Sequence[str]) -> tuple[str, ...]:
+    """Paragraphs on what the names of instructions in these bodies of functions mean."""
+    written = {word for body in bodies for word in re.findall(r"\w+", body)}
+    return scene_symbols.legend(sorted(written.intersection(
+        step.name for f in scene.functions for step in f.program.instructions)))
 
 
 def literal(value: float, precision: Precision) -> str:

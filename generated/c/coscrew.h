@@ -2167,6 +2167,40 @@ static inline void ksl_skew(const ksl_vec3_t *v, ksl_mat3x3_t *Ro) {
   Ro->m22 = 0.0;
 }
 
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
+     x is accelerated by Ro x beyond its origin.
+   w, dw: vector; Ro: rotation or other 3×3 matrix.
+   6 mul, 9 add, 3 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_acceleration_tensor(const ksl_vec3_t *w, const ksl_vec3_t *dw,
+    ksl_mat3x3_t *Ro) {
+  const double ww_0 = KSL_MUL(w->x, w->x);
+  const double ww_1 = KSL_MUL(w->y, w->y);
+  const double ww_2 = KSL_MUL(w->z, w->z);
+  const double ww_3 = KSL_MUL(w->x, w->y);
+  const double ww_4 = KSL_MUL(w->x, w->z);
+  const double ww_5 = KSL_MUL(w->y, w->z);
+  const double Ro_00a = ww_1 + ww_2, Ro_00 = -Ro_00a;
+  const double Ro_01 = ww_3 - dw->z;
+  const double Ro_02 = dw->y + ww_4;
+  const double Ro_10 = dw->z + ww_3;
+  const double Ro_11a = ww_0 + ww_2, Ro_11 = -Ro_11a;
+  const double Ro_12 = ww_5 - dw->x;
+  const double Ro_20 = ww_4 - dw->y;
+  const double Ro_21 = dw->x + ww_5;
+  const double Ro_22a = ww_0 + ww_1, Ro_22 = -Ro_22a;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+}
+
 /* self = self^T, the inverse of a rotation.
    self: rotation or other 3×3 matrix.
    No arithmetic.
@@ -3081,6 +3115,40 @@ static inline void ksl_skewf(const ksl_vec3f_t *v, ksl_mat3x3f_t *Ro) {
   Ro->m20 = Ro_20;
   Ro->m21 = v_x;
   Ro->m22 = 0.0f;
+}
+
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
+     x is accelerated by Ro x beyond its origin.
+   w, dw: vector; Ro: rotation or other 3×3 matrix.
+   6 mul, 9 add, 3 neg.
+   Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_acceleration_tensorf(const ksl_vec3f_t *w, const ksl_vec3f_t *dw,
+    ksl_mat3x3f_t *Ro) {
+  const float ww_0 = KSL_MULF(w->x, w->x);
+  const float ww_1 = KSL_MULF(w->y, w->y);
+  const float ww_2 = KSL_MULF(w->z, w->z);
+  const float ww_3 = KSL_MULF(w->x, w->y);
+  const float ww_4 = KSL_MULF(w->x, w->z);
+  const float ww_5 = KSL_MULF(w->y, w->z);
+  const float Ro_00a = ww_1 + ww_2, Ro_00 = -Ro_00a;
+  const float Ro_01 = ww_3 - dw->z;
+  const float Ro_02 = dw->y + ww_4;
+  const float Ro_10 = dw->z + ww_3;
+  const float Ro_11a = ww_0 + ww_2, Ro_11 = -Ro_11a;
+  const float Ro_12 = ww_5 - dw->x;
+  const float Ro_20 = ww_4 - dw->y;
+  const float Ro_21 = dw->x + ww_5;
+  const float Ro_22a = ww_0 + ww_1, Ro_22 = -Ro_22a;
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
 }
 
 /* self = self^T, the inverse of a rotation.
@@ -5163,7 +5231,7 @@ static inline ksl_mat4x4f_t *ksl_mat4x4f_alloc(int n) {
 
 #endif
 
-/* 6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them. */
+/* 6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them, and symmetric */
 #ifndef KSL_MAT6X6_H
 #define KSL_MAT6X6_H
 
@@ -5383,6 +5451,261 @@ static inline void ksl_mat6x6_transposed(const ksl_mat6x6_t *M, ksl_mat6x6_t *Mo
   Mo->at[5][5] = M_at_55;
 }
 
+/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
+     inertia M rotated by R.
+   R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.
+   144 mul, 96 add.
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat6x6_rotated(const ksl_mat3x3_t *R, const ksl_mat6x6_t *M,
+    ksl_mat6x6_t *Mo) {
+  const double RM_0a = KSL_MUL(R->m00, M->at[0][0]), RM_0b = KSL_MUL(R->m01, M->at[0][1]),
+      RM_0c = RM_0a + RM_0b, RM_0d = KSL_MUL(R->m02, M->at[0][2]), RM_0 = RM_0c + RM_0d;
+  const double RM_1a = KSL_MUL(R->m00, M->at[0][1]), RM_1b = KSL_MUL(R->m01, M->at[1][1]),
+      RM_1c = RM_1a + RM_1b, RM_1d = KSL_MUL(R->m02, M->at[1][2]), RM_1 = RM_1c + RM_1d;
+  const double RM_2a = KSL_MUL(R->m00, M->at[0][2]), RM_2b = KSL_MUL(R->m01, M->at[1][2]),
+      RM_2c = RM_2a + RM_2b, RM_2d = KSL_MUL(R->m02, M->at[2][2]), RM_2 = RM_2c + RM_2d;
+  const double RM_3a = KSL_MUL(R->m10, M->at[0][0]), RM_3b = KSL_MUL(R->m11, M->at[0][1]),
+      RM_3c = RM_3a + RM_3b, RM_3d = KSL_MUL(R->m12, M->at[0][2]), RM_3 = RM_3c + RM_3d;
+  const double RM_4a = KSL_MUL(R->m10, M->at[0][1]), RM_4b = KSL_MUL(R->m11, M->at[1][1]),
+      RM_4c = RM_4a + RM_4b, RM_4d = KSL_MUL(R->m12, M->at[1][2]), RM_4 = RM_4c + RM_4d;
+  const double RM_5a = KSL_MUL(R->m10, M->at[0][2]), RM_5b = KSL_MUL(R->m11, M->at[1][2]),
+      RM_5c = RM_5a + RM_5b, RM_5d = KSL_MUL(R->m12, M->at[2][2]), RM_5 = RM_5c + RM_5d;
+  const double RM_6a = KSL_MUL(R->m20, M->at[0][0]), RM_6b = KSL_MUL(R->m21, M->at[0][1]),
+      RM_6c = RM_6a + RM_6b, RM_6d = KSL_MUL(R->m22, M->at[0][2]), RM_6 = RM_6c + RM_6d;
+  const double RM_7a = KSL_MUL(R->m20, M->at[0][1]), RM_7b = KSL_MUL(R->m21, M->at[1][1]),
+      RM_7c = RM_7a + RM_7b, RM_7d = KSL_MUL(R->m22, M->at[1][2]), RM_7 = RM_7c + RM_7d;
+  const double RM_8a = KSL_MUL(R->m20, M->at[0][2]), RM_8b = KSL_MUL(R->m21, M->at[1][2]),
+      RM_8c = RM_8a + RM_8b, RM_8d = KSL_MUL(R->m22, M->at[2][2]), RM_8 = RM_8c + RM_8d;
+  const double linear_0a = KSL_MUL(R->m00, RM_0), linear_0b = KSL_MUL(R->m01, RM_1),
+      linear_0c = linear_0a + linear_0b, linear_0d = KSL_MUL(R->m02, RM_2),
+      linear_0 = linear_0c + linear_0d;
+  const double linear_1a = KSL_MUL(R->m00, RM_3), linear_1b = KSL_MUL(R->m01, RM_4),
+      linear_1c = linear_1a + linear_1b, linear_1d = KSL_MUL(R->m02, RM_5),
+      linear_1 = linear_1c + linear_1d;
+  const double linear_2a = KSL_MUL(R->m10, RM_3), linear_2b = KSL_MUL(R->m11, RM_4),
+      linear_2c = linear_2a + linear_2b, linear_2d = KSL_MUL(R->m12, RM_5),
+      linear_2 = linear_2c + linear_2d;
+  const double linear_3a = KSL_MUL(R->m00, RM_6), linear_3b = KSL_MUL(R->m01, RM_7),
+      linear_3c = linear_3a + linear_3b, linear_3d = KSL_MUL(R->m02, RM_8),
+      linear_3 = linear_3c + linear_3d;
+  const double linear_4a = KSL_MUL(R->m10, RM_6), linear_4b = KSL_MUL(R->m11, RM_7),
+      linear_4c = linear_4a + linear_4b, linear_4d = KSL_MUL(R->m12, RM_8),
+      linear_4 = linear_4c + linear_4d;
+  const double linear_5a = KSL_MUL(R->m20, RM_6), linear_5b = KSL_MUL(R->m21, RM_7),
+      linear_5c = linear_5a + linear_5b, linear_5d = KSL_MUL(R->m22, RM_8),
+      linear_5 = linear_5c + linear_5d;
+  const double RH_0a = KSL_MUL(R->m00, M->at[0][3]), RH_0b = KSL_MUL(R->m01, M->at[0][4]),
+      RH_0c = RH_0a + RH_0b, RH_0d = KSL_MUL(R->m02, M->at[0][5]), RH_0 = RH_0c + RH_0d;
+  const double RH_1a = KSL_MUL(R->m00, M->at[1][3]), RH_1b = KSL_MUL(R->m01, M->at[1][4]),
+      RH_1c = RH_1a + RH_1b, RH_1d = KSL_MUL(R->m02, M->at[1][5]), RH_1 = RH_1c + RH_1d;
+  const double RH_2a = KSL_MUL(R->m00, M->at[2][3]), RH_2b = KSL_MUL(R->m01, M->at[2][4]),
+      RH_2c = RH_2a + RH_2b, RH_2d = KSL_MUL(R->m02, M->at[2][5]), RH_2 = RH_2c + RH_2d;
+  const double RH_3a = KSL_MUL(R->m10, M->at[0][3]), RH_3b = KSL_MUL(R->m11, M->at[0][4]),
+      RH_3c = RH_3a + RH_3b, RH_3d = KSL_MUL(R->m12, M->at[0][5]), RH_3 = RH_3c + RH_3d;
+  const double RH_4a = KSL_MUL(R->m10, M->at[1][3]), RH_4b = KSL_MUL(R->m11, M->at[1][4]),
+      RH_4c = RH_4a + RH_4b, RH_4d = KSL_MUL(R->m12, M->at[1][5]), RH_4 = RH_4c + RH_4d;
+  const double RH_5a = KSL_MUL(R->m10, M->at[2][3]), RH_5b = KSL_MUL(R->m11, M->at[2][4]),
+      RH_5c = RH_5a + RH_5b, RH_5d = KSL_MUL(R->m12, M->at[2][5]), RH_5 = RH_5c + RH_5d;
+  const double RH_6a = KSL_MUL(R->m20, M->at[0][3]), RH_6b = KSL_MUL(R->m21, M->at[0][4]),
+      RH_6c = RH_6a + RH_6b, RH_6d = KSL_MUL(R->m22, M->at[0][5]), RH_6 = RH_6c + RH_6d;
+  const double RH_7a = KSL_MUL(R->m20, M->at[1][3]), RH_7b = KSL_MUL(R->m21, M->at[1][4]),
+      RH_7c = RH_7a + RH_7b, RH_7d = KSL_MUL(R->m22, M->at[1][5]), RH_7 = RH_7c + RH_7d;
+  const double RH_8a = KSL_MUL(R->m20, M->at[2][3]), RH_8b = KSL_MUL(R->m21, M->at[2][4]),
+      RH_8c = RH_8a + RH_8b, RH_8d = KSL_MUL(R->m22, M->at[2][5]), RH_8 = RH_8c + RH_8d;
+  const double coupling_0a = KSL_MUL(R->m00, RH_0), coupling_0b = KSL_MUL(R->m01, RH_1),
+      coupling_0c = coupling_0a + coupling_0b, coupling_0d = KSL_MUL(R->m02, RH_2),
+      coupling_0 = coupling_0c + coupling_0d;
+  const double coupling_1a = KSL_MUL(R->m10, RH_0), coupling_1b = KSL_MUL(R->m11, RH_1),
+      coupling_1c = coupling_1a + coupling_1b, coupling_1d = KSL_MUL(R->m12, RH_2),
+      coupling_1 = coupling_1c + coupling_1d;
+  const double coupling_2a = KSL_MUL(R->m20, RH_0), coupling_2b = KSL_MUL(R->m21, RH_1),
+      coupling_2c = coupling_2a + coupling_2b, coupling_2d = KSL_MUL(R->m22, RH_2),
+      coupling_2 = coupling_2c + coupling_2d;
+  const double coupling_3a = KSL_MUL(R->m00, RH_3), coupling_3b = KSL_MUL(R->m01, RH_4),
+      coupling_3c = coupling_3a + coupling_3b, coupling_3d = KSL_MUL(R->m02, RH_5),
+      coupling_3 = coupling_3c + coupling_3d;
+  const double coupling_4a = KSL_MUL(R->m10, RH_3), coupling_4b = KSL_MUL(R->m11, RH_4),
+      coupling_4c = coupling_4a + coupling_4b, coupling_4d = KSL_MUL(R->m12, RH_5),
+      coupling_4 = coupling_4c + coupling_4d;
+  const double coupling_5a = KSL_MUL(R->m20, RH_3), coupling_5b = KSL_MUL(R->m21, RH_4),
+      coupling_5c = coupling_5a + coupling_5b, coupling_5d = KSL_MUL(R->m22, RH_5),
+      coupling_5 = coupling_5c + coupling_5d;
+  const double coupling_6a = KSL_MUL(R->m00, RH_6), coupling_6b = KSL_MUL(R->m01, RH_7),
+      coupling_6c = coupling_6a + coupling_6b, coupling_6d = KSL_MUL(R->m02, RH_8),
+      coupling_6 = coupling_6c + coupling_6d;
+  const double coupling_7a = KSL_MUL(R->m10, RH_6), coupling_7b = KSL_MUL(R->m11, RH_7),
+      coupling_7c = coupling_7a + coupling_7b, coupling_7d = KSL_MUL(R->m12, RH_8),
+      coupling_7 = coupling_7c + coupling_7d;
+  const double coupling_8a = KSL_MUL(R->m20, RH_6), coupling_8b = KSL_MUL(R->m21, RH_7),
+      coupling_8c = coupling_8a + coupling_8b, coupling_8d = KSL_MUL(R->m22, RH_8),
+      coupling_8 = coupling_8c + coupling_8d;
+  const double RI_0a = KSL_MUL(R->m00, M->at[3][3]), RI_0b = KSL_MUL(R->m01, M->at[3][4]),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(R->m02, M->at[3][5]), RI_0 = RI_0c + RI_0d;
+  const double RI_1a = KSL_MUL(R->m00, M->at[3][4]), RI_1b = KSL_MUL(R->m01, M->at[4][4]),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(R->m02, M->at[4][5]), RI_1 = RI_1c + RI_1d;
+  const double RI_2a = KSL_MUL(R->m00, M->at[3][5]), RI_2b = KSL_MUL(R->m01, M->at[4][5]),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(R->m02, M->at[5][5]), RI_2 = RI_2c + RI_2d;
+  const double RI_3a = KSL_MUL(R->m10, M->at[3][3]), RI_3b = KSL_MUL(R->m11, M->at[3][4]),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(R->m12, M->at[3][5]), RI_3 = RI_3c + RI_3d;
+  const double RI_4a = KSL_MUL(R->m10, M->at[3][4]), RI_4b = KSL_MUL(R->m11, M->at[4][4]),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(R->m12, M->at[4][5]), RI_4 = RI_4c + RI_4d;
+  const double RI_5a = KSL_MUL(R->m10, M->at[3][5]), RI_5b = KSL_MUL(R->m11, M->at[4][5]),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(R->m12, M->at[5][5]), RI_5 = RI_5c + RI_5d;
+  const double RI_6a = KSL_MUL(R->m20, M->at[3][3]), RI_6b = KSL_MUL(R->m21, M->at[3][4]),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(R->m22, M->at[3][5]), RI_6 = RI_6c + RI_6d;
+  const double RI_7a = KSL_MUL(R->m20, M->at[3][4]), RI_7b = KSL_MUL(R->m21, M->at[4][4]),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(R->m22, M->at[4][5]), RI_7 = RI_7c + RI_7d;
+  const double RI_8a = KSL_MUL(R->m20, M->at[3][5]), RI_8b = KSL_MUL(R->m21, M->at[4][5]),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(R->m22, M->at[5][5]), RI_8 = RI_8c + RI_8d;
+  const double angular_0a = KSL_MUL(R->m00, RI_0), angular_0b = KSL_MUL(R->m01, RI_1),
+      angular_0c = angular_0a + angular_0b, angular_0d = KSL_MUL(R->m02, RI_2),
+      angular_0 = angular_0c + angular_0d;
+  const double angular_1a = KSL_MUL(R->m00, RI_3), angular_1b = KSL_MUL(R->m01, RI_4),
+      angular_1c = angular_1a + angular_1b, angular_1d = KSL_MUL(R->m02, RI_5),
+      angular_1 = angular_1c + angular_1d;
+  const double angular_2a = KSL_MUL(R->m10, RI_3), angular_2b = KSL_MUL(R->m11, RI_4),
+      angular_2c = angular_2a + angular_2b, angular_2d = KSL_MUL(R->m12, RI_5),
+      angular_2 = angular_2c + angular_2d;
+  const double angular_3a = KSL_MUL(R->m00, RI_6), angular_3b = KSL_MUL(R->m01, RI_7),
+      angular_3c = angular_3a + angular_3b, angular_3d = KSL_MUL(R->m02, RI_8),
+      angular_3 = angular_3c + angular_3d;
+  const double angular_4a = KSL_MUL(R->m10, RI_6), angular_4b = KSL_MUL(R->m11, RI_7),
+      angular_4c = angular_4a + angular_4b, angular_4d = KSL_MUL(R->m12, RI_8),
+      angular_4 = angular_4c + angular_4d;
+  const double angular_5a = KSL_MUL(R->m20, RI_6), angular_5b = KSL_MUL(R->m21, RI_7),
+      angular_5c = angular_5a + angular_5b, angular_5d = KSL_MUL(R->m22, RI_8),
+      angular_5 = angular_5c + angular_5d;
+  Mo->at[0][0] = linear_0;
+  Mo->at[1][0] = linear_1;
+  Mo->at[2][0] = linear_3;
+  Mo->at[3][0] = coupling_0;
+  Mo->at[4][0] = coupling_3;
+  Mo->at[5][0] = coupling_6;
+  Mo->at[0][1] = linear_1;
+  Mo->at[1][1] = linear_2;
+  Mo->at[2][1] = linear_4;
+  Mo->at[3][1] = coupling_1;
+  Mo->at[4][1] = coupling_4;
+  Mo->at[5][1] = coupling_7;
+  Mo->at[0][2] = linear_3;
+  Mo->at[1][2] = linear_4;
+  Mo->at[2][2] = linear_5;
+  Mo->at[3][2] = coupling_2;
+  Mo->at[4][2] = coupling_5;
+  Mo->at[5][2] = coupling_8;
+  Mo->at[0][3] = coupling_0;
+  Mo->at[1][3] = coupling_1;
+  Mo->at[2][3] = coupling_2;
+  Mo->at[3][3] = angular_0;
+  Mo->at[4][3] = angular_1;
+  Mo->at[5][3] = angular_3;
+  Mo->at[0][4] = coupling_3;
+  Mo->at[1][4] = coupling_4;
+  Mo->at[2][4] = coupling_5;
+  Mo->at[3][4] = angular_1;
+  Mo->at[4][4] = angular_2;
+  Mo->at[5][4] = angular_4;
+  Mo->at[0][5] = coupling_6;
+  Mo->at[1][5] = coupling_7;
+  Mo->at[2][5] = coupling_8;
+  Mo->at[3][5] = angular_3;
+  Mo->at[4][5] = angular_4;
+  Mo->at[5][5] = angular_5;
+}
+
+/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
+     inertia M shifted by t.
+   t: vector; M, Mo: 6×6 operator.
+   39 mul, 42 add.
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat6x6_shifted(const ksl_vec3_t *t, const ksl_mat6x6_t *M,
+    ksl_mat6x6_t *Mo) {
+  const double G_0a = KSL_MUL(t->y, M->at[0][2]), G_0b = KSL_MUL(t->z, M->at[0][1]),
+      G_0c = G_0a - G_0b, G_0 = G_0c + M->at[0][3];
+  const double G_1a = KSL_MUL(t->y, M->at[1][2]), G_1b = KSL_MUL(t->z, M->at[1][1]),
+      G_1c = G_1a - G_1b, G_1 = G_1c + M->at[1][3];
+  const double G_2a = KSL_MUL(t->y, M->at[2][2]), G_2b = KSL_MUL(t->z, M->at[1][2]),
+      G_2c = G_2a - G_2b, G_2 = G_2c + M->at[2][3];
+  const double G_3a = KSL_MUL(t->z, M->at[0][0]), G_3b = KSL_MUL(t->x, M->at[0][2]),
+      G_3c = G_3a - G_3b, G_3 = G_3c + M->at[0][4];
+  const double G_4a = KSL_MUL(t->x, M->at[1][2]), G_4b = G_0b - G_4a, G_4 = G_4b + M->at[1][4];
+  const double G_5a = KSL_MUL(t->z, M->at[0][2]), G_5b = KSL_MUL(t->x, M->at[2][2]),
+      G_5c = G_5a - G_5b, G_5 = G_5c + M->at[2][4];
+  const double G_6a = KSL_MUL(t->x, M->at[0][1]), G_6b = KSL_MUL(t->y, M->at[0][0]),
+      G_6c = G_6a - G_6b, G_6 = G_6c + M->at[0][5];
+  const double G_7a = KSL_MUL(t->x, M->at[1][1]), G_7b = KSL_MUL(t->y, M->at[0][1]),
+      G_7c = G_7a - G_7b, G_7 = G_7c + M->at[1][5];
+  const double G_8a = G_4a - G_0a, G_8 = G_8a + M->at[2][5];
+  const double moved_0a = KSL_MUL(t->y, M->at[2][3]), moved_0b = KSL_MUL(t->z, M->at[1][3]),
+      moved_0c = moved_0a - moved_0b, moved_0d = KSL_MUL(t->y, G_2), moved_0e = KSL_MUL(t->z, G_1),
+      moved_0f = moved_0d - moved_0e, moved_0g = moved_0c + moved_0f,
+      moved_0 = moved_0g + M->at[3][3];
+  const double moved_1a = KSL_MUL(t->z, M->at[0][3]), moved_1b = KSL_MUL(t->x, M->at[2][3]),
+      moved_1c = moved_1a - moved_1b, moved_1d = KSL_MUL(t->y, G_5), moved_1e = KSL_MUL(t->z, G_4),
+      moved_1f = moved_1d - moved_1e, moved_1g = moved_1c + moved_1f,
+      moved_1 = moved_1g + M->at[3][4];
+  const double moved_2a = KSL_MUL(t->z, M->at[0][4]), moved_2b = KSL_MUL(t->x, M->at[2][4]),
+      moved_2c = moved_2a - moved_2b, moved_2d = KSL_MUL(t->z, G_3), moved_2e = KSL_MUL(t->x, G_5),
+      moved_2f = moved_2d - moved_2e, moved_2g = moved_2c + moved_2f,
+      moved_2 = moved_2g + M->at[4][4];
+  const double moved_3a = KSL_MUL(t->x, M->at[1][3]), moved_3b = KSL_MUL(t->y, M->at[0][3]),
+      moved_3c = moved_3a - moved_3b, moved_3d = KSL_MUL(t->y, G_8), moved_3e = KSL_MUL(t->z, G_7),
+      moved_3f = moved_3d - moved_3e, moved_3g = moved_3c + moved_3f,
+      moved_3 = moved_3g + M->at[3][5];
+  const double moved_4a = KSL_MUL(t->x, M->at[1][4]), moved_4b = KSL_MUL(t->y, M->at[0][4]),
+      moved_4c = moved_4a - moved_4b, moved_4d = KSL_MUL(t->z, G_6), moved_4e = KSL_MUL(t->x, G_8),
+      moved_4f = moved_4d - moved_4e, moved_4g = moved_4c + moved_4f,
+      moved_4 = moved_4g + M->at[4][5];
+  const double moved_5a = KSL_MUL(t->x, M->at[1][5]), moved_5b = KSL_MUL(t->y, M->at[0][5]),
+      moved_5c = moved_5a - moved_5b, moved_5d = KSL_MUL(t->x, G_7), moved_5e = KSL_MUL(t->y, G_6),
+      moved_5f = moved_5d - moved_5e, moved_5g = moved_5c + moved_5f,
+      moved_5 = moved_5g + M->at[5][5];
+  const double M_at_00 = M->at[0][0];
+  const double M_at_01 = M->at[0][1];
+  const double M_at_02 = M->at[0][2];
+  const double M_at_11 = M->at[1][1];
+  const double M_at_12 = M->at[1][2];
+  const double M_at_22 = M->at[2][2];
+  Mo->at[0][0] = M_at_00;
+  Mo->at[1][0] = M_at_01;
+  Mo->at[2][0] = M_at_02;
+  Mo->at[3][0] = G_0;
+  Mo->at[4][0] = G_3;
+  Mo->at[5][0] = G_6;
+  Mo->at[0][1] = M_at_01;
+  Mo->at[1][1] = M_at_11;
+  Mo->at[2][1] = M_at_12;
+  Mo->at[3][1] = G_1;
+  Mo->at[4][1] = G_4;
+  Mo->at[5][1] = G_7;
+  Mo->at[0][2] = M_at_02;
+  Mo->at[1][2] = M_at_12;
+  Mo->at[2][2] = M_at_22;
+  Mo->at[3][2] = G_2;
+  Mo->at[4][2] = G_5;
+  Mo->at[5][2] = G_8;
+  Mo->at[0][3] = G_0;
+  Mo->at[1][3] = G_1;
+  Mo->at[2][3] = G_2;
+  Mo->at[3][3] = moved_0;
+  Mo->at[4][3] = moved_1;
+  Mo->at[5][3] = moved_3;
+  Mo->at[0][4] = G_3;
+  Mo->at[1][4] = G_4;
+  Mo->at[2][4] = G_5;
+  Mo->at[3][4] = moved_1;
+  Mo->at[4][4] = moved_2;
+  Mo->at[5][4] = moved_4;
+  Mo->at[0][5] = G_6;
+  Mo->at[1][5] = G_7;
+  Mo->at[2][5] = G_8;
+  Mo->at[3][5] = moved_3;
+  Mo->at[4][5] = moved_4;
+  Mo->at[5][5] = moved_5;
+}
+
 /* The entry of M at (row, column), for 0 <= row < 6 and 0 <= column < 6; NaN outside. */
 static inline float ksl_mat6x6f_get(const ksl_mat6x6f_t *M, const int row, const int column) {
   return row >= 0 && row < 6 && column >= 0 && column < 6 ? M->at[column][row] : (float)NAN;
@@ -5596,6 +5919,261 @@ static inline void ksl_mat6x6f_transposed(const ksl_mat6x6f_t *M, ksl_mat6x6f_t 
   Mo->at[3][5] = M_at_53;
   Mo->at[4][5] = M_at_54;
   Mo->at[5][5] = M_at_55;
+}
+
+/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
+     inertia M rotated by R.
+   R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.
+   144 mul, 96 add.
+   Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat6x6f_rotated(const ksl_mat3x3f_t *R, const ksl_mat6x6f_t *M,
+    ksl_mat6x6f_t *Mo) {
+  const float RM_0a = KSL_MULF(R->m00, M->at[0][0]), RM_0b = KSL_MULF(R->m01, M->at[0][1]),
+      RM_0c = RM_0a + RM_0b, RM_0d = KSL_MULF(R->m02, M->at[0][2]), RM_0 = RM_0c + RM_0d;
+  const float RM_1a = KSL_MULF(R->m00, M->at[0][1]), RM_1b = KSL_MULF(R->m01, M->at[1][1]),
+      RM_1c = RM_1a + RM_1b, RM_1d = KSL_MULF(R->m02, M->at[1][2]), RM_1 = RM_1c + RM_1d;
+  const float RM_2a = KSL_MULF(R->m00, M->at[0][2]), RM_2b = KSL_MULF(R->m01, M->at[1][2]),
+      RM_2c = RM_2a + RM_2b, RM_2d = KSL_MULF(R->m02, M->at[2][2]), RM_2 = RM_2c + RM_2d;
+  const float RM_3a = KSL_MULF(R->m10, M->at[0][0]), RM_3b = KSL_MULF(R->m11, M->at[0][1]),
+      RM_3c = RM_3a + RM_3b, RM_3d = KSL_MULF(R->m12, M->at[0][2]), RM_3 = RM_3c + RM_3d;
+  const float RM_4a = KSL_MULF(R->m10, M->at[0][1]), RM_4b = KSL_MULF(R->m11, M->at[1][1]),
+      RM_4c = RM_4a + RM_4b, RM_4d = KSL_MULF(R->m12, M->at[1][2]), RM_4 = RM_4c + RM_4d;
+  const float RM_5a = KSL_MULF(R->m10, M->at[0][2]), RM_5b = KSL_MULF(R->m11, M->at[1][2]),
+      RM_5c = RM_5a + RM_5b, RM_5d = KSL_MULF(R->m12, M->at[2][2]), RM_5 = RM_5c + RM_5d;
+  const float RM_6a = KSL_MULF(R->m20, M->at[0][0]), RM_6b = KSL_MULF(R->m21, M->at[0][1]),
+      RM_6c = RM_6a + RM_6b, RM_6d = KSL_MULF(R->m22, M->at[0][2]), RM_6 = RM_6c + RM_6d;
+  const float RM_7a = KSL_MULF(R->m20, M->at[0][1]), RM_7b = KSL_MULF(R->m21, M->at[1][1]),
+      RM_7c = RM_7a + RM_7b, RM_7d = KSL_MULF(R->m22, M->at[1][2]), RM_7 = RM_7c + RM_7d;
+  const float RM_8a = KSL_MULF(R->m20, M->at[0][2]), RM_8b = KSL_MULF(R->m21, M->at[1][2]),
+      RM_8c = RM_8a + RM_8b, RM_8d = KSL_MULF(R->m22, M->at[2][2]), RM_8 = RM_8c + RM_8d;
+  const float linear_0a = KSL_MULF(R->m00, RM_0), linear_0b = KSL_MULF(R->m01, RM_1),
+      linear_0c = linear_0a + linear_0b, linear_0d = KSL_MULF(R->m02, RM_2),
+      linear_0 = linear_0c + linear_0d;
+  const float linear_1a = KSL_MULF(R->m00, RM_3), linear_1b = KSL_MULF(R->m01, RM_4),
+      linear_1c = linear_1a + linear_1b, linear_1d = KSL_MULF(R->m02, RM_5),
+      linear_1 = linear_1c + linear_1d;
+  const float linear_2a = KSL_MULF(R->m10, RM_3), linear_2b = KSL_MULF(R->m11, RM_4),
+      linear_2c = linear_2a + linear_2b, linear_2d = KSL_MULF(R->m12, RM_5),
+      linear_2 = linear_2c + linear_2d;
+  const float linear_3a = KSL_MULF(R->m00, RM_6), linear_3b = KSL_MULF(R->m01, RM_7),
+      linear_3c = linear_3a + linear_3b, linear_3d = KSL_MULF(R->m02, RM_8),
+      linear_3 = linear_3c + linear_3d;
+  const float linear_4a = KSL_MULF(R->m10, RM_6), linear_4b = KSL_MULF(R->m11, RM_7),
+      linear_4c = linear_4a + linear_4b, linear_4d = KSL_MULF(R->m12, RM_8),
+      linear_4 = linear_4c + linear_4d;
+  const float linear_5a = KSL_MULF(R->m20, RM_6), linear_5b = KSL_MULF(R->m21, RM_7),
+      linear_5c = linear_5a + linear_5b, linear_5d = KSL_MULF(R->m22, RM_8),
+      linear_5 = linear_5c + linear_5d;
+  const float RH_0a = KSL_MULF(R->m00, M->at[0][3]), RH_0b = KSL_MULF(R->m01, M->at[0][4]),
+      RH_0c = RH_0a + RH_0b, RH_0d = KSL_MULF(R->m02, M->at[0][5]), RH_0 = RH_0c + RH_0d;
+  const float RH_1a = KSL_MULF(R->m00, M->at[1][3]), RH_1b = KSL_MULF(R->m01, M->at[1][4]),
+      RH_1c = RH_1a + RH_1b, RH_1d = KSL_MULF(R->m02, M->at[1][5]), RH_1 = RH_1c + RH_1d;
+  const float RH_2a = KSL_MULF(R->m00, M->at[2][3]), RH_2b = KSL_MULF(R->m01, M->at[2][4]),
+      RH_2c = RH_2a + RH_2b, RH_2d = KSL_MULF(R->m02, M->at[2][5]), RH_2 = RH_2c + RH_2d;
+  const float RH_3a = KSL_MULF(R->m10, M->at[0][3]), RH_3b = KSL_MULF(R->m11, M->at[0][4]),
+      RH_3c = RH_3a + RH_3b, RH_3d = KSL_MULF(R->m12, M->at[0][5]), RH_3 = RH_3c + RH_3d;
+  const float RH_4a = KSL_MULF(R->m10, M->at[1][3]), RH_4b = KSL_MULF(R->m11, M->at[1][4]),
+      RH_4c = RH_4a + RH_4b, RH_4d = KSL_MULF(R->m12, M->at[1][5]), RH_4 = RH_4c + RH_4d;
+  const float RH_5a = KSL_MULF(R->m10, M->at[2][3]), RH_5b = KSL_MULF(R->m11, M->at[2][4]),
+      RH_5c = RH_5a + RH_5b, RH_5d = KSL_MULF(R->m12, M->at[2][5]), RH_5 = RH_5c + RH_5d;
+  const float RH_6a = KSL_MULF(R->m20, M->at[0][3]), RH_6b = KSL_MULF(R->m21, M->at[0][4]),
+      RH_6c = RH_6a + RH_6b, RH_6d = KSL_MULF(R->m22, M->at[0][5]), RH_6 = RH_6c + RH_6d;
+  const float RH_7a = KSL_MULF(R->m20, M->at[1][3]), RH_7b = KSL_MULF(R->m21, M->at[1][4]),
+      RH_7c = RH_7a + RH_7b, RH_7d = KSL_MULF(R->m22, M->at[1][5]), RH_7 = RH_7c + RH_7d;
+  const float RH_8a = KSL_MULF(R->m20, M->at[2][3]), RH_8b = KSL_MULF(R->m21, M->at[2][4]),
+      RH_8c = RH_8a + RH_8b, RH_8d = KSL_MULF(R->m22, M->at[2][5]), RH_8 = RH_8c + RH_8d;
+  const float coupling_0a = KSL_MULF(R->m00, RH_0), coupling_0b = KSL_MULF(R->m01, RH_1),
+      coupling_0c = coupling_0a + coupling_0b, coupling_0d = KSL_MULF(R->m02, RH_2),
+      coupling_0 = coupling_0c + coupling_0d;
+  const float coupling_1a = KSL_MULF(R->m10, RH_0), coupling_1b = KSL_MULF(R->m11, RH_1),
+      coupling_1c = coupling_1a + coupling_1b, coupling_1d = KSL_MULF(R->m12, RH_2),
+      coupling_1 = coupling_1c + coupling_1d;
+  const float coupling_2a = KSL_MULF(R->m20, RH_0), coupling_2b = KSL_MULF(R->m21, RH_1),
+      coupling_2c = coupling_2a + coupling_2b, coupling_2d = KSL_MULF(R->m22, RH_2),
+      coupling_2 = coupling_2c + coupling_2d;
+  const float coupling_3a = KSL_MULF(R->m00, RH_3), coupling_3b = KSL_MULF(R->m01, RH_4),
+      coupling_3c = coupling_3a + coupling_3b, coupling_3d = KSL_MULF(R->m02, RH_5),
+      coupling_3 = coupling_3c + coupling_3d;
+  const float coupling_4a = KSL_MULF(R->m10, RH_3), coupling_4b = KSL_MULF(R->m11, RH_4),
+      coupling_4c = coupling_4a + coupling_4b, coupling_4d = KSL_MULF(R->m12, RH_5),
+      coupling_4 = coupling_4c + coupling_4d;
+  const float coupling_5a = KSL_MULF(R->m20, RH_3), coupling_5b = KSL_MULF(R->m21, RH_4),
+      coupling_5c = coupling_5a + coupling_5b, coupling_5d = KSL_MULF(R->m22, RH_5),
+      coupling_5 = coupling_5c + coupling_5d;
+  const float coupling_6a = KSL_MULF(R->m00, RH_6), coupling_6b = KSL_MULF(R->m01, RH_7),
+      coupling_6c = coupling_6a + coupling_6b, coupling_6d = KSL_MULF(R->m02, RH_8),
+      coupling_6 = coupling_6c + coupling_6d;
+  const float coupling_7a = KSL_MULF(R->m10, RH_6), coupling_7b = KSL_MULF(R->m11, RH_7),
+      coupling_7c = coupling_7a + coupling_7b, coupling_7d = KSL_MULF(R->m12, RH_8),
+      coupling_7 = coupling_7c + coupling_7d;
+  const float coupling_8a = KSL_MULF(R->m20, RH_6), coupling_8b = KSL_MULF(R->m21, RH_7),
+      coupling_8c = coupling_8a + coupling_8b, coupling_8d = KSL_MULF(R->m22, RH_8),
+      coupling_8 = coupling_8c + coupling_8d;
+  const float RI_0a = KSL_MULF(R->m00, M->at[3][3]), RI_0b = KSL_MULF(R->m01, M->at[3][4]),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(R->m02, M->at[3][5]), RI_0 = RI_0c + RI_0d;
+  const float RI_1a = KSL_MULF(R->m00, M->at[3][4]), RI_1b = KSL_MULF(R->m01, M->at[4][4]),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(R->m02, M->at[4][5]), RI_1 = RI_1c + RI_1d;
+  const float RI_2a = KSL_MULF(R->m00, M->at[3][5]), RI_2b = KSL_MULF(R->m01, M->at[4][5]),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(R->m02, M->at[5][5]), RI_2 = RI_2c + RI_2d;
+  const float RI_3a = KSL_MULF(R->m10, M->at[3][3]), RI_3b = KSL_MULF(R->m11, M->at[3][4]),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(R->m12, M->at[3][5]), RI_3 = RI_3c + RI_3d;
+  const float RI_4a = KSL_MULF(R->m10, M->at[3][4]), RI_4b = KSL_MULF(R->m11, M->at[4][4]),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(R->m12, M->at[4][5]), RI_4 = RI_4c + RI_4d;
+  const float RI_5a = KSL_MULF(R->m10, M->at[3][5]), RI_5b = KSL_MULF(R->m11, M->at[4][5]),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(R->m12, M->at[5][5]), RI_5 = RI_5c + RI_5d;
+  const float RI_6a = KSL_MULF(R->m20, M->at[3][3]), RI_6b = KSL_MULF(R->m21, M->at[3][4]),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(R->m22, M->at[3][5]), RI_6 = RI_6c + RI_6d;
+  const float RI_7a = KSL_MULF(R->m20, M->at[3][4]), RI_7b = KSL_MULF(R->m21, M->at[4][4]),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(R->m22, M->at[4][5]), RI_7 = RI_7c + RI_7d;
+  const float RI_8a = KSL_MULF(R->m20, M->at[3][5]), RI_8b = KSL_MULF(R->m21, M->at[4][5]),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(R->m22, M->at[5][5]), RI_8 = RI_8c + RI_8d;
+  const float angular_0a = KSL_MULF(R->m00, RI_0), angular_0b = KSL_MULF(R->m01, RI_1),
+      angular_0c = angular_0a + angular_0b, angular_0d = KSL_MULF(R->m02, RI_2),
+      angular_0 = angular_0c + angular_0d;
+  const float angular_1a = KSL_MULF(R->m00, RI_3), angular_1b = KSL_MULF(R->m01, RI_4),
+      angular_1c = angular_1a + angular_1b, angular_1d = KSL_MULF(R->m02, RI_5),
+      angular_1 = angular_1c + angular_1d;
+  const float angular_2a = KSL_MULF(R->m10, RI_3), angular_2b = KSL_MULF(R->m11, RI_4),
+      angular_2c = angular_2a + angular_2b, angular_2d = KSL_MULF(R->m12, RI_5),
+      angular_2 = angular_2c + angular_2d;
+  const float angular_3a = KSL_MULF(R->m00, RI_6), angular_3b = KSL_MULF(R->m01, RI_7),
+      angular_3c = angular_3a + angular_3b, angular_3d = KSL_MULF(R->m02, RI_8),
+      angular_3 = angular_3c + angular_3d;
+  const float angular_4a = KSL_MULF(R->m10, RI_6), angular_4b = KSL_MULF(R->m11, RI_7),
+      angular_4c = angular_4a + angular_4b, angular_4d = KSL_MULF(R->m12, RI_8),
+      angular_4 = angular_4c + angular_4d;
+  const float angular_5a = KSL_MULF(R->m20, RI_6), angular_5b = KSL_MULF(R->m21, RI_7),
+      angular_5c = angular_5a + angular_5b, angular_5d = KSL_MULF(R->m22, RI_8),
+      angular_5 = angular_5c + angular_5d;
+  Mo->at[0][0] = linear_0;
+  Mo->at[1][0] = linear_1;
+  Mo->at[2][0] = linear_3;
+  Mo->at[3][0] = coupling_0;
+  Mo->at[4][0] = coupling_3;
+  Mo->at[5][0] = coupling_6;
+  Mo->at[0][1] = linear_1;
+  Mo->at[1][1] = linear_2;
+  Mo->at[2][1] = linear_4;
+  Mo->at[3][1] = coupling_1;
+  Mo->at[4][1] = coupling_4;
+  Mo->at[5][1] = coupling_7;
+  Mo->at[0][2] = linear_3;
+  Mo->at[1][2] = linear_4;
+  Mo->at[2][2] = linear_5;
+  Mo->at[3][2] = coupling_2;
+  Mo->at[4][2] = coupling_5;
+  Mo->at[5][2] = coupling_8;
+  Mo->at[0][3] = coupling_0;
+  Mo->at[1][3] = coupling_1;
+  Mo->at[2][3] = coupling_2;
+  Mo->at[3][3] = angular_0;
+  Mo->at[4][3] = angular_1;
+  Mo->at[5][3] = angular_3;
+  Mo->at[0][4] = coupling_3;
+  Mo->at[1][4] = coupling_4;
+  Mo->at[2][4] = coupling_5;
+  Mo->at[3][4] = angular_1;
+  Mo->at[4][4] = angular_2;
+  Mo->at[5][4] = angular_4;
+  Mo->at[0][5] = coupling_6;
+  Mo->at[1][5] = coupling_7;
+  Mo->at[2][5] = coupling_8;
+  Mo->at[3][5] = angular_3;
+  Mo->at[4][5] = angular_4;
+  Mo->at[5][5] = angular_5;
+}
+
+/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
+     inertia M shifted by t.
+   t: vector; M, Mo: 6×6 operator.
+   39 mul, 42 add.
+   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+     and underflow. */
+static inline void ksl_mat6x6f_shifted(const ksl_vec3f_t *t, const ksl_mat6x6f_t *M,
+    ksl_mat6x6f_t *Mo) {
+  const float G_0a = KSL_MULF(t->y, M->at[0][2]), G_0b = KSL_MULF(t->z, M->at[0][1]),
+      G_0c = G_0a - G_0b, G_0 = G_0c + M->at[0][3];
+  const float G_1a = KSL_MULF(t->y, M->at[1][2]), G_1b = KSL_MULF(t->z, M->at[1][1]),
+      G_1c = G_1a - G_1b, G_1 = G_1c + M->at[1][3];
+  const float G_2a = KSL_MULF(t->y, M->at[2][2]), G_2b = KSL_MULF(t->z, M->at[1][2]),
+      G_2c = G_2a - G_2b, G_2 = G_2c + M->at[2][3];
+  const float G_3a = KSL_MULF(t->z, M->at[0][0]), G_3b = KSL_MULF(t->x, M->at[0][2]),
+      G_3c = G_3a - G_3b, G_3 = G_3c + M->at[0][4];
+  const float G_4a = KSL_MULF(t->x, M->at[1][2]), G_4b = G_0b - G_4a, G_4 = G_4b + M->at[1][4];
+  const float G_5a = KSL_MULF(t->z, M->at[0][2]), G_5b = KSL_MULF(t->x, M->at[2][2]),
+      G_5c = G_5a - G_5b, G_5 = G_5c + M->at[2][4];
+  const float G_6a = KSL_MULF(t->x, M->at[0][1]), G_6b = KSL_MULF(t->y, M->at[0][0]),
+      G_6c = G_6a - G_6b, G_6 = G_6c + M->at[0][5];
+  const float G_7a = KSL_MULF(t->x, M->at[1][1]), G_7b = KSL_MULF(t->y, M->at[0][1]),
+      G_7c = G_7a - G_7b, G_7 = G_7c + M->at[1][5];
+  const float G_8a = G_4a - G_0a, G_8 = G_8a + M->at[2][5];
+  const float moved_0a = KSL_MULF(t->y, M->at[2][3]), moved_0b = KSL_MULF(t->z, M->at[1][3]),
+      moved_0c = moved_0a - moved_0b, moved_0d = KSL_MULF(t->y, G_2),
+      moved_0e = KSL_MULF(t->z, G_1), moved_0f = moved_0d - moved_0e,
+      moved_0g = moved_0c + moved_0f, moved_0 = moved_0g + M->at[3][3];
+  const float moved_1a = KSL_MULF(t->z, M->at[0][3]), moved_1b = KSL_MULF(t->x, M->at[2][3]),
+      moved_1c = moved_1a - moved_1b, moved_1d = KSL_MULF(t->y, G_5),
+      moved_1e = KSL_MULF(t->z, G_4), moved_1f = moved_1d - moved_1e,
+      moved_1g = moved_1c + moved_1f, moved_1 = moved_1g + M->at[3][4];
+  const float moved_2a = KSL_MULF(t->z, M->at[0][4]), moved_2b = KSL_MULF(t->x, M->at[2][4]),
+      moved_2c = moved_2a - moved_2b, moved_2d = KSL_MULF(t->z, G_3),
+      moved_2e = KSL_MULF(t->x, G_5), moved_2f = moved_2d - moved_2e,
+      moved_2g = moved_2c + moved_2f, moved_2 = moved_2g + M->at[4][4];
+  const float moved_3a = KSL_MULF(t->x, M->at[1][3]), moved_3b = KSL_MULF(t->y, M->at[0][3]),
+      moved_3c = moved_3a - moved_3b, moved_3d = KSL_MULF(t->y, G_8),
+      moved_3e = KSL_MULF(t->z, G_7), moved_3f = moved_3d - moved_3e,
+      moved_3g = moved_3c + moved_3f, moved_3 = moved_3g + M->at[3][5];
+  const float moved_4a = KSL_MULF(t->x, M->at[1][4]), moved_4b = KSL_MULF(t->y, M->at[0][4]),
+      moved_4c = moved_4a - moved_4b, moved_4d = KSL_MULF(t->z, G_6),
+      moved_4e = KSL_MULF(t->x, G_8), moved_4f = moved_4d - moved_4e,
+      moved_4g = moved_4c + moved_4f, moved_4 = moved_4g + M->at[4][5];
+  const float moved_5a = KSL_MULF(t->x, M->at[1][5]), moved_5b = KSL_MULF(t->y, M->at[0][5]),
+      moved_5c = moved_5a - moved_5b, moved_5d = KSL_MULF(t->x, G_7),
+      moved_5e = KSL_MULF(t->y, G_6), moved_5f = moved_5d - moved_5e,
+      moved_5g = moved_5c + moved_5f, moved_5 = moved_5g + M->at[5][5];
+  const float M_at_00 = M->at[0][0];
+  const float M_at_01 = M->at[0][1];
+  const float M_at_02 = M->at[0][2];
+  const float M_at_11 = M->at[1][1];
+  const float M_at_12 = M->at[1][2];
+  const float M_at_22 = M->at[2][2];
+  Mo->at[0][0] = M_at_00;
+  Mo->at[1][0] = M_at_01;
+  Mo->at[2][0] = M_at_02;
+  Mo->at[3][0] = G_0;
+  Mo->at[4][0] = G_3;
+  Mo->at[5][0] = G_6;
+  Mo->at[0][1] = M_at_01;
+  Mo->at[1][1] = M_at_11;
+  Mo->at[2][1] = M_at_12;
+  Mo->at[3][1] = G_1;
+  Mo->at[4][1] = G_4;
+  Mo->at[5][1] = G_7;
+  Mo->at[0][2] = M_at_02;
+  Mo->at[1][2] = M_at_12;
+  Mo->at[2][2] = M_at_22;
+  Mo->at[3][2] = G_2;
+  Mo->at[4][2] = G_5;
+  Mo->at[5][2] = G_8;
+  Mo->at[0][3] = G_0;
+  Mo->at[1][3] = G_1;
+  Mo->at[2][3] = G_2;
+  Mo->at[3][3] = moved_0;
+  Mo->at[4][3] = moved_1;
+  Mo->at[5][3] = moved_3;
+  Mo->at[0][4] = G_3;
+  Mo->at[1][4] = G_4;
+  Mo->at[2][4] = G_5;
+  Mo->at[3][4] = moved_1;
+  Mo->at[4][4] = moved_2;
+  Mo->at[5][4] = moved_4;
+  Mo->at[0][5] = G_6;
+  Mo->at[1][5] = G_7;
+  Mo->at[2][5] = G_8;
+  Mo->at[3][5] = moved_3;
+  Mo->at[4][5] = moved_4;
+  Mo->at[5][5] = moved_5;
 }
 
 #ifndef KSL_NO_ALLOC
@@ -23529,35 +24107,99 @@ static inline void ksl_product_Bs(const ksl_spatial_inertia_t *B, const ksl_scre
 /* s·B s / 2, the kinetic energy in J of a body that moves with s.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
-   28 mul, 17 add.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   26 mul, 17 add.
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_spatial_inertia_energy(const ksl_spatial_inertia_t *B,
     const ksl_screw_t *s) {
-  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
-      across_0 = across_0a - across_0b;
-  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
-      across_1 = across_1a - across_1b;
-  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2b = KSL_MUL(B->h.x, s->m4),
-      across_2 = across_2a - across_2b;
-  const double twice_across_0 = KSL_MUL(2.0, across_0);
-  const double twice_across_1 = KSL_MUL(2.0, across_1);
-  const double twice_across_2 = KSL_MUL(2.0, across_2);
-  const double p_0a = KSL_MUL(B->m, s->m0), p_0 = p_0a + twice_across_0;
-  const double p_1a = KSL_MUL(B->m, s->m1), p_1 = p_1a + twice_across_1;
-  const double p_2a = KSL_MUL(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const double square_a = KSL_MUL(s->m0, s->m0), square_b = KSL_MUL(s->m1, s->m1),
+      square_c = square_a + square_b, square_d = KSL_MUL(s->m2, s->m2),
+      square = square_c + square_d;
   const double L_0a = KSL_MUL(B->xx, s->m3), L_0b = KSL_MUL(B->xy, s->m4), L_0c = L_0a + L_0b,
       L_0d = KSL_MUL(B->xz, s->m5), L_0 = L_0c + L_0d;
   const double L_1a = KSL_MUL(B->yy, s->m4), L_1b = KSL_MUL(B->xy, s->m3), L_1c = L_1a + L_1b,
       L_1d = KSL_MUL(B->yz, s->m5), L_1 = L_1c + L_1d;
   const double L_2a = KSL_MUL(B->zz, s->m5), L_2b = KSL_MUL(B->xz, s->m3), L_2c = L_2a + L_2b,
       L_2d = KSL_MUL(B->yz, s->m4), L_2 = L_2c + L_2d;
-  const double twice_a = KSL_MUL(s->m0, p_0), twice_b = KSL_MUL(s->m1, p_1),
-      twice_c = twice_a + twice_b, twice_d = KSL_MUL(s->m2, p_2), twice_e = twice_c + twice_d,
-      twice_f = KSL_MUL(s->m3, L_0), twice_g = KSL_MUL(s->m4, L_1), twice_h = twice_f + twice_g,
-      twice_i = KSL_MUL(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
-  const double energy = KSL_MUL(0.5, twice);
+  const double twice_a = KSL_MUL(B->m, square), twice_b = KSL_MUL(s->m3, L_0),
+      twice_c = KSL_MUL(s->m4, L_1), twice_d = twice_b + twice_c, twice_e = KSL_MUL(s->m5, L_2),
+      twice_f = twice_d + twice_e, twice = twice_a + twice_f;
+  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
+      across_0 = across_0a - across_0b;
+  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
+      across_1 = across_1a - across_1b;
+  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2b = KSL_MUL(B->h.x, s->m4),
+      across_2 = across_2a - across_2b;
+  const double energy_a = KSL_MUL(s->m0, across_0), energy_b = KSL_MUL(s->m1, across_1),
+      energy_c = energy_a + energy_b, energy_d = KSL_MUL(s->m2, across_2),
+      energy_e = energy_c + energy_d, energy_f = KSL_MUL(0.5, twice), energy = energy_e + energy_f;
   return energy;
+}
+
+/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
+     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
+     less that of gravity: the wrench beside gravity's.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
+   39 mul, 42 add, 3 neg.
+   Error <= u |result| + (lin: 5, ang: 6) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_spatial_inertia_net_wrench(const ksl_spatial_inertia_t *B,
+    const ksl_vec3_t *w, const ksl_screw_t *ds, ksl_coscrew_t *co) {
+  const double ww_0 = KSL_MUL(w->x, w->x);
+  const double ww_1 = KSL_MUL(w->y, w->y);
+  const double ww_2 = KSL_MUL(w->z, w->z);
+  const double ww_3 = KSL_MUL(w->x, w->y);
+  const double ww_4 = KSL_MUL(w->x, w->z);
+  const double ww_5 = KSL_MUL(w->y, w->z);
+  const double U_0a = ww_1 + ww_2, U_0 = -U_0a;
+  const double U_1 = ww_3 - ds->m5;
+  const double U_2 = ds->m4 + ww_4;
+  const double U_3 = ds->m5 + ww_3;
+  const double U_4a = ww_0 + ww_2, U_4 = -U_4a;
+  const double U_5 = ww_5 - ds->m3;
+  const double U_6 = ww_4 - ds->m4;
+  const double U_7 = ds->m3 + ww_5;
+  const double U_8a = ww_0 + ww_1, U_8 = -U_8a;
+  const double others_0 = B->zz - B->yy;
+  const double others_1 = B->xx - B->zz;
+  const double others_2 = B->yy - B->xx;
+  const double squares_0 = ww_1 - ww_2;
+  const double squares_1 = ww_2 - ww_0;
+  const double squares_2 = ww_0 - ww_1;
+  const double own_0a = KSL_MUL(B->xx, ds->m3), own_0b = KSL_MUL(ww_5, others_0),
+      own_0 = own_0a + own_0b;
+  const double own_1a = KSL_MUL(B->yy, ds->m4), own_1b = KSL_MUL(ww_4, others_1),
+      own_1 = own_1a + own_1b;
+  const double own_2a = KSL_MUL(B->zz, ds->m5), own_2b = KSL_MUL(ww_3, others_2),
+      own_2 = own_2a + own_2b;
+  const double N_0a = KSL_MUL(B->xz, U_3), N_0b = KSL_MUL(B->xy, U_6), N_0c = N_0a - N_0b,
+      N_0d = KSL_MUL(B->yz, squares_0), N_0e = N_0c + N_0d, N_0 = N_0e + own_0;
+  const double N_1a = KSL_MUL(B->xy, U_7), N_1b = KSL_MUL(B->yz, U_1), N_1c = N_1a - N_1b,
+      N_1d = KSL_MUL(B->xz, squares_1), N_1e = N_1c + N_1d, N_1 = N_1e + own_1;
+  const double N_2a = KSL_MUL(B->xy, squares_2), N_2b = KSL_MUL(B->yz, U_2),
+      N_2c = KSL_MUL(B->xz, U_5), N_2d = N_2b - N_2c, N_2e = N_2a + N_2d, N_2 = N_2e + own_2;
+  const double co_0a = KSL_MUL(B->m, ds->m0), co_0b = KSL_MUL(B->h.x, U_0),
+      co_0c = KSL_MUL(B->h.y, U_1), co_0d = co_0b + co_0c, co_0e = KSL_MUL(B->h.z, U_2),
+      co_0f = co_0d + co_0e, co_0 = co_0a + co_0f;
+  const double co_1a = KSL_MUL(B->m, ds->m1), co_1b = KSL_MUL(B->h.x, U_3),
+      co_1c = KSL_MUL(B->h.y, U_4), co_1d = co_1b + co_1c, co_1e = KSL_MUL(B->h.z, U_5),
+      co_1f = co_1d + co_1e, co_1 = co_1a + co_1f;
+  const double co_2a = KSL_MUL(B->m, ds->m2), co_2b = KSL_MUL(B->h.x, U_6),
+      co_2c = KSL_MUL(B->h.y, U_7), co_2d = co_2b + co_2c, co_2e = KSL_MUL(B->h.z, U_8),
+      co_2f = co_2d + co_2e, co_2 = co_2a + co_2f;
+  const double co_3a = KSL_MUL(B->h.y, ds->m2), co_3b = KSL_MUL(B->h.z, ds->m1),
+      co_3c = co_3a - co_3b, co_3 = co_3c + N_0;
+  const double co_4a = KSL_MUL(B->h.z, ds->m0), co_4b = KSL_MUL(B->h.x, ds->m2),
+      co_4c = co_4a - co_4b, co_4 = co_4c + N_1;
+  const double co_5a = KSL_MUL(B->h.x, ds->m1), co_5b = KSL_MUL(B->h.y, ds->m0),
+      co_5c = co_5a - co_5b, co_5 = co_5c + N_2;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
 }
 
 /* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
@@ -23717,10 +24359,10 @@ static inline void ksl_spatial_inertia_transformed(const ksl_SE3_t *D,
      positive exactly if a body of positive density has this inertia.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).
-   13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
+   11 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
 static inline double ksl_spatial_inertia_consistency(const ksl_spatial_inertia_t *B) {
-  const double trace_a = KSL_MUL(0.5, B->xx), trace_b = KSL_MUL(0.5, B->yy),
-      trace_c = trace_a + trace_b, trace_d = KSL_MUL(0.5, B->zz), trace = trace_c + trace_d;
+  const double twice_trace_a = B->xx + B->yy, twice_trace = twice_trace_a + B->zz;
+  const double trace = KSL_MUL(0.5, twice_trace);
   const double sigma_0 = trace - B->xx;
   const double sigma_1 = trace - B->yy;
   const double sigma_2 = trace - B->zz;
@@ -24132,35 +24774,100 @@ static inline void ksl_product_Bsf(const ksl_spatial_inertiaf_t *B, const ksl_sc
 /* s·B s / 2, the kinetic energy in J of a body that moves with s.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
-   28 mul, 17 add.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   26 mul, 17 add.
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_spatial_inertiaf_energy(const ksl_spatial_inertiaf_t *B,
     const ksl_screwf_t *s) {
-  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0b = KSL_MULF(B->h.y, s->m5),
-      across_0 = across_0a - across_0b;
-  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1b = KSL_MULF(B->h.z, s->m3),
-      across_1 = across_1a - across_1b;
-  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2b = KSL_MULF(B->h.x, s->m4),
-      across_2 = across_2a - across_2b;
-  const float twice_across_0 = KSL_MULF(2.0f, across_0);
-  const float twice_across_1 = KSL_MULF(2.0f, across_1);
-  const float twice_across_2 = KSL_MULF(2.0f, across_2);
-  const float p_0a = KSL_MULF(B->m, s->m0), p_0 = p_0a + twice_across_0;
-  const float p_1a = KSL_MULF(B->m, s->m1), p_1 = p_1a + twice_across_1;
-  const float p_2a = KSL_MULF(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const float square_a = KSL_MULF(s->m0, s->m0), square_b = KSL_MULF(s->m1, s->m1),
+      square_c = square_a + square_b, square_d = KSL_MULF(s->m2, s->m2),
+      square = square_c + square_d;
   const float L_0a = KSL_MULF(B->xx, s->m3), L_0b = KSL_MULF(B->xy, s->m4), L_0c = L_0a + L_0b,
       L_0d = KSL_MULF(B->xz, s->m5), L_0 = L_0c + L_0d;
   const float L_1a = KSL_MULF(B->yy, s->m4), L_1b = KSL_MULF(B->xy, s->m3), L_1c = L_1a + L_1b,
       L_1d = KSL_MULF(B->yz, s->m5), L_1 = L_1c + L_1d;
   const float L_2a = KSL_MULF(B->zz, s->m5), L_2b = KSL_MULF(B->xz, s->m3), L_2c = L_2a + L_2b,
       L_2d = KSL_MULF(B->yz, s->m4), L_2 = L_2c + L_2d;
-  const float twice_a = KSL_MULF(s->m0, p_0), twice_b = KSL_MULF(s->m1, p_1),
-      twice_c = twice_a + twice_b, twice_d = KSL_MULF(s->m2, p_2), twice_e = twice_c + twice_d,
-      twice_f = KSL_MULF(s->m3, L_0), twice_g = KSL_MULF(s->m4, L_1), twice_h = twice_f + twice_g,
-      twice_i = KSL_MULF(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
-  const float energy = KSL_MULF(0.5f, twice);
+  const float twice_a = KSL_MULF(B->m, square), twice_b = KSL_MULF(s->m3, L_0),
+      twice_c = KSL_MULF(s->m4, L_1), twice_d = twice_b + twice_c, twice_e = KSL_MULF(s->m5, L_2),
+      twice_f = twice_d + twice_e, twice = twice_a + twice_f;
+  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0b = KSL_MULF(B->h.y, s->m5),
+      across_0 = across_0a - across_0b;
+  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1b = KSL_MULF(B->h.z, s->m3),
+      across_1 = across_1a - across_1b;
+  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2b = KSL_MULF(B->h.x, s->m4),
+      across_2 = across_2a - across_2b;
+  const float energy_a = KSL_MULF(s->m0, across_0), energy_b = KSL_MULF(s->m1, across_1),
+      energy_c = energy_a + energy_b, energy_d = KSL_MULF(s->m2, across_2),
+      energy_e = energy_c + energy_d, energy_f = KSL_MULF(0.5f, twice),
+      energy = energy_e + energy_f;
   return energy;
+}
+
+/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
+     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
+     less that of gravity: the wrench beside gravity's.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
+   39 mul, 42 add, 3 neg.
+   Error <= u |result| + (lin: 5, ang: 6) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_spatial_inertiaf_net_wrench(const ksl_spatial_inertiaf_t *B,
+    const ksl_vec3f_t *w, const ksl_screwf_t *ds, ksl_coscrewf_t *co) {
+  const float ww_0 = KSL_MULF(w->x, w->x);
+  const float ww_1 = KSL_MULF(w->y, w->y);
+  const float ww_2 = KSL_MULF(w->z, w->z);
+  const float ww_3 = KSL_MULF(w->x, w->y);
+  const float ww_4 = KSL_MULF(w->x, w->z);
+  const float ww_5 = KSL_MULF(w->y, w->z);
+  const float U_0a = ww_1 + ww_2, U_0 = -U_0a;
+  const float U_1 = ww_3 - ds->m5;
+  const float U_2 = ds->m4 + ww_4;
+  const float U_3 = ds->m5 + ww_3;
+  const float U_4a = ww_0 + ww_2, U_4 = -U_4a;
+  const float U_5 = ww_5 - ds->m3;
+  const float U_6 = ww_4 - ds->m4;
+  const float U_7 = ds->m3 + ww_5;
+  const float U_8a = ww_0 + ww_1, U_8 = -U_8a;
+  const float others_0 = B->zz - B->yy;
+  const float others_1 = B->xx - B->zz;
+  const float others_2 = B->yy - B->xx;
+  const float squares_0 = ww_1 - ww_2;
+  const float squares_1 = ww_2 - ww_0;
+  const float squares_2 = ww_0 - ww_1;
+  const float own_0a = KSL_MULF(B->xx, ds->m3), own_0b = KSL_MULF(ww_5, others_0),
+      own_0 = own_0a + own_0b;
+  const float own_1a = KSL_MULF(B->yy, ds->m4), own_1b = KSL_MULF(ww_4, others_1),
+      own_1 = own_1a + own_1b;
+  const float own_2a = KSL_MULF(B->zz, ds->m5), own_2b = KSL_MULF(ww_3, others_2),
+      own_2 = own_2a + own_2b;
+  const float N_0a = KSL_MULF(B->xz, U_3), N_0b = KSL_MULF(B->xy, U_6), N_0c = N_0a - N_0b,
+      N_0d = KSL_MULF(B->yz, squares_0), N_0e = N_0c + N_0d, N_0 = N_0e + own_0;
+  const float N_1a = KSL_MULF(B->xy, U_7), N_1b = KSL_MULF(B->yz, U_1), N_1c = N_1a - N_1b,
+      N_1d = KSL_MULF(B->xz, squares_1), N_1e = N_1c + N_1d, N_1 = N_1e + own_1;
+  const float N_2a = KSL_MULF(B->xy, squares_2), N_2b = KSL_MULF(B->yz, U_2),
+      N_2c = KSL_MULF(B->xz, U_5), N_2d = N_2b - N_2c, N_2e = N_2a + N_2d, N_2 = N_2e + own_2;
+  const float co_0a = KSL_MULF(B->m, ds->m0), co_0b = KSL_MULF(B->h.x, U_0),
+      co_0c = KSL_MULF(B->h.y, U_1), co_0d = co_0b + co_0c, co_0e = KSL_MULF(B->h.z, U_2),
+      co_0f = co_0d + co_0e, co_0 = co_0a + co_0f;
+  const float co_1a = KSL_MULF(B->m, ds->m1), co_1b = KSL_MULF(B->h.x, U_3),
+      co_1c = KSL_MULF(B->h.y, U_4), co_1d = co_1b + co_1c, co_1e = KSL_MULF(B->h.z, U_5),
+      co_1f = co_1d + co_1e, co_1 = co_1a + co_1f;
+  const float co_2a = KSL_MULF(B->m, ds->m2), co_2b = KSL_MULF(B->h.x, U_6),
+      co_2c = KSL_MULF(B->h.y, U_7), co_2d = co_2b + co_2c, co_2e = KSL_MULF(B->h.z, U_8),
+      co_2f = co_2d + co_2e, co_2 = co_2a + co_2f;
+  const float co_3a = KSL_MULF(B->h.y, ds->m2), co_3b = KSL_MULF(B->h.z, ds->m1),
+      co_3c = co_3a - co_3b, co_3 = co_3c + N_0;
+  const float co_4a = KSL_MULF(B->h.z, ds->m0), co_4b = KSL_MULF(B->h.x, ds->m2),
+      co_4c = co_4a - co_4b, co_4 = co_4c + N_1;
+  const float co_5a = KSL_MULF(B->h.x, ds->m1), co_5b = KSL_MULF(B->h.y, ds->m0),
+      co_5c = co_5a - co_5b, co_5 = co_5c + N_2;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
 }
 
 /* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
@@ -24320,10 +25027,10 @@ static inline void ksl_spatial_inertiaf_transformed(const ksl_SE3f_t *D,
      positive exactly if a body of positive density has this inertia.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).
-   13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
+   11 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
 static inline float ksl_spatial_inertiaf_consistency(const ksl_spatial_inertiaf_t *B) {
-  const float trace_a = KSL_MULF(0.5f, B->xx), trace_b = KSL_MULF(0.5f, B->yy),
-      trace_c = trace_a + trace_b, trace_d = KSL_MULF(0.5f, B->zz), trace = trace_c + trace_d;
+  const float twice_trace_a = B->xx + B->yy, twice_trace = twice_trace_a + B->zz;
+  const float trace = KSL_MULF(0.5f, twice_trace);
   const float sigma_0 = trace - B->xx;
   const float sigma_1 = trace - B->yy;
   const float sigma_2 = trace - B->zz;

@@ -1301,6 +1301,74 @@ static inline void ksl_vec4f_scaled_certified(const ksl_vec4f_t *v, const float 
 #define KSL_MAT3X3_CERTIFIED_H
 
 
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
+     x is accelerated by Ro x beyond its origin; |error of Ro| <= Ro_bound unless inf or NaN.
+   w, dw: vector; Ro, Ro_bound: rotation or other 3×3 matrix.
+   15 mul, 27 add, 3 neg, 9 abs. */
+static inline void ksl_acceleration_tensor_certified(const ksl_vec3_t *w, const ksl_vec3_t *dw,
+    ksl_mat3x3_t *Ro, ksl_mat3x3_t *Ro_bound) {
+  const double ww_0 = KSL_MUL(w->x, w->x);
+  const double ww_1 = KSL_MUL(w->y, w->y);
+  const double ww_2 = KSL_MUL(w->z, w->z);
+  const double ww_3 = KSL_MUL(w->x, w->y);
+  const double ww_4 = KSL_MUL(w->x, w->z);
+  const double ww_5 = KSL_MUL(w->y, w->z);
+  const double Ro_00a = ww_1 + ww_2, Ro_00 = -Ro_00a;
+  const double Ro_01 = ww_3 - dw->z;
+  const double Ro_02 = dw->y + ww_4;
+  const double Ro_10 = dw->z + ww_3;
+  const double Ro_11a = ww_0 + ww_2, Ro_11 = -Ro_11a;
+  const double Ro_12 = ww_5 - dw->x;
+  const double Ro_20 = ww_4 - dw->y;
+  const double Ro_21 = dw->x + ww_5;
+  const double Ro_22a = ww_0 + ww_1, Ro_22 = -Ro_22a;
+  const double ww_1_abs = fabs(ww_1), ww_2_abs = fabs(ww_2), Ro_00a_size = ww_1_abs + ww_2_abs;
+  const double ww_3_abs = fabs(ww_3), dw_2_abs = fabs(dw->z), Ro_01_size = ww_3_abs + dw_2_abs;
+  const double dw_1_abs = fabs(dw->y), ww_4_abs = fabs(ww_4), Ro_02_size = dw_1_abs + ww_4_abs;
+  const double Ro_10_size = dw_2_abs + ww_3_abs;
+  const double ww_0_abs = fabs(ww_0), Ro_11a_size = ww_0_abs + ww_2_abs;
+  const double ww_5_abs = fabs(ww_5), dw_0_abs = fabs(dw->x), Ro_12_size = ww_5_abs + dw_0_abs;
+  const double Ro_20_size = ww_4_abs + dw_1_abs;
+  const double Ro_21_size = dw_0_abs + ww_5_abs;
+  const double Ro_22a_size = ww_0_abs + ww_1_abs;
+  const double Ro_00a_padded = Ro_00a_size + 2.004168360008973e-292,
+      Ro_00a_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_00a_padded);
+  const double Ro_01_padded = Ro_01_size + 2.004168360008973e-292,
+      Ro_01_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_01_padded);
+  const double Ro_02_padded = Ro_02_size + 2.004168360008973e-292,
+      Ro_02_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_02_padded);
+  const double Ro_10_padded = Ro_10_size + 2.004168360008973e-292,
+      Ro_10_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_10_padded);
+  const double Ro_11a_padded = Ro_11a_size + 2.004168360008973e-292,
+      Ro_11a_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_11a_padded);
+  const double Ro_12_padded = Ro_12_size + 2.004168360008973e-292,
+      Ro_12_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_12_padded);
+  const double Ro_20_padded = Ro_20_size + 2.004168360008973e-292,
+      Ro_20_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_20_padded);
+  const double Ro_21_padded = Ro_21_size + 2.004168360008973e-292,
+      Ro_21_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_21_padded);
+  const double Ro_22a_padded = Ro_22a_size + 2.004168360008973e-292,
+      Ro_22a_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_22a_padded);
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+  Ro_bound->m00 = Ro_00a_error_bound;
+  Ro_bound->m01 = Ro_01_error_bound;
+  Ro_bound->m02 = Ro_02_error_bound;
+  Ro_bound->m10 = Ro_10_error_bound;
+  Ro_bound->m11 = Ro_11a_error_bound;
+  Ro_bound->m12 = Ro_12_error_bound;
+  Ro_bound->m20 = Ro_20_error_bound;
+  Ro_bound->m21 = Ro_21_error_bound;
+  Ro_bound->m22 = Ro_22a_error_bound;
+}
+
 /* det R; |error of det| <= det_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; det_bound: number.
    13 mul, 14 add, 9 abs. */
@@ -1413,6 +1481,74 @@ static inline void ksl_mat3x3_setFromAxisDC_certified(ksl_mat3x3_t *R, const ksl
   R_bound->m20 = R_20_error_bound;
   R_bound->m21 = R_21_error_bound;
   R_bound->m22 = R_22_error_bound;
+}
+
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
+     x is accelerated by Ro x beyond its origin; |error of Ro| <= Ro_bound unless inf or NaN.
+   w, dw: vector; Ro, Ro_bound: rotation or other 3×3 matrix.
+   15 mul, 27 add, 3 neg, 9 abs. */
+static inline void ksl_acceleration_tensorf_certified(const ksl_vec3f_t *w, const ksl_vec3f_t *dw,
+    ksl_mat3x3f_t *Ro, ksl_mat3x3f_t *Ro_bound) {
+  const float ww_0 = KSL_MULF(w->x, w->x);
+  const float ww_1 = KSL_MULF(w->y, w->y);
+  const float ww_2 = KSL_MULF(w->z, w->z);
+  const float ww_3 = KSL_MULF(w->x, w->y);
+  const float ww_4 = KSL_MULF(w->x, w->z);
+  const float ww_5 = KSL_MULF(w->y, w->z);
+  const float Ro_00a = ww_1 + ww_2, Ro_00 = -Ro_00a;
+  const float Ro_01 = ww_3 - dw->z;
+  const float Ro_02 = dw->y + ww_4;
+  const float Ro_10 = dw->z + ww_3;
+  const float Ro_11a = ww_0 + ww_2, Ro_11 = -Ro_11a;
+  const float Ro_12 = ww_5 - dw->x;
+  const float Ro_20 = ww_4 - dw->y;
+  const float Ro_21 = dw->x + ww_5;
+  const float Ro_22a = ww_0 + ww_1, Ro_22 = -Ro_22a;
+  const float ww_1_abs = fabsf(ww_1), ww_2_abs = fabsf(ww_2), Ro_00a_size = ww_1_abs + ww_2_abs;
+  const float ww_3_abs = fabsf(ww_3), dw_2_abs = fabsf(dw->z), Ro_01_size = ww_3_abs + dw_2_abs;
+  const float dw_1_abs = fabsf(dw->y), ww_4_abs = fabsf(ww_4), Ro_02_size = dw_1_abs + ww_4_abs;
+  const float Ro_10_size = dw_2_abs + ww_3_abs;
+  const float ww_0_abs = fabsf(ww_0), Ro_11a_size = ww_0_abs + ww_2_abs;
+  const float ww_5_abs = fabsf(ww_5), dw_0_abs = fabsf(dw->x), Ro_12_size = ww_5_abs + dw_0_abs;
+  const float Ro_20_size = ww_4_abs + dw_1_abs;
+  const float Ro_21_size = dw_0_abs + ww_5_abs;
+  const float Ro_22a_size = ww_0_abs + ww_1_abs;
+  const float Ro_00a_padded = Ro_00a_size + 1.9721523e-31f,
+      Ro_00a_error_bound = KSL_MULF(1.192093e-07f, Ro_00a_padded);
+  const float Ro_01_padded = Ro_01_size + 1.9721523e-31f,
+      Ro_01_error_bound = KSL_MULF(1.192093e-07f, Ro_01_padded);
+  const float Ro_02_padded = Ro_02_size + 1.9721523e-31f,
+      Ro_02_error_bound = KSL_MULF(1.192093e-07f, Ro_02_padded);
+  const float Ro_10_padded = Ro_10_size + 1.9721523e-31f,
+      Ro_10_error_bound = KSL_MULF(1.192093e-07f, Ro_10_padded);
+  const float Ro_11a_padded = Ro_11a_size + 1.9721523e-31f,
+      Ro_11a_error_bound = KSL_MULF(1.192093e-07f, Ro_11a_padded);
+  const float Ro_12_padded = Ro_12_size + 1.9721523e-31f,
+      Ro_12_error_bound = KSL_MULF(1.192093e-07f, Ro_12_padded);
+  const float Ro_20_padded = Ro_20_size + 1.9721523e-31f,
+      Ro_20_error_bound = KSL_MULF(1.192093e-07f, Ro_20_padded);
+  const float Ro_21_padded = Ro_21_size + 1.9721523e-31f,
+      Ro_21_error_bound = KSL_MULF(1.192093e-07f, Ro_21_padded);
+  const float Ro_22a_padded = Ro_22a_size + 1.9721523e-31f,
+      Ro_22a_error_bound = KSL_MULF(1.192093e-07f, Ro_22a_padded);
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+  Ro_bound->m00 = Ro_00a_error_bound;
+  Ro_bound->m01 = Ro_01_error_bound;
+  Ro_bound->m02 = Ro_02_error_bound;
+  Ro_bound->m10 = Ro_10_error_bound;
+  Ro_bound->m11 = Ro_11a_error_bound;
+  Ro_bound->m12 = Ro_12_error_bound;
+  Ro_bound->m20 = Ro_20_error_bound;
+  Ro_bound->m21 = Ro_21_error_bound;
+  Ro_bound->m22 = Ro_22a_error_bound;
 }
 
 /* det R; |error of det| <= det_bound unless inf or NaN.
@@ -1789,6 +1925,1309 @@ static inline void ksl_SE3f_inverted_certified(const ksl_SE3f_t *D, ksl_SE3f_t *
   Do_bound->m21 = 0.0f;
   Do_bound->m22 = 0.0f;
   Do_bound->m23 = Do_23e_error_bound;
+}
+
+#endif
+
+/* 6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them, and symmetric
+   Certified tier: plain results, and bounds of their errors that hold. */
+#ifndef KSL_MAT6X6_CERTIFIED_H
+#define KSL_MAT6X6_CERTIFIED_H
+
+
+/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
+     inertia M rotated by R; |error of Mo| <= Mo_bound unless inf or NaN.
+   R: rotation or other 3×3 matrix; M, Mo, Mo_bound: 6×6 operator.
+   228 mul, 240 add, 90 abs. */
+static inline void ksl_mat6x6_rotated_certified(const ksl_mat3x3_t *R, const ksl_mat6x6_t *M,
+    ksl_mat6x6_t *Mo, ksl_mat6x6_t *Mo_bound) {
+  const double RM_0a = KSL_MUL(R->m00, M->at[0][0]), RM_0b = KSL_MUL(R->m01, M->at[0][1]),
+      RM_0c = RM_0a + RM_0b, RM_0d = KSL_MUL(R->m02, M->at[0][2]), RM_0 = RM_0c + RM_0d;
+  const double RM_1a = KSL_MUL(R->m00, M->at[0][1]), RM_1b = KSL_MUL(R->m01, M->at[1][1]),
+      RM_1c = RM_1a + RM_1b, RM_1d = KSL_MUL(R->m02, M->at[1][2]), RM_1 = RM_1c + RM_1d;
+  const double RM_2a = KSL_MUL(R->m00, M->at[0][2]), RM_2b = KSL_MUL(R->m01, M->at[1][2]),
+      RM_2c = RM_2a + RM_2b, RM_2d = KSL_MUL(R->m02, M->at[2][2]), RM_2 = RM_2c + RM_2d;
+  const double RM_3a = KSL_MUL(R->m10, M->at[0][0]), RM_3b = KSL_MUL(R->m11, M->at[0][1]),
+      RM_3c = RM_3a + RM_3b, RM_3d = KSL_MUL(R->m12, M->at[0][2]), RM_3 = RM_3c + RM_3d;
+  const double RM_4a = KSL_MUL(R->m10, M->at[0][1]), RM_4b = KSL_MUL(R->m11, M->at[1][1]),
+      RM_4c = RM_4a + RM_4b, RM_4d = KSL_MUL(R->m12, M->at[1][2]), RM_4 = RM_4c + RM_4d;
+  const double RM_5a = KSL_MUL(R->m10, M->at[0][2]), RM_5b = KSL_MUL(R->m11, M->at[1][2]),
+      RM_5c = RM_5a + RM_5b, RM_5d = KSL_MUL(R->m12, M->at[2][2]), RM_5 = RM_5c + RM_5d;
+  const double RM_6a = KSL_MUL(R->m20, M->at[0][0]), RM_6b = KSL_MUL(R->m21, M->at[0][1]),
+      RM_6c = RM_6a + RM_6b, RM_6d = KSL_MUL(R->m22, M->at[0][2]), RM_6 = RM_6c + RM_6d;
+  const double RM_7a = KSL_MUL(R->m20, M->at[0][1]), RM_7b = KSL_MUL(R->m21, M->at[1][1]),
+      RM_7c = RM_7a + RM_7b, RM_7d = KSL_MUL(R->m22, M->at[1][2]), RM_7 = RM_7c + RM_7d;
+  const double RM_8a = KSL_MUL(R->m20, M->at[0][2]), RM_8b = KSL_MUL(R->m21, M->at[1][2]),
+      RM_8c = RM_8a + RM_8b, RM_8d = KSL_MUL(R->m22, M->at[2][2]), RM_8 = RM_8c + RM_8d;
+  const double linear_0a = KSL_MUL(R->m00, RM_0), linear_0b = KSL_MUL(R->m01, RM_1),
+      linear_0c = linear_0a + linear_0b, linear_0d = KSL_MUL(R->m02, RM_2),
+      linear_0 = linear_0c + linear_0d;
+  const double linear_1a = KSL_MUL(R->m00, RM_3), linear_1b = KSL_MUL(R->m01, RM_4),
+      linear_1c = linear_1a + linear_1b, linear_1d = KSL_MUL(R->m02, RM_5),
+      linear_1 = linear_1c + linear_1d;
+  const double linear_2a = KSL_MUL(R->m10, RM_3), linear_2b = KSL_MUL(R->m11, RM_4),
+      linear_2c = linear_2a + linear_2b, linear_2d = KSL_MUL(R->m12, RM_5),
+      linear_2 = linear_2c + linear_2d;
+  const double linear_3a = KSL_MUL(R->m00, RM_6), linear_3b = KSL_MUL(R->m01, RM_7),
+      linear_3c = linear_3a + linear_3b, linear_3d = KSL_MUL(R->m02, RM_8),
+      linear_3 = linear_3c + linear_3d;
+  const double linear_4a = KSL_MUL(R->m10, RM_6), linear_4b = KSL_MUL(R->m11, RM_7),
+      linear_4c = linear_4a + linear_4b, linear_4d = KSL_MUL(R->m12, RM_8),
+      linear_4 = linear_4c + linear_4d;
+  const double linear_5a = KSL_MUL(R->m20, RM_6), linear_5b = KSL_MUL(R->m21, RM_7),
+      linear_5c = linear_5a + linear_5b, linear_5d = KSL_MUL(R->m22, RM_8),
+      linear_5 = linear_5c + linear_5d;
+  const double RH_0a = KSL_MUL(R->m00, M->at[0][3]), RH_0b = KSL_MUL(R->m01, M->at[0][4]),
+      RH_0c = RH_0a + RH_0b, RH_0d = KSL_MUL(R->m02, M->at[0][5]), RH_0 = RH_0c + RH_0d;
+  const double RH_1a = KSL_MUL(R->m00, M->at[1][3]), RH_1b = KSL_MUL(R->m01, M->at[1][4]),
+      RH_1c = RH_1a + RH_1b, RH_1d = KSL_MUL(R->m02, M->at[1][5]), RH_1 = RH_1c + RH_1d;
+  const double RH_2a = KSL_MUL(R->m00, M->at[2][3]), RH_2b = KSL_MUL(R->m01, M->at[2][4]),
+      RH_2c = RH_2a + RH_2b, RH_2d = KSL_MUL(R->m02, M->at[2][5]), RH_2 = RH_2c + RH_2d;
+  const double RH_3a = KSL_MUL(R->m10, M->at[0][3]), RH_3b = KSL_MUL(R->m11, M->at[0][4]),
+      RH_3c = RH_3a + RH_3b, RH_3d = KSL_MUL(R->m12, M->at[0][5]), RH_3 = RH_3c + RH_3d;
+  const double RH_4a = KSL_MUL(R->m10, M->at[1][3]), RH_4b = KSL_MUL(R->m11, M->at[1][4]),
+      RH_4c = RH_4a + RH_4b, RH_4d = KSL_MUL(R->m12, M->at[1][5]), RH_4 = RH_4c + RH_4d;
+  const double RH_5a = KSL_MUL(R->m10, M->at[2][3]), RH_5b = KSL_MUL(R->m11, M->at[2][4]),
+      RH_5c = RH_5a + RH_5b, RH_5d = KSL_MUL(R->m12, M->at[2][5]), RH_5 = RH_5c + RH_5d;
+  const double RH_6a = KSL_MUL(R->m20, M->at[0][3]), RH_6b = KSL_MUL(R->m21, M->at[0][4]),
+      RH_6c = RH_6a + RH_6b, RH_6d = KSL_MUL(R->m22, M->at[0][5]), RH_6 = RH_6c + RH_6d;
+  const double RH_7a = KSL_MUL(R->m20, M->at[1][3]), RH_7b = KSL_MUL(R->m21, M->at[1][4]),
+      RH_7c = RH_7a + RH_7b, RH_7d = KSL_MUL(R->m22, M->at[1][5]), RH_7 = RH_7c + RH_7d;
+  const double RH_8a = KSL_MUL(R->m20, M->at[2][3]), RH_8b = KSL_MUL(R->m21, M->at[2][4]),
+      RH_8c = RH_8a + RH_8b, RH_8d = KSL_MUL(R->m22, M->at[2][5]), RH_8 = RH_8c + RH_8d;
+  const double coupling_0a = KSL_MUL(R->m00, RH_0), coupling_0b = KSL_MUL(R->m01, RH_1),
+      coupling_0c = coupling_0a + coupling_0b, coupling_0d = KSL_MUL(R->m02, RH_2),
+      coupling_0 = coupling_0c + coupling_0d;
+  const double coupling_1a = KSL_MUL(R->m10, RH_0), coupling_1b = KSL_MUL(R->m11, RH_1),
+      coupling_1c = coupling_1a + coupling_1b, coupling_1d = KSL_MUL(R->m12, RH_2),
+      coupling_1 = coupling_1c + coupling_1d;
+  const double coupling_2a = KSL_MUL(R->m20, RH_0), coupling_2b = KSL_MUL(R->m21, RH_1),
+      coupling_2c = coupling_2a + coupling_2b, coupling_2d = KSL_MUL(R->m22, RH_2),
+      coupling_2 = coupling_2c + coupling_2d;
+  const double coupling_3a = KSL_MUL(R->m00, RH_3), coupling_3b = KSL_MUL(R->m01, RH_4),
+      coupling_3c = coupling_3a + coupling_3b, coupling_3d = KSL_MUL(R->m02, RH_5),
+      coupling_3 = coupling_3c + coupling_3d;
+  const double coupling_4a = KSL_MUL(R->m10, RH_3), coupling_4b = KSL_MUL(R->m11, RH_4),
+      coupling_4c = coupling_4a + coupling_4b, coupling_4d = KSL_MUL(R->m12, RH_5),
+      coupling_4 = coupling_4c + coupling_4d;
+  const double coupling_5a = KSL_MUL(R->m20, RH_3), coupling_5b = KSL_MUL(R->m21, RH_4),
+      coupling_5c = coupling_5a + coupling_5b, coupling_5d = KSL_MUL(R->m22, RH_5),
+      coupling_5 = coupling_5c + coupling_5d;
+  const double coupling_6a = KSL_MUL(R->m00, RH_6), coupling_6b = KSL_MUL(R->m01, RH_7),
+      coupling_6c = coupling_6a + coupling_6b, coupling_6d = KSL_MUL(R->m02, RH_8),
+      coupling_6 = coupling_6c + coupling_6d;
+  const double coupling_7a = KSL_MUL(R->m10, RH_6), coupling_7b = KSL_MUL(R->m11, RH_7),
+      coupling_7c = coupling_7a + coupling_7b, coupling_7d = KSL_MUL(R->m12, RH_8),
+      coupling_7 = coupling_7c + coupling_7d;
+  const double coupling_8a = KSL_MUL(R->m20, RH_6), coupling_8b = KSL_MUL(R->m21, RH_7),
+      coupling_8c = coupling_8a + coupling_8b, coupling_8d = KSL_MUL(R->m22, RH_8),
+      coupling_8 = coupling_8c + coupling_8d;
+  const double RI_0a = KSL_MUL(R->m00, M->at[3][3]), RI_0b = KSL_MUL(R->m01, M->at[3][4]),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(R->m02, M->at[3][5]), RI_0 = RI_0c + RI_0d;
+  const double RI_1a = KSL_MUL(R->m00, M->at[3][4]), RI_1b = KSL_MUL(R->m01, M->at[4][4]),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(R->m02, M->at[4][5]), RI_1 = RI_1c + RI_1d;
+  const double RI_2a = KSL_MUL(R->m00, M->at[3][5]), RI_2b = KSL_MUL(R->m01, M->at[4][5]),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(R->m02, M->at[5][5]), RI_2 = RI_2c + RI_2d;
+  const double RI_3a = KSL_MUL(R->m10, M->at[3][3]), RI_3b = KSL_MUL(R->m11, M->at[3][4]),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(R->m12, M->at[3][5]), RI_3 = RI_3c + RI_3d;
+  const double RI_4a = KSL_MUL(R->m10, M->at[3][4]), RI_4b = KSL_MUL(R->m11, M->at[4][4]),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(R->m12, M->at[4][5]), RI_4 = RI_4c + RI_4d;
+  const double RI_5a = KSL_MUL(R->m10, M->at[3][5]), RI_5b = KSL_MUL(R->m11, M->at[4][5]),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(R->m12, M->at[5][5]), RI_5 = RI_5c + RI_5d;
+  const double RI_6a = KSL_MUL(R->m20, M->at[3][3]), RI_6b = KSL_MUL(R->m21, M->at[3][4]),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(R->m22, M->at[3][5]), RI_6 = RI_6c + RI_6d;
+  const double RI_7a = KSL_MUL(R->m20, M->at[3][4]), RI_7b = KSL_MUL(R->m21, M->at[4][4]),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(R->m22, M->at[4][5]), RI_7 = RI_7c + RI_7d;
+  const double RI_8a = KSL_MUL(R->m20, M->at[3][5]), RI_8b = KSL_MUL(R->m21, M->at[4][5]),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(R->m22, M->at[5][5]), RI_8 = RI_8c + RI_8d;
+  const double angular_0a = KSL_MUL(R->m00, RI_0), angular_0b = KSL_MUL(R->m01, RI_1),
+      angular_0c = angular_0a + angular_0b, angular_0d = KSL_MUL(R->m02, RI_2),
+      angular_0 = angular_0c + angular_0d;
+  const double angular_1a = KSL_MUL(R->m00, RI_3), angular_1b = KSL_MUL(R->m01, RI_4),
+      angular_1c = angular_1a + angular_1b, angular_1d = KSL_MUL(R->m02, RI_5),
+      angular_1 = angular_1c + angular_1d;
+  const double angular_2a = KSL_MUL(R->m10, RI_3), angular_2b = KSL_MUL(R->m11, RI_4),
+      angular_2c = angular_2a + angular_2b, angular_2d = KSL_MUL(R->m12, RI_5),
+      angular_2 = angular_2c + angular_2d;
+  const double angular_3a = KSL_MUL(R->m00, RI_6), angular_3b = KSL_MUL(R->m01, RI_7),
+      angular_3c = angular_3a + angular_3b, angular_3d = KSL_MUL(R->m02, RI_8),
+      angular_3 = angular_3c + angular_3d;
+  const double angular_4a = KSL_MUL(R->m10, RI_6), angular_4b = KSL_MUL(R->m11, RI_7),
+      angular_4c = angular_4a + angular_4b, angular_4d = KSL_MUL(R->m12, RI_8),
+      angular_4 = angular_4c + angular_4d;
+  const double angular_5a = KSL_MUL(R->m20, RI_6), angular_5b = KSL_MUL(R->m21, RI_7),
+      angular_5c = angular_5a + angular_5b, angular_5d = KSL_MUL(R->m22, RI_8),
+      angular_5 = angular_5c + angular_5d;
+  const double RM_0a_abs = fabs(RM_0a), RM_0b_abs = fabs(RM_0b), RM_0c_size = RM_0a_abs + RM_0b_abs,
+      RM_0d_abs = fabs(RM_0d), RM_0_size = RM_0c_size + RM_0d_abs;
+  const double RM_1a_abs = fabs(RM_1a), RM_1b_abs = fabs(RM_1b), RM_1c_size = RM_1a_abs + RM_1b_abs,
+      RM_1d_abs = fabs(RM_1d), RM_1_size = RM_1c_size + RM_1d_abs;
+  const double RM_2a_abs = fabs(RM_2a), RM_2b_abs = fabs(RM_2b), RM_2c_size = RM_2a_abs + RM_2b_abs,
+      RM_2d_abs = fabs(RM_2d), RM_2_size = RM_2c_size + RM_2d_abs;
+  const double RM_3a_abs = fabs(RM_3a), RM_3b_abs = fabs(RM_3b), RM_3c_size = RM_3a_abs + RM_3b_abs,
+      RM_3d_abs = fabs(RM_3d), RM_3_size = RM_3c_size + RM_3d_abs;
+  const double RM_4a_abs = fabs(RM_4a), RM_4b_abs = fabs(RM_4b), RM_4c_size = RM_4a_abs + RM_4b_abs,
+      RM_4d_abs = fabs(RM_4d), RM_4_size = RM_4c_size + RM_4d_abs;
+  const double RM_5a_abs = fabs(RM_5a), RM_5b_abs = fabs(RM_5b), RM_5c_size = RM_5a_abs + RM_5b_abs,
+      RM_5d_abs = fabs(RM_5d), RM_5_size = RM_5c_size + RM_5d_abs;
+  const double RM_6a_abs = fabs(RM_6a), RM_6b_abs = fabs(RM_6b), RM_6c_size = RM_6a_abs + RM_6b_abs,
+      RM_6d_abs = fabs(RM_6d), RM_6_size = RM_6c_size + RM_6d_abs;
+  const double RM_7a_abs = fabs(RM_7a), RM_7b_abs = fabs(RM_7b), RM_7c_size = RM_7a_abs + RM_7b_abs,
+      RM_7d_abs = fabs(RM_7d), RM_7_size = RM_7c_size + RM_7d_abs;
+  const double RM_8a_abs = fabs(RM_8a), RM_8b_abs = fabs(RM_8b), RM_8c_size = RM_8a_abs + RM_8b_abs,
+      RM_8d_abs = fabs(RM_8d), RM_8_size = RM_8c_size + RM_8d_abs;
+  const double RM_0_padded = RM_0_size + 2.004168360008973e-292;
+  const double R_00_abs = fabs(R->m00), linear_0a_size = KSL_MUL(R_00_abs, RM_0_padded);
+  const double RM_1_padded = RM_1_size + 2.004168360008973e-292;
+  const double R_01_abs = fabs(R->m01), linear_0b_size = KSL_MUL(R_01_abs, RM_1_padded),
+      linear_0c_size = linear_0a_size + linear_0b_size;
+  const double RM_2_padded = RM_2_size + 2.004168360008973e-292;
+  const double R_02_abs = fabs(R->m02), linear_0d_size = KSL_MUL(R_02_abs, RM_2_padded),
+      linear_0_size = linear_0c_size + linear_0d_size;
+  const double RM_3_padded = RM_3_size + 2.004168360008973e-292;
+  const double linear_1a_size = KSL_MUL(R_00_abs, RM_3_padded);
+  const double RM_4_padded = RM_4_size + 2.004168360008973e-292;
+  const double linear_1b_size = KSL_MUL(R_01_abs, RM_4_padded),
+      linear_1c_size = linear_1a_size + linear_1b_size;
+  const double RM_5_padded = RM_5_size + 2.004168360008973e-292;
+  const double linear_1d_size = KSL_MUL(R_02_abs, RM_5_padded),
+      linear_1_size = linear_1c_size + linear_1d_size;
+  const double R_10_abs = fabs(R->m10), linear_2a_size = KSL_MUL(R_10_abs, RM_3_padded),
+      R_11_abs = fabs(R->m11), linear_2b_size = KSL_MUL(R_11_abs, RM_4_padded),
+      linear_2c_size = linear_2a_size + linear_2b_size, R_12_abs = fabs(R->m12),
+      linear_2d_size = KSL_MUL(R_12_abs, RM_5_padded),
+      linear_2_size = linear_2c_size + linear_2d_size;
+  const double RM_6_padded = RM_6_size + 2.004168360008973e-292;
+  const double linear_3a_size = KSL_MUL(R_00_abs, RM_6_padded);
+  const double RM_7_padded = RM_7_size + 2.004168360008973e-292;
+  const double linear_3b_size = KSL_MUL(R_01_abs, RM_7_padded),
+      linear_3c_size = linear_3a_size + linear_3b_size;
+  const double RM_8_padded = RM_8_size + 2.004168360008973e-292;
+  const double linear_3d_size = KSL_MUL(R_02_abs, RM_8_padded),
+      linear_3_size = linear_3c_size + linear_3d_size;
+  const double linear_4a_size = KSL_MUL(R_10_abs, RM_6_padded),
+      linear_4b_size = KSL_MUL(R_11_abs, RM_7_padded),
+      linear_4c_size = linear_4a_size + linear_4b_size,
+      linear_4d_size = KSL_MUL(R_12_abs, RM_8_padded),
+      linear_4_size = linear_4c_size + linear_4d_size;
+  const double R_20_abs = fabs(R->m20), linear_5a_size = KSL_MUL(R_20_abs, RM_6_padded),
+      R_21_abs = fabs(R->m21), linear_5b_size = KSL_MUL(R_21_abs, RM_7_padded),
+      linear_5c_size = linear_5a_size + linear_5b_size, R_22_abs = fabs(R->m22),
+      linear_5d_size = KSL_MUL(R_22_abs, RM_8_padded),
+      linear_5_size = linear_5c_size + linear_5d_size;
+  const double RH_0a_abs = fabs(RH_0a), RH_0b_abs = fabs(RH_0b), RH_0c_size = RH_0a_abs + RH_0b_abs,
+      RH_0d_abs = fabs(RH_0d), RH_0_size = RH_0c_size + RH_0d_abs;
+  const double RH_1a_abs = fabs(RH_1a), RH_1b_abs = fabs(RH_1b), RH_1c_size = RH_1a_abs + RH_1b_abs,
+      RH_1d_abs = fabs(RH_1d), RH_1_size = RH_1c_size + RH_1d_abs;
+  const double RH_2a_abs = fabs(RH_2a), RH_2b_abs = fabs(RH_2b), RH_2c_size = RH_2a_abs + RH_2b_abs,
+      RH_2d_abs = fabs(RH_2d), RH_2_size = RH_2c_size + RH_2d_abs;
+  const double RH_3a_abs = fabs(RH_3a), RH_3b_abs = fabs(RH_3b), RH_3c_size = RH_3a_abs + RH_3b_abs,
+      RH_3d_abs = fabs(RH_3d), RH_3_size = RH_3c_size + RH_3d_abs;
+  const double RH_4a_abs = fabs(RH_4a), RH_4b_abs = fabs(RH_4b), RH_4c_size = RH_4a_abs + RH_4b_abs,
+      RH_4d_abs = fabs(RH_4d), RH_4_size = RH_4c_size + RH_4d_abs;
+  const double RH_5a_abs = fabs(RH_5a), RH_5b_abs = fabs(RH_5b), RH_5c_size = RH_5a_abs + RH_5b_abs,
+      RH_5d_abs = fabs(RH_5d), RH_5_size = RH_5c_size + RH_5d_abs;
+  const double RH_6a_abs = fabs(RH_6a), RH_6b_abs = fabs(RH_6b), RH_6c_size = RH_6a_abs + RH_6b_abs,
+      RH_6d_abs = fabs(RH_6d), RH_6_size = RH_6c_size + RH_6d_abs;
+  const double RH_7a_abs = fabs(RH_7a), RH_7b_abs = fabs(RH_7b), RH_7c_size = RH_7a_abs + RH_7b_abs,
+      RH_7d_abs = fabs(RH_7d), RH_7_size = RH_7c_size + RH_7d_abs;
+  const double RH_8a_abs = fabs(RH_8a), RH_8b_abs = fabs(RH_8b), RH_8c_size = RH_8a_abs + RH_8b_abs,
+      RH_8d_abs = fabs(RH_8d), RH_8_size = RH_8c_size + RH_8d_abs;
+  const double RH_0_padded = RH_0_size + 2.004168360008973e-292;
+  const double coupling_0a_size = KSL_MUL(R_00_abs, RH_0_padded);
+  const double RH_1_padded = RH_1_size + 2.004168360008973e-292;
+  const double coupling_0b_size = KSL_MUL(R_01_abs, RH_1_padded),
+      coupling_0c_size = coupling_0a_size + coupling_0b_size;
+  const double RH_2_padded = RH_2_size + 2.004168360008973e-292;
+  const double coupling_0d_size = KSL_MUL(R_02_abs, RH_2_padded),
+      coupling_0_size = coupling_0c_size + coupling_0d_size;
+  const double coupling_1a_size = KSL_MUL(R_10_abs, RH_0_padded),
+      coupling_1b_size = KSL_MUL(R_11_abs, RH_1_padded),
+      coupling_1c_size = coupling_1a_size + coupling_1b_size,
+      coupling_1d_size = KSL_MUL(R_12_abs, RH_2_padded),
+      coupling_1_size = coupling_1c_size + coupling_1d_size;
+  const double coupling_2a_size = KSL_MUL(R_20_abs, RH_0_padded),
+      coupling_2b_size = KSL_MUL(R_21_abs, RH_1_padded),
+      coupling_2c_size = coupling_2a_size + coupling_2b_size,
+      coupling_2d_size = KSL_MUL(R_22_abs, RH_2_padded),
+      coupling_2_size = coupling_2c_size + coupling_2d_size;
+  const double RH_3_padded = RH_3_size + 2.004168360008973e-292;
+  const double coupling_3a_size = KSL_MUL(R_00_abs, RH_3_padded);
+  const double RH_4_padded = RH_4_size + 2.004168360008973e-292;
+  const double coupling_3b_size = KSL_MUL(R_01_abs, RH_4_padded),
+      coupling_3c_size = coupling_3a_size + coupling_3b_size;
+  const double RH_5_padded = RH_5_size + 2.004168360008973e-292;
+  const double coupling_3d_size = KSL_MUL(R_02_abs, RH_5_padded),
+      coupling_3_size = coupling_3c_size + coupling_3d_size;
+  const double coupling_4a_size = KSL_MUL(R_10_abs, RH_3_padded),
+      coupling_4b_size = KSL_MUL(R_11_abs, RH_4_padded),
+      coupling_4c_size = coupling_4a_size + coupling_4b_size,
+      coupling_4d_size = KSL_MUL(R_12_abs, RH_5_padded),
+      coupling_4_size = coupling_4c_size + coupling_4d_size;
+  const double coupling_5a_size = KSL_MUL(R_20_abs, RH_3_padded),
+      coupling_5b_size = KSL_MUL(R_21_abs, RH_4_padded),
+      coupling_5c_size = coupling_5a_size + coupling_5b_size,
+      coupling_5d_size = KSL_MUL(R_22_abs, RH_5_padded),
+      coupling_5_size = coupling_5c_size + coupling_5d_size;
+  const double RH_6_padded = RH_6_size + 2.004168360008973e-292;
+  const double coupling_6a_size = KSL_MUL(R_00_abs, RH_6_padded);
+  const double RH_7_padded = RH_7_size + 2.004168360008973e-292;
+  const double coupling_6b_size = KSL_MUL(R_01_abs, RH_7_padded),
+      coupling_6c_size = coupling_6a_size + coupling_6b_size;
+  const double RH_8_padded = RH_8_size + 2.004168360008973e-292;
+  const double coupling_6d_size = KSL_MUL(R_02_abs, RH_8_padded),
+      coupling_6_size = coupling_6c_size + coupling_6d_size;
+  const double coupling_7a_size = KSL_MUL(R_10_abs, RH_6_padded),
+      coupling_7b_size = KSL_MUL(R_11_abs, RH_7_padded),
+      coupling_7c_size = coupling_7a_size + coupling_7b_size,
+      coupling_7d_size = KSL_MUL(R_12_abs, RH_8_padded),
+      coupling_7_size = coupling_7c_size + coupling_7d_size;
+  const double coupling_8a_size = KSL_MUL(R_20_abs, RH_6_padded),
+      coupling_8b_size = KSL_MUL(R_21_abs, RH_7_padded),
+      coupling_8c_size = coupling_8a_size + coupling_8b_size,
+      coupling_8d_size = KSL_MUL(R_22_abs, RH_8_padded),
+      coupling_8_size = coupling_8c_size + coupling_8d_size;
+  const double RI_0a_abs = fabs(RI_0a), RI_0b_abs = fabs(RI_0b), RI_0c_size = RI_0a_abs + RI_0b_abs,
+      RI_0d_abs = fabs(RI_0d), RI_0_size = RI_0c_size + RI_0d_abs;
+  const double RI_1a_abs = fabs(RI_1a), RI_1b_abs = fabs(RI_1b), RI_1c_size = RI_1a_abs + RI_1b_abs,
+      RI_1d_abs = fabs(RI_1d), RI_1_size = RI_1c_size + RI_1d_abs;
+  const double RI_2a_abs = fabs(RI_2a), RI_2b_abs = fabs(RI_2b), RI_2c_size = RI_2a_abs + RI_2b_abs,
+      RI_2d_abs = fabs(RI_2d), RI_2_size = RI_2c_size + RI_2d_abs;
+  const double RI_3a_abs = fabs(RI_3a), RI_3b_abs = fabs(RI_3b), RI_3c_size = RI_3a_abs + RI_3b_abs,
+      RI_3d_abs = fabs(RI_3d), RI_3_size = RI_3c_size + RI_3d_abs;
+  const double RI_4a_abs = fabs(RI_4a), RI_4b_abs = fabs(RI_4b), RI_4c_size = RI_4a_abs + RI_4b_abs,
+      RI_4d_abs = fabs(RI_4d), RI_4_size = RI_4c_size + RI_4d_abs;
+  const double RI_5a_abs = fabs(RI_5a), RI_5b_abs = fabs(RI_5b), RI_5c_size = RI_5a_abs + RI_5b_abs,
+      RI_5d_abs = fabs(RI_5d), RI_5_size = RI_5c_size + RI_5d_abs;
+  const double RI_6a_abs = fabs(RI_6a), RI_6b_abs = fabs(RI_6b), RI_6c_size = RI_6a_abs + RI_6b_abs,
+      RI_6d_abs = fabs(RI_6d), RI_6_size = RI_6c_size + RI_6d_abs;
+  const double RI_7a_abs = fabs(RI_7a), RI_7b_abs = fabs(RI_7b), RI_7c_size = RI_7a_abs + RI_7b_abs,
+      RI_7d_abs = fabs(RI_7d), RI_7_size = RI_7c_size + RI_7d_abs;
+  const double RI_8a_abs = fabs(RI_8a), RI_8b_abs = fabs(RI_8b), RI_8c_size = RI_8a_abs + RI_8b_abs,
+      RI_8d_abs = fabs(RI_8d), RI_8_size = RI_8c_size + RI_8d_abs;
+  const double RI_0_padded = RI_0_size + 2.004168360008973e-292;
+  const double angular_0a_size = KSL_MUL(R_00_abs, RI_0_padded);
+  const double RI_1_padded = RI_1_size + 2.004168360008973e-292;
+  const double angular_0b_size = KSL_MUL(R_01_abs, RI_1_padded),
+      angular_0c_size = angular_0a_size + angular_0b_size;
+  const double RI_2_padded = RI_2_size + 2.004168360008973e-292;
+  const double angular_0d_size = KSL_MUL(R_02_abs, RI_2_padded),
+      angular_0_size = angular_0c_size + angular_0d_size;
+  const double RI_3_padded = RI_3_size + 2.004168360008973e-292;
+  const double angular_1a_size = KSL_MUL(R_00_abs, RI_3_padded);
+  const double RI_4_padded = RI_4_size + 2.004168360008973e-292;
+  const double angular_1b_size = KSL_MUL(R_01_abs, RI_4_padded),
+      angular_1c_size = angular_1a_size + angular_1b_size;
+  const double RI_5_padded = RI_5_size + 2.004168360008973e-292;
+  const double angular_1d_size = KSL_MUL(R_02_abs, RI_5_padded),
+      angular_1_size = angular_1c_size + angular_1d_size;
+  const double angular_2a_size = KSL_MUL(R_10_abs, RI_3_padded),
+      angular_2b_size = KSL_MUL(R_11_abs, RI_4_padded),
+      angular_2c_size = angular_2a_size + angular_2b_size,
+      angular_2d_size = KSL_MUL(R_12_abs, RI_5_padded),
+      angular_2_size = angular_2c_size + angular_2d_size;
+  const double RI_6_padded = RI_6_size + 2.004168360008973e-292;
+  const double angular_3a_size = KSL_MUL(R_00_abs, RI_6_padded);
+  const double RI_7_padded = RI_7_size + 2.004168360008973e-292;
+  const double angular_3b_size = KSL_MUL(R_01_abs, RI_7_padded),
+      angular_3c_size = angular_3a_size + angular_3b_size;
+  const double RI_8_padded = RI_8_size + 2.004168360008973e-292;
+  const double angular_3d_size = KSL_MUL(R_02_abs, RI_8_padded),
+      angular_3_size = angular_3c_size + angular_3d_size;
+  const double angular_4a_size = KSL_MUL(R_10_abs, RI_6_padded),
+      angular_4b_size = KSL_MUL(R_11_abs, RI_7_padded),
+      angular_4c_size = angular_4a_size + angular_4b_size,
+      angular_4d_size = KSL_MUL(R_12_abs, RI_8_padded),
+      angular_4_size = angular_4c_size + angular_4d_size;
+  const double angular_5a_size = KSL_MUL(R_20_abs, RI_6_padded),
+      angular_5b_size = KSL_MUL(R_21_abs, RI_7_padded),
+      angular_5c_size = angular_5a_size + angular_5b_size,
+      angular_5d_size = KSL_MUL(R_22_abs, RI_8_padded),
+      angular_5_size = angular_5c_size + angular_5d_size;
+  const double linear_0_padded = linear_0_size + 2.004168360008973e-292,
+      linear_0_error_bound = KSL_MUL(6.661338147750942e-16, linear_0_padded);
+  const double linear_1_padded = linear_1_size + 2.004168360008973e-292,
+      linear_1_error_bound = KSL_MUL(6.661338147750942e-16, linear_1_padded);
+  const double linear_3_padded = linear_3_size + 2.004168360008973e-292,
+      linear_3_error_bound = KSL_MUL(6.661338147750942e-16, linear_3_padded);
+  const double coupling_0_padded = coupling_0_size + 2.004168360008973e-292,
+      coupling_0_error_bound = KSL_MUL(6.661338147750942e-16, coupling_0_padded);
+  const double coupling_3_padded = coupling_3_size + 2.004168360008973e-292,
+      coupling_3_error_bound = KSL_MUL(6.661338147750942e-16, coupling_3_padded);
+  const double coupling_6_padded = coupling_6_size + 2.004168360008973e-292,
+      coupling_6_error_bound = KSL_MUL(6.661338147750942e-16, coupling_6_padded);
+  const double linear_2_padded = linear_2_size + 2.004168360008973e-292,
+      linear_2_error_bound = KSL_MUL(6.661338147750942e-16, linear_2_padded);
+  const double linear_4_padded = linear_4_size + 2.004168360008973e-292,
+      linear_4_error_bound = KSL_MUL(6.661338147750942e-16, linear_4_padded);
+  const double coupling_1_padded = coupling_1_size + 2.004168360008973e-292,
+      coupling_1_error_bound = KSL_MUL(6.661338147750942e-16, coupling_1_padded);
+  const double coupling_4_padded = coupling_4_size + 2.004168360008973e-292,
+      coupling_4_error_bound = KSL_MUL(6.661338147750942e-16, coupling_4_padded);
+  const double coupling_7_padded = coupling_7_size + 2.004168360008973e-292,
+      coupling_7_error_bound = KSL_MUL(6.661338147750942e-16, coupling_7_padded);
+  const double linear_5_padded = linear_5_size + 2.004168360008973e-292,
+      linear_5_error_bound = KSL_MUL(6.661338147750942e-16, linear_5_padded);
+  const double coupling_2_padded = coupling_2_size + 2.004168360008973e-292,
+      coupling_2_error_bound = KSL_MUL(6.661338147750942e-16, coupling_2_padded);
+  const double coupling_5_padded = coupling_5_size + 2.004168360008973e-292,
+      coupling_5_error_bound = KSL_MUL(6.661338147750942e-16, coupling_5_padded);
+  const double coupling_8_padded = coupling_8_size + 2.004168360008973e-292,
+      coupling_8_error_bound = KSL_MUL(6.661338147750942e-16, coupling_8_padded);
+  const double angular_0_padded = angular_0_size + 2.004168360008973e-292,
+      angular_0_error_bound = KSL_MUL(6.661338147750942e-16, angular_0_padded);
+  const double angular_1_padded = angular_1_size + 2.004168360008973e-292,
+      angular_1_error_bound = KSL_MUL(6.661338147750942e-16, angular_1_padded);
+  const double angular_3_padded = angular_3_size + 2.004168360008973e-292,
+      angular_3_error_bound = KSL_MUL(6.661338147750942e-16, angular_3_padded);
+  const double angular_2_padded = angular_2_size + 2.004168360008973e-292,
+      angular_2_error_bound = KSL_MUL(6.661338147750942e-16, angular_2_padded);
+  const double angular_4_padded = angular_4_size + 2.004168360008973e-292,
+      angular_4_error_bound = KSL_MUL(6.661338147750942e-16, angular_4_padded);
+  const double angular_5_padded = angular_5_size + 2.004168360008973e-292,
+      angular_5_error_bound = KSL_MUL(6.661338147750942e-16, angular_5_padded);
+  Mo->at[0][0] = linear_0;
+  Mo->at[1][0] = linear_1;
+  Mo->at[2][0] = linear_3;
+  Mo->at[3][0] = coupling_0;
+  Mo->at[4][0] = coupling_3;
+  Mo->at[5][0] = coupling_6;
+  Mo->at[0][1] = linear_1;
+  Mo->at[1][1] = linear_2;
+  Mo->at[2][1] = linear_4;
+  Mo->at[3][1] = coupling_1;
+  Mo->at[4][1] = coupling_4;
+  Mo->at[5][1] = coupling_7;
+  Mo->at[0][2] = linear_3;
+  Mo->at[1][2] = linear_4;
+  Mo->at[2][2] = linear_5;
+  Mo->at[3][2] = coupling_2;
+  Mo->at[4][2] = coupling_5;
+  Mo->at[5][2] = coupling_8;
+  Mo->at[0][3] = coupling_0;
+  Mo->at[1][3] = coupling_1;
+  Mo->at[2][3] = coupling_2;
+  Mo->at[3][3] = angular_0;
+  Mo->at[4][3] = angular_1;
+  Mo->at[5][3] = angular_3;
+  Mo->at[0][4] = coupling_3;
+  Mo->at[1][4] = coupling_4;
+  Mo->at[2][4] = coupling_5;
+  Mo->at[3][4] = angular_1;
+  Mo->at[4][4] = angular_2;
+  Mo->at[5][4] = angular_4;
+  Mo->at[0][5] = coupling_6;
+  Mo->at[1][5] = coupling_7;
+  Mo->at[2][5] = coupling_8;
+  Mo->at[3][5] = angular_3;
+  Mo->at[4][5] = angular_4;
+  Mo->at[5][5] = angular_5;
+  Mo_bound->at[0][0] = linear_0_error_bound;
+  Mo_bound->at[1][0] = linear_1_error_bound;
+  Mo_bound->at[2][0] = linear_3_error_bound;
+  Mo_bound->at[3][0] = coupling_0_error_bound;
+  Mo_bound->at[4][0] = coupling_3_error_bound;
+  Mo_bound->at[5][0] = coupling_6_error_bound;
+  Mo_bound->at[0][1] = linear_1_error_bound;
+  Mo_bound->at[1][1] = linear_2_error_bound;
+  Mo_bound->at[2][1] = linear_4_error_bound;
+  Mo_bound->at[3][1] = coupling_1_error_bound;
+  Mo_bound->at[4][1] = coupling_4_error_bound;
+  Mo_bound->at[5][1] = coupling_7_error_bound;
+  Mo_bound->at[0][2] = linear_3_error_bound;
+  Mo_bound->at[1][2] = linear_4_error_bound;
+  Mo_bound->at[2][2] = linear_5_error_bound;
+  Mo_bound->at[3][2] = coupling_2_error_bound;
+  Mo_bound->at[4][2] = coupling_5_error_bound;
+  Mo_bound->at[5][2] = coupling_8_error_bound;
+  Mo_bound->at[0][3] = coupling_0_error_bound;
+  Mo_bound->at[1][3] = coupling_1_error_bound;
+  Mo_bound->at[2][3] = coupling_2_error_bound;
+  Mo_bound->at[3][3] = angular_0_error_bound;
+  Mo_bound->at[4][3] = angular_1_error_bound;
+  Mo_bound->at[5][3] = angular_3_error_bound;
+  Mo_bound->at[0][4] = coupling_3_error_bound;
+  Mo_bound->at[1][4] = coupling_4_error_bound;
+  Mo_bound->at[2][4] = coupling_5_error_bound;
+  Mo_bound->at[3][4] = angular_1_error_bound;
+  Mo_bound->at[4][4] = angular_2_error_bound;
+  Mo_bound->at[5][4] = angular_4_error_bound;
+  Mo_bound->at[0][5] = coupling_6_error_bound;
+  Mo_bound->at[1][5] = coupling_7_error_bound;
+  Mo_bound->at[2][5] = coupling_8_error_bound;
+  Mo_bound->at[3][5] = angular_3_error_bound;
+  Mo_bound->at[4][5] = angular_4_error_bound;
+  Mo_bound->at[5][5] = angular_5_error_bound;
+}
+
+/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
+     inertia M shifted by t; |error of Mo| <= Mo_bound unless inf or NaN.
+   t: vector; M, Mo, Mo_bound: 6×6 operator.
+   66 mul, 99 add, 45 abs. */
+static inline void ksl_mat6x6_shifted_certified(const ksl_vec3_t *t, const ksl_mat6x6_t *M,
+    ksl_mat6x6_t *Mo, ksl_mat6x6_t *Mo_bound) {
+  const double G_0a = KSL_MUL(t->y, M->at[0][2]), G_0b = KSL_MUL(t->z, M->at[0][1]),
+      G_0c = G_0a - G_0b, G_0 = G_0c + M->at[0][3];
+  const double G_1a = KSL_MUL(t->y, M->at[1][2]), G_1b = KSL_MUL(t->z, M->at[1][1]),
+      G_1c = G_1a - G_1b, G_1 = G_1c + M->at[1][3];
+  const double G_2a = KSL_MUL(t->y, M->at[2][2]), G_2b = KSL_MUL(t->z, M->at[1][2]),
+      G_2c = G_2a - G_2b, G_2 = G_2c + M->at[2][3];
+  const double G_3a = KSL_MUL(t->z, M->at[0][0]), G_3b = KSL_MUL(t->x, M->at[0][2]),
+      G_3c = G_3a - G_3b, G_3 = G_3c + M->at[0][4];
+  const double G_4a = KSL_MUL(t->x, M->at[1][2]), G_4b = G_0b - G_4a, G_4 = G_4b + M->at[1][4];
+  const double G_5a = KSL_MUL(t->z, M->at[0][2]), G_5b = KSL_MUL(t->x, M->at[2][2]),
+      G_5c = G_5a - G_5b, G_5 = G_5c + M->at[2][4];
+  const double G_6a = KSL_MUL(t->x, M->at[0][1]), G_6b = KSL_MUL(t->y, M->at[0][0]),
+      G_6c = G_6a - G_6b, G_6 = G_6c + M->at[0][5];
+  const double G_7a = KSL_MUL(t->x, M->at[1][1]), G_7b = KSL_MUL(t->y, M->at[0][1]),
+      G_7c = G_7a - G_7b, G_7 = G_7c + M->at[1][5];
+  const double G_8a = G_4a - G_0a, G_8 = G_8a + M->at[2][5];
+  const double moved_0a = KSL_MUL(t->y, M->at[2][3]), moved_0b = KSL_MUL(t->z, M->at[1][3]),
+      moved_0c = moved_0a - moved_0b, moved_0d = KSL_MUL(t->y, G_2), moved_0e = KSL_MUL(t->z, G_1),
+      moved_0f = moved_0d - moved_0e, moved_0g = moved_0c + moved_0f,
+      moved_0 = moved_0g + M->at[3][3];
+  const double moved_1a = KSL_MUL(t->z, M->at[0][3]), moved_1b = KSL_MUL(t->x, M->at[2][3]),
+      moved_1c = moved_1a - moved_1b, moved_1d = KSL_MUL(t->y, G_5), moved_1e = KSL_MUL(t->z, G_4),
+      moved_1f = moved_1d - moved_1e, moved_1g = moved_1c + moved_1f,
+      moved_1 = moved_1g + M->at[3][4];
+  const double moved_2a = KSL_MUL(t->z, M->at[0][4]), moved_2b = KSL_MUL(t->x, M->at[2][4]),
+      moved_2c = moved_2a - moved_2b, moved_2d = KSL_MUL(t->z, G_3), moved_2e = KSL_MUL(t->x, G_5),
+      moved_2f = moved_2d - moved_2e, moved_2g = moved_2c + moved_2f,
+      moved_2 = moved_2g + M->at[4][4];
+  const double moved_3a = KSL_MUL(t->x, M->at[1][3]), moved_3b = KSL_MUL(t->y, M->at[0][3]),
+      moved_3c = moved_3a - moved_3b, moved_3d = KSL_MUL(t->y, G_8), moved_3e = KSL_MUL(t->z, G_7),
+      moved_3f = moved_3d - moved_3e, moved_3g = moved_3c + moved_3f,
+      moved_3 = moved_3g + M->at[3][5];
+  const double moved_4a = KSL_MUL(t->x, M->at[1][4]), moved_4b = KSL_MUL(t->y, M->at[0][4]),
+      moved_4c = moved_4a - moved_4b, moved_4d = KSL_MUL(t->z, G_6), moved_4e = KSL_MUL(t->x, G_8),
+      moved_4f = moved_4d - moved_4e, moved_4g = moved_4c + moved_4f,
+      moved_4 = moved_4g + M->at[4][5];
+  const double moved_5a = KSL_MUL(t->x, M->at[1][5]), moved_5b = KSL_MUL(t->y, M->at[0][5]),
+      moved_5c = moved_5a - moved_5b, moved_5d = KSL_MUL(t->x, G_7), moved_5e = KSL_MUL(t->y, G_6),
+      moved_5f = moved_5d - moved_5e, moved_5g = moved_5c + moved_5f,
+      moved_5 = moved_5g + M->at[5][5];
+  const double G_0a_abs = fabs(G_0a), G_0b_abs = fabs(G_0b), G_0c_size = G_0a_abs + G_0b_abs,
+      M_30_abs = fabs(M->at[0][3]), G_0_size = G_0c_size + M_30_abs;
+  const double G_1a_abs = fabs(G_1a), G_1b_abs = fabs(G_1b), G_1c_size = G_1a_abs + G_1b_abs,
+      M_31_abs = fabs(M->at[1][3]), G_1_size = G_1c_size + M_31_abs;
+  const double G_2a_abs = fabs(G_2a), G_2b_abs = fabs(G_2b), G_2c_size = G_2a_abs + G_2b_abs,
+      M_32_abs = fabs(M->at[2][3]), G_2_size = G_2c_size + M_32_abs;
+  const double G_3a_abs = fabs(G_3a), G_3b_abs = fabs(G_3b), G_3c_size = G_3a_abs + G_3b_abs,
+      M_40_abs = fabs(M->at[0][4]), G_3_size = G_3c_size + M_40_abs;
+  const double G_4a_abs = fabs(G_4a), G_4b_size = G_0b_abs + G_4a_abs, M_41_abs = fabs(M->at[1][4]),
+      G_4_size = G_4b_size + M_41_abs;
+  const double G_5a_abs = fabs(G_5a), G_5b_abs = fabs(G_5b), G_5c_size = G_5a_abs + G_5b_abs,
+      M_42_abs = fabs(M->at[2][4]), G_5_size = G_5c_size + M_42_abs;
+  const double G_6a_abs = fabs(G_6a), G_6b_abs = fabs(G_6b), G_6c_size = G_6a_abs + G_6b_abs,
+      M_50_abs = fabs(M->at[0][5]), G_6_size = G_6c_size + M_50_abs;
+  const double G_7a_abs = fabs(G_7a), G_7b_abs = fabs(G_7b), G_7c_size = G_7a_abs + G_7b_abs,
+      M_51_abs = fabs(M->at[1][5]), G_7_size = G_7c_size + M_51_abs;
+  const double G_8a_size = G_4a_abs + G_0a_abs, M_52_abs = fabs(M->at[2][5]),
+      G_8_size = G_8a_size + M_52_abs;
+  const double moved_0a_abs = fabs(moved_0a), moved_0b_abs = fabs(moved_0b),
+      moved_0c_size = moved_0a_abs + moved_0b_abs;
+  const double G_2_padded = G_2_size + 2.004168360008973e-292;
+  const double t_1_abs = fabs(t->y), moved_0d_size = KSL_MUL(t_1_abs, G_2_padded);
+  const double G_1_padded = G_1_size + 2.004168360008973e-292;
+  const double t_2_abs = fabs(t->z), moved_0e_size = KSL_MUL(t_2_abs, G_1_padded),
+      moved_0f_size = moved_0d_size + moved_0e_size, moved_0g_size = moved_0c_size + moved_0f_size,
+      M_33_abs = fabs(M->at[3][3]), moved_0_size = moved_0g_size + M_33_abs;
+  const double moved_1a_abs = fabs(moved_1a), moved_1b_abs = fabs(moved_1b),
+      moved_1c_size = moved_1a_abs + moved_1b_abs;
+  const double G_5_padded = G_5_size + 2.004168360008973e-292;
+  const double moved_1d_size = KSL_MUL(t_1_abs, G_5_padded);
+  const double G_4_padded = G_4_size + 2.004168360008973e-292;
+  const double moved_1e_size = KSL_MUL(t_2_abs, G_4_padded),
+      moved_1f_size = moved_1d_size + moved_1e_size, moved_1g_size = moved_1c_size + moved_1f_size,
+      M_43_abs = fabs(M->at[3][4]), moved_1_size = moved_1g_size + M_43_abs;
+  const double moved_2a_abs = fabs(moved_2a), moved_2b_abs = fabs(moved_2b),
+      moved_2c_size = moved_2a_abs + moved_2b_abs;
+  const double G_3_padded = G_3_size + 2.004168360008973e-292;
+  const double moved_2d_size = KSL_MUL(t_2_abs, G_3_padded), t_0_abs = fabs(t->x),
+      moved_2e_size = KSL_MUL(t_0_abs, G_5_padded), moved_2f_size = moved_2d_size + moved_2e_size,
+      moved_2g_size = moved_2c_size + moved_2f_size, M_44_abs = fabs(M->at[4][4]),
+      moved_2_size = moved_2g_size + M_44_abs;
+  const double moved_3a_abs = fabs(moved_3a), moved_3b_abs = fabs(moved_3b),
+      moved_3c_size = moved_3a_abs + moved_3b_abs;
+  const double G_8_padded = G_8_size + 2.004168360008973e-292;
+  const double moved_3d_size = KSL_MUL(t_1_abs, G_8_padded);
+  const double G_7_padded = G_7_size + 2.004168360008973e-292;
+  const double moved_3e_size = KSL_MUL(t_2_abs, G_7_padded),
+      moved_3f_size = moved_3d_size + moved_3e_size, moved_3g_size = moved_3c_size + moved_3f_size,
+      M_53_abs = fabs(M->at[3][5]), moved_3_size = moved_3g_size + M_53_abs;
+  const double moved_4a_abs = fabs(moved_4a), moved_4b_abs = fabs(moved_4b),
+      moved_4c_size = moved_4a_abs + moved_4b_abs;
+  const double G_6_padded = G_6_size + 2.004168360008973e-292;
+  const double moved_4d_size = KSL_MUL(t_2_abs, G_6_padded),
+      moved_4e_size = KSL_MUL(t_0_abs, G_8_padded), moved_4f_size = moved_4d_size + moved_4e_size,
+      moved_4g_size = moved_4c_size + moved_4f_size, M_54_abs = fabs(M->at[4][5]),
+      moved_4_size = moved_4g_size + M_54_abs;
+  const double moved_5a_abs = fabs(moved_5a), moved_5b_abs = fabs(moved_5b),
+      moved_5c_size = moved_5a_abs + moved_5b_abs, moved_5d_size = KSL_MUL(t_0_abs, G_7_padded),
+      moved_5e_size = KSL_MUL(t_1_abs, G_6_padded), moved_5f_size = moved_5d_size + moved_5e_size,
+      moved_5g_size = moved_5c_size + moved_5f_size, M_55_abs = fabs(M->at[5][5]),
+      moved_5_size = moved_5g_size + M_55_abs;
+  const double G_0_padded = G_0_size + 2.004168360008973e-292,
+      G_0_error_bound = KSL_MUL(3.3306690738754706e-16, G_0_padded);
+  const double G_3_error_bound = KSL_MUL(3.3306690738754706e-16, G_3_padded);
+  const double G_6_error_bound = KSL_MUL(3.3306690738754706e-16, G_6_padded);
+  const double G_1_error_bound = KSL_MUL(3.3306690738754706e-16, G_1_padded);
+  const double G_4_error_bound = KSL_MUL(3.3306690738754706e-16, G_4_padded);
+  const double G_7_error_bound = KSL_MUL(3.3306690738754706e-16, G_7_padded);
+  const double G_2_error_bound = KSL_MUL(3.3306690738754706e-16, G_2_padded);
+  const double G_5_error_bound = KSL_MUL(3.3306690738754706e-16, G_5_padded);
+  const double G_8_error_bound = KSL_MUL(3.3306690738754706e-16, G_8_padded);
+  const double moved_0_padded = moved_0_size + 2.004168360008973e-292,
+      moved_0_error_bound = KSL_MUL(7.7715611723761e-16, moved_0_padded);
+  const double moved_1_padded = moved_1_size + 2.004168360008973e-292,
+      moved_1_error_bound = KSL_MUL(7.7715611723761e-16, moved_1_padded);
+  const double moved_3_padded = moved_3_size + 2.004168360008973e-292,
+      moved_3_error_bound = KSL_MUL(7.7715611723761e-16, moved_3_padded);
+  const double moved_2_padded = moved_2_size + 2.004168360008973e-292,
+      moved_2_error_bound = KSL_MUL(7.7715611723761e-16, moved_2_padded);
+  const double moved_4_padded = moved_4_size + 2.004168360008973e-292,
+      moved_4_error_bound = KSL_MUL(7.7715611723761e-16, moved_4_padded);
+  const double moved_5_padded = moved_5_size + 2.004168360008973e-292,
+      moved_5_error_bound = KSL_MUL(7.7715611723761e-16, moved_5_padded);
+  const double M_at_00 = M->at[0][0];
+  const double M_at_01 = M->at[0][1];
+  const double M_at_02 = M->at[0][2];
+  const double M_at_11 = M->at[1][1];
+  const double M_at_12 = M->at[1][2];
+  const double M_at_22 = M->at[2][2];
+  Mo->at[0][0] = M_at_00;
+  Mo->at[1][0] = M_at_01;
+  Mo->at[2][0] = M_at_02;
+  Mo->at[3][0] = G_0;
+  Mo->at[4][0] = G_3;
+  Mo->at[5][0] = G_6;
+  Mo->at[0][1] = M_at_01;
+  Mo->at[1][1] = M_at_11;
+  Mo->at[2][1] = M_at_12;
+  Mo->at[3][1] = G_1;
+  Mo->at[4][1] = G_4;
+  Mo->at[5][1] = G_7;
+  Mo->at[0][2] = M_at_02;
+  Mo->at[1][2] = M_at_12;
+  Mo->at[2][2] = M_at_22;
+  Mo->at[3][2] = G_2;
+  Mo->at[4][2] = G_5;
+  Mo->at[5][2] = G_8;
+  Mo->at[0][3] = G_0;
+  Mo->at[1][3] = G_1;
+  Mo->at[2][3] = G_2;
+  Mo->at[3][3] = moved_0;
+  Mo->at[4][3] = moved_1;
+  Mo->at[5][3] = moved_3;
+  Mo->at[0][4] = G_3;
+  Mo->at[1][4] = G_4;
+  Mo->at[2][4] = G_5;
+  Mo->at[3][4] = moved_1;
+  Mo->at[4][4] = moved_2;
+  Mo->at[5][4] = moved_4;
+  Mo->at[0][5] = G_6;
+  Mo->at[1][5] = G_7;
+  Mo->at[2][5] = G_8;
+  Mo->at[3][5] = moved_3;
+  Mo->at[4][5] = moved_4;
+  Mo->at[5][5] = moved_5;
+  Mo_bound->at[0][0] = 0.0;
+  Mo_bound->at[1][0] = 0.0;
+  Mo_bound->at[2][0] = 0.0;
+  Mo_bound->at[3][0] = G_0_error_bound;
+  Mo_bound->at[4][0] = G_3_error_bound;
+  Mo_bound->at[5][0] = G_6_error_bound;
+  Mo_bound->at[0][1] = 0.0;
+  Mo_bound->at[1][1] = 0.0;
+  Mo_bound->at[2][1] = 0.0;
+  Mo_bound->at[3][1] = G_1_error_bound;
+  Mo_bound->at[4][1] = G_4_error_bound;
+  Mo_bound->at[5][1] = G_7_error_bound;
+  Mo_bound->at[0][2] = 0.0;
+  Mo_bound->at[1][2] = 0.0;
+  Mo_bound->at[2][2] = 0.0;
+  Mo_bound->at[3][2] = G_2_error_bound;
+  Mo_bound->at[4][2] = G_5_error_bound;
+  Mo_bound->at[5][2] = G_8_error_bound;
+  Mo_bound->at[0][3] = G_0_error_bound;
+  Mo_bound->at[1][3] = G_1_error_bound;
+  Mo_bound->at[2][3] = G_2_error_bound;
+  Mo_bound->at[3][3] = moved_0_error_bound;
+  Mo_bound->at[4][3] = moved_1_error_bound;
+  Mo_bound->at[5][3] = moved_3_error_bound;
+  Mo_bound->at[0][4] = G_3_error_bound;
+  Mo_bound->at[1][4] = G_4_error_bound;
+  Mo_bound->at[2][4] = G_5_error_bound;
+  Mo_bound->at[3][4] = moved_1_error_bound;
+  Mo_bound->at[4][4] = moved_2_error_bound;
+  Mo_bound->at[5][4] = moved_4_error_bound;
+  Mo_bound->at[0][5] = G_6_error_bound;
+  Mo_bound->at[1][5] = G_7_error_bound;
+  Mo_bound->at[2][5] = G_8_error_bound;
+  Mo_bound->at[3][5] = moved_3_error_bound;
+  Mo_bound->at[4][5] = moved_4_error_bound;
+  Mo_bound->at[5][5] = moved_5_error_bound;
+}
+
+/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
+     inertia M rotated by R; |error of Mo| <= Mo_bound unless inf or NaN.
+   R: rotation or other 3×3 matrix; M, Mo, Mo_bound: 6×6 operator.
+   228 mul, 240 add, 90 abs. */
+static inline void ksl_mat6x6f_rotated_certified(const ksl_mat3x3f_t *R, const ksl_mat6x6f_t *M,
+    ksl_mat6x6f_t *Mo, ksl_mat6x6f_t *Mo_bound) {
+  const float RM_0a = KSL_MULF(R->m00, M->at[0][0]), RM_0b = KSL_MULF(R->m01, M->at[0][1]),
+      RM_0c = RM_0a + RM_0b, RM_0d = KSL_MULF(R->m02, M->at[0][2]), RM_0 = RM_0c + RM_0d;
+  const float RM_1a = KSL_MULF(R->m00, M->at[0][1]), RM_1b = KSL_MULF(R->m01, M->at[1][1]),
+      RM_1c = RM_1a + RM_1b, RM_1d = KSL_MULF(R->m02, M->at[1][2]), RM_1 = RM_1c + RM_1d;
+  const float RM_2a = KSL_MULF(R->m00, M->at[0][2]), RM_2b = KSL_MULF(R->m01, M->at[1][2]),
+      RM_2c = RM_2a + RM_2b, RM_2d = KSL_MULF(R->m02, M->at[2][2]), RM_2 = RM_2c + RM_2d;
+  const float RM_3a = KSL_MULF(R->m10, M->at[0][0]), RM_3b = KSL_MULF(R->m11, M->at[0][1]),
+      RM_3c = RM_3a + RM_3b, RM_3d = KSL_MULF(R->m12, M->at[0][2]), RM_3 = RM_3c + RM_3d;
+  const float RM_4a = KSL_MULF(R->m10, M->at[0][1]), RM_4b = KSL_MULF(R->m11, M->at[1][1]),
+      RM_4c = RM_4a + RM_4b, RM_4d = KSL_MULF(R->m12, M->at[1][2]), RM_4 = RM_4c + RM_4d;
+  const float RM_5a = KSL_MULF(R->m10, M->at[0][2]), RM_5b = KSL_MULF(R->m11, M->at[1][2]),
+      RM_5c = RM_5a + RM_5b, RM_5d = KSL_MULF(R->m12, M->at[2][2]), RM_5 = RM_5c + RM_5d;
+  const float RM_6a = KSL_MULF(R->m20, M->at[0][0]), RM_6b = KSL_MULF(R->m21, M->at[0][1]),
+      RM_6c = RM_6a + RM_6b, RM_6d = KSL_MULF(R->m22, M->at[0][2]), RM_6 = RM_6c + RM_6d;
+  const float RM_7a = KSL_MULF(R->m20, M->at[0][1]), RM_7b = KSL_MULF(R->m21, M->at[1][1]),
+      RM_7c = RM_7a + RM_7b, RM_7d = KSL_MULF(R->m22, M->at[1][2]), RM_7 = RM_7c + RM_7d;
+  const float RM_8a = KSL_MULF(R->m20, M->at[0][2]), RM_8b = KSL_MULF(R->m21, M->at[1][2]),
+      RM_8c = RM_8a + RM_8b, RM_8d = KSL_MULF(R->m22, M->at[2][2]), RM_8 = RM_8c + RM_8d;
+  const float linear_0a = KSL_MULF(R->m00, RM_0), linear_0b = KSL_MULF(R->m01, RM_1),
+      linear_0c = linear_0a + linear_0b, linear_0d = KSL_MULF(R->m02, RM_2),
+      linear_0 = linear_0c + linear_0d;
+  const float linear_1a = KSL_MULF(R->m00, RM_3), linear_1b = KSL_MULF(R->m01, RM_4),
+      linear_1c = linear_1a + linear_1b, linear_1d = KSL_MULF(R->m02, RM_5),
+      linear_1 = linear_1c + linear_1d;
+  const float linear_2a = KSL_MULF(R->m10, RM_3), linear_2b = KSL_MULF(R->m11, RM_4),
+      linear_2c = linear_2a + linear_2b, linear_2d = KSL_MULF(R->m12, RM_5),
+      linear_2 = linear_2c + linear_2d;
+  const float linear_3a = KSL_MULF(R->m00, RM_6), linear_3b = KSL_MULF(R->m01, RM_7),
+      linear_3c = linear_3a + linear_3b, linear_3d = KSL_MULF(R->m02, RM_8),
+      linear_3 = linear_3c + linear_3d;
+  const float linear_4a = KSL_MULF(R->m10, RM_6), linear_4b = KSL_MULF(R->m11, RM_7),
+      linear_4c = linear_4a + linear_4b, linear_4d = KSL_MULF(R->m12, RM_8),
+      linear_4 = linear_4c + linear_4d;
+  const float linear_5a = KSL_MULF(R->m20, RM_6), linear_5b = KSL_MULF(R->m21, RM_7),
+      linear_5c = linear_5a + linear_5b, linear_5d = KSL_MULF(R->m22, RM_8),
+      linear_5 = linear_5c + linear_5d;
+  const float RH_0a = KSL_MULF(R->m00, M->at[0][3]), RH_0b = KSL_MULF(R->m01, M->at[0][4]),
+      RH_0c = RH_0a + RH_0b, RH_0d = KSL_MULF(R->m02, M->at[0][5]), RH_0 = RH_0c + RH_0d;
+  const float RH_1a = KSL_MULF(R->m00, M->at[1][3]), RH_1b = KSL_MULF(R->m01, M->at[1][4]),
+      RH_1c = RH_1a + RH_1b, RH_1d = KSL_MULF(R->m02, M->at[1][5]), RH_1 = RH_1c + RH_1d;
+  const float RH_2a = KSL_MULF(R->m00, M->at[2][3]), RH_2b = KSL_MULF(R->m01, M->at[2][4]),
+      RH_2c = RH_2a + RH_2b, RH_2d = KSL_MULF(R->m02, M->at[2][5]), RH_2 = RH_2c + RH_2d;
+  const float RH_3a = KSL_MULF(R->m10, M->at[0][3]), RH_3b = KSL_MULF(R->m11, M->at[0][4]),
+      RH_3c = RH_3a + RH_3b, RH_3d = KSL_MULF(R->m12, M->at[0][5]), RH_3 = RH_3c + RH_3d;
+  const float RH_4a = KSL_MULF(R->m10, M->at[1][3]), RH_4b = KSL_MULF(R->m11, M->at[1][4]),
+      RH_4c = RH_4a + RH_4b, RH_4d = KSL_MULF(R->m12, M->at[1][5]), RH_4 = RH_4c + RH_4d;
+  const float RH_5a = KSL_MULF(R->m10, M->at[2][3]), RH_5b = KSL_MULF(R->m11, M->at[2][4]),
+      RH_5c = RH_5a + RH_5b, RH_5d = KSL_MULF(R->m12, M->at[2][5]), RH_5 = RH_5c + RH_5d;
+  const float RH_6a = KSL_MULF(R->m20, M->at[0][3]), RH_6b = KSL_MULF(R->m21, M->at[0][4]),
+      RH_6c = RH_6a + RH_6b, RH_6d = KSL_MULF(R->m22, M->at[0][5]), RH_6 = RH_6c + RH_6d;
+  const float RH_7a = KSL_MULF(R->m20, M->at[1][3]), RH_7b = KSL_MULF(R->m21, M->at[1][4]),
+      RH_7c = RH_7a + RH_7b, RH_7d = KSL_MULF(R->m22, M->at[1][5]), RH_7 = RH_7c + RH_7d;
+  const float RH_8a = KSL_MULF(R->m20, M->at[2][3]), RH_8b = KSL_MULF(R->m21, M->at[2][4]),
+      RH_8c = RH_8a + RH_8b, RH_8d = KSL_MULF(R->m22, M->at[2][5]), RH_8 = RH_8c + RH_8d;
+  const float coupling_0a = KSL_MULF(R->m00, RH_0), coupling_0b = KSL_MULF(R->m01, RH_1),
+      coupling_0c = coupling_0a + coupling_0b, coupling_0d = KSL_MULF(R->m02, RH_2),
+      coupling_0 = coupling_0c + coupling_0d;
+  const float coupling_1a = KSL_MULF(R->m10, RH_0), coupling_1b = KSL_MULF(R->m11, RH_1),
+      coupling_1c = coupling_1a + coupling_1b, coupling_1d = KSL_MULF(R->m12, RH_2),
+      coupling_1 = coupling_1c + coupling_1d;
+  const float coupling_2a = KSL_MULF(R->m20, RH_0), coupling_2b = KSL_MULF(R->m21, RH_1),
+      coupling_2c = coupling_2a + coupling_2b, coupling_2d = KSL_MULF(R->m22, RH_2),
+      coupling_2 = coupling_2c + coupling_2d;
+  const float coupling_3a = KSL_MULF(R->m00, RH_3), coupling_3b = KSL_MULF(R->m01, RH_4),
+      coupling_3c = coupling_3a + coupling_3b, coupling_3d = KSL_MULF(R->m02, RH_5),
+      coupling_3 = coupling_3c + coupling_3d;
+  const float coupling_4a = KSL_MULF(R->m10, RH_3), coupling_4b = KSL_MULF(R->m11, RH_4),
+      coupling_4c = coupling_4a + coupling_4b, coupling_4d = KSL_MULF(R->m12, RH_5),
+      coupling_4 = coupling_4c + coupling_4d;
+  const float coupling_5a = KSL_MULF(R->m20, RH_3), coupling_5b = KSL_MULF(R->m21, RH_4),
+      coupling_5c = coupling_5a + coupling_5b, coupling_5d = KSL_MULF(R->m22, RH_5),
+      coupling_5 = coupling_5c + coupling_5d;
+  const float coupling_6a = KSL_MULF(R->m00, RH_6), coupling_6b = KSL_MULF(R->m01, RH_7),
+      coupling_6c = coupling_6a + coupling_6b, coupling_6d = KSL_MULF(R->m02, RH_8),
+      coupling_6 = coupling_6c + coupling_6d;
+  const float coupling_7a = KSL_MULF(R->m10, RH_6), coupling_7b = KSL_MULF(R->m11, RH_7),
+      coupling_7c = coupling_7a + coupling_7b, coupling_7d = KSL_MULF(R->m12, RH_8),
+      coupling_7 = coupling_7c + coupling_7d;
+  const float coupling_8a = KSL_MULF(R->m20, RH_6), coupling_8b = KSL_MULF(R->m21, RH_7),
+      coupling_8c = coupling_8a + coupling_8b, coupling_8d = KSL_MULF(R->m22, RH_8),
+      coupling_8 = coupling_8c + coupling_8d;
+  const float RI_0a = KSL_MULF(R->m00, M->at[3][3]), RI_0b = KSL_MULF(R->m01, M->at[3][4]),
+      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(R->m02, M->at[3][5]), RI_0 = RI_0c + RI_0d;
+  const float RI_1a = KSL_MULF(R->m00, M->at[3][4]), RI_1b = KSL_MULF(R->m01, M->at[4][4]),
+      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(R->m02, M->at[4][5]), RI_1 = RI_1c + RI_1d;
+  const float RI_2a = KSL_MULF(R->m00, M->at[3][5]), RI_2b = KSL_MULF(R->m01, M->at[4][5]),
+      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(R->m02, M->at[5][5]), RI_2 = RI_2c + RI_2d;
+  const float RI_3a = KSL_MULF(R->m10, M->at[3][3]), RI_3b = KSL_MULF(R->m11, M->at[3][4]),
+      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(R->m12, M->at[3][5]), RI_3 = RI_3c + RI_3d;
+  const float RI_4a = KSL_MULF(R->m10, M->at[3][4]), RI_4b = KSL_MULF(R->m11, M->at[4][4]),
+      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(R->m12, M->at[4][5]), RI_4 = RI_4c + RI_4d;
+  const float RI_5a = KSL_MULF(R->m10, M->at[3][5]), RI_5b = KSL_MULF(R->m11, M->at[4][5]),
+      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(R->m12, M->at[5][5]), RI_5 = RI_5c + RI_5d;
+  const float RI_6a = KSL_MULF(R->m20, M->at[3][3]), RI_6b = KSL_MULF(R->m21, M->at[3][4]),
+      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(R->m22, M->at[3][5]), RI_6 = RI_6c + RI_6d;
+  const float RI_7a = KSL_MULF(R->m20, M->at[3][4]), RI_7b = KSL_MULF(R->m21, M->at[4][4]),
+      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(R->m22, M->at[4][5]), RI_7 = RI_7c + RI_7d;
+  const float RI_8a = KSL_MULF(R->m20, M->at[3][5]), RI_8b = KSL_MULF(R->m21, M->at[4][5]),
+      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(R->m22, M->at[5][5]), RI_8 = RI_8c + RI_8d;
+  const float angular_0a = KSL_MULF(R->m00, RI_0), angular_0b = KSL_MULF(R->m01, RI_1),
+      angular_0c = angular_0a + angular_0b, angular_0d = KSL_MULF(R->m02, RI_2),
+      angular_0 = angular_0c + angular_0d;
+  const float angular_1a = KSL_MULF(R->m00, RI_3), angular_1b = KSL_MULF(R->m01, RI_4),
+      angular_1c = angular_1a + angular_1b, angular_1d = KSL_MULF(R->m02, RI_5),
+      angular_1 = angular_1c + angular_1d;
+  const float angular_2a = KSL_MULF(R->m10, RI_3), angular_2b = KSL_MULF(R->m11, RI_4),
+      angular_2c = angular_2a + angular_2b, angular_2d = KSL_MULF(R->m12, RI_5),
+      angular_2 = angular_2c + angular_2d;
+  const float angular_3a = KSL_MULF(R->m00, RI_6), angular_3b = KSL_MULF(R->m01, RI_7),
+      angular_3c = angular_3a + angular_3b, angular_3d = KSL_MULF(R->m02, RI_8),
+      angular_3 = angular_3c + angular_3d;
+  const float angular_4a = KSL_MULF(R->m10, RI_6), angular_4b = KSL_MULF(R->m11, RI_7),
+      angular_4c = angular_4a + angular_4b, angular_4d = KSL_MULF(R->m12, RI_8),
+      angular_4 = angular_4c + angular_4d;
+  const float angular_5a = KSL_MULF(R->m20, RI_6), angular_5b = KSL_MULF(R->m21, RI_7),
+      angular_5c = angular_5a + angular_5b, angular_5d = KSL_MULF(R->m22, RI_8),
+      angular_5 = angular_5c + angular_5d;
+  const float RM_0a_abs = fabsf(RM_0a), RM_0b_abs = fabsf(RM_0b),
+      RM_0c_size = RM_0a_abs + RM_0b_abs, RM_0d_abs = fabsf(RM_0d),
+      RM_0_size = RM_0c_size + RM_0d_abs;
+  const float RM_1a_abs = fabsf(RM_1a), RM_1b_abs = fabsf(RM_1b),
+      RM_1c_size = RM_1a_abs + RM_1b_abs, RM_1d_abs = fabsf(RM_1d),
+      RM_1_size = RM_1c_size + RM_1d_abs;
+  const float RM_2a_abs = fabsf(RM_2a), RM_2b_abs = fabsf(RM_2b),
+      RM_2c_size = RM_2a_abs + RM_2b_abs, RM_2d_abs = fabsf(RM_2d),
+      RM_2_size = RM_2c_size + RM_2d_abs;
+  const float RM_3a_abs = fabsf(RM_3a), RM_3b_abs = fabsf(RM_3b),
+      RM_3c_size = RM_3a_abs + RM_3b_abs, RM_3d_abs = fabsf(RM_3d),
+      RM_3_size = RM_3c_size + RM_3d_abs;
+  const float RM_4a_abs = fabsf(RM_4a), RM_4b_abs = fabsf(RM_4b),
+      RM_4c_size = RM_4a_abs + RM_4b_abs, RM_4d_abs = fabsf(RM_4d),
+      RM_4_size = RM_4c_size + RM_4d_abs;
+  const float RM_5a_abs = fabsf(RM_5a), RM_5b_abs = fabsf(RM_5b),
+      RM_5c_size = RM_5a_abs + RM_5b_abs, RM_5d_abs = fabsf(RM_5d),
+      RM_5_size = RM_5c_size + RM_5d_abs;
+  const float RM_6a_abs = fabsf(RM_6a), RM_6b_abs = fabsf(RM_6b),
+      RM_6c_size = RM_6a_abs + RM_6b_abs, RM_6d_abs = fabsf(RM_6d),
+      RM_6_size = RM_6c_size + RM_6d_abs;
+  const float RM_7a_abs = fabsf(RM_7a), RM_7b_abs = fabsf(RM_7b),
+      RM_7c_size = RM_7a_abs + RM_7b_abs, RM_7d_abs = fabsf(RM_7d),
+      RM_7_size = RM_7c_size + RM_7d_abs;
+  const float RM_8a_abs = fabsf(RM_8a), RM_8b_abs = fabsf(RM_8b),
+      RM_8c_size = RM_8a_abs + RM_8b_abs, RM_8d_abs = fabsf(RM_8d),
+      RM_8_size = RM_8c_size + RM_8d_abs;
+  const float RM_0_padded = RM_0_size + 1.9721523e-31f;
+  const float R_00_abs = fabsf(R->m00), linear_0a_size = KSL_MULF(R_00_abs, RM_0_padded);
+  const float RM_1_padded = RM_1_size + 1.9721523e-31f;
+  const float R_01_abs = fabsf(R->m01), linear_0b_size = KSL_MULF(R_01_abs, RM_1_padded),
+      linear_0c_size = linear_0a_size + linear_0b_size;
+  const float RM_2_padded = RM_2_size + 1.9721523e-31f;
+  const float R_02_abs = fabsf(R->m02), linear_0d_size = KSL_MULF(R_02_abs, RM_2_padded),
+      linear_0_size = linear_0c_size + linear_0d_size;
+  const float RM_3_padded = RM_3_size + 1.9721523e-31f;
+  const float linear_1a_size = KSL_MULF(R_00_abs, RM_3_padded);
+  const float RM_4_padded = RM_4_size + 1.9721523e-31f;
+  const float linear_1b_size = KSL_MULF(R_01_abs, RM_4_padded),
+      linear_1c_size = linear_1a_size + linear_1b_size;
+  const float RM_5_padded = RM_5_size + 1.9721523e-31f;
+  const float linear_1d_size = KSL_MULF(R_02_abs, RM_5_padded),
+      linear_1_size = linear_1c_size + linear_1d_size;
+  const float R_10_abs = fabsf(R->m10), linear_2a_size = KSL_MULF(R_10_abs, RM_3_padded),
+      R_11_abs = fabsf(R->m11), linear_2b_size = KSL_MULF(R_11_abs, RM_4_padded),
+      linear_2c_size = linear_2a_size + linear_2b_size, R_12_abs = fabsf(R->m12),
+      linear_2d_size = KSL_MULF(R_12_abs, RM_5_padded),
+      linear_2_size = linear_2c_size + linear_2d_size;
+  const float RM_6_padded = RM_6_size + 1.9721523e-31f;
+  const float linear_3a_size = KSL_MULF(R_00_abs, RM_6_padded);
+  const float RM_7_padded = RM_7_size + 1.9721523e-31f;
+  const float linear_3b_size = KSL_MULF(R_01_abs, RM_7_padded),
+      linear_3c_size = linear_3a_size + linear_3b_size;
+  const float RM_8_padded = RM_8_size + 1.9721523e-31f;
+  const float linear_3d_size = KSL_MULF(R_02_abs, RM_8_padded),
+      linear_3_size = linear_3c_size + linear_3d_size;
+  const float linear_4a_size = KSL_MULF(R_10_abs, RM_6_padded),
+      linear_4b_size = KSL_MULF(R_11_abs, RM_7_padded),
+      linear_4c_size = linear_4a_size + linear_4b_size,
+      linear_4d_size = KSL_MULF(R_12_abs, RM_8_padded),
+      linear_4_size = linear_4c_size + linear_4d_size;
+  const float R_20_abs = fabsf(R->m20), linear_5a_size = KSL_MULF(R_20_abs, RM_6_padded),
+      R_21_abs = fabsf(R->m21), linear_5b_size = KSL_MULF(R_21_abs, RM_7_padded),
+      linear_5c_size = linear_5a_size + linear_5b_size, R_22_abs = fabsf(R->m22),
+      linear_5d_size = KSL_MULF(R_22_abs, RM_8_padded),
+      linear_5_size = linear_5c_size + linear_5d_size;
+  const float RH_0a_abs = fabsf(RH_0a), RH_0b_abs = fabsf(RH_0b),
+      RH_0c_size = RH_0a_abs + RH_0b_abs, RH_0d_abs = fabsf(RH_0d),
+      RH_0_size = RH_0c_size + RH_0d_abs;
+  const float RH_1a_abs = fabsf(RH_1a), RH_1b_abs = fabsf(RH_1b),
+      RH_1c_size = RH_1a_abs + RH_1b_abs, RH_1d_abs = fabsf(RH_1d),
+      RH_1_size = RH_1c_size + RH_1d_abs;
+  const float RH_2a_abs = fabsf(RH_2a), RH_2b_abs = fabsf(RH_2b),
+      RH_2c_size = RH_2a_abs + RH_2b_abs, RH_2d_abs = fabsf(RH_2d),
+      RH_2_size = RH_2c_size + RH_2d_abs;
+  const float RH_3a_abs = fabsf(RH_3a), RH_3b_abs = fabsf(RH_3b),
+      RH_3c_size = RH_3a_abs + RH_3b_abs, RH_3d_abs = fabsf(RH_3d),
+      RH_3_size = RH_3c_size + RH_3d_abs;
+  const float RH_4a_abs = fabsf(RH_4a), RH_4b_abs = fabsf(RH_4b),
+      RH_4c_size = RH_4a_abs + RH_4b_abs, RH_4d_abs = fabsf(RH_4d),
+      RH_4_size = RH_4c_size + RH_4d_abs;
+  const float RH_5a_abs = fabsf(RH_5a), RH_5b_abs = fabsf(RH_5b),
+      RH_5c_size = RH_5a_abs + RH_5b_abs, RH_5d_abs = fabsf(RH_5d),
+      RH_5_size = RH_5c_size + RH_5d_abs;
+  const float RH_6a_abs = fabsf(RH_6a), RH_6b_abs = fabsf(RH_6b),
+      RH_6c_size = RH_6a_abs + RH_6b_abs, RH_6d_abs = fabsf(RH_6d),
+      RH_6_size = RH_6c_size + RH_6d_abs;
+  const float RH_7a_abs = fabsf(RH_7a), RH_7b_abs = fabsf(RH_7b),
+      RH_7c_size = RH_7a_abs + RH_7b_abs, RH_7d_abs = fabsf(RH_7d),
+      RH_7_size = RH_7c_size + RH_7d_abs;
+  const float RH_8a_abs = fabsf(RH_8a), RH_8b_abs = fabsf(RH_8b),
+      RH_8c_size = RH_8a_abs + RH_8b_abs, RH_8d_abs = fabsf(RH_8d),
+      RH_8_size = RH_8c_size + RH_8d_abs;
+  const float RH_0_padded = RH_0_size + 1.9721523e-31f;
+  const float coupling_0a_size = KSL_MULF(R_00_abs, RH_0_padded);
+  const float RH_1_padded = RH_1_size + 1.9721523e-31f;
+  const float coupling_0b_size = KSL_MULF(R_01_abs, RH_1_padded),
+      coupling_0c_size = coupling_0a_size + coupling_0b_size;
+  const float RH_2_padded = RH_2_size + 1.9721523e-31f;
+  const float coupling_0d_size = KSL_MULF(R_02_abs, RH_2_padded),
+      coupling_0_size = coupling_0c_size + coupling_0d_size;
+  const float coupling_1a_size = KSL_MULF(R_10_abs, RH_0_padded),
+      coupling_1b_size = KSL_MULF(R_11_abs, RH_1_padded),
+      coupling_1c_size = coupling_1a_size + coupling_1b_size,
+      coupling_1d_size = KSL_MULF(R_12_abs, RH_2_padded),
+      coupling_1_size = coupling_1c_size + coupling_1d_size;
+  const float coupling_2a_size = KSL_MULF(R_20_abs, RH_0_padded),
+      coupling_2b_size = KSL_MULF(R_21_abs, RH_1_padded),
+      coupling_2c_size = coupling_2a_size + coupling_2b_size,
+      coupling_2d_size = KSL_MULF(R_22_abs, RH_2_padded),
+      coupling_2_size = coupling_2c_size + coupling_2d_size;
+  const float RH_3_padded = RH_3_size + 1.9721523e-31f;
+  const float coupling_3a_size = KSL_MULF(R_00_abs, RH_3_padded);
+  const float RH_4_padded = RH_4_size + 1.9721523e-31f;
+  const float coupling_3b_size = KSL_MULF(R_01_abs, RH_4_padded),
+      coupling_3c_size = coupling_3a_size + coupling_3b_size;
+  const float RH_5_padded = RH_5_size + 1.9721523e-31f;
+  const float coupling_3d_size = KSL_MULF(R_02_abs, RH_5_padded),
+      coupling_3_size = coupling_3c_size + coupling_3d_size;
+  const float coupling_4a_size = KSL_MULF(R_10_abs, RH_3_padded),
+      coupling_4b_size = KSL_MULF(R_11_abs, RH_4_padded),
+      coupling_4c_size = coupling_4a_size + coupling_4b_size,
+      coupling_4d_size = KSL_MULF(R_12_abs, RH_5_padded),
+      coupling_4_size = coupling_4c_size + coupling_4d_size;
+  const float coupling_5a_size = KSL_MULF(R_20_abs, RH_3_padded),
+      coupling_5b_size = KSL_MULF(R_21_abs, RH_4_padded),
+      coupling_5c_size = coupling_5a_size + coupling_5b_size,
+      coupling_5d_size = KSL_MULF(R_22_abs, RH_5_padded),
+      coupling_5_size = coupling_5c_size + coupling_5d_size;
+  const float RH_6_padded = RH_6_size + 1.9721523e-31f;
+  const float coupling_6a_size = KSL_MULF(R_00_abs, RH_6_padded);
+  const float RH_7_padded = RH_7_size + 1.9721523e-31f;
+  const float coupling_6b_size = KSL_MULF(R_01_abs, RH_7_padded),
+      coupling_6c_size = coupling_6a_size + coupling_6b_size;
+  const float RH_8_padded = RH_8_size + 1.9721523e-31f;
+  const float coupling_6d_size = KSL_MULF(R_02_abs, RH_8_padded),
+      coupling_6_size = coupling_6c_size + coupling_6d_size;
+  const float coupling_7a_size = KSL_MULF(R_10_abs, RH_6_padded),
+      coupling_7b_size = KSL_MULF(R_11_abs, RH_7_padded),
+      coupling_7c_size = coupling_7a_size + coupling_7b_size,
+      coupling_7d_size = KSL_MULF(R_12_abs, RH_8_padded),
+      coupling_7_size = coupling_7c_size + coupling_7d_size;
+  const float coupling_8a_size = KSL_MULF(R_20_abs, RH_6_padded),
+      coupling_8b_size = KSL_MULF(R_21_abs, RH_7_padded),
+      coupling_8c_size = coupling_8a_size + coupling_8b_size,
+      coupling_8d_size = KSL_MULF(R_22_abs, RH_8_padded),
+      coupling_8_size = coupling_8c_size + coupling_8d_size;
+  const float RI_0a_abs = fabsf(RI_0a), RI_0b_abs = fabsf(RI_0b),
+      RI_0c_size = RI_0a_abs + RI_0b_abs, RI_0d_abs = fabsf(RI_0d),
+      RI_0_size = RI_0c_size + RI_0d_abs;
+  const float RI_1a_abs = fabsf(RI_1a), RI_1b_abs = fabsf(RI_1b),
+      RI_1c_size = RI_1a_abs + RI_1b_abs, RI_1d_abs = fabsf(RI_1d),
+      RI_1_size = RI_1c_size + RI_1d_abs;
+  const float RI_2a_abs = fabsf(RI_2a), RI_2b_abs = fabsf(RI_2b),
+      RI_2c_size = RI_2a_abs + RI_2b_abs, RI_2d_abs = fabsf(RI_2d),
+      RI_2_size = RI_2c_size + RI_2d_abs;
+  const float RI_3a_abs = fabsf(RI_3a), RI_3b_abs = fabsf(RI_3b),
+      RI_3c_size = RI_3a_abs + RI_3b_abs, RI_3d_abs = fabsf(RI_3d),
+      RI_3_size = RI_3c_size + RI_3d_abs;
+  const float RI_4a_abs = fabsf(RI_4a), RI_4b_abs = fabsf(RI_4b),
+      RI_4c_size = RI_4a_abs + RI_4b_abs, RI_4d_abs = fabsf(RI_4d),
+      RI_4_size = RI_4c_size + RI_4d_abs;
+  const float RI_5a_abs = fabsf(RI_5a), RI_5b_abs = fabsf(RI_5b),
+      RI_5c_size = RI_5a_abs + RI_5b_abs, RI_5d_abs = fabsf(RI_5d),
+      RI_5_size = RI_5c_size + RI_5d_abs;
+  const float RI_6a_abs = fabsf(RI_6a), RI_6b_abs = fabsf(RI_6b),
+      RI_6c_size = RI_6a_abs + RI_6b_abs, RI_6d_abs = fabsf(RI_6d),
+      RI_6_size = RI_6c_size + RI_6d_abs;
+  const float RI_7a_abs = fabsf(RI_7a), RI_7b_abs = fabsf(RI_7b),
+      RI_7c_size = RI_7a_abs + RI_7b_abs, RI_7d_abs = fabsf(RI_7d),
+      RI_7_size = RI_7c_size + RI_7d_abs;
+  const float RI_8a_abs = fabsf(RI_8a), RI_8b_abs = fabsf(RI_8b),
+      RI_8c_size = RI_8a_abs + RI_8b_abs, RI_8d_abs = fabsf(RI_8d),
+      RI_8_size = RI_8c_size + RI_8d_abs;
+  const float RI_0_padded = RI_0_size + 1.9721523e-31f;
+  const float angular_0a_size = KSL_MULF(R_00_abs, RI_0_padded);
+  const float RI_1_padded = RI_1_size + 1.9721523e-31f;
+  const float angular_0b_size = KSL_MULF(R_01_abs, RI_1_padded),
+      angular_0c_size = angular_0a_size + angular_0b_size;
+  const float RI_2_padded = RI_2_size + 1.9721523e-31f;
+  const float angular_0d_size = KSL_MULF(R_02_abs, RI_2_padded),
+      angular_0_size = angular_0c_size + angular_0d_size;
+  const float RI_3_padded = RI_3_size + 1.9721523e-31f;
+  const float angular_1a_size = KSL_MULF(R_00_abs, RI_3_padded);
+  const float RI_4_padded = RI_4_size + 1.9721523e-31f;
+  const float angular_1b_size = KSL_MULF(R_01_abs, RI_4_padded),
+      angular_1c_size = angular_1a_size + angular_1b_size;
+  const float RI_5_padded = RI_5_size + 1.9721523e-31f;
+  const float angular_1d_size = KSL_MULF(R_02_abs, RI_5_padded),
+      angular_1_size = angular_1c_size + angular_1d_size;
+  const float angular_2a_size = KSL_MULF(R_10_abs, RI_3_padded),
+      angular_2b_size = KSL_MULF(R_11_abs, RI_4_padded),
+      angular_2c_size = angular_2a_size + angular_2b_size,
+      angular_2d_size = KSL_MULF(R_12_abs, RI_5_padded),
+      angular_2_size = angular_2c_size + angular_2d_size;
+  const float RI_6_padded = RI_6_size + 1.9721523e-31f;
+  const float angular_3a_size = KSL_MULF(R_00_abs, RI_6_padded);
+  const float RI_7_padded = RI_7_size + 1.9721523e-31f;
+  const float angular_3b_size = KSL_MULF(R_01_abs, RI_7_padded),
+      angular_3c_size = angular_3a_size + angular_3b_size;
+  const float RI_8_padded = RI_8_size + 1.9721523e-31f;
+  const float angular_3d_size = KSL_MULF(R_02_abs, RI_8_padded),
+      angular_3_size = angular_3c_size + angular_3d_size;
+  const float angular_4a_size = KSL_MULF(R_10_abs, RI_6_padded),
+      angular_4b_size = KSL_MULF(R_11_abs, RI_7_padded),
+      angular_4c_size = angular_4a_size + angular_4b_size,
+      angular_4d_size = KSL_MULF(R_12_abs, RI_8_padded),
+      angular_4_size = angular_4c_size + angular_4d_size;
+  const float angular_5a_size = KSL_MULF(R_20_abs, RI_6_padded),
+      angular_5b_size = KSL_MULF(R_21_abs, RI_7_padded),
+      angular_5c_size = angular_5a_size + angular_5b_size,
+      angular_5d_size = KSL_MULF(R_22_abs, RI_8_padded),
+      angular_5_size = angular_5c_size + angular_5d_size;
+  const float linear_0_padded = linear_0_size + 1.9721523e-31f,
+      linear_0_error_bound = KSL_MULF(3.5762795e-07f, linear_0_padded);
+  const float linear_1_padded = linear_1_size + 1.9721523e-31f,
+      linear_1_error_bound = KSL_MULF(3.5762795e-07f, linear_1_padded);
+  const float linear_3_padded = linear_3_size + 1.9721523e-31f,
+      linear_3_error_bound = KSL_MULF(3.5762795e-07f, linear_3_padded);
+  const float coupling_0_padded = coupling_0_size + 1.9721523e-31f,
+      coupling_0_error_bound = KSL_MULF(3.5762795e-07f, coupling_0_padded);
+  const float coupling_3_padded = coupling_3_size + 1.9721523e-31f,
+      coupling_3_error_bound = KSL_MULF(3.5762795e-07f, coupling_3_padded);
+  const float coupling_6_padded = coupling_6_size + 1.9721523e-31f,
+      coupling_6_error_bound = KSL_MULF(3.5762795e-07f, coupling_6_padded);
+  const float linear_2_padded = linear_2_size + 1.9721523e-31f,
+      linear_2_error_bound = KSL_MULF(3.5762795e-07f, linear_2_padded);
+  const float linear_4_padded = linear_4_size + 1.9721523e-31f,
+      linear_4_error_bound = KSL_MULF(3.5762795e-07f, linear_4_padded);
+  const float coupling_1_padded = coupling_1_size + 1.9721523e-31f,
+      coupling_1_error_bound = KSL_MULF(3.5762795e-07f, coupling_1_padded);
+  const float coupling_4_padded = coupling_4_size + 1.9721523e-31f,
+      coupling_4_error_bound = KSL_MULF(3.5762795e-07f, coupling_4_padded);
+  const float coupling_7_padded = coupling_7_size + 1.9721523e-31f,
+      coupling_7_error_bound = KSL_MULF(3.5762795e-07f, coupling_7_padded);
+  const float linear_5_padded = linear_5_size + 1.9721523e-31f,
+      linear_5_error_bound = KSL_MULF(3.5762795e-07f, linear_5_padded);
+  const float coupling_2_padded = coupling_2_size + 1.9721523e-31f,
+      coupling_2_error_bound = KSL_MULF(3.5762795e-07f, coupling_2_padded);
+  const float coupling_5_padded = coupling_5_size + 1.9721523e-31f,
+      coupling_5_error_bound = KSL_MULF(3.5762795e-07f, coupling_5_padded);
+  const float coupling_8_padded = coupling_8_size + 1.9721523e-31f,
+      coupling_8_error_bound = KSL_MULF(3.5762795e-07f, coupling_8_padded);
+  const float angular_0_padded = angular_0_size + 1.9721523e-31f,
+      angular_0_error_bound = KSL_MULF(3.5762795e-07f, angular_0_padded);
+  const float angular_1_padded = angular_1_size + 1.9721523e-31f,
+      angular_1_error_bound = KSL_MULF(3.5762795e-07f, angular_1_padded);
+  const float angular_3_padded = angular_3_size + 1.9721523e-31f,
+      angular_3_error_bound = KSL_MULF(3.5762795e-07f, angular_3_padded);
+  const float angular_2_padded = angular_2_size + 1.9721523e-31f,
+      angular_2_error_bound = KSL_MULF(3.5762795e-07f, angular_2_padded);
+  const float angular_4_padded = angular_4_size + 1.9721523e-31f,
+      angular_4_error_bound = KSL_MULF(3.5762795e-07f, angular_4_padded);
+  const float angular_5_padded = angular_5_size + 1.9721523e-31f,
+      angular_5_error_bound = KSL_MULF(3.5762795e-07f, angular_5_padded);
+  Mo->at[0][0] = linear_0;
+  Mo->at[1][0] = linear_1;
+  Mo->at[2][0] = linear_3;
+  Mo->at[3][0] = coupling_0;
+  Mo->at[4][0] = coupling_3;
+  Mo->at[5][0] = coupling_6;
+  Mo->at[0][1] = linear_1;
+  Mo->at[1][1] = linear_2;
+  Mo->at[2][1] = linear_4;
+  Mo->at[3][1] = coupling_1;
+  Mo->at[4][1] = coupling_4;
+  Mo->at[5][1] = coupling_7;
+  Mo->at[0][2] = linear_3;
+  Mo->at[1][2] = linear_4;
+  Mo->at[2][2] = linear_5;
+  Mo->at[3][2] = coupling_2;
+  Mo->at[4][2] = coupling_5;
+  Mo->at[5][2] = coupling_8;
+  Mo->at[0][3] = coupling_0;
+  Mo->at[1][3] = coupling_1;
+  Mo->at[2][3] = coupling_2;
+  Mo->at[3][3] = angular_0;
+  Mo->at[4][3] = angular_1;
+  Mo->at[5][3] = angular_3;
+  Mo->at[0][4] = coupling_3;
+  Mo->at[1][4] = coupling_4;
+  Mo->at[2][4] = coupling_5;
+  Mo->at[3][4] = angular_1;
+  Mo->at[4][4] = angular_2;
+  Mo->at[5][4] = angular_4;
+  Mo->at[0][5] = coupling_6;
+  Mo->at[1][5] = coupling_7;
+  Mo->at[2][5] = coupling_8;
+  Mo->at[3][5] = angular_3;
+  Mo->at[4][5] = angular_4;
+  Mo->at[5][5] = angular_5;
+  Mo_bound->at[0][0] = linear_0_error_bound;
+  Mo_bound->at[1][0] = linear_1_error_bound;
+  Mo_bound->at[2][0] = linear_3_error_bound;
+  Mo_bound->at[3][0] = coupling_0_error_bound;
+  Mo_bound->at[4][0] = coupling_3_error_bound;
+  Mo_bound->at[5][0] = coupling_6_error_bound;
+  Mo_bound->at[0][1] = linear_1_error_bound;
+  Mo_bound->at[1][1] = linear_2_error_bound;
+  Mo_bound->at[2][1] = linear_4_error_bound;
+  Mo_bound->at[3][1] = coupling_1_error_bound;
+  Mo_bound->at[4][1] = coupling_4_error_bound;
+  Mo_bound->at[5][1] = coupling_7_error_bound;
+  Mo_bound->at[0][2] = linear_3_error_bound;
+  Mo_bound->at[1][2] = linear_4_error_bound;
+  Mo_bound->at[2][2] = linear_5_error_bound;
+  Mo_bound->at[3][2] = coupling_2_error_bound;
+  Mo_bound->at[4][2] = coupling_5_error_bound;
+  Mo_bound->at[5][2] = coupling_8_error_bound;
+  Mo_bound->at[0][3] = coupling_0_error_bound;
+  Mo_bound->at[1][3] = coupling_1_error_bound;
+  Mo_bound->at[2][3] = coupling_2_error_bound;
+  Mo_bound->at[3][3] = angular_0_error_bound;
+  Mo_bound->at[4][3] = angular_1_error_bound;
+  Mo_bound->at[5][3] = angular_3_error_bound;
+  Mo_bound->at[0][4] = coupling_3_error_bound;
+  Mo_bound->at[1][4] = coupling_4_error_bound;
+  Mo_bound->at[2][4] = coupling_5_error_bound;
+  Mo_bound->at[3][4] = angular_1_error_bound;
+  Mo_bound->at[4][4] = angular_2_error_bound;
+  Mo_bound->at[5][4] = angular_4_error_bound;
+  Mo_bound->at[0][5] = coupling_6_error_bound;
+  Mo_bound->at[1][5] = coupling_7_error_bound;
+  Mo_bound->at[2][5] = coupling_8_error_bound;
+  Mo_bound->at[3][5] = angular_3_error_bound;
+  Mo_bound->at[4][5] = angular_4_error_bound;
+  Mo_bound->at[5][5] = angular_5_error_bound;
+}
+
+/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
+     inertia M shifted by t; |error of Mo| <= Mo_bound unless inf or NaN.
+   t: vector; M, Mo, Mo_bound: 6×6 operator.
+   66 mul, 99 add, 45 abs. */
+static inline void ksl_mat6x6f_shifted_certified(const ksl_vec3f_t *t, const ksl_mat6x6f_t *M,
+    ksl_mat6x6f_t *Mo, ksl_mat6x6f_t *Mo_bound) {
+  const float G_0a = KSL_MULF(t->y, M->at[0][2]), G_0b = KSL_MULF(t->z, M->at[0][1]),
+      G_0c = G_0a - G_0b, G_0 = G_0c + M->at[0][3];
+  const float G_1a = KSL_MULF(t->y, M->at[1][2]), G_1b = KSL_MULF(t->z, M->at[1][1]),
+      G_1c = G_1a - G_1b, G_1 = G_1c + M->at[1][3];
+  const float G_2a = KSL_MULF(t->y, M->at[2][2]), G_2b = KSL_MULF(t->z, M->at[1][2]),
+      G_2c = G_2a - G_2b, G_2 = G_2c + M->at[2][3];
+  const float G_3a = KSL_MULF(t->z, M->at[0][0]), G_3b = KSL_MULF(t->x, M->at[0][2]),
+      G_3c = G_3a - G_3b, G_3 = G_3c + M->at[0][4];
+  const float G_4a = KSL_MULF(t->x, M->at[1][2]), G_4b = G_0b - G_4a, G_4 = G_4b + M->at[1][4];
+  const float G_5a = KSL_MULF(t->z, M->at[0][2]), G_5b = KSL_MULF(t->x, M->at[2][2]),
+      G_5c = G_5a - G_5b, G_5 = G_5c + M->at[2][4];
+  const float G_6a = KSL_MULF(t->x, M->at[0][1]), G_6b = KSL_MULF(t->y, M->at[0][0]),
+      G_6c = G_6a - G_6b, G_6 = G_6c + M->at[0][5];
+  const float G_7a = KSL_MULF(t->x, M->at[1][1]), G_7b = KSL_MULF(t->y, M->at[0][1]),
+      G_7c = G_7a - G_7b, G_7 = G_7c + M->at[1][5];
+  const float G_8a = G_4a - G_0a, G_8 = G_8a + M->at[2][5];
+  const float moved_0a = KSL_MULF(t->y, M->at[2][3]), moved_0b = KSL_MULF(t->z, M->at[1][3]),
+      moved_0c = moved_0a - moved_0b, moved_0d = KSL_MULF(t->y, G_2),
+      moved_0e = KSL_MULF(t->z, G_1), moved_0f = moved_0d - moved_0e,
+      moved_0g = moved_0c + moved_0f, moved_0 = moved_0g + M->at[3][3];
+  const float moved_1a = KSL_MULF(t->z, M->at[0][3]), moved_1b = KSL_MULF(t->x, M->at[2][3]),
+      moved_1c = moved_1a - moved_1b, moved_1d = KSL_MULF(t->y, G_5),
+      moved_1e = KSL_MULF(t->z, G_4), moved_1f = moved_1d - moved_1e,
+      moved_1g = moved_1c + moved_1f, moved_1 = moved_1g + M->at[3][4];
+  const float moved_2a = KSL_MULF(t->z, M->at[0][4]), moved_2b = KSL_MULF(t->x, M->at[2][4]),
+      moved_2c = moved_2a - moved_2b, moved_2d = KSL_MULF(t->z, G_3),
+      moved_2e = KSL_MULF(t->x, G_5), moved_2f = moved_2d - moved_2e,
+      moved_2g = moved_2c + moved_2f, moved_2 = moved_2g + M->at[4][4];
+  const float moved_3a = KSL_MULF(t->x, M->at[1][3]), moved_3b = KSL_MULF(t->y, M->at[0][3]),
+      moved_3c = moved_3a - moved_3b, moved_3d = KSL_MULF(t->y, G_8),
+      moved_3e = KSL_MULF(t->z, G_7), moved_3f = moved_3d - moved_3e,
+      moved_3g = moved_3c + moved_3f, moved_3 = moved_3g + M->at[3][5];
+  const float moved_4a = KSL_MULF(t->x, M->at[1][4]), moved_4b = KSL_MULF(t->y, M->at[0][4]),
+      moved_4c = moved_4a - moved_4b, moved_4d = KSL_MULF(t->z, G_6),
+      moved_4e = KSL_MULF(t->x, G_8), moved_4f = moved_4d - moved_4e,
+      moved_4g = moved_4c + moved_4f, moved_4 = moved_4g + M->at[4][5];
+  const float moved_5a = KSL_MULF(t->x, M->at[1][5]), moved_5b = KSL_MULF(t->y, M->at[0][5]),
+      moved_5c = moved_5a - moved_5b, moved_5d = KSL_MULF(t->x, G_7),
+      moved_5e = KSL_MULF(t->y, G_6), moved_5f = moved_5d - moved_5e,
+      moved_5g = moved_5c + moved_5f, moved_5 = moved_5g + M->at[5][5];
+  const float G_0a_abs = fabsf(G_0a), G_0b_abs = fabsf(G_0b), G_0c_size = G_0a_abs + G_0b_abs,
+      M_30_abs = fabsf(M->at[0][3]), G_0_size = G_0c_size + M_30_abs;
+  const float G_1a_abs = fabsf(G_1a), G_1b_abs = fabsf(G_1b), G_1c_size = G_1a_abs + G_1b_abs,
+      M_31_abs = fabsf(M->at[1][3]), G_1_size = G_1c_size + M_31_abs;
+  const float G_2a_abs = fabsf(G_2a), G_2b_abs = fabsf(G_2b), G_2c_size = G_2a_abs + G_2b_abs,
+      M_32_abs = fabsf(M->at[2][3]), G_2_size = G_2c_size + M_32_abs;
+  const float G_3a_abs = fabsf(G_3a), G_3b_abs = fabsf(G_3b), G_3c_size = G_3a_abs + G_3b_abs,
+      M_40_abs = fabsf(M->at[0][4]), G_3_size = G_3c_size + M_40_abs;
+  const float G_4a_abs = fabsf(G_4a), G_4b_size = G_0b_abs + G_4a_abs,
+      M_41_abs = fabsf(M->at[1][4]), G_4_size = G_4b_size + M_41_abs;
+  const float G_5a_abs = fabsf(G_5a), G_5b_abs = fabsf(G_5b), G_5c_size = G_5a_abs + G_5b_abs,
+      M_42_abs = fabsf(M->at[2][4]), G_5_size = G_5c_size + M_42_abs;
+  const float G_6a_abs = fabsf(G_6a), G_6b_abs = fabsf(G_6b), G_6c_size = G_6a_abs + G_6b_abs,
+      M_50_abs = fabsf(M->at[0][5]), G_6_size = G_6c_size + M_50_abs;
+  const float G_7a_abs = fabsf(G_7a), G_7b_abs = fabsf(G_7b), G_7c_size = G_7a_abs + G_7b_abs,
+      M_51_abs = fabsf(M->at[1][5]), G_7_size = G_7c_size + M_51_abs;
+  const float G_8a_size = G_4a_abs + G_0a_abs, M_52_abs = fabsf(M->at[2][5]),
+      G_8_size = G_8a_size + M_52_abs;
+  const float moved_0a_abs = fabsf(moved_0a), moved_0b_abs = fabsf(moved_0b),
+      moved_0c_size = moved_0a_abs + moved_0b_abs;
+  const float G_2_padded = G_2_size + 1.9721523e-31f;
+  const float t_1_abs = fabsf(t->y), moved_0d_size = KSL_MULF(t_1_abs, G_2_padded);
+  const float G_1_padded = G_1_size + 1.9721523e-31f;
+  const float t_2_abs = fabsf(t->z), moved_0e_size = KSL_MULF(t_2_abs, G_1_padded),
+      moved_0f_size = moved_0d_size + moved_0e_size, moved_0g_size = moved_0c_size + moved_0f_size,
+      M_33_abs = fabsf(M->at[3][3]), moved_0_size = moved_0g_size + M_33_abs;
+  const float moved_1a_abs = fabsf(moved_1a), moved_1b_abs = fabsf(moved_1b),
+      moved_1c_size = moved_1a_abs + moved_1b_abs;
+  const float G_5_padded = G_5_size + 1.9721523e-31f;
+  const float moved_1d_size = KSL_MULF(t_1_abs, G_5_padded);
+  const float G_4_padded = G_4_size + 1.9721523e-31f;
+  const float moved_1e_size = KSL_MULF(t_2_abs, G_4_padded),
+      moved_1f_size = moved_1d_size + moved_1e_size, moved_1g_size = moved_1c_size + moved_1f_size,
+      M_43_abs = fabsf(M->at[3][4]), moved_1_size = moved_1g_size + M_43_abs;
+  const float moved_2a_abs = fabsf(moved_2a), moved_2b_abs = fabsf(moved_2b),
+      moved_2c_size = moved_2a_abs + moved_2b_abs;
+  const float G_3_padded = G_3_size + 1.9721523e-31f;
+  const float moved_2d_size = KSL_MULF(t_2_abs, G_3_padded), t_0_abs = fabsf(t->x),
+      moved_2e_size = KSL_MULF(t_0_abs, G_5_padded), moved_2f_size = moved_2d_size + moved_2e_size,
+      moved_2g_size = moved_2c_size + moved_2f_size, M_44_abs = fabsf(M->at[4][4]),
+      moved_2_size = moved_2g_size + M_44_abs;
+  const float moved_3a_abs = fabsf(moved_3a), moved_3b_abs = fabsf(moved_3b),
+      moved_3c_size = moved_3a_abs + moved_3b_abs;
+  const float G_8_padded = G_8_size + 1.9721523e-31f;
+  const float moved_3d_size = KSL_MULF(t_1_abs, G_8_padded);
+  const float G_7_padded = G_7_size + 1.9721523e-31f;
+  const float moved_3e_size = KSL_MULF(t_2_abs, G_7_padded),
+      moved_3f_size = moved_3d_size + moved_3e_size, moved_3g_size = moved_3c_size + moved_3f_size,
+      M_53_abs = fabsf(M->at[3][5]), moved_3_size = moved_3g_size + M_53_abs;
+  const float moved_4a_abs = fabsf(moved_4a), moved_4b_abs = fabsf(moved_4b),
+      moved_4c_size = moved_4a_abs + moved_4b_abs;
+  const float G_6_padded = G_6_size + 1.9721523e-31f;
+  const float moved_4d_size = KSL_MULF(t_2_abs, G_6_padded),
+      moved_4e_size = KSL_MULF(t_0_abs, G_8_padded), moved_4f_size = moved_4d_size + moved_4e_size,
+      moved_4g_size = moved_4c_size + moved_4f_size, M_54_abs = fabsf(M->at[4][5]),
+      moved_4_size = moved_4g_size + M_54_abs;
+  const float moved_5a_abs = fabsf(moved_5a), moved_5b_abs = fabsf(moved_5b),
+      moved_5c_size = moved_5a_abs + moved_5b_abs, moved_5d_size = KSL_MULF(t_0_abs, G_7_padded),
+      moved_5e_size = KSL_MULF(t_1_abs, G_6_padded), moved_5f_size = moved_5d_size + moved_5e_size,
+      moved_5g_size = moved_5c_size + moved_5f_size, M_55_abs = fabsf(M->at[5][5]),
+      moved_5_size = moved_5g_size + M_55_abs;
+  const float G_0_padded = G_0_size + 1.9721523e-31f,
+      G_0_error_bound = KSL_MULF(1.7881396e-07f, G_0_padded);
+  const float G_3_error_bound = KSL_MULF(1.7881396e-07f, G_3_padded);
+  const float G_6_error_bound = KSL_MULF(1.7881396e-07f, G_6_padded);
+  const float G_1_error_bound = KSL_MULF(1.7881396e-07f, G_1_padded);
+  const float G_4_error_bound = KSL_MULF(1.7881396e-07f, G_4_padded);
+  const float G_7_error_bound = KSL_MULF(1.7881396e-07f, G_7_padded);
+  const float G_2_error_bound = KSL_MULF(1.7881396e-07f, G_2_padded);
+  const float G_5_error_bound = KSL_MULF(1.7881396e-07f, G_5_padded);
+  const float G_8_error_bound = KSL_MULF(1.7881396e-07f, G_8_padded);
+  const float moved_0_padded = moved_0_size + 1.9721523e-31f,
+      moved_0_error_bound = KSL_MULF(4.1723263e-07f, moved_0_padded);
+  const float moved_1_padded = moved_1_size + 1.9721523e-31f,
+      moved_1_error_bound = KSL_MULF(4.1723263e-07f, moved_1_padded);
+  const float moved_3_padded = moved_3_size + 1.9721523e-31f,
+      moved_3_error_bound = KSL_MULF(4.1723263e-07f, moved_3_padded);
+  const float moved_2_padded = moved_2_size + 1.9721523e-31f,
+      moved_2_error_bound = KSL_MULF(4.1723263e-07f, moved_2_padded);
+  const float moved_4_padded = moved_4_size + 1.9721523e-31f,
+      moved_4_error_bound = KSL_MULF(4.1723263e-07f, moved_4_padded);
+  const float moved_5_padded = moved_5_size + 1.9721523e-31f,
+      moved_5_error_bound = KSL_MULF(4.1723263e-07f, moved_5_padded);
+  const float M_at_00 = M->at[0][0];
+  const float M_at_01 = M->at[0][1];
+  const float M_at_02 = M->at[0][2];
+  const float M_at_11 = M->at[1][1];
+  const float M_at_12 = M->at[1][2];
+  const float M_at_22 = M->at[2][2];
+  Mo->at[0][0] = M_at_00;
+  Mo->at[1][0] = M_at_01;
+  Mo->at[2][0] = M_at_02;
+  Mo->at[3][0] = G_0;
+  Mo->at[4][0] = G_3;
+  Mo->at[5][0] = G_6;
+  Mo->at[0][1] = M_at_01;
+  Mo->at[1][1] = M_at_11;
+  Mo->at[2][1] = M_at_12;
+  Mo->at[3][1] = G_1;
+  Mo->at[4][1] = G_4;
+  Mo->at[5][1] = G_7;
+  Mo->at[0][2] = M_at_02;
+  Mo->at[1][2] = M_at_12;
+  Mo->at[2][2] = M_at_22;
+  Mo->at[3][2] = G_2;
+  Mo->at[4][2] = G_5;
+  Mo->at[5][2] = G_8;
+  Mo->at[0][3] = G_0;
+  Mo->at[1][3] = G_1;
+  Mo->at[2][3] = G_2;
+  Mo->at[3][3] = moved_0;
+  Mo->at[4][3] = moved_1;
+  Mo->at[5][3] = moved_3;
+  Mo->at[0][4] = G_3;
+  Mo->at[1][4] = G_4;
+  Mo->at[2][4] = G_5;
+  Mo->at[3][4] = moved_1;
+  Mo->at[4][4] = moved_2;
+  Mo->at[5][4] = moved_4;
+  Mo->at[0][5] = G_6;
+  Mo->at[1][5] = G_7;
+  Mo->at[2][5] = G_8;
+  Mo->at[3][5] = moved_3;
+  Mo->at[4][5] = moved_4;
+  Mo->at[5][5] = moved_5;
+  Mo_bound->at[0][0] = 0.0f;
+  Mo_bound->at[1][0] = 0.0f;
+  Mo_bound->at[2][0] = 0.0f;
+  Mo_bound->at[3][0] = G_0_error_bound;
+  Mo_bound->at[4][0] = G_3_error_bound;
+  Mo_bound->at[5][0] = G_6_error_bound;
+  Mo_bound->at[0][1] = 0.0f;
+  Mo_bound->at[1][1] = 0.0f;
+  Mo_bound->at[2][1] = 0.0f;
+  Mo_bound->at[3][1] = G_1_error_bound;
+  Mo_bound->at[4][1] = G_4_error_bound;
+  Mo_bound->at[5][1] = G_7_error_bound;
+  Mo_bound->at[0][2] = 0.0f;
+  Mo_bound->at[1][2] = 0.0f;
+  Mo_bound->at[2][2] = 0.0f;
+  Mo_bound->at[3][2] = G_2_error_bound;
+  Mo_bound->at[4][2] = G_5_error_bound;
+  Mo_bound->at[5][2] = G_8_error_bound;
+  Mo_bound->at[0][3] = G_0_error_bound;
+  Mo_bound->at[1][3] = G_1_error_bound;
+  Mo_bound->at[2][3] = G_2_error_bound;
+  Mo_bound->at[3][3] = moved_0_error_bound;
+  Mo_bound->at[4][3] = moved_1_error_bound;
+  Mo_bound->at[5][3] = moved_3_error_bound;
+  Mo_bound->at[0][4] = G_3_error_bound;
+  Mo_bound->at[1][4] = G_4_error_bound;
+  Mo_bound->at[2][4] = G_5_error_bound;
+  Mo_bound->at[3][4] = moved_1_error_bound;
+  Mo_bound->at[4][4] = moved_2_error_bound;
+  Mo_bound->at[5][4] = moved_4_error_bound;
+  Mo_bound->at[0][5] = G_6_error_bound;
+  Mo_bound->at[1][5] = G_7_error_bound;
+  Mo_bound->at[2][5] = G_8_error_bound;
+  Mo_bound->at[3][5] = moved_3_error_bound;
+  Mo_bound->at[4][5] = moved_4_error_bound;
+  Mo_bound->at[5][5] = moved_5_error_bound;
 }
 
 #endif
@@ -19379,32 +20818,49 @@ static inline void ksl_product_Bs_certified(const ksl_spatial_inertia_t *B, cons
      energy_bound unless inf or NaN.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s); energy_bound: number.
-   39 mul, 45 add, 24 abs. */
+   35 mul, 43 add, 25 abs. */
 static inline double ksl_spatial_inertia_energy_certified(const ksl_spatial_inertia_t *B,
     const ksl_screw_t *s, double *energy_bound) {
-  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
-      across_0 = across_0a - across_0b;
-  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
-      across_1 = across_1a - across_1b;
-  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2b = KSL_MUL(B->h.x, s->m4),
-      across_2 = across_2a - across_2b;
-  const double twice_across_0 = KSL_MUL(2.0, across_0);
-  const double twice_across_1 = KSL_MUL(2.0, across_1);
-  const double twice_across_2 = KSL_MUL(2.0, across_2);
-  const double p_0a = KSL_MUL(B->m, s->m0), p_0 = p_0a + twice_across_0;
-  const double p_1a = KSL_MUL(B->m, s->m1), p_1 = p_1a + twice_across_1;
-  const double p_2a = KSL_MUL(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const double square_a = KSL_MUL(s->m0, s->m0), square_b = KSL_MUL(s->m1, s->m1),
+      square_c = square_a + square_b, square_d = KSL_MUL(s->m2, s->m2),
+      square = square_c + square_d;
   const double L_0a = KSL_MUL(B->xx, s->m3), L_0b = KSL_MUL(B->xy, s->m4), L_0c = L_0a + L_0b,
       L_0d = KSL_MUL(B->xz, s->m5), L_0 = L_0c + L_0d;
   const double L_1a = KSL_MUL(B->yy, s->m4), L_1b = KSL_MUL(B->xy, s->m3), L_1c = L_1a + L_1b,
       L_1d = KSL_MUL(B->yz, s->m5), L_1 = L_1c + L_1d;
   const double L_2a = KSL_MUL(B->zz, s->m5), L_2b = KSL_MUL(B->xz, s->m3), L_2c = L_2a + L_2b,
       L_2d = KSL_MUL(B->yz, s->m4), L_2 = L_2c + L_2d;
-  const double twice_a = KSL_MUL(s->m0, p_0), twice_b = KSL_MUL(s->m1, p_1),
-      twice_c = twice_a + twice_b, twice_d = KSL_MUL(s->m2, p_2), twice_e = twice_c + twice_d,
-      twice_f = KSL_MUL(s->m3, L_0), twice_g = KSL_MUL(s->m4, L_1), twice_h = twice_f + twice_g,
-      twice_i = KSL_MUL(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
-  const double energy = KSL_MUL(0.5, twice);
+  const double twice_a = KSL_MUL(B->m, square), twice_b = KSL_MUL(s->m3, L_0),
+      twice_c = KSL_MUL(s->m4, L_1), twice_d = twice_b + twice_c, twice_e = KSL_MUL(s->m5, L_2),
+      twice_f = twice_d + twice_e, twice = twice_a + twice_f;
+  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
+      across_0 = across_0a - across_0b;
+  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
+      across_1 = across_1a - across_1b;
+  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2b = KSL_MUL(B->h.x, s->m4),
+      across_2 = across_2a - across_2b;
+  const double energy_a = KSL_MUL(s->m0, across_0), energy_b = KSL_MUL(s->m1, across_1),
+      energy_c = energy_a + energy_b, energy_d = KSL_MUL(s->m2, across_2),
+      energy_e = energy_c + energy_d, energy_f = KSL_MUL(0.5, twice), energy = energy_e + energy_f;
+  const double square_a_abs = fabs(square_a), square_b_abs = fabs(square_b),
+      square_c_size = square_a_abs + square_b_abs, square_d_abs = fabs(square_d),
+      square_size = square_c_size + square_d_abs;
+  const double L_0a_abs = fabs(L_0a), L_0b_abs = fabs(L_0b), L_0c_size = L_0a_abs + L_0b_abs,
+      L_0d_abs = fabs(L_0d), L_0_size = L_0c_size + L_0d_abs;
+  const double L_1a_abs = fabs(L_1a), L_1b_abs = fabs(L_1b), L_1c_size = L_1a_abs + L_1b_abs,
+      L_1d_abs = fabs(L_1d), L_1_size = L_1c_size + L_1d_abs;
+  const double L_2a_abs = fabs(L_2a), L_2b_abs = fabs(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
+      L_2d_abs = fabs(L_2d), L_2_size = L_2c_size + L_2d_abs;
+  const double square_padded = square_size + 2.004168360008973e-292;
+  const double B_0_abs = fabs(B->m), twice_a_size = KSL_MUL(B_0_abs, square_padded);
+  const double L_0_padded = L_0_size + 2.004168360008973e-292;
+  const double s_3_abs = fabs(s->m3), twice_b_size = KSL_MUL(s_3_abs, L_0_padded);
+  const double L_1_padded = L_1_size + 2.004168360008973e-292;
+  const double s_4_abs = fabs(s->m4), twice_c_size = KSL_MUL(s_4_abs, L_1_padded),
+      twice_d_size = twice_b_size + twice_c_size;
+  const double L_2_padded = L_2_size + 2.004168360008973e-292;
+  const double s_5_abs = fabs(s->m5), twice_e_size = KSL_MUL(s_5_abs, L_2_padded),
+      twice_f_size = twice_d_size + twice_e_size, twice_size = twice_a_size + twice_f_size;
   const double across_0a_abs = fabs(across_0a), across_0b_abs = fabs(across_0b),
       across_0_size = across_0a_abs + across_0b_abs;
   const double across_1a_abs = fabs(across_1a), across_1b_abs = fabs(across_1b),
@@ -19412,42 +20868,169 @@ static inline double ksl_spatial_inertia_energy_certified(const ksl_spatial_iner
   const double across_2a_abs = fabs(across_2a), across_2b_abs = fabs(across_2b),
       across_2_size = across_2a_abs + across_2b_abs;
   const double across_0_padded = across_0_size + 2.004168360008973e-292;
-  const double twice_across_0_size = KSL_MUL(2.0, across_0_padded);
+  const double s_0_abs = fabs(s->m0), energy_a_size = KSL_MUL(s_0_abs, across_0_padded);
   const double across_1_padded = across_1_size + 2.004168360008973e-292;
-  const double twice_across_1_size = KSL_MUL(2.0, across_1_padded);
+  const double s_1_abs = fabs(s->m1), energy_b_size = KSL_MUL(s_1_abs, across_1_padded),
+      energy_c_size = energy_a_size + energy_b_size;
   const double across_2_padded = across_2_size + 2.004168360008973e-292;
-  const double twice_across_2_size = KSL_MUL(2.0, across_2_padded);
-  const double p_0a_abs = fabs(p_0a), p_0_size = p_0a_abs + twice_across_0_size;
-  const double p_1a_abs = fabs(p_1a), p_1_size = p_1a_abs + twice_across_1_size;
-  const double p_2a_abs = fabs(p_2a), p_2_size = p_2a_abs + twice_across_2_size;
-  const double L_0a_abs = fabs(L_0a), L_0b_abs = fabs(L_0b), L_0c_size = L_0a_abs + L_0b_abs,
-      L_0d_abs = fabs(L_0d), L_0_size = L_0c_size + L_0d_abs;
-  const double L_1a_abs = fabs(L_1a), L_1b_abs = fabs(L_1b), L_1c_size = L_1a_abs + L_1b_abs,
-      L_1d_abs = fabs(L_1d), L_1_size = L_1c_size + L_1d_abs;
-  const double L_2a_abs = fabs(L_2a), L_2b_abs = fabs(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
-      L_2d_abs = fabs(L_2d), L_2_size = L_2c_size + L_2d_abs;
-  const double p_0_padded = p_0_size + 2.004168360008973e-292;
-  const double s_0_abs = fabs(s->m0), twice_a_size = KSL_MUL(s_0_abs, p_0_padded);
-  const double p_1_padded = p_1_size + 2.004168360008973e-292;
-  const double s_1_abs = fabs(s->m1), twice_b_size = KSL_MUL(s_1_abs, p_1_padded),
-      twice_c_size = twice_a_size + twice_b_size;
-  const double p_2_padded = p_2_size + 2.004168360008973e-292;
-  const double s_2_abs = fabs(s->m2), twice_d_size = KSL_MUL(s_2_abs, p_2_padded),
-      twice_e_size = twice_c_size + twice_d_size;
-  const double L_0_padded = L_0_size + 2.004168360008973e-292;
-  const double s_3_abs = fabs(s->m3), twice_f_size = KSL_MUL(s_3_abs, L_0_padded);
-  const double L_1_padded = L_1_size + 2.004168360008973e-292;
-  const double s_4_abs = fabs(s->m4), twice_g_size = KSL_MUL(s_4_abs, L_1_padded),
-      twice_h_size = twice_f_size + twice_g_size;
-  const double L_2_padded = L_2_size + 2.004168360008973e-292;
-  const double s_5_abs = fabs(s->m5), twice_i_size = KSL_MUL(s_5_abs, L_2_padded),
-      twice_j_size = twice_h_size + twice_i_size, twice_size = twice_e_size + twice_j_size;
+  const double s_2_abs = fabs(s->m2), energy_d_size = KSL_MUL(s_2_abs, across_2_padded),
+      energy_e_size = energy_c_size + energy_d_size;
   const double twice_padded = twice_size + 2.004168360008973e-292;
-  const double energy_size = KSL_MUL(0.5, twice_padded);
+  const double energy_f_size = KSL_MUL(0.5, twice_padded),
+      energy_size = energy_e_size + energy_f_size;
   const double energy_padded = energy_size + 2.004168360008973e-292,
       energy_error_bound = KSL_MUL(9.992007221626415e-16, energy_padded);
   *energy_bound = energy_error_bound;
   return energy;
+}
+
+/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
+     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
+     less that of gravity: the wrench beside gravity's; |error of co| <= co_bound unless inf or
+     NaN.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co, co_bound: coscrew (f in N; τ in N m).
+   66 mul, 102 add, 3 neg, 30 abs. */
+static inline void ksl_spatial_inertia_net_wrench_certified(const ksl_spatial_inertia_t *B,
+    const ksl_vec3_t *w, const ksl_screw_t *ds, ksl_coscrew_t *co,
+    ksl_coscrew_t *co_bound) {
+  const double ww_0 = KSL_MUL(w->x, w->x);
+  const double ww_1 = KSL_MUL(w->y, w->y);
+  const double ww_2 = KSL_MUL(w->z, w->z);
+  const double ww_3 = KSL_MUL(w->x, w->y);
+  const double ww_4 = KSL_MUL(w->x, w->z);
+  const double ww_5 = KSL_MUL(w->y, w->z);
+  const double U_0a = ww_1 + ww_2, U_0 = -U_0a;
+  const double U_1 = ww_3 - ds->m5;
+  const double U_2 = ds->m4 + ww_4;
+  const double U_3 = ds->m5 + ww_3;
+  const double U_4a = ww_0 + ww_2, U_4 = -U_4a;
+  const double U_5 = ww_5 - ds->m3;
+  const double U_6 = ww_4 - ds->m4;
+  const double U_7 = ds->m3 + ww_5;
+  const double U_8a = ww_0 + ww_1, U_8 = -U_8a;
+  const double others_0 = B->zz - B->yy;
+  const double others_1 = B->xx - B->zz;
+  const double others_2 = B->yy - B->xx;
+  const double squares_0 = ww_1 - ww_2;
+  const double squares_1 = ww_2 - ww_0;
+  const double squares_2 = ww_0 - ww_1;
+  const double own_0a = KSL_MUL(B->xx, ds->m3), own_0b = KSL_MUL(ww_5, others_0),
+      own_0 = own_0a + own_0b;
+  const double own_1a = KSL_MUL(B->yy, ds->m4), own_1b = KSL_MUL(ww_4, others_1),
+      own_1 = own_1a + own_1b;
+  const double own_2a = KSL_MUL(B->zz, ds->m5), own_2b = KSL_MUL(ww_3, others_2),
+      own_2 = own_2a + own_2b;
+  const double N_0a = KSL_MUL(B->xz, U_3), N_0b = KSL_MUL(B->xy, U_6), N_0c = N_0a - N_0b,
+      N_0d = KSL_MUL(B->yz, squares_0), N_0e = N_0c + N_0d, N_0 = N_0e + own_0;
+  const double N_1a = KSL_MUL(B->xy, U_7), N_1b = KSL_MUL(B->yz, U_1), N_1c = N_1a - N_1b,
+      N_1d = KSL_MUL(B->xz, squares_1), N_1e = N_1c + N_1d, N_1 = N_1e + own_1;
+  const double N_2a = KSL_MUL(B->xy, squares_2), N_2b = KSL_MUL(B->yz, U_2),
+      N_2c = KSL_MUL(B->xz, U_5), N_2d = N_2b - N_2c, N_2e = N_2a + N_2d, N_2 = N_2e + own_2;
+  const double co_0a = KSL_MUL(B->m, ds->m0), co_0b = KSL_MUL(B->h.x, U_0),
+      co_0c = KSL_MUL(B->h.y, U_1), co_0d = co_0b + co_0c, co_0e = KSL_MUL(B->h.z, U_2),
+      co_0f = co_0d + co_0e, co_0 = co_0a + co_0f;
+  const double co_1a = KSL_MUL(B->m, ds->m1), co_1b = KSL_MUL(B->h.x, U_3),
+      co_1c = KSL_MUL(B->h.y, U_4), co_1d = co_1b + co_1c, co_1e = KSL_MUL(B->h.z, U_5),
+      co_1f = co_1d + co_1e, co_1 = co_1a + co_1f;
+  const double co_2a = KSL_MUL(B->m, ds->m2), co_2b = KSL_MUL(B->h.x, U_6),
+      co_2c = KSL_MUL(B->h.y, U_7), co_2d = co_2b + co_2c, co_2e = KSL_MUL(B->h.z, U_8),
+      co_2f = co_2d + co_2e, co_2 = co_2a + co_2f;
+  const double co_3a = KSL_MUL(B->h.y, ds->m2), co_3b = KSL_MUL(B->h.z, ds->m1),
+      co_3c = co_3a - co_3b, co_3 = co_3c + N_0;
+  const double co_4a = KSL_MUL(B->h.z, ds->m0), co_4b = KSL_MUL(B->h.x, ds->m2),
+      co_4c = co_4a - co_4b, co_4 = co_4c + N_1;
+  const double co_5a = KSL_MUL(B->h.x, ds->m1), co_5b = KSL_MUL(B->h.y, ds->m0),
+      co_5c = co_5a - co_5b, co_5 = co_5c + N_2;
+  const double ww_1_abs = fabs(ww_1), ww_2_abs = fabs(ww_2), U_0a_size = ww_1_abs + ww_2_abs;
+  const double ww_3_abs = fabs(ww_3), ds_5_abs = fabs(ds->m5), U_1_size = ww_3_abs + ds_5_abs;
+  const double ds_4_abs = fabs(ds->m4), ww_4_abs = fabs(ww_4), U_2_size = ds_4_abs + ww_4_abs;
+  const double U_3_size = ds_5_abs + ww_3_abs;
+  const double ww_0_abs = fabs(ww_0), U_4a_size = ww_0_abs + ww_2_abs;
+  const double ww_5_abs = fabs(ww_5), ds_3_abs = fabs(ds->m3), U_5_size = ww_5_abs + ds_3_abs;
+  const double U_6_size = ww_4_abs + ds_4_abs;
+  const double U_7_size = ds_3_abs + ww_5_abs;
+  const double U_8a_size = ww_0_abs + ww_1_abs;
+  const double squares_0_size = ww_1_abs + ww_2_abs;
+  const double squares_1_size = ww_2_abs + ww_0_abs;
+  const double squares_2_size = ww_0_abs + ww_1_abs;
+  const double ww_5_padded = ww_5_abs + 2.004168360008973e-292;
+  const double others_0_abs = fabs(others_0), own_0b_size = KSL_MUL(ww_5_padded, others_0_abs),
+      own_0a_abs = fabs(own_0a), own_0_size = own_0a_abs + own_0b_size;
+  const double ww_4_padded = ww_4_abs + 2.004168360008973e-292;
+  const double others_1_abs = fabs(others_1), own_1b_size = KSL_MUL(ww_4_padded, others_1_abs),
+      own_1a_abs = fabs(own_1a), own_1_size = own_1a_abs + own_1b_size;
+  const double ww_3_padded = ww_3_abs + 2.004168360008973e-292;
+  const double others_2_abs = fabs(others_2), own_2b_size = KSL_MUL(ww_3_padded, others_2_abs),
+      own_2a_abs = fabs(own_2a), own_2_size = own_2a_abs + own_2b_size;
+  const double U_3_padded = U_3_size + 2.004168360008973e-292;
+  const double B_8_abs = fabs(B->xz), N_0a_size = KSL_MUL(B_8_abs, U_3_padded);
+  const double U_6_padded = U_6_size + 2.004168360008973e-292;
+  const double B_7_abs = fabs(B->xy), N_0b_size = KSL_MUL(B_7_abs, U_6_padded),
+      N_0c_size = N_0a_size + N_0b_size;
+  const double squares_0_padded = squares_0_size + 2.004168360008973e-292;
+  const double B_9_abs = fabs(B->yz), N_0d_size = KSL_MUL(B_9_abs, squares_0_padded),
+      N_0e_size = N_0c_size + N_0d_size, N_0_size = N_0e_size + own_0_size;
+  const double U_7_padded = U_7_size + 2.004168360008973e-292;
+  const double N_1a_size = KSL_MUL(B_7_abs, U_7_padded);
+  const double U_1_padded = U_1_size + 2.004168360008973e-292;
+  const double N_1b_size = KSL_MUL(B_9_abs, U_1_padded), N_1c_size = N_1a_size + N_1b_size;
+  const double squares_1_padded = squares_1_size + 2.004168360008973e-292;
+  const double N_1d_size = KSL_MUL(B_8_abs, squares_1_padded), N_1e_size = N_1c_size + N_1d_size,
+      N_1_size = N_1e_size + own_1_size;
+  const double squares_2_padded = squares_2_size + 2.004168360008973e-292;
+  const double N_2a_size = KSL_MUL(B_7_abs, squares_2_padded);
+  const double U_2_padded = U_2_size + 2.004168360008973e-292;
+  const double N_2b_size = KSL_MUL(B_9_abs, U_2_padded);
+  const double U_5_padded = U_5_size + 2.004168360008973e-292;
+  const double N_2c_size = KSL_MUL(B_8_abs, U_5_padded), N_2d_size = N_2b_size + N_2c_size,
+      N_2e_size = N_2a_size + N_2d_size, N_2_size = N_2e_size + own_2_size;
+  const double U_0a_padded = U_0a_size + 2.004168360008973e-292;
+  const double B_1_abs = fabs(B->h.x), co_0b_size = KSL_MUL(B_1_abs, U_0a_padded),
+      B_2_abs = fabs(B->h.y), co_0c_size = KSL_MUL(B_2_abs, U_1_padded),
+      co_0d_size = co_0b_size + co_0c_size, B_3_abs = fabs(B->h.z),
+      co_0e_size = KSL_MUL(B_3_abs, U_2_padded), co_0f_size = co_0d_size + co_0e_size,
+      co_0a_abs = fabs(co_0a), co_0_size = co_0a_abs + co_0f_size;
+  const double co_1b_size = KSL_MUL(B_1_abs, U_3_padded);
+  const double U_4a_padded = U_4a_size + 2.004168360008973e-292;
+  const double co_1c_size = KSL_MUL(B_2_abs, U_4a_padded), co_1d_size = co_1b_size + co_1c_size,
+      co_1e_size = KSL_MUL(B_3_abs, U_5_padded), co_1f_size = co_1d_size + co_1e_size,
+      co_1a_abs = fabs(co_1a), co_1_size = co_1a_abs + co_1f_size;
+  const double co_2b_size = KSL_MUL(B_1_abs, U_6_padded), co_2c_size = KSL_MUL(B_2_abs, U_7_padded),
+      co_2d_size = co_2b_size + co_2c_size;
+  const double U_8a_padded = U_8a_size + 2.004168360008973e-292;
+  const double co_2e_size = KSL_MUL(B_3_abs, U_8a_padded), co_2f_size = co_2d_size + co_2e_size,
+      co_2a_abs = fabs(co_2a), co_2_size = co_2a_abs + co_2f_size;
+  const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3c_size = co_3a_abs + co_3b_abs,
+      co_3_size = co_3c_size + N_0_size;
+  const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4c_size = co_4a_abs + co_4b_abs,
+      co_4_size = co_4c_size + N_1_size;
+  const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
+      co_5_size = co_5c_size + N_2_size;
+  const double co_0_padded = co_0_size + 2.004168360008973e-292,
+      co_0_error_bound = KSL_MUL(6.661338147750942e-16, co_0_padded);
+  const double co_1_padded = co_1_size + 2.004168360008973e-292,
+      co_1_error_bound = KSL_MUL(6.661338147750942e-16, co_1_padded);
+  const double co_2_padded = co_2_size + 2.004168360008973e-292,
+      co_2_error_bound = KSL_MUL(6.661338147750942e-16, co_2_padded);
+  const double co_3_padded = co_3_size + 2.004168360008973e-292,
+      co_3_error_bound = KSL_MUL(7.7715611723761e-16, co_3_padded);
+  const double co_4_padded = co_4_size + 2.004168360008973e-292,
+      co_4_error_bound = KSL_MUL(7.7715611723761e-16, co_4_padded);
+  const double co_5_padded = co_5_size + 2.004168360008973e-292,
+      co_5_error_bound = KSL_MUL(7.7715611723761e-16, co_5_padded);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+  co_bound->m0 = co_0_error_bound;
+  co_bound->m1 = co_1_error_bound;
+  co_bound->m2 = co_2_error_bound;
+  co_bound->m3 = co_3_error_bound;
+  co_bound->m4 = co_4_error_bound;
+  co_bound->m5 = co_5_error_bound;
 }
 
 /* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless
@@ -20121,32 +21704,50 @@ static inline void ksl_product_Bsf_certified(const ksl_spatial_inertiaf_t *B,
      energy_bound unless inf or NaN.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s); energy_bound: number.
-   39 mul, 45 add, 24 abs. */
+   35 mul, 43 add, 25 abs. */
 static inline float ksl_spatial_inertiaf_energy_certified(const ksl_spatial_inertiaf_t *B,
     const ksl_screwf_t *s, float *energy_bound) {
-  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0b = KSL_MULF(B->h.y, s->m5),
-      across_0 = across_0a - across_0b;
-  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1b = KSL_MULF(B->h.z, s->m3),
-      across_1 = across_1a - across_1b;
-  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2b = KSL_MULF(B->h.x, s->m4),
-      across_2 = across_2a - across_2b;
-  const float twice_across_0 = KSL_MULF(2.0f, across_0);
-  const float twice_across_1 = KSL_MULF(2.0f, across_1);
-  const float twice_across_2 = KSL_MULF(2.0f, across_2);
-  const float p_0a = KSL_MULF(B->m, s->m0), p_0 = p_0a + twice_across_0;
-  const float p_1a = KSL_MULF(B->m, s->m1), p_1 = p_1a + twice_across_1;
-  const float p_2a = KSL_MULF(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const float square_a = KSL_MULF(s->m0, s->m0), square_b = KSL_MULF(s->m1, s->m1),
+      square_c = square_a + square_b, square_d = KSL_MULF(s->m2, s->m2),
+      square = square_c + square_d;
   const float L_0a = KSL_MULF(B->xx, s->m3), L_0b = KSL_MULF(B->xy, s->m4), L_0c = L_0a + L_0b,
       L_0d = KSL_MULF(B->xz, s->m5), L_0 = L_0c + L_0d;
   const float L_1a = KSL_MULF(B->yy, s->m4), L_1b = KSL_MULF(B->xy, s->m3), L_1c = L_1a + L_1b,
       L_1d = KSL_MULF(B->yz, s->m5), L_1 = L_1c + L_1d;
   const float L_2a = KSL_MULF(B->zz, s->m5), L_2b = KSL_MULF(B->xz, s->m3), L_2c = L_2a + L_2b,
       L_2d = KSL_MULF(B->yz, s->m4), L_2 = L_2c + L_2d;
-  const float twice_a = KSL_MULF(s->m0, p_0), twice_b = KSL_MULF(s->m1, p_1),
-      twice_c = twice_a + twice_b, twice_d = KSL_MULF(s->m2, p_2), twice_e = twice_c + twice_d,
-      twice_f = KSL_MULF(s->m3, L_0), twice_g = KSL_MULF(s->m4, L_1), twice_h = twice_f + twice_g,
-      twice_i = KSL_MULF(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
-  const float energy = KSL_MULF(0.5f, twice);
+  const float twice_a = KSL_MULF(B->m, square), twice_b = KSL_MULF(s->m3, L_0),
+      twice_c = KSL_MULF(s->m4, L_1), twice_d = twice_b + twice_c, twice_e = KSL_MULF(s->m5, L_2),
+      twice_f = twice_d + twice_e, twice = twice_a + twice_f;
+  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0b = KSL_MULF(B->h.y, s->m5),
+      across_0 = across_0a - across_0b;
+  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1b = KSL_MULF(B->h.z, s->m3),
+      across_1 = across_1a - across_1b;
+  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2b = KSL_MULF(B->h.x, s->m4),
+      across_2 = across_2a - across_2b;
+  const float energy_a = KSL_MULF(s->m0, across_0), energy_b = KSL_MULF(s->m1, across_1),
+      energy_c = energy_a + energy_b, energy_d = KSL_MULF(s->m2, across_2),
+      energy_e = energy_c + energy_d, energy_f = KSL_MULF(0.5f, twice),
+      energy = energy_e + energy_f;
+  const float square_a_abs = fabsf(square_a), square_b_abs = fabsf(square_b),
+      square_c_size = square_a_abs + square_b_abs, square_d_abs = fabsf(square_d),
+      square_size = square_c_size + square_d_abs;
+  const float L_0a_abs = fabsf(L_0a), L_0b_abs = fabsf(L_0b), L_0c_size = L_0a_abs + L_0b_abs,
+      L_0d_abs = fabsf(L_0d), L_0_size = L_0c_size + L_0d_abs;
+  const float L_1a_abs = fabsf(L_1a), L_1b_abs = fabsf(L_1b), L_1c_size = L_1a_abs + L_1b_abs,
+      L_1d_abs = fabsf(L_1d), L_1_size = L_1c_size + L_1d_abs;
+  const float L_2a_abs = fabsf(L_2a), L_2b_abs = fabsf(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
+      L_2d_abs = fabsf(L_2d), L_2_size = L_2c_size + L_2d_abs;
+  const float square_padded = square_size + 1.9721523e-31f;
+  const float B_0_abs = fabsf(B->m), twice_a_size = KSL_MULF(B_0_abs, square_padded);
+  const float L_0_padded = L_0_size + 1.9721523e-31f;
+  const float s_3_abs = fabsf(s->m3), twice_b_size = KSL_MULF(s_3_abs, L_0_padded);
+  const float L_1_padded = L_1_size + 1.9721523e-31f;
+  const float s_4_abs = fabsf(s->m4), twice_c_size = KSL_MULF(s_4_abs, L_1_padded),
+      twice_d_size = twice_b_size + twice_c_size;
+  const float L_2_padded = L_2_size + 1.9721523e-31f;
+  const float s_5_abs = fabsf(s->m5), twice_e_size = KSL_MULF(s_5_abs, L_2_padded),
+      twice_f_size = twice_d_size + twice_e_size, twice_size = twice_a_size + twice_f_size;
   const float across_0a_abs = fabsf(across_0a), across_0b_abs = fabsf(across_0b),
       across_0_size = across_0a_abs + across_0b_abs;
   const float across_1a_abs = fabsf(across_1a), across_1b_abs = fabsf(across_1b),
@@ -20154,42 +21755,169 @@ static inline float ksl_spatial_inertiaf_energy_certified(const ksl_spatial_iner
   const float across_2a_abs = fabsf(across_2a), across_2b_abs = fabsf(across_2b),
       across_2_size = across_2a_abs + across_2b_abs;
   const float across_0_padded = across_0_size + 1.9721523e-31f;
-  const float twice_across_0_size = KSL_MULF(2.0f, across_0_padded);
+  const float s_0_abs = fabsf(s->m0), energy_a_size = KSL_MULF(s_0_abs, across_0_padded);
   const float across_1_padded = across_1_size + 1.9721523e-31f;
-  const float twice_across_1_size = KSL_MULF(2.0f, across_1_padded);
+  const float s_1_abs = fabsf(s->m1), energy_b_size = KSL_MULF(s_1_abs, across_1_padded),
+      energy_c_size = energy_a_size + energy_b_size;
   const float across_2_padded = across_2_size + 1.9721523e-31f;
-  const float twice_across_2_size = KSL_MULF(2.0f, across_2_padded);
-  const float p_0a_abs = fabsf(p_0a), p_0_size = p_0a_abs + twice_across_0_size;
-  const float p_1a_abs = fabsf(p_1a), p_1_size = p_1a_abs + twice_across_1_size;
-  const float p_2a_abs = fabsf(p_2a), p_2_size = p_2a_abs + twice_across_2_size;
-  const float L_0a_abs = fabsf(L_0a), L_0b_abs = fabsf(L_0b), L_0c_size = L_0a_abs + L_0b_abs,
-      L_0d_abs = fabsf(L_0d), L_0_size = L_0c_size + L_0d_abs;
-  const float L_1a_abs = fabsf(L_1a), L_1b_abs = fabsf(L_1b), L_1c_size = L_1a_abs + L_1b_abs,
-      L_1d_abs = fabsf(L_1d), L_1_size = L_1c_size + L_1d_abs;
-  const float L_2a_abs = fabsf(L_2a), L_2b_abs = fabsf(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
-      L_2d_abs = fabsf(L_2d), L_2_size = L_2c_size + L_2d_abs;
-  const float p_0_padded = p_0_size + 1.9721523e-31f;
-  const float s_0_abs = fabsf(s->m0), twice_a_size = KSL_MULF(s_0_abs, p_0_padded);
-  const float p_1_padded = p_1_size + 1.9721523e-31f;
-  const float s_1_abs = fabsf(s->m1), twice_b_size = KSL_MULF(s_1_abs, p_1_padded),
-      twice_c_size = twice_a_size + twice_b_size;
-  const float p_2_padded = p_2_size + 1.9721523e-31f;
-  const float s_2_abs = fabsf(s->m2), twice_d_size = KSL_MULF(s_2_abs, p_2_padded),
-      twice_e_size = twice_c_size + twice_d_size;
-  const float L_0_padded = L_0_size + 1.9721523e-31f;
-  const float s_3_abs = fabsf(s->m3), twice_f_size = KSL_MULF(s_3_abs, L_0_padded);
-  const float L_1_padded = L_1_size + 1.9721523e-31f;
-  const float s_4_abs = fabsf(s->m4), twice_g_size = KSL_MULF(s_4_abs, L_1_padded),
-      twice_h_size = twice_f_size + twice_g_size;
-  const float L_2_padded = L_2_size + 1.9721523e-31f;
-  const float s_5_abs = fabsf(s->m5), twice_i_size = KSL_MULF(s_5_abs, L_2_padded),
-      twice_j_size = twice_h_size + twice_i_size, twice_size = twice_e_size + twice_j_size;
+  const float s_2_abs = fabsf(s->m2), energy_d_size = KSL_MULF(s_2_abs, across_2_padded),
+      energy_e_size = energy_c_size + energy_d_size;
   const float twice_padded = twice_size + 1.9721523e-31f;
-  const float energy_size = KSL_MULF(0.5f, twice_padded);
+  const float energy_f_size = KSL_MULF(0.5f, twice_padded),
+      energy_size = energy_e_size + energy_f_size;
   const float energy_padded = energy_size + 1.9721523e-31f,
       energy_error_bound = KSL_MULF(5.36442e-07f, energy_padded);
   *energy_bound = energy_error_bound;
   return energy;
+}
+
+/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
+     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
+     less that of gravity: the wrench beside gravity's; |error of co| <= co_bound unless inf or
+     NaN.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co, co_bound: coscrew (f in N; τ in N m).
+   66 mul, 102 add, 3 neg, 30 abs. */
+static inline void ksl_spatial_inertiaf_net_wrench_certified(const ksl_spatial_inertiaf_t *B,
+    const ksl_vec3f_t *w, const ksl_screwf_t *ds, ksl_coscrewf_t *co,
+    ksl_coscrewf_t *co_bound) {
+  const float ww_0 = KSL_MULF(w->x, w->x);
+  const float ww_1 = KSL_MULF(w->y, w->y);
+  const float ww_2 = KSL_MULF(w->z, w->z);
+  const float ww_3 = KSL_MULF(w->x, w->y);
+  const float ww_4 = KSL_MULF(w->x, w->z);
+  const float ww_5 = KSL_MULF(w->y, w->z);
+  const float U_0a = ww_1 + ww_2, U_0 = -U_0a;
+  const float U_1 = ww_3 - ds->m5;
+  const float U_2 = ds->m4 + ww_4;
+  const float U_3 = ds->m5 + ww_3;
+  const float U_4a = ww_0 + ww_2, U_4 = -U_4a;
+  const float U_5 = ww_5 - ds->m3;
+  const float U_6 = ww_4 - ds->m4;
+  const float U_7 = ds->m3 + ww_5;
+  const float U_8a = ww_0 + ww_1, U_8 = -U_8a;
+  const float others_0 = B->zz - B->yy;
+  const float others_1 = B->xx - B->zz;
+  const float others_2 = B->yy - B->xx;
+  const float squares_0 = ww_1 - ww_2;
+  const float squares_1 = ww_2 - ww_0;
+  const float squares_2 = ww_0 - ww_1;
+  const float own_0a = KSL_MULF(B->xx, ds->m3), own_0b = KSL_MULF(ww_5, others_0),
+      own_0 = own_0a + own_0b;
+  const float own_1a = KSL_MULF(B->yy, ds->m4), own_1b = KSL_MULF(ww_4, others_1),
+      own_1 = own_1a + own_1b;
+  const float own_2a = KSL_MULF(B->zz, ds->m5), own_2b = KSL_MULF(ww_3, others_2),
+      own_2 = own_2a + own_2b;
+  const float N_0a = KSL_MULF(B->xz, U_3), N_0b = KSL_MULF(B->xy, U_6), N_0c = N_0a - N_0b,
+      N_0d = KSL_MULF(B->yz, squares_0), N_0e = N_0c + N_0d, N_0 = N_0e + own_0;
+  const float N_1a = KSL_MULF(B->xy, U_7), N_1b = KSL_MULF(B->yz, U_1), N_1c = N_1a - N_1b,
+      N_1d = KSL_MULF(B->xz, squares_1), N_1e = N_1c + N_1d, N_1 = N_1e + own_1;
+  const float N_2a = KSL_MULF(B->xy, squares_2), N_2b = KSL_MULF(B->yz, U_2),
+      N_2c = KSL_MULF(B->xz, U_5), N_2d = N_2b - N_2c, N_2e = N_2a + N_2d, N_2 = N_2e + own_2;
+  const float co_0a = KSL_MULF(B->m, ds->m0), co_0b = KSL_MULF(B->h.x, U_0),
+      co_0c = KSL_MULF(B->h.y, U_1), co_0d = co_0b + co_0c, co_0e = KSL_MULF(B->h.z, U_2),
+      co_0f = co_0d + co_0e, co_0 = co_0a + co_0f;
+  const float co_1a = KSL_MULF(B->m, ds->m1), co_1b = KSL_MULF(B->h.x, U_3),
+      co_1c = KSL_MULF(B->h.y, U_4), co_1d = co_1b + co_1c, co_1e = KSL_MULF(B->h.z, U_5),
+      co_1f = co_1d + co_1e, co_1 = co_1a + co_1f;
+  const float co_2a = KSL_MULF(B->m, ds->m2), co_2b = KSL_MULF(B->h.x, U_6),
+      co_2c = KSL_MULF(B->h.y, U_7), co_2d = co_2b + co_2c, co_2e = KSL_MULF(B->h.z, U_8),
+      co_2f = co_2d + co_2e, co_2 = co_2a + co_2f;
+  const float co_3a = KSL_MULF(B->h.y, ds->m2), co_3b = KSL_MULF(B->h.z, ds->m1),
+      co_3c = co_3a - co_3b, co_3 = co_3c + N_0;
+  const float co_4a = KSL_MULF(B->h.z, ds->m0), co_4b = KSL_MULF(B->h.x, ds->m2),
+      co_4c = co_4a - co_4b, co_4 = co_4c + N_1;
+  const float co_5a = KSL_MULF(B->h.x, ds->m1), co_5b = KSL_MULF(B->h.y, ds->m0),
+      co_5c = co_5a - co_5b, co_5 = co_5c + N_2;
+  const float ww_1_abs = fabsf(ww_1), ww_2_abs = fabsf(ww_2), U_0a_size = ww_1_abs + ww_2_abs;
+  const float ww_3_abs = fabsf(ww_3), ds_5_abs = fabsf(ds->m5), U_1_size = ww_3_abs + ds_5_abs;
+  const float ds_4_abs = fabsf(ds->m4), ww_4_abs = fabsf(ww_4), U_2_size = ds_4_abs + ww_4_abs;
+  const float U_3_size = ds_5_abs + ww_3_abs;
+  const float ww_0_abs = fabsf(ww_0), U_4a_size = ww_0_abs + ww_2_abs;
+  const float ww_5_abs = fabsf(ww_5), ds_3_abs = fabsf(ds->m3), U_5_size = ww_5_abs + ds_3_abs;
+  const float U_6_size = ww_4_abs + ds_4_abs;
+  const float U_7_size = ds_3_abs + ww_5_abs;
+  const float U_8a_size = ww_0_abs + ww_1_abs;
+  const float squares_0_size = ww_1_abs + ww_2_abs;
+  const float squares_1_size = ww_2_abs + ww_0_abs;
+  const float squares_2_size = ww_0_abs + ww_1_abs;
+  const float ww_5_padded = ww_5_abs + 1.9721523e-31f;
+  const float others_0_abs = fabsf(others_0), own_0b_size = KSL_MULF(ww_5_padded, others_0_abs),
+      own_0a_abs = fabsf(own_0a), own_0_size = own_0a_abs + own_0b_size;
+  const float ww_4_padded = ww_4_abs + 1.9721523e-31f;
+  const float others_1_abs = fabsf(others_1), own_1b_size = KSL_MULF(ww_4_padded, others_1_abs),
+      own_1a_abs = fabsf(own_1a), own_1_size = own_1a_abs + own_1b_size;
+  const float ww_3_padded = ww_3_abs + 1.9721523e-31f;
+  const float others_2_abs = fabsf(others_2), own_2b_size = KSL_MULF(ww_3_padded, others_2_abs),
+      own_2a_abs = fabsf(own_2a), own_2_size = own_2a_abs + own_2b_size;
+  const float U_3_padded = U_3_size + 1.9721523e-31f;
+  const float B_8_abs = fabsf(B->xz), N_0a_size = KSL_MULF(B_8_abs, U_3_padded);
+  const float U_6_padded = U_6_size + 1.9721523e-31f;
+  const float B_7_abs = fabsf(B->xy), N_0b_size = KSL_MULF(B_7_abs, U_6_padded),
+      N_0c_size = N_0a_size + N_0b_size;
+  const float squares_0_padded = squares_0_size + 1.9721523e-31f;
+  const float B_9_abs = fabsf(B->yz), N_0d_size = KSL_MULF(B_9_abs, squares_0_padded),
+      N_0e_size = N_0c_size + N_0d_size, N_0_size = N_0e_size + own_0_size;
+  const float U_7_padded = U_7_size + 1.9721523e-31f;
+  const float N_1a_size = KSL_MULF(B_7_abs, U_7_padded);
+  const float U_1_padded = U_1_size + 1.9721523e-31f;
+  const float N_1b_size = KSL_MULF(B_9_abs, U_1_padded), N_1c_size = N_1a_size + N_1b_size;
+  const float squares_1_padded = squares_1_size + 1.9721523e-31f;
+  const float N_1d_size = KSL_MULF(B_8_abs, squares_1_padded), N_1e_size = N_1c_size + N_1d_size,
+      N_1_size = N_1e_size + own_1_size;
+  const float squares_2_padded = squares_2_size + 1.9721523e-31f;
+  const float N_2a_size = KSL_MULF(B_7_abs, squares_2_padded);
+  const float U_2_padded = U_2_size + 1.9721523e-31f;
+  const float N_2b_size = KSL_MULF(B_9_abs, U_2_padded);
+  const float U_5_padded = U_5_size + 1.9721523e-31f;
+  const float N_2c_size = KSL_MULF(B_8_abs, U_5_padded), N_2d_size = N_2b_size + N_2c_size,
+      N_2e_size = N_2a_size + N_2d_size, N_2_size = N_2e_size + own_2_size;
+  const float U_0a_padded = U_0a_size + 1.9721523e-31f;
+  const float B_1_abs = fabsf(B->h.x), co_0b_size = KSL_MULF(B_1_abs, U_0a_padded),
+      B_2_abs = fabsf(B->h.y), co_0c_size = KSL_MULF(B_2_abs, U_1_padded),
+      co_0d_size = co_0b_size + co_0c_size, B_3_abs = fabsf(B->h.z),
+      co_0e_size = KSL_MULF(B_3_abs, U_2_padded), co_0f_size = co_0d_size + co_0e_size,
+      co_0a_abs = fabsf(co_0a), co_0_size = co_0a_abs + co_0f_size;
+  const float co_1b_size = KSL_MULF(B_1_abs, U_3_padded);
+  const float U_4a_padded = U_4a_size + 1.9721523e-31f;
+  const float co_1c_size = KSL_MULF(B_2_abs, U_4a_padded), co_1d_size = co_1b_size + co_1c_size,
+      co_1e_size = KSL_MULF(B_3_abs, U_5_padded), co_1f_size = co_1d_size + co_1e_size,
+      co_1a_abs = fabsf(co_1a), co_1_size = co_1a_abs + co_1f_size;
+  const float co_2b_size = KSL_MULF(B_1_abs, U_6_padded),
+      co_2c_size = KSL_MULF(B_2_abs, U_7_padded), co_2d_size = co_2b_size + co_2c_size;
+  const float U_8a_padded = U_8a_size + 1.9721523e-31f;
+  const float co_2e_size = KSL_MULF(B_3_abs, U_8a_padded), co_2f_size = co_2d_size + co_2e_size,
+      co_2a_abs = fabsf(co_2a), co_2_size = co_2a_abs + co_2f_size;
+  const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b),
+      co_3c_size = co_3a_abs + co_3b_abs, co_3_size = co_3c_size + N_0_size;
+  const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b),
+      co_4c_size = co_4a_abs + co_4b_abs, co_4_size = co_4c_size + N_1_size;
+  const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b),
+      co_5c_size = co_5a_abs + co_5b_abs, co_5_size = co_5c_size + N_2_size;
+  const float co_0_padded = co_0_size + 1.9721523e-31f,
+      co_0_error_bound = KSL_MULF(3.5762795e-07f, co_0_padded);
+  const float co_1_padded = co_1_size + 1.9721523e-31f,
+      co_1_error_bound = KSL_MULF(3.5762795e-07f, co_1_padded);
+  const float co_2_padded = co_2_size + 1.9721523e-31f,
+      co_2_error_bound = KSL_MULF(3.5762795e-07f, co_2_padded);
+  const float co_3_padded = co_3_size + 1.9721523e-31f,
+      co_3_error_bound = KSL_MULF(4.1723263e-07f, co_3_padded);
+  const float co_4_padded = co_4_size + 1.9721523e-31f,
+      co_4_error_bound = KSL_MULF(4.1723263e-07f, co_4_padded);
+  const float co_5_padded = co_5_size + 1.9721523e-31f,
+      co_5_error_bound = KSL_MULF(4.1723263e-07f, co_5_padded);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+  co_bound->m0 = co_0_error_bound;
+  co_bound->m1 = co_1_error_bound;
+  co_bound->m2 = co_2_error_bound;
+  co_bound->m3 = co_3_error_bound;
+  co_bound->m4 = co_4_error_bound;
+  co_bound->m5 = co_5_error_bound;
 }
 
 /* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless

@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "9b3cb2c0330099eb")
+COMPILED: bool = is_compiled("coscrew._gufunc", "d1551699e5bf0f03")
 
 if COMPILED:
     from coscrew._gufunc import (
@@ -58,6 +58,7 @@ if COMPILED:
         mat3x3_setIdentity,
         mat3x3_setFromVectors,
         skew,
+        acceleration_tensor,
         mat3x3_transpose,
         mat3x3_transposed,
         mat3x3_determinant,
@@ -86,6 +87,8 @@ if COMPILED:
         mat6x6_copy,
         mat6x6_setIdentity,
         mat6x6_transposed,
+        mat6x6_rotated,
+        mat6x6_shifted,
         product_drv,
         product_drvinv,
         product_drinvv,
@@ -327,6 +330,7 @@ if COMPILED:
         spatial_inertia_matrix,
         product_Bs,
         spatial_inertia_energy,
+        spatial_inertia_net_wrench,
         spatial_inertia_shifted,
         spatial_inertia_transformed,
         spatial_inertia_consistency,
@@ -373,6 +377,7 @@ else:
         mat3x3_setIdentity,
         mat3x3_setFromVectors,
         skew,
+        acceleration_tensor,
         mat3x3_transpose,
         mat3x3_transposed,
         mat3x3_determinant,
@@ -401,6 +406,8 @@ else:
         mat6x6_copy,
         mat6x6_setIdentity,
         mat6x6_transposed,
+        mat6x6_rotated,
+        mat6x6_shifted,
         product_drv,
         product_drvinv,
         product_drinvv,
@@ -642,6 +649,7 @@ else:
         spatial_inertia_matrix,
         product_Bs,
         spatial_inertia_energy,
+        spatial_inertia_net_wrench,
         spatial_inertia_shifted,
         spatial_inertia_transformed,
         spatial_inertia_consistency,
@@ -703,6 +711,7 @@ __all__ = [
     "mat3x3_setIdentity",
     "mat3x3_setFromVectors",
     "skew",
+    "acceleration_tensor",
     "mat3x3_transpose",
     "mat3x3_transposed",
     "mat3x3_determinant",
@@ -731,6 +740,8 @@ __all__ = [
     "mat6x6_copy",
     "mat6x6_setIdentity",
     "mat6x6_transposed",
+    "mat6x6_rotated",
+    "mat6x6_shifted",
     "product_drv",
     "product_drvinv",
     "product_drinvv",
@@ -972,6 +983,7 @@ __all__ = [
     "spatial_inertia_matrix",
     "product_Bs",
     "spatial_inertia_energy",
+    "spatial_inertia_net_wrench",
     "spatial_inertia_shifted",
     "spatial_inertia_transformed",
     "spatial_inertia_consistency",

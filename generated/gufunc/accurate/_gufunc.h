@@ -66,6 +66,7 @@ extern const coscrew_gufunc coscrew_vec3_gufuncs[], coscrew_vec3_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_vec4_gufuncs[], coscrew_vec4_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_mat3x3_gufuncs[], coscrew_mat3x3_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_SE3_gufuncs[], coscrew_SE3_gufuncs_avx2[];
+extern const coscrew_gufunc coscrew_mat6x6_gufuncs[], coscrew_mat6x6_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_matrix_gufuncs[], coscrew_matrix_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_screw_gufuncs[], coscrew_screw_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_coscrew_gufuncs[], coscrew_coscrew_gufuncs_avx2[];

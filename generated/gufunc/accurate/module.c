@@ -5,15 +5,17 @@
 #include "_gufunc.h"
 
 static const coscrew_gufunc *const baseline[] = {coscrew_vec3_gufuncs, coscrew_vec4_gufuncs,
-    coscrew_mat3x3_gufuncs, coscrew_SE3_gufuncs, coscrew_matrix_gufuncs, coscrew_screw_gufuncs,
-    coscrew_coscrew_gufuncs, coscrew_quaternion_gufuncs, coscrew_exponential_gufuncs,
-    coscrew_symmetric_gufuncs, coscrew_inertia_gufuncs, coscrew_spatial_inertia_gufuncs};
+    coscrew_mat3x3_gufuncs, coscrew_SE3_gufuncs, coscrew_mat6x6_gufuncs, coscrew_matrix_gufuncs,
+    coscrew_screw_gufuncs, coscrew_coscrew_gufuncs, coscrew_quaternion_gufuncs,
+    coscrew_exponential_gufuncs, coscrew_symmetric_gufuncs, coscrew_inertia_gufuncs,
+    coscrew_spatial_inertia_gufuncs};
 
 #if COSCREW_HAS_AVX2
 static const coscrew_gufunc *const avx2[] = {coscrew_vec3_gufuncs_avx2, coscrew_vec4_gufuncs_avx2,
-    coscrew_mat3x3_gufuncs_avx2, coscrew_SE3_gufuncs_avx2, coscrew_matrix_gufuncs_avx2,
-    coscrew_screw_gufuncs_avx2, coscrew_coscrew_gufuncs_avx2, coscrew_quaternion_gufuncs_avx2,
-    coscrew_exponential_gufuncs_avx2, coscrew_symmetric_gufuncs_avx2, coscrew_inertia_gufuncs_avx2,
+    coscrew_mat3x3_gufuncs_avx2, coscrew_SE3_gufuncs_avx2, coscrew_mat6x6_gufuncs_avx2,
+    coscrew_matrix_gufuncs_avx2, coscrew_screw_gufuncs_avx2, coscrew_coscrew_gufuncs_avx2,
+    coscrew_quaternion_gufuncs_avx2, coscrew_exponential_gufuncs_avx2,
+    coscrew_symmetric_gufuncs_avx2, coscrew_inertia_gufuncs_avx2,
     coscrew_spatial_inertia_gufuncs_avx2};
 #endif
 
@@ -77,7 +79,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "37582006a741081a") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "52047379281c0226") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);

@@ -833,6 +833,99 @@ static void spatial_inertia_energy_single(
 static PyUFuncGenericFunction spatial_inertia_energy_loops[] = {
     spatial_inertia_energy_double, spatial_inertia_energy_single};
 
+/* (10),(3),(6)->(6) */
+INLINED void spatial_inertia_net_wrench_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_spatial_inertia_t B;
+  load_spatial_inertia_double(&B, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t w;
+    ksl_screw_t ds;
+    ksl_coscrew_t co;
+    if (step[0] != 0) {
+      load_spatial_inertia_double(&B, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&w, p1 + i * step[1], core + 1);
+    load_screw_double(&ds, p2 + i * step[2], core + 2);
+    ksl_spatial_inertia_net_wrench_accurate(&B, &w, &ds, &co);
+    store_coscrew_double(&co, p3 + i * step[3], core + 3);
+  }
+}
+
+static void spatial_inertia_net_wrench_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 80, 24, 48, 48, 8, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    spatial_inertia_net_wrench_double_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 48, 48, 8, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    spatial_inertia_net_wrench_double_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  spatial_inertia_net_wrench_double_over(data, n[0], step, step + 4);
+}
+
+/* (10),(3),(6)->(6) */
+INLINED void spatial_inertia_net_wrench_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_spatial_inertiaf_t B;
+  load_spatial_inertia_single(&B, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t w;
+    ksl_screwf_t ds;
+    ksl_coscrewf_t co;
+    if (step[0] != 0) {
+      load_spatial_inertia_single(&B, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&w, p1 + i * step[1], core + 1);
+    load_screw_single(&ds, p2 + i * step[2], core + 2);
+    ksl_spatial_inertiaf_net_wrench_accurate(&B, &w, &ds, &co);
+    store_coscrew_single(&co, p3 + i * step[3], core + 3);
+  }
+}
+
+static void spatial_inertia_net_wrench_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 40, 12, 24, 24, 4, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    spatial_inertia_net_wrench_single_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 24, 24, 4, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    spatial_inertia_net_wrench_single_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  spatial_inertia_net_wrench_single_over(data, n[0], step, step + 4);
+}
+
+static PyUFuncGenericFunction spatial_inertia_net_wrench_loops[] = {
+    spatial_inertia_net_wrench_double, spatial_inertia_net_wrench_single};
+
 /* (3),(10)->(10) */
 INLINED void spatial_inertia_shifted_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
@@ -1167,9 +1260,21 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "\n"
     "(10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,\n"
     "xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.\n"
-    "38 mul, 155 add, 24 product rest.  Error <= u |result| + 38 u^2 S, S the sum of the |terms|\n"
+    "34 mul, 142 add, 25 product rest.  Error <= u |result| + 44 u^2 S, S the sum of the |terms|\n"
     "of the expanded formula; barring over- and underflow.\n",
    2, 1, spatial_inertia_energy_loops},
+  {"spatial_inertia_net_wrench", "(10),(3),(6)->(6)",
+    "co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move\n"
+    "with angular velocity w and acceleration ds = (a; w'), a that of the point now at the\n"
+    "origin; a less that of gravity: the wrench beside gravity's.\n"
+    "\n"
+    "(10),(3),(6)->(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,\n"
+    "yy, zz, xy, xz, yz in kg m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f\n"
+    "in N; τ in N m).\n"
+    "63 mul, 324 add, 3 product error, 51 product rest, 6 neg.  Error <= u |result| + (lin: 36,\n"
+    "ang: 42) u^2 S, S the sum of the |terms| of the expanded formula; barring over- and\n"
+    "underflow.\n",
+   3, 1, spatial_inertia_net_wrench_loops},
   {"spatial_inertia_shifted", "(3),(10)->(10)",
     "Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.\n"
     "\n"
@@ -1192,7 +1297,7 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "\n"
     "(10)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,\n"
     "xz, yz in kg m^2); pivot: number.\n"
-    "43 mul, 258 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26\n"
+    "42 mul, 258 add, 10 product error, 10 product rest, 20 div, 6 neg, 9 less, 1 equal, 26\n"
     "select.\n",
    1, 1, spatial_inertia_consistency_loops},
   {NULL, NULL, NULL, 0, 0, NULL},

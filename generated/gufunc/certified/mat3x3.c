@@ -7,6 +7,99 @@
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
+/* (3),(3)->(3,3),(3,3) */
+INLINED void acceleration_tensor_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t w;
+  load_vec3_double(&w, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t dw;
+    ksl_mat3x3_t Ro;
+    ksl_mat3x3_t Ro_bound;
+    if (step[0] != 0) {
+      load_vec3_double(&w, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&dw, p1 + i * step[1], core + 1);
+    ksl_acceleration_tensor_certified(&w, &dw, &Ro, &Ro_bound);
+    store_mat3x3_double(&Ro, p2 + i * step[2], core + 2);
+    store_mat3x3_double(&Ro_bound, p3 + i * step[3], core + 4);
+  }
+}
+
+static void acceleration_tensor_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 24, 72, 72, 8, 8, 24, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    acceleration_tensor_double_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 72, 72, 8, 8, 24, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    acceleration_tensor_double_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  acceleration_tensor_double_over(data, n[0], step, step + 4);
+}
+
+/* (3),(3)->(3,3),(3,3) */
+INLINED void acceleration_tensor_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t w;
+  load_vec3_single(&w, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t dw;
+    ksl_mat3x3f_t Ro;
+    ksl_mat3x3f_t Ro_bound;
+    if (step[0] != 0) {
+      load_vec3_single(&w, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&dw, p1 + i * step[1], core + 1);
+    ksl_acceleration_tensorf_certified(&w, &dw, &Ro, &Ro_bound);
+    store_mat3x3_single(&Ro, p2 + i * step[2], core + 2);
+    store_mat3x3_single(&Ro_bound, p3 + i * step[3], core + 4);
+  }
+}
+
+static void acceleration_tensor_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 12, 36, 36, 4, 4, 12, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    acceleration_tensor_single_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 36, 36, 4, 4, 12, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    acceleration_tensor_single_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  acceleration_tensor_single_over(data, n[0], step, step + 4);
+}
+
+static PyUFuncGenericFunction acceleration_tensor_loops[] = {
+    acceleration_tensor_double, acceleration_tensor_single};
+
 /* (3,3)->(),() */
 INLINED void mat3x3_determinant_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
@@ -188,6 +281,14 @@ static PyUFuncGenericFunction mat3x3_setFromAxisDC_loops[] = {
     mat3x3_setFromAxisDC_double, mat3x3_setFromAxisDC_single};
 
 const coscrew_gufunc TABLE(mat3x3)[] = {
+  {"acceleration_tensor", "(3),(3)->(3,3),(3,3)",
+    "Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its\n"
+    "point x is accelerated by Ro x beyond its origin; |error of Ro| <= Ro_bound unless inf or\n"
+    "NaN.\n"
+    "\n"
+    "(3),(3)->(3,3),(3,3).  w, dw: vector; Ro, Ro_bound: rotation or other 3×3 matrix.\n"
+    "15 mul, 27 add, 3 neg, 9 abs.\n",
+   2, 2, acceleration_tensor_loops},
   {"mat3x3_determinant", "(3,3)->(),()",
     "det R; |error of det| <= det_bound unless inf or NaN.\n"
     "\n"

@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "37582006a741081a")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "52047379281c0226")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (
@@ -46,6 +46,7 @@ if COMPILED:
         vec4_l2norm,
         vec4_normalize,
         vec4_normalized,
+        acceleration_tensor,
         mat3x3_determinant,
         mat3x3_inverse,
         mat3x3_normalize,
@@ -56,6 +57,8 @@ if COMPILED:
         mat3x3_jacobi,
         SE3_invert,
         SE3_inverted,
+        mat6x6_rotated,
+        mat6x6_shifted,
         product_drv,
         product_drvinv,
         product_drinvv,
@@ -248,6 +251,7 @@ if COMPILED:
         spatial_inertia_about_com,
         product_Bs,
         spatial_inertia_energy,
+        spatial_inertia_net_wrench,
         spatial_inertia_shifted,
         spatial_inertia_transformed,
         spatial_inertia_consistency,
@@ -282,6 +286,7 @@ else:
         vec4_l2norm,
         vec4_normalize,
         vec4_normalized,
+        acceleration_tensor,
         mat3x3_determinant,
         mat3x3_inverse,
         mat3x3_normalize,
@@ -292,6 +297,8 @@ else:
         mat3x3_jacobi,
         SE3_invert,
         SE3_inverted,
+        mat6x6_rotated,
+        mat6x6_shifted,
         product_drv,
         product_drvinv,
         product_drinvv,
@@ -484,6 +491,7 @@ else:
         spatial_inertia_about_com,
         product_Bs,
         spatial_inertia_energy,
+        spatial_inertia_net_wrench,
         spatial_inertia_shifted,
         spatial_inertia_transformed,
         spatial_inertia_consistency,
@@ -529,6 +537,7 @@ __all__ = [
     "vec4_l2norm",
     "vec4_normalize",
     "vec4_normalized",
+    "acceleration_tensor",
     "mat3x3_determinant",
     "mat3x3_inverse",
     "mat3x3_normalize",
@@ -539,6 +548,8 @@ __all__ = [
     "mat3x3_jacobi",
     "SE3_invert",
     "SE3_inverted",
+    "mat6x6_rotated",
+    "mat6x6_shifted",
     "product_drv",
     "product_drvinv",
     "product_drinvv",
@@ -731,6 +742,7 @@ __all__ = [
     "spatial_inertia_about_com",
     "product_Bs",
     "spatial_inertia_energy",
+    "spatial_inertia_net_wrench",
     "spatial_inertia_shifted",
     "spatial_inertia_transformed",
     "spatial_inertia_consistency",

@@ -15,7 +15,7 @@ import sys
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "31eae21a9653346d")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "df4b1a37b7c34ee4")
 
 if COMPILED:
     from coscrew.certified._gufunc import (
@@ -39,10 +39,13 @@ if COMPILED:
         add_vvzinv,
         vec4_scale,
         vec4_scaled,
+        acceleration_tensor,
         mat3x3_determinant,
         mat3x3_setFromAxisDC,
         SE3_invert,
         SE3_inverted,
+        mat6x6_rotated,
+        mat6x6_shifted,
         product_drv,
         product_drvinv,
         product_drinvv,
@@ -209,6 +212,7 @@ if COMPILED:
         spatial_inertia_from_com,
         product_Bs,
         spatial_inertia_energy,
+        spatial_inertia_net_wrench,
         spatial_inertia_shifted,
         spatial_inertia_transformed,
     )
@@ -234,10 +238,13 @@ else:
         add_vvzinv,
         vec4_scale,
         vec4_scaled,
+        acceleration_tensor,
         mat3x3_determinant,
         mat3x3_setFromAxisDC,
         SE3_invert,
         SE3_inverted,
+        mat6x6_rotated,
+        mat6x6_shifted,
         product_drv,
         product_drvinv,
         product_drinvv,
@@ -404,6 +411,7 @@ else:
         spatial_inertia_from_com,
         product_Bs,
         spatial_inertia_energy,
+        spatial_inertia_net_wrench,
         spatial_inertia_shifted,
         spatial_inertia_transformed,
     )
@@ -440,10 +448,13 @@ __all__ = [
     "add_vvzinv",
     "vec4_scale",
     "vec4_scaled",
+    "acceleration_tensor",
     "mat3x3_determinant",
     "mat3x3_setFromAxisDC",
     "SE3_invert",
     "SE3_inverted",
+    "mat6x6_rotated",
+    "mat6x6_shifted",
     "product_drv",
     "product_drvinv",
     "product_drinvv",
@@ -610,6 +621,7 @@ __all__ = [
     "spatial_inertia_from_com",
     "product_Bs",
     "spatial_inertia_energy",
+    "spatial_inertia_net_wrench",
     "spatial_inertia_shifted",
     "spatial_inertia_transformed",
 ]

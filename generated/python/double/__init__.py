@@ -51,6 +51,7 @@ from coscrew.double.mat3x3 import (
     mat3x3_setIdentity,
     mat3x3_setFromVectors,
     skew,
+    acceleration_tensor,
     mat3x3_transpose,
     mat3x3_transposed,
     mat3x3_determinant,
@@ -87,6 +88,8 @@ from coscrew.double.mat6x6 import (
     mat6x6_copy,
     mat6x6_setIdentity,
     mat6x6_transposed,
+    mat6x6_rotated,
+    mat6x6_shifted,
 )
 from coscrew.double.matrix import (
     product_drv,
@@ -344,6 +347,7 @@ from coscrew.double.spatial_inertia import (
     spatial_inertia_matrix,
     product_Bs,
     spatial_inertia_energy,
+    spatial_inertia_net_wrench,
     spatial_inertia_shifted,
     spatial_inertia_transformed,
     spatial_inertia_consistency,

@@ -253,26 +253,72 @@ def spatial_inertia_energy(B, s):
 
     (10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
     xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.
-    28 mul, 17 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
+    26 mul, 17 add.  Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
     """
     B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
     s_0, s_1, s_2, s_3, s_4, s_5 = s
-    across_0 = B_3 * s_4 - B_2 * s_5
-    across_1 = B_1 * s_5 - B_3 * s_3
-    across_2 = B_2 * s_3 - B_1 * s_4
-    twice_across_0 = 2 * across_0
-    twice_across_1 = 2 * across_1
-    twice_across_2 = 2 * across_2
-    p_0 = B_0 * s_0 + twice_across_0
-    p_1 = B_0 * s_1 + twice_across_1
-    p_2 = B_0 * s_2 + twice_across_2
+    square = s_0 * s_0 + s_1 * s_1 + s_2 * s_2
     L_0 = B_4 * s_3 + B_7 * s_4 + B_8 * s_5
     L_1 = B_5 * s_4 + B_7 * s_3 + B_9 * s_5
     L_2 = B_6 * s_5 + B_8 * s_3 + B_9 * s_4
-    twice = s_0 * p_0 + s_1 * p_1 + s_2 * p_2 + (s_3 * L_0 + s_4 * L_1 + s_5 * L_2)
-    energy = 0.5 * twice
+    twice = B_0 * square + (s_3 * L_0 + s_4 * L_1 + s_5 * L_2)
+    across_0 = B_3 * s_4 - B_2 * s_5
+    across_1 = B_1 * s_5 - B_3 * s_3
+    across_2 = B_2 * s_3 - B_1 * s_4
+    energy = s_0 * across_0 + s_1 * across_1 + s_2 * across_2 + 0.5 * twice
     return energy
+
+
+@kernel("(10),(3),(6)->(6)")
+def spatial_inertia_net_wrench(B, w, ds):
+    """co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move
+    with angular velocity w and acceleration ds = (a; w'), a that of the point now at the
+    origin; a less that of gravity: the wrench beside gravity's.
+
+    (10),(3),(6)->(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,
+    yy, zz, xy, xz, yz in kg m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f
+    in N; τ in N m).
+    39 mul, 42 add, 3 neg.  Error <= u |result| + (lin: 5, ang: 6) u S, S the sum of the |terms|
+    of the expanded formula; barring over- and underflow.
+    """
+    B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
+    w_0, w_1, w_2 = w
+    ds_0, ds_1, ds_2, ds_3, ds_4, ds_5 = ds
+    ww_0 = w_0 * w_0
+    ww_1 = w_1 * w_1
+    ww_2 = w_2 * w_2
+    ww_3 = w_0 * w_1
+    ww_4 = w_0 * w_2
+    ww_5 = w_1 * w_2
+    U_0 = -(ww_1 + ww_2)
+    U_1 = ww_3 - ds_5
+    U_2 = ds_4 + ww_4
+    U_3 = ds_5 + ww_3
+    U_4 = -(ww_0 + ww_2)
+    U_5 = ww_5 - ds_3
+    U_6 = ww_4 - ds_4
+    U_7 = ds_3 + ww_5
+    U_8 = -(ww_0 + ww_1)
+    others_0 = B_6 - B_5
+    others_1 = B_4 - B_6
+    others_2 = B_5 - B_4
+    squares_0 = ww_1 - ww_2
+    squares_1 = ww_2 - ww_0
+    squares_2 = ww_0 - ww_1
+    own_0 = B_4 * ds_3 + ww_5 * others_0
+    own_1 = B_5 * ds_4 + ww_4 * others_1
+    own_2 = B_6 * ds_5 + ww_3 * others_2
+    N_0 = B_8 * U_3 - B_7 * U_6 + B_9 * squares_0 + own_0
+    N_1 = B_7 * U_7 - B_9 * U_1 + B_8 * squares_1 + own_1
+    N_2 = B_7 * squares_2 + (B_9 * U_2 - B_8 * U_5) + own_2
+    co_0 = B_0 * ds_0 + (B_1 * U_0 + B_2 * U_1 + B_3 * U_2)
+    co_1 = B_0 * ds_1 + (B_1 * U_3 + B_2 * U_4 + B_3 * U_5)
+    co_2 = B_0 * ds_2 + (B_1 * U_6 + B_2 * U_7 + B_3 * U_8)
+    co_3 = B_2 * ds_2 - B_3 * ds_1 + N_0
+    co_4 = B_3 * ds_0 - B_1 * ds_2 + N_1
+    co_5 = B_1 * ds_1 - B_2 * ds_0 + N_2
+    return (co_0, co_1, co_2, co_3, co_4, co_5)
 
 
 @kernel("(3),(10)->(10)")
@@ -388,10 +434,11 @@ def spatial_inertia_consistency(B):
 
     (10)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
     xz, yz in kg m^2); pivot: number.
-    13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select.
+    11 mul, 15 add, 10 div, 3 neg, 9 less, 13 select.
     """
     B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
-    trace = 0.5 * B_4 + 0.5 * B_5 + 0.5 * B_6
+    twice_trace = B_4 + B_5 + B_6
+    trace = 0.5 * twice_trace
     sigma_0 = trace - B_4
     sigma_1 = trace - B_5
     sigma_2 = trace - B_6

@@ -58,6 +58,35 @@ def skew(v):
     return (0, Ro_01, v_1, v_2, 0, Ro_12, Ro_20, v_0, 0)
 
 
+@kernel("(3),(3)->(3,3)")
+def acceleration_tensor(w, dw):
+    """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its
+    point x is accelerated by Ro x beyond its origin.
+
+    (3),(3)->(3,3).  w, dw: vector; Ro: rotation or other 3×3 matrix.
+    6 mul, 9 add, 3 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+    w_0, w_1, w_2 = w
+    dw_0, dw_1, dw_2 = dw
+    ww_0 = w_0 * w_0
+    ww_1 = w_1 * w_1
+    ww_2 = w_2 * w_2
+    ww_3 = w_0 * w_1
+    ww_4 = w_0 * w_2
+    ww_5 = w_1 * w_2
+    Ro_00 = -(ww_1 + ww_2)
+    Ro_01 = ww_3 - dw_2
+    Ro_02 = dw_1 + ww_4
+    Ro_10 = dw_2 + ww_3
+    Ro_11 = -(ww_0 + ww_2)
+    Ro_12 = ww_5 - dw_0
+    Ro_20 = ww_4 - dw_1
+    Ro_21 = dw_0 + ww_5
+    Ro_22 = -(ww_0 + ww_1)
+    return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22)
+
+
 @kernel("(3,3)->(3,3)")
 def mat3x3_transpose(self):
     """self = self^T, the inverse of a rotation.

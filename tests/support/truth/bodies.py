@@ -42,10 +42,23 @@ def ten_numbers(M: Matrix) -> Matrix:
 
 
 def transformed(D: Matrix, B: Matrix) -> Matrix:
-    """[Ad]* M [Ad]^-1 with [Ad]* = [[R, 0], [t~ R, R]] and [Ad]^-1 = [Ad]*^T."""
+    """[Ad]* M [Ad]^-1 of its operator M."""
+    return ten_numbers(transformed_operator(D, operator(B)))
+
+
+def transformed_operator(D: Matrix, M: Matrix) -> Matrix:
+    """[Ad]* M [Ad]^-1 with [Ad]* = [[R, 0], [t~ R, R]] and [Ad]^-1 = [Ad]*^T, of M's lower
+    triangle."""
     R, zero = D[:, :3], np.zeros((3, 3), dtype=object)
     A = np.block([[R, zero], [skew(D[:, 3]) @ R, R]])
-    return ten_numbers(A @ operator(B) @ A.T)
+    return A @ (np.tril(M) + np.tril(M, -1).T) @ A.T
+
+
+def net_wrench(B: Matrix, w: Matrix, ds: Matrix) -> Matrix:
+    """M ds + [ad]*(s) M s for s = (0; w), [ad]*(s) = [[w~, 0], [0, w~]]."""
+    M, zero = operator(B), np.zeros((3, 3), dtype=object)
+    momentum = M @ np.concatenate([zero[0], w])
+    return M @ ds + np.block([[skew(w), zero], [zero, skew(w)]]) @ momentum
 
 
 def from_com(m: Fraction, com: Matrix, Ic: Matrix) -> Matrix:
@@ -134,6 +147,10 @@ BODIES: dict[str, Callable[..., Matrix | Fraction]] = {
     "spatial_inertia_about_com": lambda B: second_moments(B) + skew(B[1:4]) @ skew(B[1:4]) / B[0],
     "spatial_inertia_matrix": operator,
     "product_Bs": lambda B, s: operator(B) @ s,
+    "spatial_inertia_net_wrench": net_wrench,
+    "acceleration_tensor": lambda w, dw: skew(dw) + skew(w) @ skew(w),
+    "mat6x6_rotated": lambda R, M: transformed_operator(_turned(R), M),
+    "mat6x6_shifted": lambda t, M: transformed_operator(_moved(t), M),
     "spatial_inertia_energy": lambda B, s: s @ operator(B) @ s / 2,
     "spatial_inertia_shifted": lambda t, B: transformed(_moved(t), B),
     "spatial_inertia_transformed": transformed,

@@ -9,6 +9,7 @@
 #include "vec4_accurate.h"
 #include "mat3x3_accurate.h"
 #include "SE3_accurate.h"
+#include "mat6x6_accurate.h"
 #include "matrix_accurate.h"
 #include "screw_accurate.h"
 #include "coscrew_accurate.h"

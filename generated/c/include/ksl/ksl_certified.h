@@ -9,6 +9,7 @@
 #include "vec4_certified.h"
 #include "mat3x3_certified.h"
 #include "SE3_certified.h"
+#include "mat6x6_certified.h"
 #include "matrix_certified.h"
 #include "screw_certified.h"
 #include "coscrew_certified.h"

@@ -9,6 +9,7 @@
 #include "vec4_fused.h"
 #include "mat3x3_fused.h"
 #include "SE3_fused.h"
+#include "mat6x6_fused.h"
 #include "matrix_fused.h"
 #include "screw_fused.h"
 #include "coscrew_fused.h"

@@ -8,6 +8,74 @@
 
 #include "ksl_types.h"
 
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
+     x is accelerated by Ro x beyond its origin; |error of Ro| <= Ro_bound unless inf or NaN.
+   w, dw: vector; Ro, Ro_bound: rotation or other 3×3 matrix.
+   15 mul, 27 add, 3 neg, 9 abs. */
+static inline void ksl_acceleration_tensor_certified(const ksl_vec3_t *w, const ksl_vec3_t *dw,
+    ksl_mat3x3_t *Ro, ksl_mat3x3_t *Ro_bound) {
+  const double ww_0 = KSL_MUL(w->x, w->x);
+  const double ww_1 = KSL_MUL(w->y, w->y);
+  const double ww_2 = KSL_MUL(w->z, w->z);
+  const double ww_3 = KSL_MUL(w->x, w->y);
+  const double ww_4 = KSL_MUL(w->x, w->z);
+  const double ww_5 = KSL_MUL(w->y, w->z);
+  const double Ro_00a = ww_1 + ww_2, Ro_00 = -Ro_00a;
+  const double Ro_01 = ww_3 - dw->z;
+  const double Ro_02 = dw->y + ww_4;
+  const double Ro_10 = dw->z + ww_3;
+  const double Ro_11a = ww_0 + ww_2, Ro_11 = -Ro_11a;
+  const double Ro_12 = ww_5 - dw->x;
+  const double Ro_20 = ww_4 - dw->y;
+  const double Ro_21 = dw->x + ww_5;
+  const double Ro_22a = ww_0 + ww_1, Ro_22 = -Ro_22a;
+  const double ww_1_abs = fabs(ww_1), ww_2_abs = fabs(ww_2), Ro_00a_size = ww_1_abs + ww_2_abs;
+  const double ww_3_abs = fabs(ww_3), dw_2_abs = fabs(dw->z), Ro_01_size = ww_3_abs + dw_2_abs;
+  const double dw_1_abs = fabs(dw->y), ww_4_abs = fabs(ww_4), Ro_02_size = dw_1_abs + ww_4_abs;
+  const double Ro_10_size = dw_2_abs + ww_3_abs;
+  const double ww_0_abs = fabs(ww_0), Ro_11a_size = ww_0_abs + ww_2_abs;
+  const double ww_5_abs = fabs(ww_5), dw_0_abs = fabs(dw->x), Ro_12_size = ww_5_abs + dw_0_abs;
+  const double Ro_20_size = ww_4_abs + dw_1_abs;
+  const double Ro_21_size = dw_0_abs + ww_5_abs;
+  const double Ro_22a_size = ww_0_abs + ww_1_abs;
+  const double Ro_00a_padded = Ro_00a_size + 2.004168360008973e-292,
+      Ro_00a_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_00a_padded);
+  const double Ro_01_padded = Ro_01_size + 2.004168360008973e-292,
+      Ro_01_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_01_padded);
+  const double Ro_02_padded = Ro_02_size + 2.004168360008973e-292,
+      Ro_02_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_02_padded);
+  const double Ro_10_padded = Ro_10_size + 2.004168360008973e-292,
+      Ro_10_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_10_padded);
+  const double Ro_11a_padded = Ro_11a_size + 2.004168360008973e-292,
+      Ro_11a_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_11a_padded);
+  const double Ro_12_padded = Ro_12_size + 2.004168360008973e-292,
+      Ro_12_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_12_padded);
+  const double Ro_20_padded = Ro_20_size + 2.004168360008973e-292,
+      Ro_20_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_20_padded);
+  const double Ro_21_padded = Ro_21_size + 2.004168360008973e-292,
+      Ro_21_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_21_padded);
+  const double Ro_22a_padded = Ro_22a_size + 2.004168360008973e-292,
+      Ro_22a_error_bound = KSL_MUL(2.2204460492503136e-16, Ro_22a_padded);
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+  Ro_bound->m00 = Ro_00a_error_bound;
+  Ro_bound->m01 = Ro_01_error_bound;
+  Ro_bound->m02 = Ro_02_error_bound;
+  Ro_bound->m10 = Ro_10_error_bound;
+  Ro_bound->m11 = Ro_11a_error_bound;
+  Ro_bound->m12 = Ro_12_error_bound;
+  Ro_bound->m20 = Ro_20_error_bound;
+  Ro_bound->m21 = Ro_21_error_bound;
+  Ro_bound->m22 = Ro_22a_error_bound;
+}
+
 /* det R; |error of det| <= det_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; det_bound: number.
    13 mul, 14 add, 9 abs. */
@@ -120,6 +188,74 @@ static inline void ksl_mat3x3_setFromAxisDC_certified(ksl_mat3x3_t *R, const ksl
   R_bound->m20 = R_20_error_bound;
   R_bound->m21 = R_21_error_bound;
   R_bound->m22 = R_22_error_bound;
+}
+
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
+     x is accelerated by Ro x beyond its origin; |error of Ro| <= Ro_bound unless inf or NaN.
+   w, dw: vector; Ro, Ro_bound: rotation or other 3×3 matrix.
+   15 mul, 27 add, 3 neg, 9 abs. */
+static inline void ksl_acceleration_tensorf_certified(const ksl_vec3f_t *w, const ksl_vec3f_t *dw,
+    ksl_mat3x3f_t *Ro, ksl_mat3x3f_t *Ro_bound) {
+  const float ww_0 = KSL_MULF(w->x, w->x);
+  const float ww_1 = KSL_MULF(w->y, w->y);
+  const float ww_2 = KSL_MULF(w->z, w->z);
+  const float ww_3 = KSL_MULF(w->x, w->y);
+  const float ww_4 = KSL_MULF(w->x, w->z);
+  const float ww_5 = KSL_MULF(w->y, w->z);
+  const float Ro_00a = ww_1 + ww_2, Ro_00 = -Ro_00a;
+  const float Ro_01 = ww_3 - dw->z;
+  const float Ro_02 = dw->y + ww_4;
+  const float Ro_10 = dw->z + ww_3;
+  const float Ro_11a = ww_0 + ww_2, Ro_11 = -Ro_11a;
+  const float Ro_12 = ww_5 - dw->x;
+  const float Ro_20 = ww_4 - dw->y;
+  const float Ro_21 = dw->x + ww_5;
+  const float Ro_22a = ww_0 + ww_1, Ro_22 = -Ro_22a;
+  const float ww_1_abs = fabsf(ww_1), ww_2_abs = fabsf(ww_2), Ro_00a_size = ww_1_abs + ww_2_abs;
+  const float ww_3_abs = fabsf(ww_3), dw_2_abs = fabsf(dw->z), Ro_01_size = ww_3_abs + dw_2_abs;
+  const float dw_1_abs = fabsf(dw->y), ww_4_abs = fabsf(ww_4), Ro_02_size = dw_1_abs + ww_4_abs;
+  const float Ro_10_size = dw_2_abs + ww_3_abs;
+  const float ww_0_abs = fabsf(ww_0), Ro_11a_size = ww_0_abs + ww_2_abs;
+  const float ww_5_abs = fabsf(ww_5), dw_0_abs = fabsf(dw->x), Ro_12_size = ww_5_abs + dw_0_abs;
+  const float Ro_20_size = ww_4_abs + dw_1_abs;
+  const float Ro_21_size = dw_0_abs + ww_5_abs;
+  const float Ro_22a_size = ww_0_abs + ww_1_abs;
+  const float Ro_00a_padded = Ro_00a_size + 1.9721523e-31f,
+      Ro_00a_error_bound = KSL_MULF(1.192093e-07f, Ro_00a_padded);
+  const float Ro_01_padded = Ro_01_size + 1.9721523e-31f,
+      Ro_01_error_bound = KSL_MULF(1.192093e-07f, Ro_01_padded);
+  const float Ro_02_padded = Ro_02_size + 1.9721523e-31f,
+      Ro_02_error_bound = KSL_MULF(1.192093e-07f, Ro_02_padded);
+  const float Ro_10_padded = Ro_10_size + 1.9721523e-31f,
+      Ro_10_error_bound = KSL_MULF(1.192093e-07f, Ro_10_padded);
+  const float Ro_11a_padded = Ro_11a_size + 1.9721523e-31f,
+      Ro_11a_error_bound = KSL_MULF(1.192093e-07f, Ro_11a_padded);
+  const float Ro_12_padded = Ro_12_size + 1.9721523e-31f,
+      Ro_12_error_bound = KSL_MULF(1.192093e-07f, Ro_12_padded);
+  const float Ro_20_padded = Ro_20_size + 1.9721523e-31f,
+      Ro_20_error_bound = KSL_MULF(1.192093e-07f, Ro_20_padded);
+  const float Ro_21_padded = Ro_21_size + 1.9721523e-31f,
+      Ro_21_error_bound = KSL_MULF(1.192093e-07f, Ro_21_padded);
+  const float Ro_22a_padded = Ro_22a_size + 1.9721523e-31f,
+      Ro_22a_error_bound = KSL_MULF(1.192093e-07f, Ro_22a_padded);
+  Ro->m00 = Ro_00;
+  Ro->m01 = Ro_01;
+  Ro->m02 = Ro_02;
+  Ro->m10 = Ro_10;
+  Ro->m11 = Ro_11;
+  Ro->m12 = Ro_12;
+  Ro->m20 = Ro_20;
+  Ro->m21 = Ro_21;
+  Ro->m22 = Ro_22;
+  Ro_bound->m00 = Ro_00a_error_bound;
+  Ro_bound->m01 = Ro_01_error_bound;
+  Ro_bound->m02 = Ro_02_error_bound;
+  Ro_bound->m10 = Ro_10_error_bound;
+  Ro_bound->m11 = Ro_11a_error_bound;
+  Ro_bound->m12 = Ro_12_error_bound;
+  Ro_bound->m20 = Ro_20_error_bound;
+  Ro_bound->m21 = Ro_21_error_bound;
+  Ro_bound->m22 = Ro_22a_error_bound;
 }
 
 /* det R; |error of det| <= det_bound unless inf or NaN.

@@ -385,35 +385,99 @@ static inline void ksl_product_Bs(const ksl_spatial_inertia_t *B, const ksl_scre
 /* s·B s / 2, the kinetic energy in J of a body that moves with s.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
-   28 mul, 17 add.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   26 mul, 17 add.
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_spatial_inertia_energy(const ksl_spatial_inertia_t *B,
     const ksl_screw_t *s) {
-  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
-      across_0 = across_0a - across_0b;
-  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
-      across_1 = across_1a - across_1b;
-  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2b = KSL_MUL(B->h.x, s->m4),
-      across_2 = across_2a - across_2b;
-  const double twice_across_0 = KSL_MUL(2.0, across_0);
-  const double twice_across_1 = KSL_MUL(2.0, across_1);
-  const double twice_across_2 = KSL_MUL(2.0, across_2);
-  const double p_0a = KSL_MUL(B->m, s->m0), p_0 = p_0a + twice_across_0;
-  const double p_1a = KSL_MUL(B->m, s->m1), p_1 = p_1a + twice_across_1;
-  const double p_2a = KSL_MUL(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const double square_a = KSL_MUL(s->m0, s->m0), square_b = KSL_MUL(s->m1, s->m1),
+      square_c = square_a + square_b, square_d = KSL_MUL(s->m2, s->m2),
+      square = square_c + square_d;
   const double L_0a = KSL_MUL(B->xx, s->m3), L_0b = KSL_MUL(B->xy, s->m4), L_0c = L_0a + L_0b,
       L_0d = KSL_MUL(B->xz, s->m5), L_0 = L_0c + L_0d;
   const double L_1a = KSL_MUL(B->yy, s->m4), L_1b = KSL_MUL(B->xy, s->m3), L_1c = L_1a + L_1b,
       L_1d = KSL_MUL(B->yz, s->m5), L_1 = L_1c + L_1d;
   const double L_2a = KSL_MUL(B->zz, s->m5), L_2b = KSL_MUL(B->xz, s->m3), L_2c = L_2a + L_2b,
       L_2d = KSL_MUL(B->yz, s->m4), L_2 = L_2c + L_2d;
-  const double twice_a = KSL_MUL(s->m0, p_0), twice_b = KSL_MUL(s->m1, p_1),
-      twice_c = twice_a + twice_b, twice_d = KSL_MUL(s->m2, p_2), twice_e = twice_c + twice_d,
-      twice_f = KSL_MUL(s->m3, L_0), twice_g = KSL_MUL(s->m4, L_1), twice_h = twice_f + twice_g,
-      twice_i = KSL_MUL(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
-  const double energy = KSL_MUL(0.5, twice);
+  const double twice_a = KSL_MUL(B->m, square), twice_b = KSL_MUL(s->m3, L_0),
+      twice_c = KSL_MUL(s->m4, L_1), twice_d = twice_b + twice_c, twice_e = KSL_MUL(s->m5, L_2),
+      twice_f = twice_d + twice_e, twice = twice_a + twice_f;
+  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
+      across_0 = across_0a - across_0b;
+  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
+      across_1 = across_1a - across_1b;
+  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2b = KSL_MUL(B->h.x, s->m4),
+      across_2 = across_2a - across_2b;
+  const double energy_a = KSL_MUL(s->m0, across_0), energy_b = KSL_MUL(s->m1, across_1),
+      energy_c = energy_a + energy_b, energy_d = KSL_MUL(s->m2, across_2),
+      energy_e = energy_c + energy_d, energy_f = KSL_MUL(0.5, twice), energy = energy_e + energy_f;
   return energy;
+}
+
+/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
+     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
+     less that of gravity: the wrench beside gravity's.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
+   39 mul, 42 add, 3 neg.
+   Error <= u |result| + (lin: 5, ang: 6) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_spatial_inertia_net_wrench(const ksl_spatial_inertia_t *B,
+    const ksl_vec3_t *w, const ksl_screw_t *ds, ksl_coscrew_t *co) {
+  const double ww_0 = KSL_MUL(w->x, w->x);
+  const double ww_1 = KSL_MUL(w->y, w->y);
+  const double ww_2 = KSL_MUL(w->z, w->z);
+  const double ww_3 = KSL_MUL(w->x, w->y);
+  const double ww_4 = KSL_MUL(w->x, w->z);
+  const double ww_5 = KSL_MUL(w->y, w->z);
+  const double U_0a = ww_1 + ww_2, U_0 = -U_0a;
+  const double U_1 = ww_3 - ds->m5;
+  const double U_2 = ds->m4 + ww_4;
+  const double U_3 = ds->m5 + ww_3;
+  const double U_4a = ww_0 + ww_2, U_4 = -U_4a;
+  const double U_5 = ww_5 - ds->m3;
+  const double U_6 = ww_4 - ds->m4;
+  const double U_7 = ds->m3 + ww_5;
+  const double U_8a = ww_0 + ww_1, U_8 = -U_8a;
+  const double others_0 = B->zz - B->yy;
+  const double others_1 = B->xx - B->zz;
+  const double others_2 = B->yy - B->xx;
+  const double squares_0 = ww_1 - ww_2;
+  const double squares_1 = ww_2 - ww_0;
+  const double squares_2 = ww_0 - ww_1;
+  const double own_0a = KSL_MUL(B->xx, ds->m3), own_0b = KSL_MUL(ww_5, others_0),
+      own_0 = own_0a + own_0b;
+  const double own_1a = KSL_MUL(B->yy, ds->m4), own_1b = KSL_MUL(ww_4, others_1),
+      own_1 = own_1a + own_1b;
+  const double own_2a = KSL_MUL(B->zz, ds->m5), own_2b = KSL_MUL(ww_3, others_2),
+      own_2 = own_2a + own_2b;
+  const double N_0a = KSL_MUL(B->xz, U_3), N_0b = KSL_MUL(B->xy, U_6), N_0c = N_0a - N_0b,
+      N_0d = KSL_MUL(B->yz, squares_0), N_0e = N_0c + N_0d, N_0 = N_0e + own_0;
+  const double N_1a = KSL_MUL(B->xy, U_7), N_1b = KSL_MUL(B->yz, U_1), N_1c = N_1a - N_1b,
+      N_1d = KSL_MUL(B->xz, squares_1), N_1e = N_1c + N_1d, N_1 = N_1e + own_1;
+  const double N_2a = KSL_MUL(B->xy, squares_2), N_2b = KSL_MUL(B->yz, U_2),
+      N_2c = KSL_MUL(B->xz, U_5), N_2d = N_2b - N_2c, N_2e = N_2a + N_2d, N_2 = N_2e + own_2;
+  const double co_0a = KSL_MUL(B->m, ds->m0), co_0b = KSL_MUL(B->h.x, U_0),
+      co_0c = KSL_MUL(B->h.y, U_1), co_0d = co_0b + co_0c, co_0e = KSL_MUL(B->h.z, U_2),
+      co_0f = co_0d + co_0e, co_0 = co_0a + co_0f;
+  const double co_1a = KSL_MUL(B->m, ds->m1), co_1b = KSL_MUL(B->h.x, U_3),
+      co_1c = KSL_MUL(B->h.y, U_4), co_1d = co_1b + co_1c, co_1e = KSL_MUL(B->h.z, U_5),
+      co_1f = co_1d + co_1e, co_1 = co_1a + co_1f;
+  const double co_2a = KSL_MUL(B->m, ds->m2), co_2b = KSL_MUL(B->h.x, U_6),
+      co_2c = KSL_MUL(B->h.y, U_7), co_2d = co_2b + co_2c, co_2e = KSL_MUL(B->h.z, U_8),
+      co_2f = co_2d + co_2e, co_2 = co_2a + co_2f;
+  const double co_3a = KSL_MUL(B->h.y, ds->m2), co_3b = KSL_MUL(B->h.z, ds->m1),
+      co_3c = co_3a - co_3b, co_3 = co_3c + N_0;
+  const double co_4a = KSL_MUL(B->h.z, ds->m0), co_4b = KSL_MUL(B->h.x, ds->m2),
+      co_4c = co_4a - co_4b, co_4 = co_4c + N_1;
+  const double co_5a = KSL_MUL(B->h.x, ds->m1), co_5b = KSL_MUL(B->h.y, ds->m0),
+      co_5c = co_5a - co_5b, co_5 = co_5c + N_2;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
 }
 
 /* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
@@ -573,10 +637,10 @@ static inline void ksl_spatial_inertia_transformed(const ksl_SE3_t *D,
      positive exactly if a body of positive density has this inertia.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).
-   13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
+   11 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
 static inline double ksl_spatial_inertia_consistency(const ksl_spatial_inertia_t *B) {
-  const double trace_a = KSL_MUL(0.5, B->xx), trace_b = KSL_MUL(0.5, B->yy),
-      trace_c = trace_a + trace_b, trace_d = KSL_MUL(0.5, B->zz), trace = trace_c + trace_d;
+  const double twice_trace_a = B->xx + B->yy, twice_trace = twice_trace_a + B->zz;
+  const double trace = KSL_MUL(0.5, twice_trace);
   const double sigma_0 = trace - B->xx;
   const double sigma_1 = trace - B->yy;
   const double sigma_2 = trace - B->zz;
@@ -988,35 +1052,100 @@ static inline void ksl_product_Bsf(const ksl_spatial_inertiaf_t *B, const ksl_sc
 /* s·B s / 2, the kinetic energy in J of a body that moves with s.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
-   28 mul, 17 add.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   26 mul, 17 add.
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_spatial_inertiaf_energy(const ksl_spatial_inertiaf_t *B,
     const ksl_screwf_t *s) {
-  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0b = KSL_MULF(B->h.y, s->m5),
-      across_0 = across_0a - across_0b;
-  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1b = KSL_MULF(B->h.z, s->m3),
-      across_1 = across_1a - across_1b;
-  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2b = KSL_MULF(B->h.x, s->m4),
-      across_2 = across_2a - across_2b;
-  const float twice_across_0 = KSL_MULF(2.0f, across_0);
-  const float twice_across_1 = KSL_MULF(2.0f, across_1);
-  const float twice_across_2 = KSL_MULF(2.0f, across_2);
-  const float p_0a = KSL_MULF(B->m, s->m0), p_0 = p_0a + twice_across_0;
-  const float p_1a = KSL_MULF(B->m, s->m1), p_1 = p_1a + twice_across_1;
-  const float p_2a = KSL_MULF(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const float square_a = KSL_MULF(s->m0, s->m0), square_b = KSL_MULF(s->m1, s->m1),
+      square_c = square_a + square_b, square_d = KSL_MULF(s->m2, s->m2),
+      square = square_c + square_d;
   const float L_0a = KSL_MULF(B->xx, s->m3), L_0b = KSL_MULF(B->xy, s->m4), L_0c = L_0a + L_0b,
       L_0d = KSL_MULF(B->xz, s->m5), L_0 = L_0c + L_0d;
   const float L_1a = KSL_MULF(B->yy, s->m4), L_1b = KSL_MULF(B->xy, s->m3), L_1c = L_1a + L_1b,
       L_1d = KSL_MULF(B->yz, s->m5), L_1 = L_1c + L_1d;
   const float L_2a = KSL_MULF(B->zz, s->m5), L_2b = KSL_MULF(B->xz, s->m3), L_2c = L_2a + L_2b,
       L_2d = KSL_MULF(B->yz, s->m4), L_2 = L_2c + L_2d;
-  const float twice_a = KSL_MULF(s->m0, p_0), twice_b = KSL_MULF(s->m1, p_1),
-      twice_c = twice_a + twice_b, twice_d = KSL_MULF(s->m2, p_2), twice_e = twice_c + twice_d,
-      twice_f = KSL_MULF(s->m3, L_0), twice_g = KSL_MULF(s->m4, L_1), twice_h = twice_f + twice_g,
-      twice_i = KSL_MULF(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
-  const float energy = KSL_MULF(0.5f, twice);
+  const float twice_a = KSL_MULF(B->m, square), twice_b = KSL_MULF(s->m3, L_0),
+      twice_c = KSL_MULF(s->m4, L_1), twice_d = twice_b + twice_c, twice_e = KSL_MULF(s->m5, L_2),
+      twice_f = twice_d + twice_e, twice = twice_a + twice_f;
+  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0b = KSL_MULF(B->h.y, s->m5),
+      across_0 = across_0a - across_0b;
+  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1b = KSL_MULF(B->h.z, s->m3),
+      across_1 = across_1a - across_1b;
+  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2b = KSL_MULF(B->h.x, s->m4),
+      across_2 = across_2a - across_2b;
+  const float energy_a = KSL_MULF(s->m0, across_0), energy_b = KSL_MULF(s->m1, across_1),
+      energy_c = energy_a + energy_b, energy_d = KSL_MULF(s->m2, across_2),
+      energy_e = energy_c + energy_d, energy_f = KSL_MULF(0.5f, twice),
+      energy = energy_e + energy_f;
   return energy;
+}
+
+/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
+     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
+     less that of gravity: the wrench beside gravity's.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
+   39 mul, 42 add, 3 neg.
+   Error <= u |result| + (lin: 5, ang: 6) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_spatial_inertiaf_net_wrench(const ksl_spatial_inertiaf_t *B,
+    const ksl_vec3f_t *w, const ksl_screwf_t *ds, ksl_coscrewf_t *co) {
+  const float ww_0 = KSL_MULF(w->x, w->x);
+  const float ww_1 = KSL_MULF(w->y, w->y);
+  const float ww_2 = KSL_MULF(w->z, w->z);
+  const float ww_3 = KSL_MULF(w->x, w->y);
+  const float ww_4 = KSL_MULF(w->x, w->z);
+  const float ww_5 = KSL_MULF(w->y, w->z);
+  const float U_0a = ww_1 + ww_2, U_0 = -U_0a;
+  const float U_1 = ww_3 - ds->m5;
+  const float U_2 = ds->m4 + ww_4;
+  const float U_3 = ds->m5 + ww_3;
+  const float U_4a = ww_0 + ww_2, U_4 = -U_4a;
+  const float U_5 = ww_5 - ds->m3;
+  const float U_6 = ww_4 - ds->m4;
+  const float U_7 = ds->m3 + ww_5;
+  const float U_8a = ww_0 + ww_1, U_8 = -U_8a;
+  const float others_0 = B->zz - B->yy;
+  const float others_1 = B->xx - B->zz;
+  const float others_2 = B->yy - B->xx;
+  const float squares_0 = ww_1 - ww_2;
+  const float squares_1 = ww_2 - ww_0;
+  const float squares_2 = ww_0 - ww_1;
+  const float own_0a = KSL_MULF(B->xx, ds->m3), own_0b = KSL_MULF(ww_5, others_0),
+      own_0 = own_0a + own_0b;
+  const float own_1a = KSL_MULF(B->yy, ds->m4), own_1b = KSL_MULF(ww_4, others_1),
+      own_1 = own_1a + own_1b;
+  const float own_2a = KSL_MULF(B->zz, ds->m5), own_2b = KSL_MULF(ww_3, others_2),
+      own_2 = own_2a + own_2b;
+  const float N_0a = KSL_MULF(B->xz, U_3), N_0b = KSL_MULF(B->xy, U_6), N_0c = N_0a - N_0b,
+      N_0d = KSL_MULF(B->yz, squares_0), N_0e = N_0c + N_0d, N_0 = N_0e + own_0;
+  const float N_1a = KSL_MULF(B->xy, U_7), N_1b = KSL_MULF(B->yz, U_1), N_1c = N_1a - N_1b,
+      N_1d = KSL_MULF(B->xz, squares_1), N_1e = N_1c + N_1d, N_1 = N_1e + own_1;
+  const float N_2a = KSL_MULF(B->xy, squares_2), N_2b = KSL_MULF(B->yz, U_2),
+      N_2c = KSL_MULF(B->xz, U_5), N_2d = N_2b - N_2c, N_2e = N_2a + N_2d, N_2 = N_2e + own_2;
+  const float co_0a = KSL_MULF(B->m, ds->m0), co_0b = KSL_MULF(B->h.x, U_0),
+      co_0c = KSL_MULF(B->h.y, U_1), co_0d = co_0b + co_0c, co_0e = KSL_MULF(B->h.z, U_2),
+      co_0f = co_0d + co_0e, co_0 = co_0a + co_0f;
+  const float co_1a = KSL_MULF(B->m, ds->m1), co_1b = KSL_MULF(B->h.x, U_3),
+      co_1c = KSL_MULF(B->h.y, U_4), co_1d = co_1b + co_1c, co_1e = KSL_MULF(B->h.z, U_5),
+      co_1f = co_1d + co_1e, co_1 = co_1a + co_1f;
+  const float co_2a = KSL_MULF(B->m, ds->m2), co_2b = KSL_MULF(B->h.x, U_6),
+      co_2c = KSL_MULF(B->h.y, U_7), co_2d = co_2b + co_2c, co_2e = KSL_MULF(B->h.z, U_8),
+      co_2f = co_2d + co_2e, co_2 = co_2a + co_2f;
+  const float co_3a = KSL_MULF(B->h.y, ds->m2), co_3b = KSL_MULF(B->h.z, ds->m1),
+      co_3c = co_3a - co_3b, co_3 = co_3c + N_0;
+  const float co_4a = KSL_MULF(B->h.z, ds->m0), co_4b = KSL_MULF(B->h.x, ds->m2),
+      co_4c = co_4a - co_4b, co_4 = co_4c + N_1;
+  const float co_5a = KSL_MULF(B->h.x, ds->m1), co_5b = KSL_MULF(B->h.y, ds->m0),
+      co_5c = co_5a - co_5b, co_5 = co_5c + N_2;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
 }
 
 /* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
@@ -1176,10 +1305,10 @@ static inline void ksl_spatial_inertiaf_transformed(const ksl_SE3f_t *D,
      positive exactly if a body of positive density has this inertia.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).
-   13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
+   11 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
 static inline float ksl_spatial_inertiaf_consistency(const ksl_spatial_inertiaf_t *B) {
-  const float trace_a = KSL_MULF(0.5f, B->xx), trace_b = KSL_MULF(0.5f, B->yy),
-      trace_c = trace_a + trace_b, trace_d = KSL_MULF(0.5f, B->zz), trace = trace_c + trace_d;
+  const float twice_trace_a = B->xx + B->yy, twice_trace = twice_trace_a + B->zz;
+  const float trace = KSL_MULF(0.5f, twice_trace);
   const float sigma_0 = trace - B->xx;
   const float sigma_1 = trace - B->yy;
   const float sigma_2 = trace - B->zz;

@@ -323,32 +323,49 @@ static inline void ksl_product_Bs_certified(const ksl_spatial_inertia_t *B, cons
      energy_bound unless inf or NaN.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s); energy_bound: number.
-   39 mul, 45 add, 24 abs. */
+   35 mul, 43 add, 25 abs. */
 static inline double ksl_spatial_inertia_energy_certified(const ksl_spatial_inertia_t *B,
     const ksl_screw_t *s, double *energy_bound) {
-  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
-      across_0 = across_0a - across_0b;
-  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
-      across_1 = across_1a - across_1b;
-  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2b = KSL_MUL(B->h.x, s->m4),
-      across_2 = across_2a - across_2b;
-  const double twice_across_0 = KSL_MUL(2.0, across_0);
-  const double twice_across_1 = KSL_MUL(2.0, across_1);
-  const double twice_across_2 = KSL_MUL(2.0, across_2);
-  const double p_0a = KSL_MUL(B->m, s->m0), p_0 = p_0a + twice_across_0;
-  const double p_1a = KSL_MUL(B->m, s->m1), p_1 = p_1a + twice_across_1;
-  const double p_2a = KSL_MUL(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const double square_a = KSL_MUL(s->m0, s->m0), square_b = KSL_MUL(s->m1, s->m1),
+      square_c = square_a + square_b, square_d = KSL_MUL(s->m2, s->m2),
+      square = square_c + square_d;
   const double L_0a = KSL_MUL(B->xx, s->m3), L_0b = KSL_MUL(B->xy, s->m4), L_0c = L_0a + L_0b,
       L_0d = KSL_MUL(B->xz, s->m5), L_0 = L_0c + L_0d;
   const double L_1a = KSL_MUL(B->yy, s->m4), L_1b = KSL_MUL(B->xy, s->m3), L_1c = L_1a + L_1b,
       L_1d = KSL_MUL(B->yz, s->m5), L_1 = L_1c + L_1d;
   const double L_2a = KSL_MUL(B->zz, s->m5), L_2b = KSL_MUL(B->xz, s->m3), L_2c = L_2a + L_2b,
       L_2d = KSL_MUL(B->yz, s->m4), L_2 = L_2c + L_2d;
-  const double twice_a = KSL_MUL(s->m0, p_0), twice_b = KSL_MUL(s->m1, p_1),
-      twice_c = twice_a + twice_b, twice_d = KSL_MUL(s->m2, p_2), twice_e = twice_c + twice_d,
-      twice_f = KSL_MUL(s->m3, L_0), twice_g = KSL_MUL(s->m4, L_1), twice_h = twice_f + twice_g,
-      twice_i = KSL_MUL(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
-  const double energy = KSL_MUL(0.5, twice);
+  const double twice_a = KSL_MUL(B->m, square), twice_b = KSL_MUL(s->m3, L_0),
+      twice_c = KSL_MUL(s->m4, L_1), twice_d = twice_b + twice_c, twice_e = KSL_MUL(s->m5, L_2),
+      twice_f = twice_d + twice_e, twice = twice_a + twice_f;
+  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
+      across_0 = across_0a - across_0b;
+  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
+      across_1 = across_1a - across_1b;
+  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2b = KSL_MUL(B->h.x, s->m4),
+      across_2 = across_2a - across_2b;
+  const double energy_a = KSL_MUL(s->m0, across_0), energy_b = KSL_MUL(s->m1, across_1),
+      energy_c = energy_a + energy_b, energy_d = KSL_MUL(s->m2, across_2),
+      energy_e = energy_c + energy_d, energy_f = KSL_MUL(0.5, twice), energy = energy_e + energy_f;
+  const double square_a_abs = fabs(square_a), square_b_abs = fabs(square_b),
+      square_c_size = square_a_abs + square_b_abs, square_d_abs = fabs(square_d),
+      square_size = square_c_size + square_d_abs;
+  const double L_0a_abs = fabs(L_0a), L_0b_abs = fabs(L_0b), L_0c_size = L_0a_abs + L_0b_abs,
+      L_0d_abs = fabs(L_0d), L_0_size = L_0c_size + L_0d_abs;
+  const double L_1a_abs = fabs(L_1a), L_1b_abs = fabs(L_1b), L_1c_size = L_1a_abs + L_1b_abs,
+      L_1d_abs = fabs(L_1d), L_1_size = L_1c_size + L_1d_abs;
+  const double L_2a_abs = fabs(L_2a), L_2b_abs = fabs(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
+      L_2d_abs = fabs(L_2d), L_2_size = L_2c_size + L_2d_abs;
+  const double square_padded = square_size + 2.004168360008973e-292;
+  const double B_0_abs = fabs(B->m), twice_a_size = KSL_MUL(B_0_abs, square_padded);
+  const double L_0_padded = L_0_size + 2.004168360008973e-292;
+  const double s_3_abs = fabs(s->m3), twice_b_size = KSL_MUL(s_3_abs, L_0_padded);
+  const double L_1_padded = L_1_size + 2.004168360008973e-292;
+  const double s_4_abs = fabs(s->m4), twice_c_size = KSL_MUL(s_4_abs, L_1_padded),
+      twice_d_size = twice_b_size + twice_c_size;
+  const double L_2_padded = L_2_size + 2.004168360008973e-292;
+  const double s_5_abs = fabs(s->m5), twice_e_size = KSL_MUL(s_5_abs, L_2_padded),
+      twice_f_size = twice_d_size + twice_e_size, twice_size = twice_a_size + twice_f_size;
   const double across_0a_abs = fabs(across_0a), across_0b_abs = fabs(across_0b),
       across_0_size = across_0a_abs + across_0b_abs;
   const double across_1a_abs = fabs(across_1a), across_1b_abs = fabs(across_1b),
@@ -356,42 +373,169 @@ static inline double ksl_spatial_inertia_energy_certified(const ksl_spatial_iner
   const double across_2a_abs = fabs(across_2a), across_2b_abs = fabs(across_2b),
       across_2_size = across_2a_abs + across_2b_abs;
   const double across_0_padded = across_0_size + 2.004168360008973e-292;
-  const double twice_across_0_size = KSL_MUL(2.0, across_0_padded);
+  const double s_0_abs = fabs(s->m0), energy_a_size = KSL_MUL(s_0_abs, across_0_padded);
   const double across_1_padded = across_1_size + 2.004168360008973e-292;
-  const double twice_across_1_size = KSL_MUL(2.0, across_1_padded);
+  const double s_1_abs = fabs(s->m1), energy_b_size = KSL_MUL(s_1_abs, across_1_padded),
+      energy_c_size = energy_a_size + energy_b_size;
   const double across_2_padded = across_2_size + 2.004168360008973e-292;
-  const double twice_across_2_size = KSL_MUL(2.0, across_2_padded);
-  const double p_0a_abs = fabs(p_0a), p_0_size = p_0a_abs + twice_across_0_size;
-  const double p_1a_abs = fabs(p_1a), p_1_size = p_1a_abs + twice_across_1_size;
-  const double p_2a_abs = fabs(p_2a), p_2_size = p_2a_abs + twice_across_2_size;
-  const double L_0a_abs = fabs(L_0a), L_0b_abs = fabs(L_0b), L_0c_size = L_0a_abs + L_0b_abs,
-      L_0d_abs = fabs(L_0d), L_0_size = L_0c_size + L_0d_abs;
-  const double L_1a_abs = fabs(L_1a), L_1b_abs = fabs(L_1b), L_1c_size = L_1a_abs + L_1b_abs,
-      L_1d_abs = fabs(L_1d), L_1_size = L_1c_size + L_1d_abs;
-  const double L_2a_abs = fabs(L_2a), L_2b_abs = fabs(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
-      L_2d_abs = fabs(L_2d), L_2_size = L_2c_size + L_2d_abs;
-  const double p_0_padded = p_0_size + 2.004168360008973e-292;
-  const double s_0_abs = fabs(s->m0), twice_a_size = KSL_MUL(s_0_abs, p_0_padded);
-  const double p_1_padded = p_1_size + 2.004168360008973e-292;
-  const double s_1_abs = fabs(s->m1), twice_b_size = KSL_MUL(s_1_abs, p_1_padded),
-      twice_c_size = twice_a_size + twice_b_size;
-  const double p_2_padded = p_2_size + 2.004168360008973e-292;
-  const double s_2_abs = fabs(s->m2), twice_d_size = KSL_MUL(s_2_abs, p_2_padded),
-      twice_e_size = twice_c_size + twice_d_size;
-  const double L_0_padded = L_0_size + 2.004168360008973e-292;
-  const double s_3_abs = fabs(s->m3), twice_f_size = KSL_MUL(s_3_abs, L_0_padded);
-  const double L_1_padded = L_1_size + 2.004168360008973e-292;
-  const double s_4_abs = fabs(s->m4), twice_g_size = KSL_MUL(s_4_abs, L_1_padded),
-      twice_h_size = twice_f_size + twice_g_size;
-  const double L_2_padded = L_2_size + 2.004168360008973e-292;
-  const double s_5_abs = fabs(s->m5), twice_i_size = KSL_MUL(s_5_abs, L_2_padded),
-      twice_j_size = twice_h_size + twice_i_size, twice_size = twice_e_size + twice_j_size;
+  const double s_2_abs = fabs(s->m2), energy_d_size = KSL_MUL(s_2_abs, across_2_padded),
+      energy_e_size = energy_c_size + energy_d_size;
   const double twice_padded = twice_size + 2.004168360008973e-292;
-  const double energy_size = KSL_MUL(0.5, twice_padded);
+  const double energy_f_size = KSL_MUL(0.5, twice_padded),
+      energy_size = energy_e_size + energy_f_size;
   const double energy_padded = energy_size + 2.004168360008973e-292,
       energy_error_bound = KSL_MUL(9.992007221626415e-16, energy_padded);
   *energy_bound = energy_error_bound;
   return energy;
+}
+
+/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
+     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
+     less that of gravity: the wrench beside gravity's; |error of co| <= co_bound unless inf or
+     NaN.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co, co_bound: coscrew (f in N; τ in N m).
+   66 mul, 102 add, 3 neg, 30 abs. */
+static inline void ksl_spatial_inertia_net_wrench_certified(const ksl_spatial_inertia_t *B,
+    const ksl_vec3_t *w, const ksl_screw_t *ds, ksl_coscrew_t *co,
+    ksl_coscrew_t *co_bound) {
+  const double ww_0 = KSL_MUL(w->x, w->x);
+  const double ww_1 = KSL_MUL(w->y, w->y);
+  const double ww_2 = KSL_MUL(w->z, w->z);
+  const double ww_3 = KSL_MUL(w->x, w->y);
+  const double ww_4 = KSL_MUL(w->x, w->z);
+  const double ww_5 = KSL_MUL(w->y, w->z);
+  const double U_0a = ww_1 + ww_2, U_0 = -U_0a;
+  const double U_1 = ww_3 - ds->m5;
+  const double U_2 = ds->m4 + ww_4;
+  const double U_3 = ds->m5 + ww_3;
+  const double U_4a = ww_0 + ww_2, U_4 = -U_4a;
+  const double U_5 = ww_5 - ds->m3;
+  const double U_6 = ww_4 - ds->m4;
+  const double U_7 = ds->m3 + ww_5;
+  const double U_8a = ww_0 + ww_1, U_8 = -U_8a;
+  const double others_0 = B->zz - B->yy;
+  const double others_1 = B->xx - B->zz;
+  const double others_2 = B->yy - B->xx;
+  const double squares_0 = ww_1 - ww_2;
+  const double squares_1 = ww_2 - ww_0;
+  const double squares_2 = ww_0 - ww_1;
+  const double own_0a = KSL_MUL(B->xx, ds->m3), own_0b = KSL_MUL(ww_5, others_0),
+      own_0 = own_0a + own_0b;
+  const double own_1a = KSL_MUL(B->yy, ds->m4), own_1b = KSL_MUL(ww_4, others_1),
+      own_1 = own_1a + own_1b;
+  const double own_2a = KSL_MUL(B->zz, ds->m5), own_2b = KSL_MUL(ww_3, others_2),
+      own_2 = own_2a + own_2b;
+  const double N_0a = KSL_MUL(B->xz, U_3), N_0b = KSL_MUL(B->xy, U_6), N_0c = N_0a - N_0b,
+      N_0d = KSL_MUL(B->yz, squares_0), N_0e = N_0c + N_0d, N_0 = N_0e + own_0;
+  const double N_1a = KSL_MUL(B->xy, U_7), N_1b = KSL_MUL(B->yz, U_1), N_1c = N_1a - N_1b,
+      N_1d = KSL_MUL(B->xz, squares_1), N_1e = N_1c + N_1d, N_1 = N_1e + own_1;
+  const double N_2a = KSL_MUL(B->xy, squares_2), N_2b = KSL_MUL(B->yz, U_2),
+      N_2c = KSL_MUL(B->xz, U_5), N_2d = N_2b - N_2c, N_2e = N_2a + N_2d, N_2 = N_2e + own_2;
+  const double co_0a = KSL_MUL(B->m, ds->m0), co_0b = KSL_MUL(B->h.x, U_0),
+      co_0c = KSL_MUL(B->h.y, U_1), co_0d = co_0b + co_0c, co_0e = KSL_MUL(B->h.z, U_2),
+      co_0f = co_0d + co_0e, co_0 = co_0a + co_0f;
+  const double co_1a = KSL_MUL(B->m, ds->m1), co_1b = KSL_MUL(B->h.x, U_3),
+      co_1c = KSL_MUL(B->h.y, U_4), co_1d = co_1b + co_1c, co_1e = KSL_MUL(B->h.z, U_5),
+      co_1f = co_1d + co_1e, co_1 = co_1a + co_1f;
+  const double co_2a = KSL_MUL(B->m, ds->m2), co_2b = KSL_MUL(B->h.x, U_6),
+      co_2c = KSL_MUL(B->h.y, U_7), co_2d = co_2b + co_2c, co_2e = KSL_MUL(B->h.z, U_8),
+      co_2f = co_2d + co_2e, co_2 = co_2a + co_2f;
+  const double co_3a = KSL_MUL(B->h.y, ds->m2), co_3b = KSL_MUL(B->h.z, ds->m1),
+      co_3c = co_3a - co_3b, co_3 = co_3c + N_0;
+  const double co_4a = KSL_MUL(B->h.z, ds->m0), co_4b = KSL_MUL(B->h.x, ds->m2),
+      co_4c = co_4a - co_4b, co_4 = co_4c + N_1;
+  const double co_5a = KSL_MUL(B->h.x, ds->m1), co_5b = KSL_MUL(B->h.y, ds->m0),
+      co_5c = co_5a - co_5b, co_5 = co_5c + N_2;
+  const double ww_1_abs = fabs(ww_1), ww_2_abs = fabs(ww_2), U_0a_size = ww_1_abs + ww_2_abs;
+  const double ww_3_abs = fabs(ww_3), ds_5_abs = fabs(ds->m5), U_1_size = ww_3_abs + ds_5_abs;
+  const double ds_4_abs = fabs(ds->m4), ww_4_abs = fabs(ww_4), U_2_size = ds_4_abs + ww_4_abs;
+  const double U_3_size = ds_5_abs + ww_3_abs;
+  const double ww_0_abs = fabs(ww_0), U_4a_size = ww_0_abs + ww_2_abs;
+  const double ww_5_abs = fabs(ww_5), ds_3_abs = fabs(ds->m3), U_5_size = ww_5_abs + ds_3_abs;
+  const double U_6_size = ww_4_abs + ds_4_abs;
+  const double U_7_size = ds_3_abs + ww_5_abs;
+  const double U_8a_size = ww_0_abs + ww_1_abs;
+  const double squares_0_size = ww_1_abs + ww_2_abs;
+  const double squares_1_size = ww_2_abs + ww_0_abs;
+  const double squares_2_size = ww_0_abs + ww_1_abs;
+  const double ww_5_padded = ww_5_abs + 2.004168360008973e-292;
+  const double others_0_abs = fabs(others_0), own_0b_size = KSL_MUL(ww_5_padded, others_0_abs),
+      own_0a_abs = fabs(own_0a), own_0_size = own_0a_abs + own_0b_size;
+  const double ww_4_padded = ww_4_abs + 2.004168360008973e-292;
+  const double others_1_abs = fabs(others_1), own_1b_size = KSL_MUL(ww_4_padded, others_1_abs),
+      own_1a_abs = fabs(own_1a), own_1_size = own_1a_abs + own_1b_size;
+  const double ww_3_padded = ww_3_abs + 2.004168360008973e-292;
+  const double others_2_abs = fabs(others_2), own_2b_size = KSL_MUL(ww_3_padded, others_2_abs),
+      own_2a_abs = fabs(own_2a), own_2_size = own_2a_abs + own_2b_size;
+  const double U_3_padded = U_3_size + 2.004168360008973e-292;
+  const double B_8_abs = fabs(B->xz), N_0a_size = KSL_MUL(B_8_abs, U_3_padded);
+  const double U_6_padded = U_6_size + 2.004168360008973e-292;
+  const double B_7_abs = fabs(B->xy), N_0b_size = KSL_MUL(B_7_abs, U_6_padded),
+      N_0c_size = N_0a_size + N_0b_size;
+  const double squares_0_padded = squares_0_size + 2.004168360008973e-292;
+  const double B_9_abs = fabs(B->yz), N_0d_size = KSL_MUL(B_9_abs, squares_0_padded),
+      N_0e_size = N_0c_size + N_0d_size, N_0_size = N_0e_size + own_0_size;
+  const double U_7_padded = U_7_size + 2.004168360008973e-292;
+  const double N_1a_size = KSL_MUL(B_7_abs, U_7_padded);
+  const double U_1_padded = U_1_size + 2.004168360008973e-292;
+  const double N_1b_size = KSL_MUL(B_9_abs, U_1_padded), N_1c_size = N_1a_size + N_1b_size;
+  const double squares_1_padded = squares_1_size + 2.004168360008973e-292;
+  const double N_1d_size = KSL_MUL(B_8_abs, squares_1_padded), N_1e_size = N_1c_size + N_1d_size,
+      N_1_size = N_1e_size + own_1_size;
+  const double squares_2_padded = squares_2_size + 2.004168360008973e-292;
+  const double N_2a_size = KSL_MUL(B_7_abs, squares_2_padded);
+  const double U_2_padded = U_2_size + 2.004168360008973e-292;
+  const double N_2b_size = KSL_MUL(B_9_abs, U_2_padded);
+  const double U_5_padded = U_5_size + 2.004168360008973e-292;
+  const double N_2c_size = KSL_MUL(B_8_abs, U_5_padded), N_2d_size = N_2b_size + N_2c_size,
+      N_2e_size = N_2a_size + N_2d_size, N_2_size = N_2e_size + own_2_size;
+  const double U_0a_padded = U_0a_size + 2.004168360008973e-292;
+  const double B_1_abs = fabs(B->h.x), co_0b_size = KSL_MUL(B_1_abs, U_0a_padded),
+      B_2_abs = fabs(B->h.y), co_0c_size = KSL_MUL(B_2_abs, U_1_padded),
+      co_0d_size = co_0b_size + co_0c_size, B_3_abs = fabs(B->h.z),
+      co_0e_size = KSL_MUL(B_3_abs, U_2_padded), co_0f_size = co_0d_size + co_0e_size,
+      co_0a_abs = fabs(co_0a), co_0_size = co_0a_abs + co_0f_size;
+  const double co_1b_size = KSL_MUL(B_1_abs, U_3_padded);
+  const double U_4a_padded = U_4a_size + 2.004168360008973e-292;
+  const double co_1c_size = KSL_MUL(B_2_abs, U_4a_padded), co_1d_size = co_1b_size + co_1c_size,
+      co_1e_size = KSL_MUL(B_3_abs, U_5_padded), co_1f_size = co_1d_size + co_1e_size,
+      co_1a_abs = fabs(co_1a), co_1_size = co_1a_abs + co_1f_size;
+  const double co_2b_size = KSL_MUL(B_1_abs, U_6_padded), co_2c_size = KSL_MUL(B_2_abs, U_7_padded),
+      co_2d_size = co_2b_size + co_2c_size;
+  const double U_8a_padded = U_8a_size + 2.004168360008973e-292;
+  const double co_2e_size = KSL_MUL(B_3_abs, U_8a_padded), co_2f_size = co_2d_size + co_2e_size,
+      co_2a_abs = fabs(co_2a), co_2_size = co_2a_abs + co_2f_size;
+  const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3c_size = co_3a_abs + co_3b_abs,
+      co_3_size = co_3c_size + N_0_size;
+  const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4c_size = co_4a_abs + co_4b_abs,
+      co_4_size = co_4c_size + N_1_size;
+  const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
+      co_5_size = co_5c_size + N_2_size;
+  const double co_0_padded = co_0_size + 2.004168360008973e-292,
+      co_0_error_bound = KSL_MUL(6.661338147750942e-16, co_0_padded);
+  const double co_1_padded = co_1_size + 2.004168360008973e-292,
+      co_1_error_bound = KSL_MUL(6.661338147750942e-16, co_1_padded);
+  const double co_2_padded = co_2_size + 2.004168360008973e-292,
+      co_2_error_bound = KSL_MUL(6.661338147750942e-16, co_2_padded);
+  const double co_3_padded = co_3_size + 2.004168360008973e-292,
+      co_3_error_bound = KSL_MUL(7.7715611723761e-16, co_3_padded);
+  const double co_4_padded = co_4_size + 2.004168360008973e-292,
+      co_4_error_bound = KSL_MUL(7.7715611723761e-16, co_4_padded);
+  const double co_5_padded = co_5_size + 2.004168360008973e-292,
+      co_5_error_bound = KSL_MUL(7.7715611723761e-16, co_5_padded);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+  co_bound->m0 = co_0_error_bound;
+  co_bound->m1 = co_1_error_bound;
+  co_bound->m2 = co_2_error_bound;
+  co_bound->m3 = co_3_error_bound;
+  co_bound->m4 = co_4_error_bound;
+  co_bound->m5 = co_5_error_bound;
 }
 
 /* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless
@@ -1065,32 +1209,50 @@ static inline void ksl_product_Bsf_certified(const ksl_spatial_inertiaf_t *B,
      energy_bound unless inf or NaN.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s); energy_bound: number.
-   39 mul, 45 add, 24 abs. */
+   35 mul, 43 add, 25 abs. */
 static inline float ksl_spatial_inertiaf_energy_certified(const ksl_spatial_inertiaf_t *B,
     const ksl_screwf_t *s, float *energy_bound) {
-  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0b = KSL_MULF(B->h.y, s->m5),
-      across_0 = across_0a - across_0b;
-  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1b = KSL_MULF(B->h.z, s->m3),
-      across_1 = across_1a - across_1b;
-  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2b = KSL_MULF(B->h.x, s->m4),
-      across_2 = across_2a - across_2b;
-  const float twice_across_0 = KSL_MULF(2.0f, across_0);
-  const float twice_across_1 = KSL_MULF(2.0f, across_1);
-  const float twice_across_2 = KSL_MULF(2.0f, across_2);
-  const float p_0a = KSL_MULF(B->m, s->m0), p_0 = p_0a + twice_across_0;
-  const float p_1a = KSL_MULF(B->m, s->m1), p_1 = p_1a + twice_across_1;
-  const float p_2a = KSL_MULF(B->m, s->m2), p_2 = p_2a + twice_across_2;
+  const float square_a = KSL_MULF(s->m0, s->m0), square_b = KSL_MULF(s->m1, s->m1),
+      square_c = square_a + square_b, square_d = KSL_MULF(s->m2, s->m2),
+      square = square_c + square_d;
   const float L_0a = KSL_MULF(B->xx, s->m3), L_0b = KSL_MULF(B->xy, s->m4), L_0c = L_0a + L_0b,
       L_0d = KSL_MULF(B->xz, s->m5), L_0 = L_0c + L_0d;
   const float L_1a = KSL_MULF(B->yy, s->m4), L_1b = KSL_MULF(B->xy, s->m3), L_1c = L_1a + L_1b,
       L_1d = KSL_MULF(B->yz, s->m5), L_1 = L_1c + L_1d;
   const float L_2a = KSL_MULF(B->zz, s->m5), L_2b = KSL_MULF(B->xz, s->m3), L_2c = L_2a + L_2b,
       L_2d = KSL_MULF(B->yz, s->m4), L_2 = L_2c + L_2d;
-  const float twice_a = KSL_MULF(s->m0, p_0), twice_b = KSL_MULF(s->m1, p_1),
-      twice_c = twice_a + twice_b, twice_d = KSL_MULF(s->m2, p_2), twice_e = twice_c + twice_d,
-      twice_f = KSL_MULF(s->m3, L_0), twice_g = KSL_MULF(s->m4, L_1), twice_h = twice_f + twice_g,
-      twice_i = KSL_MULF(s->m5, L_2), twice_j = twice_h + twice_i, twice = twice_e + twice_j;
-  const float energy = KSL_MULF(0.5f, twice);
+  const float twice_a = KSL_MULF(B->m, square), twice_b = KSL_MULF(s->m3, L_0),
+      twice_c = KSL_MULF(s->m4, L_1), twice_d = twice_b + twice_c, twice_e = KSL_MULF(s->m5, L_2),
+      twice_f = twice_d + twice_e, twice = twice_a + twice_f;
+  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0b = KSL_MULF(B->h.y, s->m5),
+      across_0 = across_0a - across_0b;
+  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1b = KSL_MULF(B->h.z, s->m3),
+      across_1 = across_1a - across_1b;
+  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2b = KSL_MULF(B->h.x, s->m4),
+      across_2 = across_2a - across_2b;
+  const float energy_a = KSL_MULF(s->m0, across_0), energy_b = KSL_MULF(s->m1, across_1),
+      energy_c = energy_a + energy_b, energy_d = KSL_MULF(s->m2, across_2),
+      energy_e = energy_c + energy_d, energy_f = KSL_MULF(0.5f, twice),
+      energy = energy_e + energy_f;
+  const float square_a_abs = fabsf(square_a), square_b_abs = fabsf(square_b),
+      square_c_size = square_a_abs + square_b_abs, square_d_abs = fabsf(square_d),
+      square_size = square_c_size + square_d_abs;
+  const float L_0a_abs = fabsf(L_0a), L_0b_abs = fabsf(L_0b), L_0c_size = L_0a_abs + L_0b_abs,
+      L_0d_abs = fabsf(L_0d), L_0_size = L_0c_size + L_0d_abs;
+  const float L_1a_abs = fabsf(L_1a), L_1b_abs = fabsf(L_1b), L_1c_size = L_1a_abs + L_1b_abs,
+      L_1d_abs = fabsf(L_1d), L_1_size = L_1c_size + L_1d_abs;
+  const float L_2a_abs = fabsf(L_2a), L_2b_abs = fabsf(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
+      L_2d_abs = fabsf(L_2d), L_2_size = L_2c_size + L_2d_abs;
+  const float square_padded = square_size + 1.9721523e-31f;
+  const float B_0_abs = fabsf(B->m), twice_a_size = KSL_MULF(B_0_abs, square_padded);
+  const float L_0_padded = L_0_size + 1.9721523e-31f;
+  const float s_3_abs = fabsf(s->m3), twice_b_size = KSL_MULF(s_3_abs, L_0_padded);
+  const float L_1_padded = L_1_size + 1.9721523e-31f;
+  const float s_4_abs = fabsf(s->m4), twice_c_size = KSL_MULF(s_4_abs, L_1_padded),
+      twice_d_size = twice_b_size + twice_c_size;
+  const float L_2_padded = L_2_size + 1.9721523e-31f;
+  const float s_5_abs = fabsf(s->m5), twice_e_size = KSL_MULF(s_5_abs, L_2_padded),
+      twice_f_size = twice_d_size + twice_e_size, twice_size = twice_a_size + twice_f_size;
   const float across_0a_abs = fabsf(across_0a), across_0b_abs = fabsf(across_0b),
       across_0_size = across_0a_abs + across_0b_abs;
   const float across_1a_abs = fabsf(across_1a), across_1b_abs = fabsf(across_1b),
@@ -1098,42 +1260,169 @@ static inline float ksl_spatial_inertiaf_energy_certified(const ksl_spatial_iner
   const float across_2a_abs = fabsf(across_2a), across_2b_abs = fabsf(across_2b),
       across_2_size = across_2a_abs + across_2b_abs;
   const float across_0_padded = across_0_size + 1.9721523e-31f;
-  const float twice_across_0_size = KSL_MULF(2.0f, across_0_padded);
+  const float s_0_abs = fabsf(s->m0), energy_a_size = KSL_MULF(s_0_abs, across_0_padded);
   const float across_1_padded = across_1_size + 1.9721523e-31f;
-  const float twice_across_1_size = KSL_MULF(2.0f, across_1_padded);
+  const float s_1_abs = fabsf(s->m1), energy_b_size = KSL_MULF(s_1_abs, across_1_padded),
+      energy_c_size = energy_a_size + energy_b_size;
   const float across_2_padded = across_2_size + 1.9721523e-31f;
-  const float twice_across_2_size = KSL_MULF(2.0f, across_2_padded);
-  const float p_0a_abs = fabsf(p_0a), p_0_size = p_0a_abs + twice_across_0_size;
-  const float p_1a_abs = fabsf(p_1a), p_1_size = p_1a_abs + twice_across_1_size;
-  const float p_2a_abs = fabsf(p_2a), p_2_size = p_2a_abs + twice_across_2_size;
-  const float L_0a_abs = fabsf(L_0a), L_0b_abs = fabsf(L_0b), L_0c_size = L_0a_abs + L_0b_abs,
-      L_0d_abs = fabsf(L_0d), L_0_size = L_0c_size + L_0d_abs;
-  const float L_1a_abs = fabsf(L_1a), L_1b_abs = fabsf(L_1b), L_1c_size = L_1a_abs + L_1b_abs,
-      L_1d_abs = fabsf(L_1d), L_1_size = L_1c_size + L_1d_abs;
-  const float L_2a_abs = fabsf(L_2a), L_2b_abs = fabsf(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
-      L_2d_abs = fabsf(L_2d), L_2_size = L_2c_size + L_2d_abs;
-  const float p_0_padded = p_0_size + 1.9721523e-31f;
-  const float s_0_abs = fabsf(s->m0), twice_a_size = KSL_MULF(s_0_abs, p_0_padded);
-  const float p_1_padded = p_1_size + 1.9721523e-31f;
-  const float s_1_abs = fabsf(s->m1), twice_b_size = KSL_MULF(s_1_abs, p_1_padded),
-      twice_c_size = twice_a_size + twice_b_size;
-  const float p_2_padded = p_2_size + 1.9721523e-31f;
-  const float s_2_abs = fabsf(s->m2), twice_d_size = KSL_MULF(s_2_abs, p_2_padded),
-      twice_e_size = twice_c_size + twice_d_size;
-  const float L_0_padded = L_0_size + 1.9721523e-31f;
-  const float s_3_abs = fabsf(s->m3), twice_f_size = KSL_MULF(s_3_abs, L_0_padded);
-  const float L_1_padded = L_1_size + 1.9721523e-31f;
-  const float s_4_abs = fabsf(s->m4), twice_g_size = KSL_MULF(s_4_abs, L_1_padded),
-      twice_h_size = twice_f_size + twice_g_size;
-  const float L_2_padded = L_2_size + 1.9721523e-31f;
-  const float s_5_abs = fabsf(s->m5), twice_i_size = KSL_MULF(s_5_abs, L_2_padded),
-      twice_j_size = twice_h_size + twice_i_size, twice_size = twice_e_size + twice_j_size;
+  const float s_2_abs = fabsf(s->m2), energy_d_size = KSL_MULF(s_2_abs, across_2_padded),
+      energy_e_size = energy_c_size + energy_d_size;
   const float twice_padded = twice_size + 1.9721523e-31f;
-  const float energy_size = KSL_MULF(0.5f, twice_padded);
+  const float energy_f_size = KSL_MULF(0.5f, twice_padded),
+      energy_size = energy_e_size + energy_f_size;
   const float energy_padded = energy_size + 1.9721523e-31f,
       energy_error_bound = KSL_MULF(5.36442e-07f, energy_padded);
   *energy_bound = energy_error_bound;
   return energy;
+}
+
+/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
+     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
+     less that of gravity: the wrench beside gravity's; |error of co| <= co_bound unless inf or
+     NaN.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co, co_bound: coscrew (f in N; τ in N m).
+   66 mul, 102 add, 3 neg, 30 abs. */
+static inline void ksl_spatial_inertiaf_net_wrench_certified(const ksl_spatial_inertiaf_t *B,
+    const ksl_vec3f_t *w, const ksl_screwf_t *ds, ksl_coscrewf_t *co,
+    ksl_coscrewf_t *co_bound) {
+  const float ww_0 = KSL_MULF(w->x, w->x);
+  const float ww_1 = KSL_MULF(w->y, w->y);
+  const float ww_2 = KSL_MULF(w->z, w->z);
+  const float ww_3 = KSL_MULF(w->x, w->y);
+  const float ww_4 = KSL_MULF(w->x, w->z);
+  const float ww_5 = KSL_MULF(w->y, w->z);
+  const float U_0a = ww_1 + ww_2, U_0 = -U_0a;
+  const float U_1 = ww_3 - ds->m5;
+  const float U_2 = ds->m4 + ww_4;
+  const float U_3 = ds->m5 + ww_3;
+  const float U_4a = ww_0 + ww_2, U_4 = -U_4a;
+  const float U_5 = ww_5 - ds->m3;
+  const float U_6 = ww_4 - ds->m4;
+  const float U_7 = ds->m3 + ww_5;
+  const float U_8a = ww_0 + ww_1, U_8 = -U_8a;
+  const float others_0 = B->zz - B->yy;
+  const float others_1 = B->xx - B->zz;
+  const float others_2 = B->yy - B->xx;
+  const float squares_0 = ww_1 - ww_2;
+  const float squares_1 = ww_2 - ww_0;
+  const float squares_2 = ww_0 - ww_1;
+  const float own_0a = KSL_MULF(B->xx, ds->m3), own_0b = KSL_MULF(ww_5, others_0),
+      own_0 = own_0a + own_0b;
+  const float own_1a = KSL_MULF(B->yy, ds->m4), own_1b = KSL_MULF(ww_4, others_1),
+      own_1 = own_1a + own_1b;
+  const float own_2a = KSL_MULF(B->zz, ds->m5), own_2b = KSL_MULF(ww_3, others_2),
+      own_2 = own_2a + own_2b;
+  const float N_0a = KSL_MULF(B->xz, U_3), N_0b = KSL_MULF(B->xy, U_6), N_0c = N_0a - N_0b,
+      N_0d = KSL_MULF(B->yz, squares_0), N_0e = N_0c + N_0d, N_0 = N_0e + own_0;
+  const float N_1a = KSL_MULF(B->xy, U_7), N_1b = KSL_MULF(B->yz, U_1), N_1c = N_1a - N_1b,
+      N_1d = KSL_MULF(B->xz, squares_1), N_1e = N_1c + N_1d, N_1 = N_1e + own_1;
+  const float N_2a = KSL_MULF(B->xy, squares_2), N_2b = KSL_MULF(B->yz, U_2),
+      N_2c = KSL_MULF(B->xz, U_5), N_2d = N_2b - N_2c, N_2e = N_2a + N_2d, N_2 = N_2e + own_2;
+  const float co_0a = KSL_MULF(B->m, ds->m0), co_0b = KSL_MULF(B->h.x, U_0),
+      co_0c = KSL_MULF(B->h.y, U_1), co_0d = co_0b + co_0c, co_0e = KSL_MULF(B->h.z, U_2),
+      co_0f = co_0d + co_0e, co_0 = co_0a + co_0f;
+  const float co_1a = KSL_MULF(B->m, ds->m1), co_1b = KSL_MULF(B->h.x, U_3),
+      co_1c = KSL_MULF(B->h.y, U_4), co_1d = co_1b + co_1c, co_1e = KSL_MULF(B->h.z, U_5),
+      co_1f = co_1d + co_1e, co_1 = co_1a + co_1f;
+  const float co_2a = KSL_MULF(B->m, ds->m2), co_2b = KSL_MULF(B->h.x, U_6),
+      co_2c = KSL_MULF(B->h.y, U_7), co_2d = co_2b + co_2c, co_2e = KSL_MULF(B->h.z, U_8),
+      co_2f = co_2d + co_2e, co_2 = co_2a + co_2f;
+  const float co_3a = KSL_MULF(B->h.y, ds->m2), co_3b = KSL_MULF(B->h.z, ds->m1),
+      co_3c = co_3a - co_3b, co_3 = co_3c + N_0;
+  const float co_4a = KSL_MULF(B->h.z, ds->m0), co_4b = KSL_MULF(B->h.x, ds->m2),
+      co_4c = co_4a - co_4b, co_4 = co_4c + N_1;
+  const float co_5a = KSL_MULF(B->h.x, ds->m1), co_5b = KSL_MULF(B->h.y, ds->m0),
+      co_5c = co_5a - co_5b, co_5 = co_5c + N_2;
+  const float ww_1_abs = fabsf(ww_1), ww_2_abs = fabsf(ww_2), U_0a_size = ww_1_abs + ww_2_abs;
+  const float ww_3_abs = fabsf(ww_3), ds_5_abs = fabsf(ds->m5), U_1_size = ww_3_abs + ds_5_abs;
+  const float ds_4_abs = fabsf(ds->m4), ww_4_abs = fabsf(ww_4), U_2_size = ds_4_abs + ww_4_abs;
+  const float U_3_size = ds_5_abs + ww_3_abs;
+  const float ww_0_abs = fabsf(ww_0), U_4a_size = ww_0_abs + ww_2_abs;
+  const float ww_5_abs = fabsf(ww_5), ds_3_abs = fabsf(ds->m3), U_5_size = ww_5_abs + ds_3_abs;
+  const float U_6_size = ww_4_abs + ds_4_abs;
+  const float U_7_size = ds_3_abs + ww_5_abs;
+  const float U_8a_size = ww_0_abs + ww_1_abs;
+  const float squares_0_size = ww_1_abs + ww_2_abs;
+  const float squares_1_size = ww_2_abs + ww_0_abs;
+  const float squares_2_size = ww_0_abs + ww_1_abs;
+  const float ww_5_padded = ww_5_abs + 1.9721523e-31f;
+  const float others_0_abs = fabsf(others_0), own_0b_size = KSL_MULF(ww_5_padded, others_0_abs),
+      own_0a_abs = fabsf(own_0a), own_0_size = own_0a_abs + own_0b_size;
+  const float ww_4_padded = ww_4_abs + 1.9721523e-31f;
+  const float others_1_abs = fabsf(others_1), own_1b_size = KSL_MULF(ww_4_padded, others_1_abs),
+      own_1a_abs = fabsf(own_1a), own_1_size = own_1a_abs + own_1b_size;
+  const float ww_3_padded = ww_3_abs + 1.9721523e-31f;
+  const float others_2_abs = fabsf(others_2), own_2b_size = KSL_MULF(ww_3_padded, others_2_abs),
+      own_2a_abs = fabsf(own_2a), own_2_size = own_2a_abs + own_2b_size;
+  const float U_3_padded = U_3_size + 1.9721523e-31f;
+  const float B_8_abs = fabsf(B->xz), N_0a_size = KSL_MULF(B_8_abs, U_3_padded);
+  const float U_6_padded = U_6_size + 1.9721523e-31f;
+  const float B_7_abs = fabsf(B->xy), N_0b_size = KSL_MULF(B_7_abs, U_6_padded),
+      N_0c_size = N_0a_size + N_0b_size;
+  const float squares_0_padded = squares_0_size + 1.9721523e-31f;
+  const float B_9_abs = fabsf(B->yz), N_0d_size = KSL_MULF(B_9_abs, squares_0_padded),
+      N_0e_size = N_0c_size + N_0d_size, N_0_size = N_0e_size + own_0_size;
+  const float U_7_padded = U_7_size + 1.9721523e-31f;
+  const float N_1a_size = KSL_MULF(B_7_abs, U_7_padded);
+  const float U_1_padded = U_1_size + 1.9721523e-31f;
+  const float N_1b_size = KSL_MULF(B_9_abs, U_1_padded), N_1c_size = N_1a_size + N_1b_size;
+  const float squares_1_padded = squares_1_size + 1.9721523e-31f;
+  const float N_1d_size = KSL_MULF(B_8_abs, squares_1_padded), N_1e_size = N_1c_size + N_1d_size,
+      N_1_size = N_1e_size + own_1_size;
+  const float squares_2_padded = squares_2_size + 1.9721523e-31f;
+  const float N_2a_size = KSL_MULF(B_7_abs, squares_2_padded);
+  const float U_2_padded = U_2_size + 1.9721523e-31f;
+  const float N_2b_size = KSL_MULF(B_9_abs, U_2_padded);
+  const float U_5_padded = U_5_size + 1.9721523e-31f;
+  const float N_2c_size = KSL_MULF(B_8_abs, U_5_padded), N_2d_size = N_2b_size + N_2c_size,
+      N_2e_size = N_2a_size + N_2d_size, N_2_size = N_2e_size + own_2_size;
+  const float U_0a_padded = U_0a_size + 1.9721523e-31f;
+  const float B_1_abs = fabsf(B->h.x), co_0b_size = KSL_MULF(B_1_abs, U_0a_padded),
+      B_2_abs = fabsf(B->h.y), co_0c_size = KSL_MULF(B_2_abs, U_1_padded),
+      co_0d_size = co_0b_size + co_0c_size, B_3_abs = fabsf(B->h.z),
+      co_0e_size = KSL_MULF(B_3_abs, U_2_padded), co_0f_size = co_0d_size + co_0e_size,
+      co_0a_abs = fabsf(co_0a), co_0_size = co_0a_abs + co_0f_size;
+  const float co_1b_size = KSL_MULF(B_1_abs, U_3_padded);
+  const float U_4a_padded = U_4a_size + 1.9721523e-31f;
+  const float co_1c_size = KSL_MULF(B_2_abs, U_4a_padded), co_1d_size = co_1b_size + co_1c_size,
+      co_1e_size = KSL_MULF(B_3_abs, U_5_padded), co_1f_size = co_1d_size + co_1e_size,
+      co_1a_abs = fabsf(co_1a), co_1_size = co_1a_abs + co_1f_size;
+  const float co_2b_size = KSL_MULF(B_1_abs, U_6_padded),
+      co_2c_size = KSL_MULF(B_2_abs, U_7_padded), co_2d_size = co_2b_size + co_2c_size;
+  const float U_8a_padded = U_8a_size + 1.9721523e-31f;
+  const float co_2e_size = KSL_MULF(B_3_abs, U_8a_padded), co_2f_size = co_2d_size + co_2e_size,
+      co_2a_abs = fabsf(co_2a), co_2_size = co_2a_abs + co_2f_size;
+  const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b),
+      co_3c_size = co_3a_abs + co_3b_abs, co_3_size = co_3c_size + N_0_size;
+  const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b),
+      co_4c_size = co_4a_abs + co_4b_abs, co_4_size = co_4c_size + N_1_size;
+  const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b),
+      co_5c_size = co_5a_abs + co_5b_abs, co_5_size = co_5c_size + N_2_size;
+  const float co_0_padded = co_0_size + 1.9721523e-31f,
+      co_0_error_bound = KSL_MULF(3.5762795e-07f, co_0_padded);
+  const float co_1_padded = co_1_size + 1.9721523e-31f,
+      co_1_error_bound = KSL_MULF(3.5762795e-07f, co_1_padded);
+  const float co_2_padded = co_2_size + 1.9721523e-31f,
+      co_2_error_bound = KSL_MULF(3.5762795e-07f, co_2_padded);
+  const float co_3_padded = co_3_size + 1.9721523e-31f,
+      co_3_error_bound = KSL_MULF(4.1723263e-07f, co_3_padded);
+  const float co_4_padded = co_4_size + 1.9721523e-31f,
+      co_4_error_bound = KSL_MULF(4.1723263e-07f, co_4_padded);
+  const float co_5_padded = co_5_size + 1.9721523e-31f,
+      co_5_error_bound = KSL_MULF(4.1723263e-07f, co_5_padded);
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
+  co_bound->m0 = co_0_error_bound;
+  co_bound->m1 = co_1_error_bound;
+  co_bound->m2 = co_2_error_bound;
+  co_bound->m3 = co_3_error_bound;
+  co_bound->m4 = co_4_error_bound;
+  co_bound->m5 = co_5_error_bound;
 }
 
 /* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless

@@ -161,29 +161,87 @@ static inline void ksl_product_Bs_fused(const ksl_spatial_inertia_t *B, const ks
 /* s·B s / 2, the kinetic energy in J of a body that moves with s.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
-   12 mul, 1 add, 16 fma.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   9 mul, 17 fma.
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_spatial_inertia_energy_fused(const ksl_spatial_inertia_t *B,
     const ksl_screw_t *s) {
-  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0 = fma(-B->h.y, s->m5, across_0a);
-  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1 = fma(-B->h.z, s->m3, across_1a);
-  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2 = fma(-B->h.x, s->m4, across_2a);
-  const double p_0a = KSL_MUL(B->m, s->m0), p_0 = fma(2.0, across_0, p_0a);
-  const double p_1a = KSL_MUL(B->m, s->m1), p_1 = fma(2.0, across_1, p_1a);
-  const double p_2a = KSL_MUL(B->m, s->m2), p_2 = fma(2.0, across_2, p_2a);
+  const double square_a = KSL_MUL(s->m0, s->m0), square_c = fma(s->m1, s->m1, square_a),
+      square = fma(s->m2, s->m2, square_c);
   const double L_0a = KSL_MUL(B->xx, s->m3), L_0c = fma(B->xy, s->m4, L_0a),
       L_0 = fma(B->xz, s->m5, L_0c);
   const double L_1a = KSL_MUL(B->yy, s->m4), L_1c = fma(B->xy, s->m3, L_1a),
       L_1 = fma(B->yz, s->m5, L_1c);
   const double L_2a = KSL_MUL(B->zz, s->m5), L_2c = fma(B->xz, s->m3, L_2a),
       L_2 = fma(B->yz, s->m4, L_2c);
-  const double twice_a = KSL_MUL(s->m0, p_0), twice_c = fma(s->m1, p_1, twice_a),
-      twice_e = fma(s->m2, p_2, twice_c), twice_f = KSL_MUL(s->m3, L_0),
-      twice_h = fma(s->m4, L_1, twice_f), twice_j = fma(s->m5, L_2, twice_h),
-      twice = twice_e + twice_j;
-  const double energy = KSL_MUL(0.5, twice);
+  const double twice_b = KSL_MUL(s->m3, L_0), twice_d = fma(s->m4, L_1, twice_b),
+      twice_f = fma(s->m5, L_2, twice_d), twice = fma(B->m, square, twice_f);
+  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0 = fma(-B->h.y, s->m5, across_0a);
+  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1 = fma(-B->h.z, s->m3, across_1a);
+  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2 = fma(-B->h.x, s->m4, across_2a);
+  const double energy_a = KSL_MUL(s->m0, across_0), energy_c = fma(s->m1, across_1, energy_a),
+      energy_e = fma(s->m2, across_2, energy_c), energy = fma(0.5, twice, energy_e);
   return energy;
+}
+
+/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
+     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
+     less that of gravity: the wrench beside gravity's.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
+   18 mul, 21 add, 21 fma, 3 neg.
+   Error <= u |result| + (lin: 5, ang: 6) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_spatial_inertia_net_wrench_fused(const ksl_spatial_inertia_t *B,
+    const ksl_vec3_t *w, const ksl_screw_t *ds, ksl_coscrew_t *co) {
+  const double ww_0 = KSL_MUL(w->x, w->x);
+  const double ww_1 = KSL_MUL(w->y, w->y);
+  const double ww_2 = KSL_MUL(w->z, w->z);
+  const double ww_3 = KSL_MUL(w->x, w->y);
+  const double ww_4 = KSL_MUL(w->x, w->z);
+  const double ww_5 = KSL_MUL(w->y, w->z);
+  const double U_0a_lead = -ww_1, U_0 = U_0a_lead - ww_2;
+  const double U_1 = ww_3 - ds->m5;
+  const double U_2 = ds->m4 + ww_4;
+  const double U_3 = ds->m5 + ww_3;
+  const double U_4a_lead = -ww_0, U_4 = U_4a_lead - ww_2;
+  const double U_5 = ww_5 - ds->m3;
+  const double U_6 = ww_4 - ds->m4;
+  const double U_7 = ds->m3 + ww_5;
+  const double U_8a_lead = -ww_0, U_8 = U_8a_lead - ww_1;
+  const double others_0 = B->zz - B->yy;
+  const double others_1 = B->xx - B->zz;
+  const double others_2 = B->yy - B->xx;
+  const double squares_0 = ww_1 - ww_2;
+  const double squares_1 = ww_2 - ww_0;
+  const double squares_2 = ww_0 - ww_1;
+  const double own_0a = KSL_MUL(B->xx, ds->m3), own_0 = fma(ww_5, others_0, own_0a);
+  const double own_1a = KSL_MUL(B->yy, ds->m4), own_1 = fma(ww_4, others_1, own_1a);
+  const double own_2a = KSL_MUL(B->zz, ds->m5), own_2 = fma(ww_3, others_2, own_2a);
+  const double N_0a = KSL_MUL(B->xz, U_3), N_0c = fma(-B->xy, U_6, N_0a),
+      N_0e = fma(B->yz, squares_0, N_0c), N_0 = N_0e + own_0;
+  const double N_1a = KSL_MUL(B->xy, U_7), N_1c = fma(-B->yz, U_1, N_1a),
+      N_1e = fma(B->xz, squares_1, N_1c), N_1 = N_1e + own_1;
+  const double N_2b = KSL_MUL(B->yz, U_2), N_2d = fma(-B->xz, U_5, N_2b),
+      N_2e = fma(B->xy, squares_2, N_2d), N_2 = N_2e + own_2;
+  const double co_0b = KSL_MUL(B->h.x, U_0), co_0d = fma(B->h.y, U_1, co_0b),
+      co_0f = fma(B->h.z, U_2, co_0d), co_0 = fma(B->m, ds->m0, co_0f);
+  const double co_1b = KSL_MUL(B->h.x, U_3), co_1d = fma(B->h.y, U_4, co_1b),
+      co_1f = fma(B->h.z, U_5, co_1d), co_1 = fma(B->m, ds->m1, co_1f);
+  const double co_2b = KSL_MUL(B->h.x, U_6), co_2d = fma(B->h.y, U_7, co_2b),
+      co_2f = fma(B->h.z, U_8, co_2d), co_2 = fma(B->m, ds->m2, co_2f);
+  const double co_3a = KSL_MUL(B->h.y, ds->m2), co_3c = fma(-B->h.z, ds->m1, co_3a),
+      co_3 = co_3c + N_0;
+  const double co_4a = KSL_MUL(B->h.z, ds->m0), co_4c = fma(-B->h.x, ds->m2, co_4a),
+      co_4 = co_4c + N_1;
+  const double co_5a = KSL_MUL(B->h.x, ds->m1), co_5c = fma(-B->h.y, ds->m0, co_5a),
+      co_5 = co_5c + N_2;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
 }
 
 /* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
@@ -471,29 +529,87 @@ static inline void ksl_product_Bsf_fused(const ksl_spatial_inertiaf_t *B, const 
 /* s·B s / 2, the kinetic energy in J of a body that moves with s.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); s: screw (v in m/s; ω in rad/s).
-   12 mul, 1 add, 16 fma.
-   Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
+   9 mul, 17 fma.
+   Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_spatial_inertiaf_energy_fused(const ksl_spatial_inertiaf_t *B,
     const ksl_screwf_t *s) {
-  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0 = fmaf(-B->h.y, s->m5, across_0a);
-  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1 = fmaf(-B->h.z, s->m3, across_1a);
-  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2 = fmaf(-B->h.x, s->m4, across_2a);
-  const float p_0a = KSL_MULF(B->m, s->m0), p_0 = fmaf(2.0f, across_0, p_0a);
-  const float p_1a = KSL_MULF(B->m, s->m1), p_1 = fmaf(2.0f, across_1, p_1a);
-  const float p_2a = KSL_MULF(B->m, s->m2), p_2 = fmaf(2.0f, across_2, p_2a);
+  const float square_a = KSL_MULF(s->m0, s->m0), square_c = fmaf(s->m1, s->m1, square_a),
+      square = fmaf(s->m2, s->m2, square_c);
   const float L_0a = KSL_MULF(B->xx, s->m3), L_0c = fmaf(B->xy, s->m4, L_0a),
       L_0 = fmaf(B->xz, s->m5, L_0c);
   const float L_1a = KSL_MULF(B->yy, s->m4), L_1c = fmaf(B->xy, s->m3, L_1a),
       L_1 = fmaf(B->yz, s->m5, L_1c);
   const float L_2a = KSL_MULF(B->zz, s->m5), L_2c = fmaf(B->xz, s->m3, L_2a),
       L_2 = fmaf(B->yz, s->m4, L_2c);
-  const float twice_a = KSL_MULF(s->m0, p_0), twice_c = fmaf(s->m1, p_1, twice_a),
-      twice_e = fmaf(s->m2, p_2, twice_c), twice_f = KSL_MULF(s->m3, L_0),
-      twice_h = fmaf(s->m4, L_1, twice_f), twice_j = fmaf(s->m5, L_2, twice_h),
-      twice = twice_e + twice_j;
-  const float energy = KSL_MULF(0.5f, twice);
+  const float twice_b = KSL_MULF(s->m3, L_0), twice_d = fmaf(s->m4, L_1, twice_b),
+      twice_f = fmaf(s->m5, L_2, twice_d), twice = fmaf(B->m, square, twice_f);
+  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0 = fmaf(-B->h.y, s->m5, across_0a);
+  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1 = fmaf(-B->h.z, s->m3, across_1a);
+  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2 = fmaf(-B->h.x, s->m4, across_2a);
+  const float energy_a = KSL_MULF(s->m0, across_0), energy_c = fmaf(s->m1, across_1, energy_a),
+      energy_e = fmaf(s->m2, across_2, energy_c), energy = fmaf(0.5f, twice, energy_e);
   return energy;
+}
+
+/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
+     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
+     less that of gravity: the wrench beside gravity's.
+   B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
+     m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
+   18 mul, 21 add, 21 fma, 3 neg.
+   Error <= u |result| + (lin: 5, ang: 6) u S, S the sum of the |terms| of the expanded formula;
+     barring over- and underflow. */
+static inline void ksl_spatial_inertiaf_net_wrench_fused(const ksl_spatial_inertiaf_t *B,
+    const ksl_vec3f_t *w, const ksl_screwf_t *ds, ksl_coscrewf_t *co) {
+  const float ww_0 = KSL_MULF(w->x, w->x);
+  const float ww_1 = KSL_MULF(w->y, w->y);
+  const float ww_2 = KSL_MULF(w->z, w->z);
+  const float ww_3 = KSL_MULF(w->x, w->y);
+  const float ww_4 = KSL_MULF(w->x, w->z);
+  const float ww_5 = KSL_MULF(w->y, w->z);
+  const float U_0a_lead = -ww_1, U_0 = U_0a_lead - ww_2;
+  const float U_1 = ww_3 - ds->m5;
+  const float U_2 = ds->m4 + ww_4;
+  const float U_3 = ds->m5 + ww_3;
+  const float U_4a_lead = -ww_0, U_4 = U_4a_lead - ww_2;
+  const float U_5 = ww_5 - ds->m3;
+  const float U_6 = ww_4 - ds->m4;
+  const float U_7 = ds->m3 + ww_5;
+  const float U_8a_lead = -ww_0, U_8 = U_8a_lead - ww_1;
+  const float others_0 = B->zz - B->yy;
+  const float others_1 = B->xx - B->zz;
+  const float others_2 = B->yy - B->xx;
+  const float squares_0 = ww_1 - ww_2;
+  const float squares_1 = ww_2 - ww_0;
+  const float squares_2 = ww_0 - ww_1;
+  const float own_0a = KSL_MULF(B->xx, ds->m3), own_0 = fmaf(ww_5, others_0, own_0a);
+  const float own_1a = KSL_MULF(B->yy, ds->m4), own_1 = fmaf(ww_4, others_1, own_1a);
+  const float own_2a = KSL_MULF(B->zz, ds->m5), own_2 = fmaf(ww_3, others_2, own_2a);
+  const float N_0a = KSL_MULF(B->xz, U_3), N_0c = fmaf(-B->xy, U_6, N_0a),
+      N_0e = fmaf(B->yz, squares_0, N_0c), N_0 = N_0e + own_0;
+  const float N_1a = KSL_MULF(B->xy, U_7), N_1c = fmaf(-B->yz, U_1, N_1a),
+      N_1e = fmaf(B->xz, squares_1, N_1c), N_1 = N_1e + own_1;
+  const float N_2b = KSL_MULF(B->yz, U_2), N_2d = fmaf(-B->xz, U_5, N_2b),
+      N_2e = fmaf(B->xy, squares_2, N_2d), N_2 = N_2e + own_2;
+  const float co_0b = KSL_MULF(B->h.x, U_0), co_0d = fmaf(B->h.y, U_1, co_0b),
+      co_0f = fmaf(B->h.z, U_2, co_0d), co_0 = fmaf(B->m, ds->m0, co_0f);
+  const float co_1b = KSL_MULF(B->h.x, U_3), co_1d = fmaf(B->h.y, U_4, co_1b),
+      co_1f = fmaf(B->h.z, U_5, co_1d), co_1 = fmaf(B->m, ds->m1, co_1f);
+  const float co_2b = KSL_MULF(B->h.x, U_6), co_2d = fmaf(B->h.y, U_7, co_2b),
+      co_2f = fmaf(B->h.z, U_8, co_2d), co_2 = fmaf(B->m, ds->m2, co_2f);
+  const float co_3a = KSL_MULF(B->h.y, ds->m2), co_3c = fmaf(-B->h.z, ds->m1, co_3a),
+      co_3 = co_3c + N_0;
+  const float co_4a = KSL_MULF(B->h.z, ds->m0), co_4c = fmaf(-B->h.x, ds->m2, co_4a),
+      co_4 = co_4c + N_1;
+  const float co_5a = KSL_MULF(B->h.x, ds->m1), co_5c = fmaf(-B->h.y, ds->m0, co_5a),
+      co_5 = co_5c + N_2;
+  co->m0 = co_0;
+  co->m1 = co_1;
+  co->m2 = co_2;
+  co->m3 = co_3;
+  co->m4 = co_4;
+  co->m5 = co_5;
 }
 
 /* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.

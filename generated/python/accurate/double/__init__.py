@@ -39,6 +39,7 @@ from coscrew.accurate.double.vec4 import (
     vec4_normalized,
 )
 from coscrew.accurate.double.mat3x3 import (
+    acceleration_tensor,
     mat3x3_determinant,
     mat3x3_inverse,
     mat3x3_normalize,
@@ -52,6 +53,10 @@ from coscrew.accurate.double.mat3x3 import (
 from coscrew.accurate.double.SE3 import (
     SE3_invert,
     SE3_inverted,
+)
+from coscrew.accurate.double.mat6x6 import (
+    mat6x6_rotated,
+    mat6x6_shifted,
 )
 from coscrew.accurate.double.matrix import (
     product_drv,
@@ -259,6 +264,7 @@ from coscrew.accurate.double.spatial_inertia import (
     spatial_inertia_about_com,
     product_Bs,
     spatial_inertia_energy,
+    spatial_inertia_net_wrench,
     spatial_inertia_shifted,
     spatial_inertia_transformed,
     spatial_inertia_consistency,

@@ -11,6 +11,72 @@ from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
 
+@kernel("(3),(3)->(3,3)")
+def acceleration_tensor(w, dw):
+    """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its
+    point x is accelerated by Ro x beyond its origin.
+
+    (3),(3)->(3,3).  w, dw: vector; Ro: rotation or other 3×3 matrix.
+    6 mul, 51 add, 12 product rest, 6 neg.  Error <= u |result| + 6 u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
+    """
+    w_0, w_1, w_2 = w
+    dw_0, dw_1, dw_2 = dw
+    ww_0 = w_0 * w_0
+    ww_1 = w_1 * w_1
+    ww_2 = w_2 * w_2
+    ww_3 = w_0 * w_1
+    ww_4 = w_0 * w_2
+    ww_5 = w_1 * w_2
+    Ro_00a = ww_1 + ww_2
+    Ro_00a_right = Ro_00a - ww_1
+    Ro_00a_left_rest = product_rest(w_1, w_1, ww_1, Ro_00a - Ro_00a_right)
+    Ro_00a_lo = Ro_00a_left_rest + product_rest(w_2, w_2, ww_2, Ro_00a_right)
+    Ro_00 = -Ro_00a
+    Ro_00_lo = -Ro_00a_lo
+    Ro_01 = ww_3 - dw_2
+    Ro_01_right = ww_3 - Ro_01
+    Ro_01_lo = product_rest(w_0, w_1, ww_3, Ro_01 + Ro_01_right) - (dw_2 - Ro_01_right)
+    Ro_02 = dw_1 + ww_4
+    Ro_02_right = Ro_02 - dw_1
+    Ro_02_lo = dw_1 - (Ro_02 - Ro_02_right) + product_rest(w_0, w_2, ww_4, Ro_02_right)
+    Ro_10 = dw_2 + ww_3
+    Ro_10_right = Ro_10 - dw_2
+    Ro_10_lo = dw_2 - (Ro_10 - Ro_10_right) + product_rest(w_0, w_1, ww_3, Ro_10_right)
+    Ro_11a = ww_0 + ww_2
+    Ro_11a_right = Ro_11a - ww_0
+    Ro_11a_left_rest = product_rest(w_0, w_0, ww_0, Ro_11a - Ro_11a_right)
+    Ro_11a_lo = Ro_11a_left_rest + product_rest(w_2, w_2, ww_2, Ro_11a_right)
+    Ro_11 = -Ro_11a
+    Ro_11_lo = -Ro_11a_lo
+    Ro_12 = ww_5 - dw_0
+    Ro_12_right = ww_5 - Ro_12
+    Ro_12_lo = product_rest(w_1, w_2, ww_5, Ro_12 + Ro_12_right) - (dw_0 - Ro_12_right)
+    Ro_20 = ww_4 - dw_1
+    Ro_20_right = ww_4 - Ro_20
+    Ro_20_lo = product_rest(w_0, w_2, ww_4, Ro_20 + Ro_20_right) - (dw_1 - Ro_20_right)
+    Ro_21 = dw_0 + ww_5
+    Ro_21_right = Ro_21 - dw_0
+    Ro_21_lo = dw_0 - (Ro_21 - Ro_21_right) + product_rest(w_1, w_2, ww_5, Ro_21_right)
+    Ro_22a = ww_0 + ww_1
+    Ro_22a_right = Ro_22a - ww_0
+    Ro_22a_left_rest = product_rest(w_0, w_0, ww_0, Ro_22a - Ro_22a_right)
+    Ro_22a_lo = Ro_22a_left_rest + product_rest(w_1, w_1, ww_1, Ro_22a_right)
+    Ro_22 = -Ro_22a
+    Ro_22_lo = -Ro_22a_lo
+    Ro_00_rounded = Ro_00 + Ro_00_lo
+    Ro_01_rounded = Ro_01 + Ro_01_lo
+    Ro_02_rounded = Ro_02 + Ro_02_lo
+    Ro_10_rounded = Ro_10 + Ro_10_lo
+    Ro_11_rounded = Ro_11 + Ro_11_lo
+    Ro_12_rounded = Ro_12 + Ro_12_lo
+    Ro_20_rounded = Ro_20 + Ro_20_lo
+    Ro_21_rounded = Ro_21 + Ro_21_lo
+    Ro_22_rounded = Ro_22 + Ro_22_lo
+    return (Ro_00_rounded, Ro_01_rounded, Ro_02_rounded, Ro_10_rounded, Ro_11_rounded,
+        Ro_12_rounded, Ro_20_rounded, Ro_21_rounded, Ro_22_rounded)
+
+
 @kernel("(3,3)->()")
 def mat3x3_determinant(R):
     """det R.

@@ -220,6 +220,15 @@ def vec4_normalized(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDAr
     16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
     """
 
+def acceleration_tensor(w: ArrayLike, dw: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its
+    point x is accelerated by Ro x beyond its origin.
+
+    (3),(3)->(3,3).  w, dw: vector; Ro: rotation or other 3×3 matrix.
+    6 mul, 9 add, 3 neg.  Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the
+    expanded formula; barring over- and underflow.
+    """
+
 def mat3x3_determinant(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """det R.
 
@@ -309,6 +318,24 @@ def SE3_inverted(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray
     (3,4)->(3,4).  D, Do: displacement [R | t], R rotation, t in m.
     9 mul, 6 add, 3 neg.  Error <= u |result| + (R: 0, t: 3/32) u^2 S, S the sum of the |terms|
     of the expanded formula; barring over- and underflow.
+    """
+
+def mat6x6_rotated(R: ArrayLike, M: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the
+    articulated inertia M rotated by R.
+
+    (3,3),(6,6)->(6,6).  R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.
+    144 mul, 96 add.  Error <= u |result| + 3/16 u^2 S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
+    """
+
+def mat6x6_shifted(t: ArrayLike, M: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the
+    articulated inertia M shifted by t.
+
+    (3),(6,6)->(6,6).  t: vector; M, Mo: 6×6 operator.
+    39 mul, 42 add.  Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded
+    formula; barring over- and underflow.
     """
 
 def product_drv(R: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1902,8 +1929,20 @@ def spatial_inertia_energy(B: ArrayLike, s: ArrayLike, out: NDArray[np.float32] 
 
     (10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
     xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy: number.
-    28 mul, 17 add.  Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded
+    26 mul, 17 add.  Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded
     formula; barring over- and underflow.
+    """
+
+def spatial_inertia_net_wrench(B: ArrayLike, w: ArrayLike, ds: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move
+    with angular velocity w and acceleration ds = (a; w'), a that of the point now at the
+    origin; a less that of gravity: the wrench beside gravity's.
+
+    (10),(3),(6)->(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,
+    yy, zz, xy, xz, yz in kg m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f
+    in N; τ in N m).
+    39 mul, 42 add, 3 neg.  Error <= u |result| + (lin: 3/16, ang: 7/32) u^2 S, S the sum of the
+    |terms| of the expanded formula; barring over- and underflow.
     """
 
 def spatial_inertia_shifted(t: ArrayLike, B: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1930,5 +1969,5 @@ def spatial_inertia_consistency(B: ArrayLike, out: NDArray[np.float32] | None = 
 
     (10)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
     xz, yz in kg m^2); pivot: number.
-    13 mul, 15 add, 10 div, 3 neg, 9 less, 13 select.
+    11 mul, 15 add, 10 div, 3 neg, 9 less, 13 select.
     """

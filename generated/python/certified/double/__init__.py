@@ -31,12 +31,17 @@ from coscrew.certified.double.vec4 import (
     vec4_scaled,
 )
 from coscrew.certified.double.mat3x3 import (
+    acceleration_tensor,
     mat3x3_determinant,
     mat3x3_setFromAxisDC,
 )
 from coscrew.certified.double.SE3 import (
     SE3_invert,
     SE3_inverted,
+)
+from coscrew.certified.double.mat6x6 import (
+    mat6x6_rotated,
+    mat6x6_shifted,
 )
 from coscrew.certified.double.matrix import (
     product_drv,
@@ -217,6 +222,7 @@ from coscrew.certified.double.spatial_inertia import (
     spatial_inertia_from_com,
     product_Bs,
     spatial_inertia_energy,
+    spatial_inertia_net_wrench,
     spatial_inertia_shifted,
     spatial_inertia_transformed,
 )

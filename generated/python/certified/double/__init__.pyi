@@ -147,6 +147,15 @@ def vec4_scaled(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float64] | Non
     8 mul, 4 add, 4 abs.
     """
 
+def acceleration_tensor(w: ArrayLike, dw: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its
+    point x is accelerated by Ro x beyond its origin; |error of Ro| <= Ro_bound unless inf or
+    NaN.
+
+    (3),(3)->(3,3),(3,3).  w, dw: vector; Ro, Ro_bound: rotation or other 3×3 matrix.
+    15 mul, 27 add, 3 neg, 9 abs.
+    """
+
 def mat3x3_determinant(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """det R; |error of det| <= det_bound unless inf or NaN.
 
@@ -175,6 +184,22 @@ def SE3_inverted(D: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np
 
     (3,4)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m.
     12 mul, 15 add, 3 neg, 9 abs.
+    """
+
+def mat6x6_rotated(R: ArrayLike, M: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the
+    articulated inertia M rotated by R; |error of Mo| <= Mo_bound unless inf or NaN.
+
+    (3,3),(6,6)->(6,6),(6,6).  R: rotation or other 3×3 matrix; M, Mo, Mo_bound: 6×6 operator.
+    228 mul, 240 add, 90 abs.
+    """
+
+def mat6x6_shifted(t: ArrayLike, M: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the
+    articulated inertia M shifted by t; |error of Mo| <= Mo_bound unless inf or NaN.
+
+    (3),(6,6)->(6,6),(6,6).  t: vector; M, Mo, Mo_bound: 6×6 operator.
+    66 mul, 99 add, 45 abs.
     """
 
 def product_drv(R: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -1493,7 +1518,19 @@ def spatial_inertia_energy(B: ArrayLike, s: ArrayLike, out: tuple[NDArray[np.flo
 
     (10),(6)->(),().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
     zz, xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy, energy_bound: number.
-    39 mul, 45 add, 24 abs.
+    35 mul, 43 add, 25 abs.
+    """
+
+def spatial_inertia_net_wrench(B: ArrayLike, w: ArrayLike, ds: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move
+    with angular velocity w and acceleration ds = (a; w'), a that of the point now at the
+    origin; a less that of gravity: the wrench beside gravity's; |error of co| <= co_bound
+    unless inf or NaN.
+
+    (10),(3),(6)->(6),(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin,
+    xx, yy, zz, xy, xz, yz in kg m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co,
+    co_bound: coscrew (f in N; τ in N m).
+    66 mul, 102 add, 3 neg, 30 abs.
     """
 
 def spatial_inertia_shifted(t: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -10,6 +10,61 @@ from numpy import absolute
 from coscrew._kernel import double_kernel as kernel
 
 
+@kernel("(3),(3)->(3,3),(3,3)")
+def acceleration_tensor(w, dw):
+    """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its
+    point x is accelerated by Ro x beyond its origin; |error of Ro| <= Ro_bound unless inf or
+    NaN.
+
+    (3),(3)->(3,3),(3,3).  w, dw: vector; Ro, Ro_bound: rotation or other 3×3 matrix.
+    15 mul, 27 add, 3 neg, 9 abs.
+    """
+    w_0, w_1, w_2 = w
+    dw_0, dw_1, dw_2 = dw
+    ww_0 = w_0 * w_0
+    ww_1 = w_1 * w_1
+    ww_2 = w_2 * w_2
+    ww_3 = w_0 * w_1
+    ww_4 = w_0 * w_2
+    ww_5 = w_1 * w_2
+    Ro_00 = -(ww_1 + ww_2)
+    Ro_01 = ww_3 - dw_2
+    Ro_02 = dw_1 + ww_4
+    Ro_10 = dw_2 + ww_3
+    Ro_11 = -(ww_0 + ww_2)
+    Ro_12 = ww_5 - dw_0
+    Ro_20 = ww_4 - dw_1
+    Ro_21 = dw_0 + ww_5
+    Ro_22 = -(ww_0 + ww_1)
+    ww_1_abs = absolute(ww_1)
+    ww_2_abs = absolute(ww_2)
+    ww_3_abs = absolute(ww_3)
+    dw_2_abs = absolute(dw_2)
+    Ro_01_size = ww_3_abs + dw_2_abs
+    dw_1_abs = absolute(dw_1)
+    ww_4_abs = absolute(ww_4)
+    Ro_02_size = dw_1_abs + ww_4_abs
+    Ro_10_size = dw_2_abs + ww_3_abs
+    ww_0_abs = absolute(ww_0)
+    ww_5_abs = absolute(ww_5)
+    dw_0_abs = absolute(dw_0)
+    Ro_12_size = ww_5_abs + dw_0_abs
+    Ro_20_size = ww_4_abs + dw_1_abs
+    Ro_21_size = dw_0_abs + ww_5_abs
+    Ro_00a_error_bound = 2.2204460492503136e-16 * (ww_1_abs + ww_2_abs + 2.004168360008973e-292)
+    Ro_01_error_bound = 2.2204460492503136e-16 * (Ro_01_size + 2.004168360008973e-292)
+    Ro_02_error_bound = 2.2204460492503136e-16 * (Ro_02_size + 2.004168360008973e-292)
+    Ro_10_error_bound = 2.2204460492503136e-16 * (Ro_10_size + 2.004168360008973e-292)
+    Ro_11a_error_bound = 2.2204460492503136e-16 * (ww_0_abs + ww_2_abs + 2.004168360008973e-292)
+    Ro_12_error_bound = 2.2204460492503136e-16 * (Ro_12_size + 2.004168360008973e-292)
+    Ro_20_error_bound = 2.2204460492503136e-16 * (Ro_20_size + 2.004168360008973e-292)
+    Ro_21_error_bound = 2.2204460492503136e-16 * (Ro_21_size + 2.004168360008973e-292)
+    Ro_22a_error_bound = 2.2204460492503136e-16 * (ww_0_abs + ww_1_abs + 2.004168360008973e-292)
+    return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22, Ro_00a_error_bound,
+        Ro_01_error_bound, Ro_02_error_bound, Ro_10_error_bound, Ro_11a_error_bound,
+        Ro_12_error_bound, Ro_20_error_bound, Ro_21_error_bound, Ro_22a_error_bound)
+
+
 @kernel("(3,3)->(),()")
 def mat3x3_determinant(R):
     """det R; |error of det| <= det_bound unless inf or NaN.

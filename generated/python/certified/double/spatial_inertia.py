@@ -247,28 +247,14 @@ def spatial_inertia_energy(B, s):
 
     (10),(6)->(),().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
     zz, xy, xz, yz in kg m^2); s: screw (v in m/s; ω in rad/s); energy, energy_bound: number.
-    39 mul, 45 add, 24 abs.
+    35 mul, 43 add, 25 abs.
     """
     B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
     s_0, s_1, s_2, s_3, s_4, s_5 = s
-    across_0a = B_3 * s_4
-    across_0b = B_2 * s_5
-    across_0 = across_0a - across_0b
-    across_1a = B_1 * s_5
-    across_1b = B_3 * s_3
-    across_1 = across_1a - across_1b
-    across_2a = B_2 * s_3
-    across_2b = B_1 * s_4
-    across_2 = across_2a - across_2b
-    twice_across_0 = 2 * across_0
-    twice_across_1 = 2 * across_1
-    twice_across_2 = 2 * across_2
-    p_0a = B_0 * s_0
-    p_0 = p_0a + twice_across_0
-    p_1a = B_0 * s_1
-    p_1 = p_1a + twice_across_1
-    p_2a = B_0 * s_2
-    p_2 = p_2a + twice_across_2
+    square_a = s_0 * s_0
+    square_b = s_1 * s_1
+    square_d = s_2 * s_2
+    square = square_a + square_b + square_d
     L_0a = B_4 * s_3
     L_0b = B_7 * s_4
     L_0d = B_8 * s_5
@@ -281,30 +267,159 @@ def spatial_inertia_energy(B, s):
     L_2b = B_8 * s_3
     L_2d = B_9 * s_4
     L_2 = L_2a + L_2b + L_2d
-    twice = s_0 * p_0 + s_1 * p_1 + s_2 * p_2 + (s_3 * L_0 + s_4 * L_1 + s_5 * L_2)
-    energy = 0.5 * twice
-    across_0_size = absolute(across_0a) + absolute(across_0b)
-    across_1_size = absolute(across_1a) + absolute(across_1b)
-    across_2_size = absolute(across_2a) + absolute(across_2b)
-    twice_across_0_size = 2 * (across_0_size + 2.004168360008973e-292)
-    twice_across_1_size = 2 * (across_1_size + 2.004168360008973e-292)
-    twice_across_2_size = 2 * (across_2_size + 2.004168360008973e-292)
-    p_0_size = absolute(p_0a) + twice_across_0_size
-    p_1_size = absolute(p_1a) + twice_across_1_size
-    p_2_size = absolute(p_2a) + twice_across_2_size
+    twice = B_0 * square + (s_3 * L_0 + s_4 * L_1 + s_5 * L_2)
+    across_0a = B_3 * s_4
+    across_0b = B_2 * s_5
+    across_0 = across_0a - across_0b
+    across_1a = B_1 * s_5
+    across_1b = B_3 * s_3
+    across_1 = across_1a - across_1b
+    across_2a = B_2 * s_3
+    across_2b = B_1 * s_4
+    across_2 = across_2a - across_2b
+    energy = s_0 * across_0 + s_1 * across_1 + s_2 * across_2 + 0.5 * twice
+    square_size = absolute(square_a) + absolute(square_b) + absolute(square_d)
     L_0_size = absolute(L_0a) + absolute(L_0b) + absolute(L_0d)
     L_1_size = absolute(L_1a) + absolute(L_1b) + absolute(L_1d)
     L_2_size = absolute(L_2a) + absolute(L_2b) + absolute(L_2d)
-    twice_a_size = absolute(s_0) * (p_0_size + 2.004168360008973e-292)
-    twice_c_size = twice_a_size + absolute(s_1) * (p_1_size + 2.004168360008973e-292)
-    twice_e_size = twice_c_size + absolute(s_2) * (p_2_size + 2.004168360008973e-292)
-    twice_f_size = absolute(s_3) * (L_0_size + 2.004168360008973e-292)
-    twice_h_size = twice_f_size + absolute(s_4) * (L_1_size + 2.004168360008973e-292)
-    twice_j_size = twice_h_size + absolute(s_5) * (L_2_size + 2.004168360008973e-292)
-    twice_size = twice_e_size + twice_j_size
-    energy_size = 0.5 * (twice_size + 2.004168360008973e-292)
+    twice_a_size = absolute(B_0) * (square_size + 2.004168360008973e-292)
+    twice_b_size = absolute(s_3) * (L_0_size + 2.004168360008973e-292)
+    twice_d_size = twice_b_size + absolute(s_4) * (L_1_size + 2.004168360008973e-292)
+    twice_f_size = twice_d_size + absolute(s_5) * (L_2_size + 2.004168360008973e-292)
+    twice_size = twice_a_size + twice_f_size
+    across_0_size = absolute(across_0a) + absolute(across_0b)
+    across_1_size = absolute(across_1a) + absolute(across_1b)
+    across_2_size = absolute(across_2a) + absolute(across_2b)
+    energy_a_size = absolute(s_0) * (across_0_size + 2.004168360008973e-292)
+    energy_c_size = energy_a_size + absolute(s_1) * (across_1_size + 2.004168360008973e-292)
+    energy_e_size = energy_c_size + absolute(s_2) * (across_2_size + 2.004168360008973e-292)
+    energy_size = energy_e_size + 0.5 * (twice_size + 2.004168360008973e-292)
     energy_error_bound = 9.992007221626415e-16 * (energy_size + 2.004168360008973e-292)
     return (energy, energy_error_bound)
+
+
+@kernel("(10),(3),(6)->(6),(6)")
+def spatial_inertia_net_wrench(B, w, ds):
+    """co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move
+    with angular velocity w and acceleration ds = (a; w'), a that of the point now at the
+    origin; a less that of gravity: the wrench beside gravity's; |error of co| <= co_bound
+    unless inf or NaN.
+
+    (10),(3),(6)->(6),(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin,
+    xx, yy, zz, xy, xz, yz in kg m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co,
+    co_bound: coscrew (f in N; τ in N m).
+    66 mul, 102 add, 3 neg, 30 abs.
+    """
+    B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
+    w_0, w_1, w_2 = w
+    ds_0, ds_1, ds_2, ds_3, ds_4, ds_5 = ds
+    ww_0 = w_0 * w_0
+    ww_1 = w_1 * w_1
+    ww_2 = w_2 * w_2
+    ww_3 = w_0 * w_1
+    ww_4 = w_0 * w_2
+    ww_5 = w_1 * w_2
+    U_0 = -(ww_1 + ww_2)
+    U_1 = ww_3 - ds_5
+    U_2 = ds_4 + ww_4
+    U_3 = ds_5 + ww_3
+    U_4 = -(ww_0 + ww_2)
+    U_5 = ww_5 - ds_3
+    U_6 = ww_4 - ds_4
+    U_7 = ds_3 + ww_5
+    U_8 = -(ww_0 + ww_1)
+    others_0 = B_6 - B_5
+    others_1 = B_4 - B_6
+    others_2 = B_5 - B_4
+    squares_0 = ww_1 - ww_2
+    squares_1 = ww_2 - ww_0
+    squares_2 = ww_0 - ww_1
+    own_0a = B_4 * ds_3
+    own_0 = own_0a + ww_5 * others_0
+    own_1a = B_5 * ds_4
+    own_1 = own_1a + ww_4 * others_1
+    own_2a = B_6 * ds_5
+    own_2 = own_2a + ww_3 * others_2
+    N_0 = B_8 * U_3 - B_7 * U_6 + B_9 * squares_0 + own_0
+    N_1 = B_7 * U_7 - B_9 * U_1 + B_8 * squares_1 + own_1
+    N_2 = B_7 * squares_2 + (B_9 * U_2 - B_8 * U_5) + own_2
+    co_0a = B_0 * ds_0
+    co_0 = co_0a + (B_1 * U_0 + B_2 * U_1 + B_3 * U_2)
+    co_1a = B_0 * ds_1
+    co_1 = co_1a + (B_1 * U_3 + B_2 * U_4 + B_3 * U_5)
+    co_2a = B_0 * ds_2
+    co_2 = co_2a + (B_1 * U_6 + B_2 * U_7 + B_3 * U_8)
+    co_3a = B_2 * ds_2
+    co_3b = B_3 * ds_1
+    co_3 = co_3a - co_3b + N_0
+    co_4a = B_3 * ds_0
+    co_4b = B_1 * ds_2
+    co_4 = co_4a - co_4b + N_1
+    co_5a = B_1 * ds_1
+    co_5b = B_2 * ds_0
+    co_5 = co_5a - co_5b + N_2
+    ww_1_abs = absolute(ww_1)
+    ww_2_abs = absolute(ww_2)
+    ww_3_abs = absolute(ww_3)
+    ds_5_abs = absolute(ds_5)
+    U_1_size = ww_3_abs + ds_5_abs
+    ds_4_abs = absolute(ds_4)
+    ww_4_abs = absolute(ww_4)
+    U_2_size = ds_4_abs + ww_4_abs
+    U_3_size = ds_5_abs + ww_3_abs
+    ww_0_abs = absolute(ww_0)
+    ww_5_abs = absolute(ww_5)
+    ds_3_abs = absolute(ds_3)
+    U_5_size = ww_5_abs + ds_3_abs
+    U_6_size = ww_4_abs + ds_4_abs
+    U_7_size = ds_3_abs + ww_5_abs
+    squares_0_size = ww_1_abs + ww_2_abs
+    squares_1_size = ww_2_abs + ww_0_abs
+    squares_2_size = ww_0_abs + ww_1_abs
+    own_0_size = absolute(own_0a) + (ww_5_abs + 2.004168360008973e-292) * absolute(others_0)
+    own_1_size = absolute(own_1a) + (ww_4_abs + 2.004168360008973e-292) * absolute(others_1)
+    own_2_size = absolute(own_2a) + (ww_3_abs + 2.004168360008973e-292) * absolute(others_2)
+    U_3_padded = U_3_size + 2.004168360008973e-292
+    B_8_abs = absolute(B_8)
+    U_6_padded = U_6_size + 2.004168360008973e-292
+    B_7_abs = absolute(B_7)
+    B_9_abs = absolute(B_9)
+    N_0d_size = B_9_abs * (squares_0_size + 2.004168360008973e-292)
+    N_0e_size = B_8_abs * U_3_padded + B_7_abs * U_6_padded + N_0d_size
+    N_0_size = N_0e_size + own_0_size
+    U_7_padded = U_7_size + 2.004168360008973e-292
+    U_1_padded = U_1_size + 2.004168360008973e-292
+    N_1d_size = B_8_abs * (squares_1_size + 2.004168360008973e-292)
+    N_1e_size = B_7_abs * U_7_padded + B_9_abs * U_1_padded + N_1d_size
+    N_1_size = N_1e_size + own_1_size
+    N_2a_size = B_7_abs * (squares_2_size + 2.004168360008973e-292)
+    U_2_padded = U_2_size + 2.004168360008973e-292
+    U_5_padded = U_5_size + 2.004168360008973e-292
+    N_2e_size = N_2a_size + (B_9_abs * U_2_padded + B_8_abs * U_5_padded)
+    N_2_size = N_2e_size + own_2_size
+    B_1_abs = absolute(B_1)
+    B_2_abs = absolute(B_2)
+    co_0d_size = B_1_abs * (ww_1_abs + ww_2_abs + 2.004168360008973e-292) + B_2_abs * U_1_padded
+    B_3_abs = absolute(B_3)
+    co_0f_size = co_0d_size + B_3_abs * U_2_padded
+    co_0_size = absolute(co_0a) + co_0f_size
+    co_1d_size = B_1_abs * U_3_padded + B_2_abs * (ww_0_abs + ww_2_abs + 2.004168360008973e-292)
+    co_1f_size = co_1d_size + B_3_abs * U_5_padded
+    co_1_size = absolute(co_1a) + co_1f_size
+    co_2e_size = B_3_abs * (ww_0_abs + ww_1_abs + 2.004168360008973e-292)
+    co_2f_size = B_1_abs * U_6_padded + B_2_abs * U_7_padded + co_2e_size
+    co_2_size = absolute(co_2a) + co_2f_size
+    co_3_size = absolute(co_3a) + absolute(co_3b) + N_0_size
+    co_4_size = absolute(co_4a) + absolute(co_4b) + N_1_size
+    co_5_size = absolute(co_5a) + absolute(co_5b) + N_2_size
+    co_0_error_bound = 6.661338147750942e-16 * (co_0_size + 2.004168360008973e-292)
+    co_1_error_bound = 6.661338147750942e-16 * (co_1_size + 2.004168360008973e-292)
+    co_2_error_bound = 6.661338147750942e-16 * (co_2_size + 2.004168360008973e-292)
+    co_3_error_bound = 7.7715611723761e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_error_bound = 7.7715611723761e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_error_bound = 7.7715611723761e-16 * (co_5_size + 2.004168360008973e-292)
+    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_error_bound, co_1_error_bound,
+        co_2_error_bound, co_3_error_bound, co_4_error_bound, co_5_error_bound)
 
 
 @kernel("(3),(10)->(10),(10)")

@@ -1,0 +1,79 @@
+"""Names in a scene's text: the symbols behind a link's name, and a legend of them."""
+
+import re
+from collections.abc import Iterable, Iterator
+
+SYMBOLS: dict[tuple[str, ...], str] = {
+    ("s", "c"): "sine and cosine of the joint's angle",
+    ("R",): "rotation of the link's frame in its parent's",
+    ("t",): "origin of the link's frame in its parent's",
+    ("Rw",): "rotation of the link's frame in the world's",
+    ("tw",): "origin of the link's frame in the world's",
+    ("wp",): "angular velocity of the parent",
+    ("w",): "angular velocity",
+    ("v",): "velocity of the origin",
+    ("dw",): "angular acceleration",
+    ("U",): "acceleration tensor dw~ + w~ w~: a point x is accelerated by U x beyond the origin",
+    ("a",): "acceleration of the origin, less that of gravity",
+    ("B", "Bm", "Bh", "BI"): "inertia of the link: mass, first and second moments",
+    ("f", "m"): "net force and moment about the origin, less those of effects",
+    ("fj", "mj"): "force and moment about the origin that the joint transmits",
+    ("fp", "mp"): "the same in the parent's frame, about its origin",
+    ("tau",): "force or torque along the joint's axis",
+    ("p", "L"): "momentum and angular momentum about the origin",
+    ("T", "V"): "kinetic and potential energy",
+    ("C", "Cm", "Ch", "CI"): "inertia of the link and all behind it",
+    ("Cp", "Cpm", "Cph", "CpI"): "the same in the parent's frame",
+    ("F",): "force and moment that a unit acceleration of the joint takes",
+    ("M",): "entries of the mass matrix",
+    ("A", "Al", "Ac", "Aa"): "articulated inertia A = [[Al, Ac^T], [Ac, Aa]], linear part first",
+    ("Ap", "Apl", "Apc", "Apa"): "what the joint leaves of it, in the parent's frame",
+    ("S", "Sl", "Sa"): "articulated inertia times the joint's axes (linear; angular)",
+    ("D",): "inertia along the joint's axes, L D L^T of several",
+    ("Di",): "1 / D",
+    ("K", "Kl", "Ka"): "S / D (linear; angular)",
+    ("u",): "torque that accelerates the joint: less the transmitted wrench's part along its axis",
+    ("qdd",): "acceleration of the joint",
+    ("al", "aa"): "acceleration (linear, angular) that the joints' accelerations make",
+    ("own",): "what the joint has of its own: inertia, torques of effects",
+    ("J",): "columns of the Jacobian",
+    ("q",): "coordinates after the step",
+    ("drift", "kick"): "means of speeds and accelerations over a step",
+}
+_KNOWN = {symbol for symbols in SYMBOLS for symbol in symbols}
+
+
+def legend(names: Iterable[str]) -> tuple[str, ...]:
+    """Paragraphs that say what these names mean, as far as symbols make them up: 'wp: angular
+    velocity of the parent'.  None if there is no such name."""
+    found: set[str] = set()
+    marks: set[str] = set()
+    for name in set(names):
+        symbol, *others = reading(name)
+        found.add(symbol)
+        marks.update(others)
+    rows = tuple(f"{', '.join(x for x in symbols if x in found)}: {words}"
+                 for symbols, words in SYMBOLS.items() if found.intersection(symbols))
+    return (*_marks(marks), *rows) if rows else ()
+
+
+def reading(name: str) -> tuple[str, str, str, str]:
+    """What a name is made of: symbol, and "sign", "number", "step" where it has these; all empty
+    where it has no symbol."""
+    stem, _, last = name.rpartition("_")
+    step = "step" if last.isdigit() and stem else ""
+    word = (stem if step else name).rpartition("_")[2] if "_" in name else ""
+    for cut in range(len(word), 0, -1):
+        if match := re.fullmatch("([xyz]{0,2})(n?)([0-9]*)", word[cut:]):
+            if word[:cut] in _KNOWN:
+                return word[:cut], match[2] and "sign", match[3] and "number", step
+    return "", "", "", ""
+
+
+def _marks(marks: set[str]) -> Iterator[str]:
+    yield ("Behind a link's name stands what a number is of it, with its component: link_wx.  "
+           "Vectors are in the link's frame, about the frame's origin, unless this says otherwise.")
+    words = {"sign": "link_wxn is -link_wx", "number": "link_wx2 a second value of it",
+             "step": "link_wx_1 a step towards it, link_w_1 one towards several"}
+    if said := [words[x] for x in words if x in marks]:
+        yield "; ".join(said) + "."

@@ -1,0 +1,90 @@
+"""Names of instructions in scenes' text: read as the legend says, without gaps."""
+
+import re
+from collections import defaultdict
+from pathlib import Path
+
+import pytest
+
+from coscrew_codegen import scene_symbols
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.recording.recorder import Recorder, array
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene_functions import SceneFunctions
+from coscrew_codegen.targets import scene_c, scene_python
+from tests.support.scenes.effect_scenes import PLACES, arm, effects, mechanism
+from tests.support.scenes.mechanisms import gravity, scene
+
+SCENES: dict[str, Scene] = {
+    "falling": scene(mechanism(), gravity()),
+    "all effects": scene(mechanism(), *effects(*PLACES)), "arm": scene(arm(), *effects(*PLACES))}
+FREE = re.compile(r"(total|solution|speeds|parts|pair_[0-9]+|later|part|[a-z_]+_[0-9]+)_[0-9]+")
+"""What belongs to no link: solutions, pairs, effects by number."""
+
+
+@pytest.fixture(scope="module", params=SCENES)
+def functions(request: pytest.FixtureRequest) -> SceneFunctions:
+    return derive(SCENES[request.param])
+
+
+def test_every_name_has_a_symbol_of_the_legend(functions: SceneFunctions) -> None:
+    for f in functions.functions:
+        for step in f.program.instructions:
+            symbol, *_ = scene_symbols.reading(step.name)
+            assert symbol or FREE.fullmatch(step.name), f"{f.name}: {step.name}"
+
+
+def test_numbers_of_steps_have_no_gaps(functions: SceneFunctions) -> None:
+    for f in functions.functions:
+        found = defaultdict(set)
+        for step in f.program.instructions:
+            if match := re.fullmatch(r"(.+)_([0-9]+)", step.name):
+                found[match[1]].add(int(match[2]))
+        for stem, numbers in found.items():
+            if scene_symbols.reading(f"{stem}_1")[0]:
+                assert numbers == set(range(1, len(numbers) + 1)), f"{f.name}: {stem}"
+
+
+def test_legends_tell_the_symbols_that_occur_and_no_others(functions: SceneFunctions) -> None:
+    name = functions.name
+    for text in (scene_c.files(functions, "x")[f"{name}.c"],
+                 scene_python.files(functions, "x")[f"{name}/double.py"]):
+        code = re.sub(r"/\*.*?\*/|\"\"\".*?\"\"\"", "", text, flags=re.DOTALL)
+        words = set(re.findall(r"\w+", code))
+        told = {x for row in re.findall(r"^ *([A-Za-z]+(?:, [A-Za-z]+)*): ", text, re.MULTILINE)
+                for x in row.split(", ")} & {x for xs in scene_symbols.SYMBOLS for x in xs}
+        used = {scene_symbols.reading(x)[0] for f in functions.functions
+                for x in (step.name for step in f.program.instructions) if x in words} - {""}
+        assert told == used
+
+
+def test_values_keep_their_names_and_what_is_left_out_leaves_no_gap() -> None:
+    recorder = Recorder((array("x", (3,)),))
+    x, y, z = recorder.argument("x")
+    with recorder.part("arm", "w", "arm"):
+        unused = x * y
+        product, shared = x * z, y + z
+        value = (product + shared, -(shared * x), shared + unused)
+        recorder.label("w", value)
+        results = value[0], value[1] - 1
+    program = recorder.program("f", [(array("out", (2,)), results)])
+    assert [step.name for step in program.instructions] == [
+        "arm_wx_1", "arm_w_1", "arm_wx", "arm_wyn", "arm_w_2", "arm_w_3"]
+
+
+def test_the_second_value_of_a_name_is_numbered() -> None:
+    recorder = Recorder((array("x", (2,)),))
+    x, y = recorder.argument("x")
+    with recorder.part("arm", "T"):
+        for value in (x + y, x * y):
+            recorder.label("T", value)
+    program = recorder.program("f", [(array("out", (2,)), (x + y, x * y))])
+    assert [step.name for step in program.instructions] == ["arm_T", "arm_T2"]
+
+
+def test_example_scenes_headings_say_how_links_move() -> None:
+    from coscrew_codegen.scene_files.toml_scene import read_scene
+
+    path = Path(__file__).parents[2] / "examples" / "scenes" / "pendulum.toml"
+    found = derive(read_scene(path))
+    assert "/* rod: pivot turns about z */" in scene_c.files(found, "x")["pendulum.c"]
