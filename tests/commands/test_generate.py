@@ -171,8 +171,8 @@ def test_imports_run_one_way():
     order = ["version", "errors", "parameter", "found", "integrator", "integrators", "identifiers",
              "algebra", "quantity", "domains", "operations", "kernel", "passes", "program",
              "formats", "scene_functions", "scene_symbols", "schedule", "programs", "recording",
-             "tiers", "library", "render", "native", "targets", "special", "exact", "selection", "layout",
-             "emit", "report", "scene", "mechanics", "effects", "scene_files", "documentation",
+             "tiers", "library", "render", "native", "targets", "special", "exact", "selection",
+             "layout", "emit", "report", "scene", "mechanics", "effects", "scene_files", "documentation",
              "console", "simulate", "cost", "generate_command", "command_line", "extras",
              "__main__"]
     package = ROOT / "codegen"

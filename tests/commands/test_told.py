@@ -1,4 +1,4 @@
-"""On a terminal it is said what goes on while a scene is derived and compiled; elsewhere it is not."""
+"""On a terminal it is said what goes on while a scene is derived and compiled; else it is not."""
 
 import os
 import pty
