@@ -6,7 +6,7 @@ PYTHON  := $(VENV)/bin/python
 PIP     := PYTHONWARNINGS=ignore $(PYTHON) -m pip --quiet --disable-pip-version-check
 SOURCES := $(wildcard $(addprefix generated/,gufunc/*.[ch] gufunc/*/*.[ch] c/coscrew*.h))
 
-.PHONY: all generate check build example scene test bench attack report docs clean
+.PHONY: all generate check build example scene test test-quick bench attack report docs clean
 
 all: generate
 	@$(MAKE) --no-print-directory check example scene
@@ -69,6 +69,10 @@ $(VENV)/test-ready: $(VENV)/ready
 # The tests take generated/ as it is: `check` fails first if it is not what the generator makes.
 test: $(VENV)/test-ready check build
 	$(PYTHON) -m pytest -n auto --dist loadfile
+
+# For the working day, in a minute and a half: what takes long is left out, of much else a part.
+test-quick: $(VENV)/test-ready
+	$(PYTHON) -m pytest -n auto --dist loadfile --quick
 
 bench: $(VENV)/test-ready build
 	$(PYTHON) -m tests.benchmarks

@@ -16,6 +16,37 @@ if TYPE_CHECKING:  # imported where it is used: what only knows shapes starts wi
 
 
 @dataclass(frozen=True)
+class Domain:
+    """What an input may be; `words` say it of {x}.  A bound that was searched, and not proved, is
+    said to hold there, unless the domain restricts nothing.  `domains.py` draws from it."""
+
+    name: str
+    words: str
+    restricts: bool = True
+
+
+ANY = Domain("any", "{x} any numbers", False)
+ROTATION = Domain("rotation", "{x} a rotation")
+NEAR_ROTATION = Domain("near rotation", "{x} a rotation or nearly one", False)
+DISPLACEMENT = Domain("displacement", "R of {x} a rotation")
+UNIT_VECTOR = Domain("unit vector", "|{x}| = 1")
+UNIT_QUATERNION = Domain("unit quaternion", "|{x}| = 1")
+NONZERO = Domain("nonzero", "{x} not 0", False)
+ORDINARY = Domain("ordinary", "2^-450 < |{x}| < 2^511, in single precision 2^-45 < |{x}| < 2^63")
+FRACTION = Domain("fraction", "0 <= {x} <= 1")
+ANGLE, ANGLES = Domain("angle", "{x} an angle", False), Domain("angles", "{x} angles", False)
+TURN = Domain("turn", "|{x}| <= 1e13, in single precision 1e5")
+HALF_TURN = Domain("half turn", "|{x}| <= π")
+SINE_COSINE = Domain("sine, cosine", "{x} = (sin θ, cos θ)")
+REGULAR, SYMMETRIC = Domain("regular", "det {x} not 0"), Domain("symmetric", "{x} symmetric")
+POSITIVE_DEFINITE = Domain("positive definite", "{x} symmetric, positive definite")
+LDL_FACTOR = Domain("LDL factor", "{x} the L and D of an LDL^T, D > 0")
+MASS, BODY = Domain("mass", "{x} >= 0"), Domain("body", "{x} of a body that can be")
+"""ROTATION, DISPLACEMENT, UNIT_VECTOR, UNIT_QUATERNION: but for one rounding of each component.
+TURN, HALF_TURN: the angle of a rotation vector, or of a screw's angular part."""
+
+
+@dataclass(frozen=True)
 class Part:
     """A named block of a quantity: `R` and `t` of a displacement, `lin` and `ang` of a screw."""
 
@@ -32,6 +63,7 @@ class Quantity:
     shape: tuple[int, ...]
     parts: tuple[Part, ...]
     words: str  # what it is, with units, as documentation prints it
+    domain: Domain | None = None  # what inputs of this kind are; None: each of them says so
 
     @property
     def size(self) -> int:
@@ -63,72 +95,68 @@ class Quantity:
         raise ValueError(f"{self.name} has no component ({row}, {column})")
 
 
-def _whole(name: str, shape: tuple[int, ...], words: str) -> Quantity:
+def _whole(name: str, shape: tuple[int, ...], words: str,
+           domain: Domain | None = None) -> Quantity:
     rows, columns = (*shape, 1, 1)[:2]
-    return Quantity(name, shape, (Part("", range(rows), range(columns)),), words)
+    return Quantity(name, shape, (Part("", range(rows), range(columns)),), words, domain)
 
 
 def _halves(name: str, words: str) -> Quantity:
     lin, ang = Part("lin", range(3), range(1)), Part("ang", range(3, 6), range(1))
-    return Quantity(name, (6,), (lin, ang), words)
+    return Quantity(name, (6,), (lin, ang), words, ANY)
 
 
 SCALAR = _whole("scalar", (), "number")
-DC = _whole("dc", (2,), "(sin θ, cos θ)")
+DC = _whole("dc", (2,), "(sin θ, cos θ)", SINE_COSINE)
 VEC3 = _whole("vec3", (3,), "vector")
-VEC4 = _whole("vec4", (4,), "vector (x, y, z) and a homogeneous coordinate w")
+VEC4 = _whole("vec4", (4,), "vector (x, y, z) and a homogeneous coordinate w", ANY)
 MAT3X3 = _whole("mat3x3", (3, 3), "rotation or other 3×3 matrix")
 SE3 = Quantity("SE3", (3, 4), (Part("R", range(3), range(3)), Part("t", range(3), range(3, 4))),
-               "displacement [R | t], R rotation, t in m")
+               "displacement [R | t], R rotation, t in m", DISPLACEMENT)
 SCREW = _halves("screw", "screw (v in m/s; ω in rad/s)")
 COSCREW = _halves("coscrew", "coscrew (f in N; τ in N m)")
-ANGULAR_FIRST = _whole("angular_first", (6,), "six components with the angular part on top")
+ANGULAR_FIRST = _whole("angular_first", (6,), "six components with the angular part on top", ANY)
 MAT4X4 = _whole("mat4x4", (4, 4), "4×4 matrix")
 MAT6X6 = _whole("mat6x6", (6, 6), "6×6 operator")
 QUATERNION = Quantity("quaternion", (4,), (Part("v", range(3), range(1)),
                                            Part("w", range(3, 4), range(1))),
-                      "quaternion (x, y, z, w), the scalar last")
+                      "quaternion (x, y, z, w), the scalar last", UNIT_QUATERNION)
 INERTIA = Quantity("inertia", (10,), (Part("m", range(1), range(1)),
                                       Part("mt", range(1, 4), range(1)),
                                       Part("I", range(4, 10), range(1))),
                    "inertia (m in kg; mt = m c in kg m; I about the centre of mass c, "
-                   "xx, yy, zz, xy, yz, zx in kg m^2)")
+                   "xx, yy, zz, xy, yz, zx in kg m^2)", BODY)
 SPATIAL_INERTIA = Quantity("spatial_inertia", (10,), (Part("m", range(1), range(1)),
                                                       Part("h", range(1, 4), range(1)),
                                                       Part("I", range(4, 10), range(1))),
                            "spatial inertia (m in kg; h = m c in kg m; I about the origin, "
-                           "xx, yy, zz, xy, xz, yz in kg m^2)")
+                           "xx, yy, zz, xy, xz, yz in kg m^2)", BODY)
 
 QUANTITIES = (SCALAR, DC, VEC3, VEC4, MAT3X3, MAT4X4, SE3, SCREW, COSCREW, ANGULAR_FIRST, MAT6X6,
               QUATERNION, INERTIA, SPATIAL_INERTIA)
 
 
 @dataclass(frozen=True)
-class Domain:
-    """What an input may be for a bound that was searched to hold; `words` say it of {x}."""
-
-    words: str
-
-
-ANY, ROTATION = Domain(""), Domain("{x} a rotation")
-UNIT, FRACTION = Domain("|{x}| = 1"), Domain("0 <= {x} <= 1")
-TURN, HALF_TURN = Domain("|{x}| <= 1e13, in single precision 1e5"), Domain("|{x}| <= π")
-ORDINARY = Domain("2^-450 < |{x}| < 2^511, in single precision 2^-45 < |{x}| < 2^63")
-"""ROTATION, UNIT: but for one rounding of each component.  TURN, HALF_TURN: the angle of a rotation
-vector, or of a screw's angular part."""
-
-
-@dataclass(frozen=True)
 class Argument:
-    """A named input or output of an operation."""
+    """A named input or output of an operation.  Inputs have a domain: their own or that of all
+    quantities of their kind; `Operation` refuses those that have none."""
 
     name: str
     quantity: Quantity
-    domain: Domain = ANY
+    own_domain: Domain | None = None
+
+    @property
+    def domain(self) -> Domain:
+        """What it may be, if it is an input."""
+        return self.own_domain or self.quantity.domain or ANY
+
+    @property
+    def says_its_domain(self) -> bool:
+        return (self.own_domain or self.quantity.domain) is not None
 
     @property
     def domain_in_words(self) -> str:
-        """'|v| <= π'; empty where it may be anything."""
+        """'|v| <= π'."""
         angular = any(part.name == "ang" for part in self.quantity.parts)
         return self.domain.words.format(x=f"ω of {self.name}" if angular else self.name)
 

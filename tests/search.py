@@ -17,12 +17,13 @@ import numpy as np
 from tabulate import tabulate
 from tqdm import tqdm
 
+from coscrew_codegen.domains import Generator, Rows
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
 from tests.hard_cases import climb
 from tests.hard_cases.corpus import TABLE, Case, load, save
 from tests.support.compiled.calls import TIER_NAMES, of_tier, tiers_of
-from tests.support.domains import Generator, Rows, angle, domains
+from tests.support.domains import angle, domains
 from tests.support.truth.attack import (
     TIERED,
     UNIT,

@@ -1,7 +1,16 @@
 """Tests are where one looks for them: test modules in folders by subject, what they share apart."""
 
 import ast
+import os
+import shutil
+import subprocess
+import sys
 from pathlib import Path
+
+import pytest
+
+import coscrew
+from tests.conftest import LONG
 
 TESTS = Path(__file__).parent
 SUBJECTS = ("laws", "emitted", "tiers", "scenes", "commands", "peers")
@@ -51,3 +60,27 @@ def test_folders_say_what_they_hold():
     for folder in {path.parent for path in MODULES}:
         assert (folder / "__init__.py").exists(), f"{folder} has no __init__.py"
         assert ast.get_docstring(MODULES[folder / "__init__.py"]), f"{folder}: no docstring"
+
+
+def test_what_quick_leaves_out_is_there():
+    assert {path.stem for path in MODULES if is_test(path)} >= LONG
+
+
+def collected(site: Path, *words: str) -> subprocess.CompletedProcess[str]:
+    """pytest, given a coscrew in `site`, asked to collect this file."""
+    return subprocess.run(
+        [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "--collect-only", "-q", *words,
+         str(Path(__file__))], cwd=TESTS.parent, env={**os.environ, "PYTHONPATH": str(site)},
+        capture_output=True, text=True)
+
+
+def test_extensions_of_other_kernels_end_the_session_at_once(tmp_path: Path):
+    package = shutil.copytree(Path(coscrew.__file__).parent, tmp_path / "coscrew",
+                              ignore=shutil.ignore_patterns("_gufunc*", "__pycache__"))
+    (package / "certified" / "_gufunc.py").write_text('PROVENANCE = "of other kernels"\n')
+    done = collected(tmp_path)
+    assert done.returncode == pytest.ExitCode.USAGE_ERROR
+    said = done.stdout + done.stderr
+    assert said.count("make build") == 1 and said.count("stale-extensions") == 1
+    assert "coscrew.certified runs in pure NumPy" in said and "from other kernels" in said
+    assert collected(tmp_path, "--stale-extensions").returncode == 0

@@ -28,6 +28,7 @@ class Entry:
     formulas: tuple[str, ...]  # LaTeX, of each output by components
     signature: str
     arguments: str
+    domain: str  # what each input may be
     tiers: tuple[tuple[str, str, str], ...]  # plain first: name, cost, bound of the error
     prototypes: tuple[str, ...]  # C, double and single
     call: str  # Python
@@ -72,6 +73,7 @@ def _entry(operation: Operation, program: Program, anchor: str) -> Entry:
         operation.name, anchor, escaped(operation.statement),
         f"{markdown(operation.statement, names, _CODE)}.{escaped(remark)}",
         formulas(operation), operation.signature, escaped(in_words(arguments)),
+        escaped("; ".join(dict.fromkeys(a.domain_in_words for a in operation.inputs))),
         tuple(_tiers(operation, program, tiers)),
         tuple(f"{c.prototype(operation, precision)};" for precision in PRECISIONS),
         f"{operation.name}({', '.join(a.name for a in operation.inputs)}, out=None)",

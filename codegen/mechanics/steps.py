@@ -1,13 +1,11 @@
 """Steps of integrators: their schemes, as calls of a scene's functions.
 
-All arithmetic of a step is in a few functions that the integrators share, named after their
-weights, in units of the last number (drift_1_2: half a step; kick_1_2_2_1_6: sixths):
+All arithmetic of a step is in a few functions that the integrators share.  Weights are integers
+over their common denominator D, and name the functions: kick_1_2_2_1_6 has the weights of rk4.
 
-    drift(h, u, …) = h (weighted mean of speeds),      phi of q ⊕ phi
-    kick(h, v, a, …) = v + h (weighted mean of accelerations)
-    time(t, h) = t + c h
-
-Weights are brought to their common denominator, so that every product but two is with an integer.
+    drift_n1_n2_D(h, u1, u2) = h/D (n1 u1 + n2 u2),          phi of q ⊕ phi
+    kick_n1_n2_D(h, v, a1, a2) = v + h/D (n1 a1 + n2 a2)
+    time_n_D(t, h) = t + n h/D
 """
 
 from collections.abc import Callable, Iterable, Sequence

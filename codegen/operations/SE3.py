@@ -4,12 +4,21 @@ import sympy as sp
 
 from coscrew_codegen.algebra import I3, displacement, homogeneous, inverse, rotation, translation
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.quantity import MAT3X3, MAT4X4, SE3, VEC3, Argument
+from coscrew_codegen.quantity import (
+    ANY,
+    MAT3X3,
+    MAT4X4,
+    ROTATION,
+    SE3,
+    VEC3,
+    Argument,
+)
 
 FAMILY = "SE3"
 
 _D, _self, _Do = (Argument(name, SE3) for name in ("D", "self", "Do"))
-_R, _t, _M = Argument("R", MAT3X3), Argument("t", VEC3), Argument("M", MAT4X4)
+_R, _t = Argument("R", MAT3X3, ROTATION), Argument("t", VEC3, ANY)
+_M = Argument("M", MAT4X4)
 
 
 def _op(name, statement, inputs, outputs, formula, by_value=False):

@@ -5,9 +5,14 @@ import sympy as sp
 from coscrew_codegen.operations import special
 from coscrew_codegen.operations.norm import Let, nonzero
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.quantity import MAT3X3, ROTATION, Argument
+from coscrew_codegen.quantity import (
+    MAT3X3,
+    ROTATION,
+    SYMMETRIC,
+    Argument,
+)
 
-_A, _V = Argument("A", MAT3X3), Argument("V", MAT3X3, ROTATION)
+_A, _V = Argument("A", MAT3X3, SYMMETRIC), Argument("V", MAT3X3, ROTATION)
 
 BACKWARD = 28
 """In u: what a step changes of V A V^T at most, as a part of its largest entry."""

@@ -9,9 +9,15 @@ import sympy as sp
 from coscrew_codegen.algebra import rotation_about
 from coscrew_codegen.operations.norm import Let, l2, nonzero, unnamed
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.quantity import MAT3X3, ROTATION, VEC3, Argument
+from coscrew_codegen.quantity import (
+    ANGLES,
+    MAT3X3,
+    ROTATION,
+    VEC3,
+    Argument,
+)
 
-_R, _angles = Argument("R", MAT3X3, ROTATION), Argument("angles", VEC3)
+_R, _angles = Argument("R", MAT3X3, ROTATION), Argument("angles", VEC3, ANGLES)
 
 BACKWARD = 12
 """In u: how far the rotation by the angles is from R at most, entry by entry; searched."""

@@ -24,21 +24,23 @@ from coscrew_codegen.algebra import (
 from coscrew_codegen.operations import special
 from coscrew_codegen.operations.norm import Let, prefixed, unnamed
 from coscrew_codegen.operations.operation import Normwise, Operation
-from coscrew_codegen.operations.quaternion import ANGLE, axis_and_angle, axis_angle
+from coscrew_codegen.operations.quaternion import PRINCIPAL, axis_and_angle, axis_angle
 from coscrew_codegen.operations.rotation import quaternion_of, rodrigues, rotation_vector, upper
 from coscrew_codegen.operations.series import Angle
 from coscrew_codegen.operations.special import b, g, vector
 from coscrew_codegen.quantity import (
+    ANGLE,
     FRACTION,
     HALF_TURN,
     MAT3X3,
     MAT6X6,
+    NEAR_ROTATION,
     ROTATION,
     SCALAR,
     SCREW,
     SE3,
     TURN,
-    UNIT,
+    UNIT_VECTOR,
     VEC3,
     Argument,
 )
@@ -46,13 +48,14 @@ from coscrew_codegen.quantity import (
 FAMILY = "exponential"
 
 _v, _small_v, _vo = Argument("v", VEC3, TURN), Argument("v", VEC3, HALF_TURN), Argument("vo", VEC3)
-_axis, _axis_out = Argument("axis", VEC3, UNIT), Argument("axis", VEC3)
-_R, _Ro, _self = Argument("R", MAT3X3, ROTATION), Argument("Ro", MAT3X3), Argument("self", MAT3X3)
-_D, _D1, _D2 = (Argument(name, SE3, ROTATION) for name in ("D", "D1", "D2"))
+_axis, _axis_out = Argument("axis", VEC3, UNIT_VECTOR), Argument("axis", VEC3)
+_R, _Ro = Argument("R", MAT3X3, ROTATION), Argument("Ro", MAT3X3)
+_near, _self = (Argument(name, MAT3X3, NEAR_ROTATION) for name in ("R", "self"))
+_D, _D1, _D2 = (Argument(name, SE3) for name in ("D", "D1", "D2"))
 _s, _small_s = Argument("s", SCREW, TURN), Argument("s", SCREW, HALF_TURN)
 _so = Argument("so", SCREW)
 _Do, _M = Argument("Do", SE3), Argument("M", MAT6X6)
-_angle, _k = Argument("angle", SCALAR), Argument("k", SCALAR, FRACTION)
+_angle, _k = Argument("angle", SCALAR, ANGLE), Argument("k", SCALAR, FRACTION)
 
 
 def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=(), family=FAMILY,
@@ -139,13 +142,13 @@ _ROTATIONS = (
         "another R is no rotation",
         (_axis, _angle), (_R,), lambda a, t: _matrix(a, sp.sin(t), 1 - sp.cos(t)), _bound_turn,
         (Normwise("R", 9),), "mat3x3"),
-    _op("axis_angle_from_mat3x3", f"angle and axis of the rotation R; {ANGLE}", (_R,),
+    _op("axis_angle_from_mat3x3", f"angle and axis of the rotation R; {PRINCIPAL}", (_R,),
         (_angle, _axis_out), lambda R: axis_and_angle(_log_of(R)),
         lambda let, R: axis_angle(let, quaternion_of(let, R)),
         (Normwise("angle", 8), Normwise("axis", 5)), "mat3x3"),
     _op("mat3x3_orthonormalize", f"self = {_NEWTON}", (_self,), (_self,),
         lambda R: _newton(unnamed, R), _newton),
-    _op("mat3x3_orthonormalized", f"Ro = {_NEWTON}", (Argument("R", MAT3X3),), (_Ro,),
+    _op("mat3x3_orthonormalized", f"Ro = {_NEWTON}", (_near,), (_Ro,),
         lambda R: _newton(unnamed, R), _newton),
 )
 

@@ -13,16 +13,27 @@ from coscrew_codegen.algebra import rotation, translation
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import Let, unnamed
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.quantity import INERTIA, MAT3X3, SCALAR, SE3, VEC3, Argument
+from coscrew_codegen.quantity import (
+    ANY,
+    INERTIA,
+    MASS,
+    MAT3X3,
+    ROTATION,
+    SCALAR,
+    SE3,
+    VEC3,
+    Argument,
+)
 
 FAMILY = "inertia"
 
 _Ji, _Jo, _self = (Argument(name, INERTIA) for name in ("Ji", "Jo", "self"))
 _Jj, _J = Argument("Jj", INERTIA), Argument("J", INERTIA)
-_t, _t_ic, _t_jc = (Argument(name, VEC3) for name in ("t", "t_ic", "t_jc"))
-_m, _R = Argument("m", SCALAR), Argument("R", MAT3X3)
+_t, _t_ic, _t_jc = (Argument(name, VEC3, ANY) for name in ("t", "t_ic", "t_jc"))
+_m, _R = Argument("m", SCALAR, MASS), Argument("R", MAT3X3, ROTATION)
 _D, _D_ij = Argument("D", SE3), Argument("D_ij", SE3)
-_NUMBERS = tuple(Argument(name, SCALAR) for name in ("Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Izx"))
+_NUMBERS = tuple(Argument(name, SCALAR, ANY)
+                 for name in ("Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Izx"))
 
 PLACES = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
 """Of the six moments, in their order."""

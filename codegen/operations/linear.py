@@ -1,15 +1,19 @@
 """The operations every linear space has: copy, scale, negate, add, subtract, a x + y."""
 
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.quantity import SCALAR, Argument, Quantity
+from coscrew_codegen.quantity import (
+    ANY,
+    SCALAR,
+    Argument,
+    Quantity,
+)
 
 
 def linear_space(family: str, kind: Quantity, letter: str) -> tuple[Operation, ...]:
     """Linear operations of `kind`; `letter` names it in binary operations (add_cc, axpy_ss)."""
-    one, two = Argument(f"{letter}1", kind), Argument(f"{letter}2", kind)
-    i, o = Argument(f"{letter}i", kind), Argument(f"{letter}o", kind)
-    self, x, y = (Argument(name, kind) for name in ("self", "x", "y"))
-    a = Argument("a", SCALAR)
+    one, two, i, o, self, x, y = (Argument(name, kind, kind.domain or ANY) for name in (
+        *(f"{letter}{suffix}" for suffix in "12io"), "self", "x", "y"))
+    a = Argument("a", SCALAR, ANY)
     pair = letter * 2
     out, oi = o.name, i.name
 

@@ -22,14 +22,27 @@ from coscrew_codegen.operations.operation import (
     Operation,
     scaled,
 )
-from coscrew_codegen.quantity import DC, MAT3X3, SCALAR, VEC3, Argument
+from coscrew_codegen.quantity import (
+    ANY,
+    DC,
+    MAT3X3,
+    NEAR_ROTATION,
+    REGULAR,
+    ROTATION,
+    SCALAR,
+    UNIT_VECTOR,
+    VEC3,
+    Argument,
+)
 
 FAMILY = "mat3x3"
 
-_R, _self, _Ro = (Argument(name, MAT3X3) for name in ("R", "self", "Ro"))
-_v, _axis, _dc = Argument("v", VEC3), Argument("axis", VEC3), Argument("dc", DC)
-_x, _y, _z = (Argument(name, VEC3) for name in "xyz")
-_w, _dw = Argument("w", VEC3), Argument("dw", VEC3)
+_R, _self, _Ro = (Argument(name, MAT3X3, ROTATION) for name in ("R", "self", "Ro"))
+_near, _own_near = (Argument(name, MAT3X3, NEAR_ROTATION) for name in ("R", "self"))
+_v, _dc = Argument("v", VEC3, ANY), Argument("dc", DC)
+_axis, _regular = Argument("axis", VEC3, UNIT_VECTOR), Argument("R", MAT3X3, REGULAR)
+_x, _y, _z = (Argument(name, VEC3, ANY) for name in "xyz")
+_w, _dw = Argument("w", VEC3, ANY), Argument("dw", VEC3, ANY)
 _det = Argument("det", SCALAR)
 
 
@@ -153,14 +166,14 @@ OPERATIONS = (
     _op("mat3x3_inverse", "Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where "
         "it under- or overflows; 0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p "
         "+ 1e-29 m^3 (double 1e-229 m^3), p the sum of its terms' sizes, m that of the largest "
-        "entry", (_R,),
+        "entry", (_regular,),
         (_det, _Ro), lambda R: (R.det(), _entries(special.inverse, R)), _inverse,
         rounding="Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the "
         "sum of the sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that is "
         "more; barring over- and underflow of Ro_ij itself."),
-    _op("mat3x3_normalize", f"self = {_GRAM_SCHMIDT}", (_self,), (_self,),
+    _op("mat3x3_normalize", f"self = {_GRAM_SCHMIDT}", (_own_near,), (_own_near,),
         lambda R: _entries(special.orthonormal_rows, R), _orthonormal_rows, rounding=_ROWS),
-    _op("mat3x3_normalized", f"Ro = {_GRAM_SCHMIDT}", (_R,), (_Ro,),
+    _op("mat3x3_normalized", f"Ro = {_GRAM_SCHMIDT}", (_near,), (_Ro,),
         lambda R: _entries(special.orthonormal_rows, R), _orthonormal_rows, rounding=_ROWS),
     _op("mat3x3_setFromAxisDC", "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 "
         "(else R is no rotation), dc = (sin θ, cos θ)", (_axis, _dc), (_R,), _about, _bound_about,

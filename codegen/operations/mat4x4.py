@@ -4,12 +4,20 @@ import sympy as sp
 
 from coscrew_codegen.algebra import displacement, homogeneous
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.quantity import MAT3X3, MAT4X4, SE3, VEC3, Argument
+from coscrew_codegen.quantity import (
+    ANY,
+    MAT3X3,
+    MAT4X4,
+    ROTATION,
+    SE3,
+    VEC3,
+    Argument,
+)
 
 FAMILY = "mat4x4"
 
-_M, _self = Argument("M", MAT4X4), Argument("self", MAT4X4)
-_D, _R, _t = Argument("D", SE3), Argument("R", MAT3X3), Argument("t", VEC3)
+_M, _self = Argument("M", MAT4X4, ANY), Argument("self", MAT4X4, ANY)
+_D, _R, _t = Argument("D", SE3), Argument("R", MAT3X3, ROTATION), Argument("t", VEC3, ANY)
 
 
 def _op(name, statement, inputs, outputs, formula, by_value=False):

@@ -8,12 +8,13 @@ import sympy as sp
 from coscrew_codegen.algebra import CoAd, blocks, shifted, skew, turned
 from coscrew_codegen.operations.norm import Let
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.quantity import MAT3X3, MAT6X6, VEC3, Argument
+from coscrew_codegen.quantity import ANY, MAT3X3, MAT6X6, ROTATION, SYMMETRIC, VEC3, Argument
 
 FAMILY = "mat6x6"
 
-_M, _self, _Mo = (Argument(name, MAT6X6) for name in ("M", "self", "Mo"))
-_R, _t = Argument("R", MAT3X3), Argument("t", VEC3)
+_M, _self, _Mo = (Argument(name, MAT6X6, ANY) for name in ("M", "self", "Mo"))
+_articulated = Argument("M", MAT6X6, SYMMETRIC)
+_R, _t = Argument("R", MAT3X3, ROTATION), Argument("t", VEC3, ANY)
 
 
 def _symmetric(M: sp.Matrix) -> sp.Matrix:
@@ -49,7 +50,8 @@ def _moved(name: str, of: Argument, displacement: Callable[[sp.Matrix], sp.Matri
     x = of.name
     return Operation(
         f"mat6x6_{name}", FAMILY, f"Mo = [Ad]*({x}) M [Ad]^-1({x}), M symmetric, of which the "
-        f"lower triangle is read: the articulated inertia M {name} by {x}", (of, _M), (_Mo,),
+        f"lower triangle is read: the articulated inertia M {name} by {x}",
+        (of, _articulated), (_Mo,),
         lambda x, M: CoAd(displacement(x)) * _symmetric(M) * CoAd(displacement(x)).T, derivation)
 
 

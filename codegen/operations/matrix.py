@@ -17,14 +17,23 @@ from coscrew_codegen.algebra import (
     unit,
 )
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.quantity import DC, MAT3X3, SCALAR, SE3, VEC3, Argument
+from coscrew_codegen.quantity import (
+    ANY,
+    DC,
+    MAT3X3,
+    ROTATION,
+    SCALAR,
+    SE3,
+    VEC3,
+    Argument,
+)
 
 FAMILY = "matrix"
 
-_R, _R1, _R2, _Ro = (Argument(name, MAT3X3) for name in ("R", "R1", "R2", "Ro"))
+_R, _R1, _R2, _Ro = (Argument(name, MAT3X3, ROTATION) for name in ("R", "R1", "R2", "Ro"))
 _D, _D1, _D2, _Do = (Argument(name, SE3) for name in ("D", "D1", "D2", "Do"))
-_v, _t, _vo = (Argument(name, VEC3) for name in ("v", "t", "vo"))
-_k, _dc = Argument("k", SCALAR), Argument("dc", DC)
+_v, _t, _vo = (Argument(name, VEC3, ANY) for name in ("v", "t", "vo"))
+_k, _dc = Argument("k", SCALAR, ANY), Argument("dc", DC)
 
 
 def _op(name, statement, inputs, outputs, formula, derivation=None):

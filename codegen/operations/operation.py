@@ -111,6 +111,13 @@ class Operation:
     normwise: tuple[Normwise, ...] = ()
     rounding: str = ""  # what else bounds the errors, in words
 
+    def __post_init__(self) -> None:
+        for a in self.inputs:
+            if not a.says_its_domain:
+                raise ValueError(
+                    f"operation {self.name}: {a.name}, a {a.quantity.name}, says no domain; give "
+                    "Argument one of quantity.py's, ANY if any numbers will do")
+
     @property
     def signature(self) -> str:
         """The gufunc signature: '(3,4),(6)->(6)'."""
@@ -125,7 +132,7 @@ class Operation:
         parts = ", ".join(bound.in_words for bound in self.normwise)
         beside = [name for bound in self.normwise for name in bound.beside]
         also = f", or of {' or '.join(beside)} if that is larger" if beside else ""
-        where = [a.domain_in_words for a in self.inputs if a.domain_in_words]
+        where = [a.domain_in_words for a in self.inputs if a.domain.restricts]
         given = f" for {' and '.join(where)}" if where else ""
         besides = f"  {self.rounding}" if self.rounding else ""
         return (f"Error <= {parts} of its largest component{also}{given}; searched, not proved."

@@ -36,30 +36,35 @@ from coscrew_codegen.operations.rotation import (
 )
 from coscrew_codegen.operations.special import vector
 from coscrew_codegen.quantity import (
+    ANGLE,
+    ANY,
     FRACTION,
     MAT3X3,
+    NONZERO,
     ORDINARY,
     QUATERNION,
     ROTATION,
     SCALAR,
     TURN,
-    UNIT,
+    UNIT_VECTOR,
     VEC3,
     Argument,
 )
 
 FAMILY = "quaternion"
 
-_q, _qo, _self = (Argument(name, QUATERNION) for name in ("q", "qo", "self"))
-_unit1, _unit2 = Argument("q1", QUATERNION, UNIT), Argument("q2", QUATERNION, UNIT)
-_v, _vo, _turn = Argument("v", VEC3), Argument("vo", VEC3), Argument("v", VEC3, TURN)
-_axis, _axis_out = Argument("axis", VEC3, UNIT), Argument("axis", VEC3)
-_angle, _norm = Argument("angle", SCALAR), Argument("norm", SCALAR)
+_any, _self = Argument("q", QUATERNION, ANY), Argument("self", QUATERNION, ANY)
+_q, _qo = Argument("q", QUATERNION), Argument("qo", QUATERNION)
+_nonzero = Argument("q", QUATERNION, NONZERO)
+_unit1, _unit2 = Argument("q1", QUATERNION), Argument("q2", QUATERNION)
+_v, _vo, _turn = Argument("v", VEC3, ANY), Argument("vo", VEC3), Argument("v", VEC3, TURN)
+_axis, _axis_out = Argument("axis", VEC3, UNIT_VECTOR), Argument("axis", VEC3)
+_angle, _norm = Argument("angle", SCALAR, ANGLE), Argument("norm", SCALAR)
 _k = Argument("k", SCALAR, FRACTION)
 _R, _R_out = Argument("R", MAT3X3, ROTATION), Argument("R", MAT3X3)
 _ordinary = Argument("q", QUATERNION, ORDINARY)
 
-ANGLE = "0 <= angle <= π; the axis is (1, 0, 0) where nothing turns"
+PRINCIPAL = "0 <= angle <= π; the axis is (1, 0, 0) where nothing turns"
 
 
 def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=()):
@@ -87,10 +92,10 @@ _PRODUCTS = (
         lambda q: quaternion(sp.zeros(3, 1), 1)),
     _op("quaternion_conjugated", "qo = (-v; w), the inverse of q if |q| = 1", (_q,), (_qo,),
         conjugate),
-    _op("quaternion_norm", "|q| = sqrt(v·v + w^2)", (_q,), (_norm,), l2, safe_norm),
+    _op("quaternion_norm", "|q| = sqrt(v·v + w^2)", (_any,), (_norm,), l2, safe_norm),
     _op("quaternion_normalize", "self = self / |self|; zero stays zero", (_self,), (_self,),
         _normalized, _bound_normalized),
-    _op("quaternion_normalized", "qo = q / |q|; zero stays zero", (_q,), (_qo,), _normalized,
+    _op("quaternion_normalized", "qo = q / |q|; zero stays zero", (_any,), (_qo,), _normalized,
         _bound_normalized),
     _op("rotate_qv", "vo = R(q) v, |q| = 1", (_q, _v), (_vo,),
         lambda q, v: _rotated(unnamed, q, v), _rotated),
@@ -171,8 +176,8 @@ _CONVERSIONS = (
         "with another |qo| is not 1, and its rotation is by another angle",
         (_axis, _angle), (_qo,), lambda a, angle: _of_axis_angle(unnamed, a, angle),
         _of_axis_angle, (Normwise("qo", 3),)),
-    _op("axis_angle_from_quaternion", f"angle = 2 atan2(|v|, |w|), axis = ±v / |v|; {ANGLE}; any "
-        "multiple of a quaternion", (_q,), (_angle, _axis_out),
+    _op("axis_angle_from_quaternion", f"angle = 2 atan2(|v|, |w|), axis = ±v / |v|; {PRINCIPAL}; "
+        "any multiple of a quaternion", (_nonzero,), (_angle, _axis_out),
         lambda q: axis_and_angle(vector(special.quaternion_log, 3, *q)),
         lambda let, q: axis_angle(let, moderate(let, "s", q), reduced=True),
         (Normwise("angle", 6), Normwise("axis", 4))),
@@ -180,7 +185,7 @@ _CONVERSIONS = (
         "rotation vector v", (_turn,), (_qo,), _exp,
         lambda let, v: versor(let, let("h", v / 2)), (Normwise("qo", 7, per_angle=200),)),
     _op("quaternion_log", "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or "
-        "of any multiple of it", (_q,), (_vo,),
+        "of any multiple of it", (_nonzero,), (_vo,),
         lambda q: vector(special.quaternion_log, 3, *q), _log, (Normwise("vo", 6),)),
     _op("quaternion_interpolated", "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, "
         "±q2 at k = 1; |q1| = |q2| = 1", (_unit1, _unit2, _k), (_qo,),

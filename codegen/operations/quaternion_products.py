@@ -11,13 +11,21 @@ import sympy as sp
 from coscrew_codegen.algebra import unit
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.operations.rotation import conjugate, quaternion, quaternion_product
-from coscrew_codegen.quantity import DC, QUATERNION, SCALAR, VEC3, Argument
+from coscrew_codegen.quantity import (
+    ANY,
+    DC,
+    QUATERNION,
+    SCALAR,
+    VEC3,
+    Argument,
+)
 
 FAMILY = "quaternion"
 
 _q1, _q2, _qi, _qo, _dqo = (Argument(name, QUATERNION)
                             for name in ("q1i", "q2i", "qi", "qo", "dqo"))
-_dc, _vi, _w, _dpi = (Argument("dci", DC), *(Argument(name, VEC3) for name in ("vi", "w", "dpi")))
+_dc = Argument("dci", DC)
+_vi, _w, _dpi = (Argument(name, VEC3, ANY) for name in ("vi", "w", "dpi"))
 
 # name, in words, argument, as a quaternion
 Factor = tuple[str, str, Argument, Callable[[sp.Matrix], sp.Matrix]]

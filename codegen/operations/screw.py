@@ -5,14 +5,23 @@ import sympy as sp
 from coscrew_codegen.algebra import Ad, ad, ang, lin, rotation, stack, translation
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.operations.spatial import Space, space_operations
-from coscrew_codegen.quantity import COSCREW, MAT6X6, SCALAR, SCREW, SE3, VEC3, Argument
+from coscrew_codegen.quantity import (
+    COSCREW,
+    MAT6X6,
+    SCALAR,
+    SCREW,
+    SE3,
+    UNIT_VECTOR,
+    VEC3,
+    Argument,
+)
 
 FAMILY = "screw"
 
 _SPACE = Space(SCREW, "s", Ad, "Ad", "[Ad]", ang, lin,
                "|ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6)")
 _s, _s1, _s2, _so = (Argument(name, SCREW) for name in ("s", "s1", "s2", "so"))
-_c, _D, _axis = Argument("c", COSCREW), Argument("D", SE3), Argument("axis", VEC3)
+_c, _D, _axis = Argument("c", COSCREW), Argument("D", SE3), Argument("axis", VEC3, UNIT_VECTOR)
 _power, _M = Argument("power", SCALAR), Argument("M", MAT6X6)
 
 

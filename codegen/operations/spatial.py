@@ -32,8 +32,10 @@ from coscrew_codegen.operations.norm import (
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import (
     ANGULAR_FIRST,
+    ANY,
     MAT3X3,
     MAT6X6,
+    ROTATION,
     SCALAR,
     SE3,
     VEC3,
@@ -105,7 +107,7 @@ def _norms(space: Space) -> tuple[Operation, ...]:
 def _parts(space: Space) -> tuple[Operation, ...]:
     kind, letter, xi, xo = space.kind.name, space.letter, space.argument("i"), space.argument("o")
     one, two = space.argument("1"), space.argument("2")
-    l, a = Argument("lin", VEC3), Argument("ang", VEC3)
+    l, a = Argument("lin", VEC3, ANY), Argument("ang", VEC3, ANY)
     top = Argument("x", ANGULAR_FIRST)
     return (
         space.op(f"{kind}_from_lin_ang", f"{xo.name} = (lin; ang)", (l, a), (xo,), stack),
@@ -122,7 +124,8 @@ def _parts(space: Space) -> tuple[Operation, ...]:
 def _transforms(space: Space) -> tuple[Operation, ...]:
     operator, letter, words = space.operator, space.letter, space.operator_words
     xi, xo = space.argument("i"), space.argument("o")
-    t, R, D = Argument("t", VEC3), Argument("R", MAT3X3), Argument("D", SE3)
+    t, R = Argument("t", VEC3, ANY), Argument("R", MAT3X3, ROTATION)
+    D = Argument("D", SE3)
     i, o = xi.name, xo.name
 
     def by_displacement(let, D, x):

@@ -15,10 +15,13 @@ from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.operations.special import smallest_pivot
 from coscrew_codegen.operations.symmetric import bound_smallest_pivot, factored, lower_triangle
 from coscrew_codegen.quantity import (
+    ANY,
     COSCREW,
     INERTIA,
+    MASS,
     MAT3X3,
     MAT6X6,
+    POSITIVE_DEFINITE,
     SCALAR,
     SCREW,
     SE3,
@@ -30,10 +33,11 @@ from coscrew_codegen.quantity import (
 FAMILY = "spatial_inertia"
 
 _B, _Bo = Argument("B", SPATIAL_INERTIA), Argument("Bo", SPATIAL_INERTIA)
-_J, _Jo, _m = Argument("J", INERTIA), Argument("Jo", INERTIA), Argument("m", SCALAR)
-_com, _Ic, _t = Argument("com", VEC3), Argument("Ic", MAT3X3), Argument("t", VEC3)
+_J, _Jo, _m = Argument("J", INERTIA), Argument("Jo", INERTIA), Argument("m", SCALAR, MASS)
+_com, _t = Argument("com", VEC3, ANY), Argument("t", VEC3, ANY)
+_Ic = Argument("Ic", MAT3X3, POSITIVE_DEFINITE)
 _D, _s, _co = Argument("D", SE3), Argument("s", SCREW), Argument("co", COSCREW)
-_w, _ds = Argument("w", VEC3), Argument("ds", SCREW)
+_w, _ds = Argument("w", VEC3, ANY), Argument("ds", SCREW)
 _energy, _pivot = Argument("energy", SCALAR), Argument("pivot", SCALAR)
 _vo, _Ro, _Mo = Argument("vo", VEC3), Argument("Ro", MAT3X3), Argument("Mo", MAT6X6)
 

@@ -12,9 +12,12 @@ from coscrew_codegen.operations.norm import Let, prefixed, unnamed
 from coscrew_codegen.operations.operation import REGULAR, Operation
 from coscrew_codegen.operations.special import factor, smallest_pivot, solution, vector
 from coscrew_codegen.quantity import (
+    ANY,
     COSCREW,
+    LDL_FACTOR,
     MAT3X3,
     MAT6X6,
+    POSITIVE_DEFINITE,
     SCALAR,
     SCREW,
     VEC3,
@@ -103,8 +106,8 @@ def _solve(let: Let, A: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
 
 def _operations(matrix: Quantity, right: Quantity, left: Quantity) -> tuple[Operation, ...]:
     n = matrix.shape[0]
-    A, L, b, x = (Argument("A", matrix), Argument("L", matrix), Argument("b", right),
-                  Argument("x", left))
+    A, L = Argument("A", matrix, POSITIVE_DEFINITE), Argument("L", matrix, LDL_FACTOR)
+    b, x = Argument("b", right, ANY), Argument("x", left)
     pivot = Argument("pivot", SCALAR)
 
     def entry(i, j, triangle):

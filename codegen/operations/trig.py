@@ -3,11 +3,16 @@
 import sympy as sp
 
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.quantity import DC, SCALAR, Argument
+from coscrew_codegen.quantity import (
+    ANY,
+    DC,
+    SCALAR,
+    Argument,
+)
 
 FAMILY = "trig"
 
-_theta, _dc = Argument("theta", SCALAR), Argument("dc", DC)
+_theta, _dc = Argument("theta", SCALAR, ANY), Argument("dc", DC)
 
 OPERATIONS = (
     Operation("dc", FAMILY, "dc = (sin θ, cos θ), θ in rad; accurate as the platform's sin and cos",

@@ -13,13 +13,19 @@ from coscrew_codegen.operations.norm import (
     safe_normalized,
 )
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.quantity import SCALAR, VEC3, Argument
+from coscrew_codegen.quantity import (
+    ANY,
+    SCALAR,
+    VEC3,
+    Argument,
+)
 
 FAMILY = "vec3"
 
-_v, _self, _vo = (Argument(name, VEC3) for name in ("v", "self", "vo"))
-_v1, _v2 = Argument("v1", VEC3), Argument("v2", VEC3)
-_k, _norm, _dot, _angle = (Argument(name, SCALAR) for name in ("k", "norm", "dot", "angle"))
+_v, _self, _vo = (Argument(name, VEC3, ANY) for name in ("v", "self", "vo"))
+_v1, _v2 = Argument("v1", VEC3, ANY), Argument("v2", VEC3, ANY)
+_k = Argument("k", SCALAR, ANY)
+_norm, _dot, _angle = (Argument(name, SCALAR) for name in ("norm", "dot", "angle"))
 
 
 def _normalized(let, v):

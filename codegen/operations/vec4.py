@@ -3,13 +3,18 @@
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import divided, l2, nonzero, safe_norm, safe_normalized
 from coscrew_codegen.operations.operation import Operation
-from coscrew_codegen.quantity import SCALAR, VEC4, Argument
+from coscrew_codegen.quantity import (
+    ANY,
+    SCALAR,
+    VEC4,
+    Argument,
+)
 
 FAMILY = "vec4"
 
 _v, _self, _vo = (Argument(name, VEC4) for name in ("v", "self", "vo"))
 _v1, _v2 = Argument("v1", VEC4), Argument("v2", VEC4)
-_k, _norm = Argument("k", SCALAR), Argument("norm", SCALAR)
+_k, _norm = Argument("k", SCALAR, ANY), Argument("norm", SCALAR)
 
 
 def _normalized(v):

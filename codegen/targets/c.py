@@ -4,21 +4,18 @@ Results are stored last: outputs may alias inputs.
 """
 
 import re
-from dataclasses import dataclass
 
-from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import (
-    Input,
     Op,
-    Operand,
     Program,
     bounds,
-    by_component,
     counts_in_words,
 )
 from coscrew_codegen.quantity import SCALAR, Argument, Quantity, in_words
-from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, listed
+from coscrew_codegen.targets.c_function import Body, CFunction, Stored, documented
+from coscrew_codegen.targets.c_statements import WIDTH, listed
 
 STRUCTS = ("vec3", "vec4", "mat3x3", "mat4x4", "SE3", "screw", "coscrew", "mat6x6", "quaternion",
            "inertia", "spatial_inertia")
@@ -31,16 +28,6 @@ _MEMBERS = {
     "inertia": ("m", "mt.x", "mt.y", "mt.z", "Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Izx"),
     "spatial_inertia": ("m", "h.x", "h.y", "h.z", "xx", "yy", "zz", "xy", "xz", "yz"),
 }
-
-@dataclass(frozen=True)
-class CFunction:
-    """The text of one function: comment, head without `static inline`, body lines."""
-
-    name: str
-    comment: str
-    head: str
-    body: str
-
 
 def c_type(quantity: Quantity, precision: Precision) -> str:
     """The type of one value: ksl_SE3f_t, double."""
@@ -126,81 +113,34 @@ def function(operation: Operation, program: Program, precision: Precision,
 
 
 class _Writer:
+    """One function of the library: structs by their addresses, numbers by value."""
+
     def __init__(self, operation: Operation, program: Program, precision: Precision, tier: str):
         self.operation, self.program, self.precision = operation, program, precision
         self.tier = tier
-        self.working = DOUBLE if program.wide else precision  # of intermediate results
-        self.name = c_name(operation.name, precision) + (f"_{tier}" if tier else "")
-        self.written = {a.name for a in operation.outputs}
-        self.value = returned(operation)
-        self.statements = Statements(program, self.working, self._input)
 
     def function(self) -> CFunction:
-        head = prototype(self.operation, self.precision, self.tier)
-        return CFunction(self.name, self._comment(), head, "\n".join(self._body()))
+        name = c_name(self.operation.name, self.precision) + (f"_{self.tier}" if self.tier else "")
+        return documented(name, self._words(), prototype(self.operation, self.precision, self.tier),
+                          Body(self.program, self.precision, self._stored()))
 
-    def _comment(self) -> str:
+    def _words(self) -> list[str]:
         fused = self.program.counts.keys() & {Op.FMA, Op.FMS, Op.FNMA}
         remark = f"  {self.operation.remark}" if self.operation.remark and not fused else ""
-        return comment_of([f"{self.operation.statement}.{remark}",
-                           f"{in_words(parameters(self.operation))}.",
-                           f"{counts_in_words(self.program).capitalize()}.",
-                           bounds.in_words(self.program) or self.operation.tested_bounds])
+        return [f"{self.operation.statement}.{remark}",
+                f"{in_words(parameters(self.operation))}.",
+                f"{counts_in_words(self.program).capitalize()}.",
+                bounds.in_words(self.program) or self.operation.tested_bounds]
 
-    def _body(self) -> list[str]:
-        lines = [f"(void){a.name};" for n, a in enumerate(self.program.inputs)
-                 if a.name not in self.written
-                 and not any(x.argument == n for x in self.program.used_inputs())]
-        lines += filter(None, (self.statements.declared(steps, WIDTH - 2)
-                               for steps in by_component(self.program)))
-        return [f"  {line}".replace("\n", "\n  ") for line in (*lines, *self._stores())]
-
-    def _input(self, operand: Input) -> str:
-        return self._access(self.program.inputs[operand.argument], operand.index)
-
-    def _result(self, operand: Operand) -> str:
-        """A result in the precision of the arguments; what was an input still is as it was."""
-        if isinstance(operand, Input):
-            return self._input(operand)
-        narrowed = f"({self.precision.c_type})" if self.program.wide else ""
-        return narrowed + self.statements.operand(operand)
+    def _stored(self) -> Stored:
+        value, outputs = returned(self.operation), self.operation.outputs
+        targets = [self._access(a, i) for a in outputs for i in range(a.quantity.size)]
+        struct = c_type(value.quantity, self.precision) if value and value.quantity.shape else ""
+        return Stored(lambda x: self._access(self.program.inputs[x.argument], x.index), targets,
+                      {a.name for a in outputs}, value.name if value else "", struct)
 
     def _access(self, argument: Argument, index: int) -> str:
         path = member(argument.quantity, index)
         if not is_pointer(self.operation, argument):
             return argument.name + path
         return argument.name + path.replace(".", "->", 1) if path else f"*{argument.name}"
-
-    def _stores(self) -> list[str]:
-        results = [self._result(x) for x in self.program.results]
-        targets = [self._access(a, i) for a in self.operation.outputs
-                   for i in range(a.quantity.size)]
-        if self.value and not self.value.quantity.shape:
-            return [*(f"{t} = {r};" for t, r in zip(targets[1:], results[1:], strict=True)),
-                    f"return {results[0]};"]
-        pairs = list(zip(targets, results, strict=True))
-        last = []
-        if self.value and not self.value.quantity.shape:
-            last = [f"return {results[0]};"]
-            del pairs[0]
-        saved = self._saved(pairs)
-        stores = [f"{t} = {saved.get(r, r)};" for t, r in pairs if t != r]
-        before = [f"const {self.precision.c_type} {name} = {source};"
-                  for source, name in saved.items()]
-        if self.value and not last:
-            kind = c_type(self.value.quantity, self.precision)
-            return [f"{kind} {self.value.name};", *before, *stores, f"return {self.value.name};"]
-        return [*before, *stores, *last]
-
-    def _saved(self, pairs: list[tuple[str, str]]) -> dict[str, str]:
-        """Inputs that are stored elsewhere unchanged are read before anything is written, since
-        the output may be the same object: source → the local that holds it."""
-        moved = [r for t, r in pairs if t != r and ("->" in r or "[" in r)]
-        if len(pairs) == 1 or self.operation.by_value:
-            return {}
-        return {source: _local_name(source) for source in dict.fromkeys(moved)}
-
-
-def _local_name(access: str) -> str:
-    """D->m03 → D_m03, dc[1] → dc_1."""
-    return re.sub(r"->|\[|\.", "_", access.replace("][", "")).rstrip("]")

@@ -66,6 +66,17 @@ def listed(before: str, items: Sequence[str], after: str, width: int = WIDTH) ->
     return "\n".join(lines) if items else before + after
 
 
+def broken(text: str, width: int) -> str:
+    """The statement, lines that are too long broken at blanks."""
+    rows = []
+    for row in text.split("\n"):
+        indent = row[:len(row) - len(row.lstrip())]
+        rows += [row] if len(row) <= width else textwrap.wrap(
+            row, width, subsequent_indent=indent + "    ", break_long_words=False,
+            break_on_hyphens=False)
+    return "\n".join(rows)
+
+
 def _negated(text: str) -> str:
     return text[1:] if text.startswith("-") else f"-{text}"
 

@@ -1,11 +1,10 @@
 """The NumPy target: pure-Python twins of the C kernels, component by component.
 
-NumPy rounds every operation once and contracts nothing, so steps used once are nested into readable
-expressions; parentheses keep the Program's order.
+NumPy rounds every operation once and contracts nothing, so that expressions nest.
 """
 
 import textwrap
-from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from coscrew_codegen.formats import DOUBLE, Precision
@@ -13,17 +12,15 @@ from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import (
     Constant,
     Input,
-    Instruction,
     NotANumber,
     Op,
-    Operand,
     Program,
-    Ref,
     bounds,
     counts_in_words,
 )
 from coscrew_codegen.quantity import Argument, in_words
 from coscrew_codegen.targets.c_statements import WIDTH, listed
+from coscrew_codegen.targets.nesting import Language, Nesting, is_choice_of_constants
 
 # spelling, and how tightly it binds
 SPELLING = {
@@ -37,7 +34,6 @@ SPELLING = {
     Op.LESS: ("{} < {}", 0), Op.EQUAL: ("{} == {}", 0),
     Op.SELECT: ("where({}, {}, {})", 4),
 }
-CALLS = 4
 
 NUMPY_NAMES = {Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos",
                Op.ATAN2: "arctan2", Op.EXP: "exp", Op.TANH: "tanh", Op.SELECT: "where"}
@@ -110,27 +106,22 @@ def _types(program: Program, precision: Precision) -> set[str]:
             | {"nan" for step in choices if NotANumber() in step.operands})
 
 
-def is_choice_of_constants(step: Instruction) -> bool:
-    """Whether NumPy would choose between numbers that have no type."""
-    return step.op is Op.SELECT and all(isinstance(x, Constant) for x in step.operands[1:])
-
-
 def _indented(docstring: str) -> str:
     first, *rest = docstring.splitlines()
     return "\n".join([first, *(f"    {line}" if line else "" for line in rest)])
+
+
+def language(precision: Precision, constant: Callable[[Constant], str]) -> Language:
+    """Python with NumPy in a precision.  NumPy takes the type of `where` from its operands, and
+    Python's numbers have none."""
+    kind = precision.numpy_type
+    return Language(SPELLING, constant, f"where({{}}, {kind}({{}}), {kind}({{}}))", "nan", "# ")
 
 
 class _Writer:
     def __init__(self, operation: Operation, program: Program, precision: Precision):
         self.operation, self.program = operation, program
         self.working = DOUBLE if program.wide else precision
-        uses = Counter(x.name for step in program.instructions for x in step.operands
-                       if isinstance(x, Ref))
-        uses.update(x.name for x in program.results if isinstance(x, Ref))
-        self.nested = {step.name: step for step in program.instructions
-                       if step.op in (Op.LESS, Op.EQUAL)
-                       or uses[step.name] == 1 and step.name != step.component}
-        self._texts: dict[str, tuple[str, int]] = {}  # of nested expressions
 
     def function(self) -> PythonFunction:
         return PythonFunction(self.operation.name, self.operation.signature,
@@ -142,14 +133,11 @@ class _Writer:
         used = {x.argument for x in self.program.used_inputs()}
         lines = [self._unpacked(a) for n, a in enumerate(self.program.inputs)
                  if n in used and a.quantity.shape]
-        for step in self.program.instructions:
-            if step.name not in self.nested:
-                self._shorten(step)
-        lines += [self._assigned(step) for step in self.program.instructions
-                  if step.name not in self.nested]
-        results = [self._operand(x, 0) for x in self.program.results]
-        lines.append(f"return {results[0]}" if len(results) == 1
-                     else listed("return (", results, ")", WIDTH - 4))
+        text = Nesting(self.program, language(self.working, self._constant), self._component,
+                       WIDTH - 4, named=lambda step: step.name == step.component)
+        lines += text.lines
+        lines.append(f"return {text.results[0]}" if len(text.results) == 1
+                     else listed("return (", text.results, ")", WIDTH - 4))
         return [line.replace("\n", "\n    ") for line in lines]
 
     def _unpacked(self, argument: Argument) -> str:
@@ -159,36 +147,8 @@ class _Writer:
             return plain
         return listed("(", names, f") = {argument.name}", WIDTH - 4)
 
-    def _shorten(self, step: Instruction) -> None:
-        """While the assignment is too wide, give the widest expression nested in it a line."""
-        while len(self._assigned(step)) > WIDTH - 4 and (inner := self._nested_in(step)):
-            widest = max(inner, key=lambda x: min(len(self._expression(x)[0]), WIDTH // 2))
-            del self.nested[widest.name]
-            self._texts.clear()
-            self._shorten(widest)
-
-    def _nested_in(self, step: Instruction) -> list[Instruction]:
-        found = [self.nested[x.name] for x in step.operands
-                 if isinstance(x, Ref) and x.name in self.nested]
-        return [inner for x in found for inner in (x, *self._nested_in(x))
-                if inner.op not in (Op.LESS, Op.EQUAL)]
-
-    def _assigned(self, step: Instruction) -> str:
-        return f"{step.name} = {self._expression(step)[0]}"
-
-    def _expression(self, step: Instruction) -> tuple[str, int]:
-        if is_choice_of_constants(step):
-            return self._choice_of_constants(step), CALLS
-        spelling, binding = SPELLING[step.op]
-        needed = [0] * 4 if binding == CALLS else [binding, binding + 1]
-        operands = [self._operand(x, n) for x, n in zip(step.operands, needed, strict=False)]
-        return spelling.format(*operands), binding
-
-    def _choice_of_constants(self, step: Instruction) -> str:
-        """NumPy takes the type of `where` from its operands, and Python's numbers have none."""
-        test = self._operand(step.operands[0], 0)
-        values = [f"{self.working.numpy_type}({self._operand(x, 0)})" for x in step.operands[1:]]
-        return f"where({', '.join((test, *values))})"
+    def _component(self, operand: Input) -> str:
+        return self.program.inputs[operand.argument].symbols[operand.index].name
 
     def _constant(self, constant: Constant) -> str:
         """Integers and powers of two exactly, so that objects stay exact."""
@@ -197,18 +157,3 @@ class _Writer:
             return str(value)
         is_power = all(n & (n - 1) == 0 for n in map(abs, value.as_integer_ratio()))
         return repr(float(value)) if is_power else self.working.literal(constant)
-
-    def _operand(self, operand: Operand, needed: int) -> str:
-        """The operand's text, in parentheses where it binds less tightly than needed."""
-        if isinstance(operand, Input):
-            return self.program.inputs[operand.argument].symbols[operand.index].name
-        if isinstance(operand, Constant):
-            return self._constant(operand)
-        if isinstance(operand, NotANumber):
-            return "nan"
-        if operand.name not in self.nested:
-            return operand.name
-        if operand.name not in self._texts:
-            self._texts[operand.name] = self._expression(self.nested[operand.name])
-        text, binding = self._texts[operand.name]
-        return text if binding >= needed else f"({text})"

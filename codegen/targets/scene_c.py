@@ -4,35 +4,22 @@ Arrays are plain and matrices row by row.  Results are stored last, when everyth
 outputs may alias inputs, also in part.
 """
 
-import textwrap
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import partial
 
 from coscrew_codegen import version
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.identifiers import identifiers
-from coscrew_codegen.program import Input, Instruction, Operand
+from coscrew_codegen.program import Input
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, SceneFunctions, Step
 from coscrew_codegen.targets import scene_text
-from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of, listed
+from coscrew_codegen.targets.c_function import Body, CFunction, Stored, documented
+from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
 from coscrew_codegen.targets.scene_c_steps import step_body
 from coscrew_codegen.targets.scene_text import c_name, size
 from coscrew_codegen.targets.target import Files, Target
-
-
-@dataclass(frozen=True)
-class CText:
-    """A function's text: comment, head without semicolon, body lines."""
-
-    name: str
-    comment: str
-    head: str
-    body: str
-    internal: bool = False
-
 
 _IN_WORDS = {("double",): "double precision alone, as the scene says",
              ("double", "single"): "double and (names that end in f) single precision"}
@@ -101,9 +88,9 @@ def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str
             yield f"{name}{precision.suffix.upper()}", text
 
 
-def _functions(scene: SceneFunctions, precision: Precision) -> list[CText]:
+def _functions(scene: SceneFunctions, precision: Precision) -> list[CFunction]:
     """All functions that are emitted, in the order in which they call each other."""
-    return [*(_Writer(scene, f, precision).text() for f in scene.functions),
+    return [*(_function(scene, f, precision) for f in scene.functions),
             *(_step(scene, step, precision) for step in scene.steps)]
 
 
@@ -119,93 +106,37 @@ def _head(scene: SceneFunctions, name: str, precision: Precision, parameters: Se
     return listed(f"{static}void {c_name(scene, name, precision)}(", parameters, ")", WIDTH - 2)
 
 
-class _Writer:
-    def __init__(self, scene: SceneFunctions, function: Function, precision: Precision):
-        self.scene, self.function, self.precision = scene, function, precision
-        self.program = function.program
-        self.outputs = scene_text.outputs(function)
-        self.statements = Statements(self.program, precision, self._access)
+def _function(scene: SceneFunctions, function: Function, precision: Precision) -> CFunction:
+    program, outputs = function.program, scene_text.outputs(function)
+    parameters = [*(_parameter(a, precision, "const ") for a in program.inputs),
+                  *(_parameter(a, precision, "") for a in outputs)]
+    shapes = [f"{a.name}: {' × '.join(map(str, a.quantity.shape))}."
+              for a in outputs if len(a.quantity.shape) > 1]
 
-    def text(self) -> CText:
-        parameters = [*(_parameter(a, self.precision, "const ") for a in self.program.inputs),
-                      *(_parameter(a, self.precision, "") for a in self.outputs)]
-        head = _head(self.scene, self.function.name, self.precision, parameters,
-                     self.function.internal)
-        words = [scene_text.printable(scene_text.sentence(self.function.words)),
-                 *self._shapes(), scene_text.cost(self.function)]
-        return CText(self.function.name, comment_of(words), head, self._body(),
-                     self.function.internal)
-
-    def _shapes(self) -> list[str]:
-        return [f"{a.name}: {' × '.join(map(str, a.quantity.shape))}."
-                for a in self.outputs if len(a.quantity.shape) > 1]
-
-    def _body(self) -> str:
-        used = {x.argument for x in self.program.used_inputs()}
-        lines = [f"(void){a.name};" for n, a in enumerate(self.program.inputs) if n not in used]
-        for heading, steps in _sections(self.function):
-            if heading:
-                lines.append(f"/* {scene_text.printable(heading)} */")
-            if any(step.name not in self.statements.inlined for step in steps):
-                lines.append(_within_width(self.statements.declared(steps, WIDTH - 2)))
-        lines += self._stores()
-        return "\n".join(f"  {row}" for line in lines for row in line.split("\n"))
-
-    def _access(self, operand: Input) -> str:
-        argument = self.program.inputs[operand.argument]
+    def access(operand: Input) -> str:
+        argument = program.inputs[operand.argument]
         return f"{argument.name}[{operand.index}]" if argument.quantity.shape else argument.name
 
-    def _stores(self) -> Iterator[str]:
-        """Inputs that are results as they are get read before anything is written."""
-        names = {step.name for step in self.program.instructions}
-        saved: dict[Operand, str] = {}
-        for x in self.program.results:
-            if isinstance(x, Input) and x not in saved and "[" in self._access(x):
-                name = self._access(x).replace("[", "_").rstrip("]")
-                while name in names:
-                    name += "_"
-                saved[x] = name
-                yield f"const {self.precision.c_type} {name} = {self._access(x)};"
-        targets = [f"{a.name}[{i}]" if a.quantity.shape else f"*{a.name}"
-                   for a in self.outputs for i in range(size(a))]
-        for target, x in zip(targets, self.program.results, strict=True):
-            yield f"{target} = {saved.get(x) or self.statements.operand(x)};"
+    targets = [f"{a.name}[{i}]" if a.quantity.shape else f"*{a.name}"
+               for a in outputs for i in range(size(a))]
+    headings = [(number, scene_text.printable(words)) for number, words in function.headings]
+    return documented(
+        function.name,
+        [scene_text.printable(scene_text.sentence(function.words)), *shapes,
+         scene_text.cost(function)],
+        _head(scene, function.name, precision, parameters, function.internal),
+        Body(program, precision, Stored(access, targets, [a.name for a in outputs]), headings),
+        function.internal)
 
 
-def _sections(function: Function) -> Iterator[tuple[str, list[Instruction]]]:
-    """(heading or "", the steps towards one component), headings above their instruction."""
-    headings = dict(function.headings)
-    steps: list[Instruction] = []
-    above = ""
-    for number, step in enumerate(function.program.instructions):
-        if steps and (number in headings or step.component != steps[-1].component):
-            yield above, steps
-            above, steps = "", []
-        above = headings.get(number, above)
-        steps.append(step)
-    if steps:
-        yield above, steps
-
-
-def _within_width(text: str) -> str:
-    """The statement, lines that are too long broken at blanks."""
-    rows = []
-    for row in text.split("\n"):
-        indent = row[:len(row) - len(row.lstrip())]
-        rows += [row] if len(row) <= WIDTH - 2 else textwrap.wrap(
-            row, WIDTH - 2, subsequent_indent=indent + "    ", break_long_words=False,
-            break_on_hyphens=False)
-    return "\n".join(rows)
-
-
-def _step(scene: SceneFunctions, step: Step, precision: Precision) -> CText:
+def _step(scene: SceneFunctions, step: Step, precision: Precision) -> CFunction:
     """A step, which moves q and v in place."""
     real = precision.c_type
     declared = {"t": f"{real} t", "h": f"{real} h",
                 "p": f"const {real} p[{len(scene.parameters)}]",
                 "q": f"{real} q[{scene.nq}]", "v": f"{real} v[{scene.nv}]"}
     inputs = scene_text.step_inputs(scene)
-    return CText(step.name, comment_of([f"{step.words}.  In place."]),
+    return CFunction(step.name, comment_of([f"{step.words}.  In place."]),
                  _head(scene, step.name, precision, [declared[x] for x in inputs]),
                  step_body(scene, step, precision, partial(c_name, scene, precision=precision)))
 

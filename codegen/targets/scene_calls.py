@@ -6,15 +6,17 @@ output a pointer; `run_…` takes n steps of h in a row, from the time t on.  Al
 without its headers.
 """
 
-from coscrew_codegen.formats import PRECISIONS, Precision, named
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision, named
+from coscrew_codegen.recording.recorder import Recorder, array
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import SceneFunctions, SceneInterface, Signature
 from coscrew_codegen.targets import scene_text
+from coscrew_codegen.targets.c_statements import WIDTH, Statements
 from coscrew_codegen.targets.scene_text import c_name
 from coscrew_codegen.targets.target import Files, Target
 
 # Times and steps are those of steps called one by one: rounded from double.
-_RUN = {"t": "({real})(t + (double)k * h)", "h": "({real})h"}
+_RUN = {"t": "({real})begun(t, h, (double)k)", "h": "({real})h"}
 
 
 def interface(scene: SceneFunctions) -> SceneInterface:
@@ -49,7 +51,20 @@ def source(scene: SceneFunctions) -> str:
                  "other": next(x.c_type for x in PRECISIONS if x != p),
                  "functions": [_function(scene, f, p) for f in callables(scene)]}
                 for p in named(scene.precisions)]
-    return render("scene/calls.c", name=scene.name, upper=scene.name.upper(), sections=sections)
+    return render("scene/calls.c", name=scene.name, upper=scene.name.upper(), sections=sections,
+                  begun=_begun() if scene.timed and scene.steps else "")
+
+
+def _begun() -> str:
+    """The function of the time at which step k of a run begins, in double for all precisions."""
+    recorder = Recorder([array(x, ()) for x in ("t", "h", "k")])
+    (t,), (h,), (k,) = (recorder.argument(x) for x in ("t", "h", "k"))
+    with recorder.part("at"):
+        program = recorder.program("begun", [(array("begun", ()), [t + k * h])])
+    statements = Statements(program, DOUBLE, lambda x: program.inputs[x.argument].name)
+    (result,) = map(statements.operand, program.results)
+    return ("static double begun(double t, double h, double k) {\n"
+            f"  {statements.declared(program.instructions, WIDTH)}\n  return {result};\n}}")
 
 
 def _function(scene: SceneFunctions, function: Signature, precision: Precision

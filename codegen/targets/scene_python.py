@@ -8,14 +8,14 @@ from collections.abc import Iterator, Sequence
 from textwrap import wrap
 
 from coscrew_codegen.formats import Precision, named
-from coscrew_codegen.program import NotANumber
+from coscrew_codegen.program import Input, NotANumber
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, SceneFunctions, Split, Step
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_statements import WIDTH, listed
-from coscrew_codegen.targets.numpy import NUMPY_NAMES
-from coscrew_codegen.targets.scene_expressions import Expressions
+from coscrew_codegen.targets.nesting import Nesting
+from coscrew_codegen.targets.numpy import NUMPY_NAMES, language
 from coscrew_codegen.targets.scene_python_steps import python_name, step_lines
 from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.version import VERSION
@@ -78,6 +78,10 @@ def _docstring(paragraphs: Sequence[str]) -> str:
     return "\n".join((first, "", *(f"    {text}" for text in rest)))
 
 
+_RESULT = 40
+"""Characters of a result that is no line of its own."""
+
+
 def _shape(argument: Argument) -> str:
     """(), (6,), (6, 6): the shape behind leading axes, of what no function takes as a matrix."""
     return repr(tuple(argument.quantity.shape))
@@ -92,7 +96,14 @@ def _unpacking(helper: str, arguments: Sequence[tuple[str, str]], precision: Pre
 
 def _function(function: Function, precision: Precision) -> dict[str, str]:
     program, outputs = function.program, scene_text.outputs(function)
-    expressions = Expressions(function, precision)
+
+    def access(operand: Input) -> str:
+        argument = program.inputs[operand.argument]
+        return f"{argument.name}[{operand.index}]" if argument.quantity.shape else argument.name
+
+    headings = {number: scene_text.printable(words) for number, words in function.headings}
+    expressions = Nesting(program, language(precision, precision.literal), access, WIDTH - 4,
+                          headings, result_width=_RESULT)
     lines = [_unpacking("components", [(a.name, _shape(a)) for a in program.inputs], precision),
              *expressions.lines]
     made = list(_assembled(outputs, expressions.results, precision))

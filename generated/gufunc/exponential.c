@@ -1284,8 +1284,8 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "\n"
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.  Error <=\n"
-    "lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved.  Sums\n"
-    "on the way may overflow where |t| is above 2e306, in single precision 5e36.\n",
+    "lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not proved.\n"
+    "Sums on the way may overflow where |t| is above 2e306, in single precision 5e36.\n",
    1, 1, SE3_log_loops},
   {"SE3_leftJacobian", "(6)->(6,6)",
     "M = J_l(s) = Σ ([ad](s))^k / (k+1)!.\n"
@@ -1325,8 +1325,8 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "(3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.\n"
     "208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42\n"
     "select.  Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is\n"
-    "larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on\n"
-    "the way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36.\n",
+    "larger for R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.\n"
+    "Sums on the way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36.\n",
    3, 1, SE3_interpolated_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

@@ -13,11 +13,11 @@ from tqdm import tqdm
 
 import coscrew
 import coscrew.accurate
+from coscrew_codegen.domains import directions
 from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.operations import Operation
 from tests.benchmarks.peers import Peer, peers
 from tests.hard_cases.corpus import TABLE
-from tests.support.domains import directions
 from tests.support.truth.judge import groups
 from tests.support.truth.motions import (
     DIGITS,

@@ -169,11 +169,12 @@ def imported_modules(node: ast.AST) -> list[str]:
 def test_imports_run_one_way():
     """version < … < algebra < … < kernel < passes < schedule < tiers < targets < … < emit."""
     order = ["version", "errors", "parameter", "found", "integrator", "integrators", "identifiers",
-             "algebra", "quantity", "operations", "kernel", "passes", "program", "formats",
-             "scene_functions", "scene_symbols", "schedule", "programs", "recording", "tiers",
-             "library", "render", "native", "targets", "special", "exact", "selection", "layout", "emit",
-             "report", "scene", "mechanics", "effects", "scene_files", "documentation", "console",
-             "simulate", "cost", "generate_command", "command_line", "extras", "__main__"]
+             "algebra", "quantity", "domains", "operations", "kernel", "passes", "program",
+             "formats", "scene_functions", "scene_symbols", "schedule", "programs", "recording",
+             "tiers", "library", "render", "native", "targets", "special", "exact", "selection",
+             "layout", "emit", "report", "scene", "mechanics", "effects", "scene_files",
+             "documentation", "console", "simulate", "cost", "generate_command", "command_line",
+             "extras", "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
 

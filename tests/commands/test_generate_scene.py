@@ -168,7 +168,7 @@ def test_derived_dynamics_have_the_same_bits_in_c_and_numpy(folder: Path, precis
     """At shoulder angle 0, where sine and cosine are exact; the wrist's quaternions are any."""
     kernels = load_scene("arm.toml")
     package = imported(kernels.functions, folder / "out")
-    transcendental = ("integrated", *(f"step_{name}" for name in kernels.functions.steps))
+    transcendental = ("integrated", *(step.name for step in kernels.functions.steps))
     compared = 0
     for function in scene_calls.callables(kernels.functions):
         if function.name in transcendental:

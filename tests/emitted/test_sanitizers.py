@@ -21,13 +21,12 @@ TIER_NAMES = tuple(tier.mark for tier in TIERS)
 BUILDS = (*((name, SANITIZERS) for name in COMPILERS if has_sanitizers(name)),
           *((name, ("-O2",)) for name in COMPILERS))
 
-# One printer writes all kernels and both precisions: plain's are built in half of the ways in
-# either precision, those of each tier by one compiler with sanitizers and one that optimises.
+# One printer writes all kernels and both precisions: in either precision those of each tier are
+# built with the sanitizers of one compiler and optimised by the other.
 SANITIZED, OPTIMISED = BUILDS[:len(BUILDS) - len(COMPILERS)], BUILDS[-len(COMPILERS):]
-RUNS = (*((DOUBLE, "", *build) for build in (*SANITIZED[:1], *OPTIMISED[-1:])),
-        *((SINGLE, "", *build) for build in (*SANITIZED[-1:], *OPTIMISED[:1])),
-        *((precision, tier, *build) for precision in PRECISIONS for tier in TIER_NAMES[1:]
-          for build in (BUILDS[0], BUILDS[-1])))
+RUNS = tuple((precision, tier, *build) for tier in TIER_NAMES for precision, builds in (
+    (DOUBLE, (*SANITIZED[:1], *OPTIMISED[-1:])), (SINGLE, (*SANITIZED[-1:], *OPTIMISED[:1])))
+    for build in builds)
 
 
 @pytest.mark.parametrize("precision, tier, compiler, flags", RUNS, ids=lambda x: (

@@ -14,7 +14,22 @@ from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.operations.operation import GRID, PER_PRECISION
 from coscrew_codegen.program import Constant, Input, Op, Operand
-from coscrew_codegen.quantity import FRACTION, ROTATION, TURN, UNIT, Argument
+from coscrew_codegen.quantity import (
+    ANGLE,
+    ANY,
+    DISPLACEMENT,
+    FRACTION,
+    HALF_TURN,
+    NEAR_ROTATION,
+    NONZERO,
+    ORDINARY,
+    ROTATION,
+    SYMMETRIC,
+    TURN,
+    UNIT_QUATERNION,
+    UNIT_VECTOR,
+    Argument,
+)
 from coscrew_codegen.targets.c import c_type, member
 from tests.hard_cases.corpus import TABLE
 from tests.support.compiled.c_harness import call_of, distinct
@@ -41,16 +56,14 @@ def _kinds(operation: Operation) -> str:
 def _kind(operation: Operation, argument: Argument) -> str:
     if "euler" in operation.name:
         return "aaa"
-    if argument.quantity.name == "mat3x3" and argument.domain != ROTATION:
-        return "r"
-    if argument.quantity.name == "scalar":
-        return "f" if argument.domain == FRACTION else "a"
-    if argument.quantity.name == "vec3":
-        return "u" if argument.domain == UNIT else "t"
-    if argument.quantity.name == "quaternion":
-        return "q" if argument.domain == UNIT else "qm"
-    return {"mat3x3": "t", "SE3": "tl", "screw": "lt"}[argument.quantity.name]
+    if argument.domain in (TURN, HALF_TURN) and argument.quantity.name == "screw":
+        return "lt"
+    return _LETTERS[argument.domain]
 
+
+_LETTERS = {NEAR_ROTATION: "r", SYMMETRIC: "r", FRACTION: "f", ANY: "a", ANGLE: "a", TURN: "t",
+            UNIT_VECTOR: "u", HALF_TURN: "t", ROTATION: "t", DISPLACEMENT: "tl",
+            UNIT_QUATERNION: "q", NONZERO: "qm", ORDINARY: "qm"}
 
 _MADE = {  # lines of C: parameters p, rounded inputs x
     "a": "x[0] = (REAL)fmax(-PI, fmin(PI, p[0]));",
@@ -219,7 +232,7 @@ def _compared(operation: Operation, precision: Precision) -> str:
     program, starts, start, lines = plain_program(operation), [], 0, []
     for a in program.inputs:
         starts.append(start)
-        if a.domain == ROTATION and operation.name != "SE3_interpolated":
+        if a.domain in (ROTATION, DISPLACEMENT) and operation.name != "SE3_interpolated":
             lines.append(f"  nearest(in_ + {start}, {a.quantity.rows_columns[1]});")
         start += a.quantity.size
     grid = int(PER_PRECISION[GRID][PRECISIONS.index(precision)])

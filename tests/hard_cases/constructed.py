@@ -9,9 +9,10 @@ from collections.abc import Callable, Iterator, Sequence
 import mpmath as mp
 import numpy as np
 
+from coscrew_codegen.exact import is_polynomial
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.quantity import ROTATION, TURN, Argument
+from coscrew_codegen.quantity import FRACTION, ROTATION, TURN, UNIT_VECTOR, Argument
 from tests.hard_cases.corpus import TABLE, Case, load, save, size
 from tests.support.truth.attack import TIERED, exact_functions
 from tests.support.truth.motions import (
@@ -70,7 +71,8 @@ def _case(operation: Operation, precision: Precision, origin: str, inputs: list[
 
 
 def _described(operation: Operation) -> Iterator[Described]:
-    if operation.normwise or any(a.domain == ROTATION for a in operation.inputs):
+    if operation.normwise or not is_polynomial(operation) and any(
+            a.domain == ROTATION for a in operation.inputs):
         far = FAR if any(a.domain == TURN for a in operation.inputs) else {}
         yield from _motions(operation, ANGLES | far, AXES)
         yield from _no_rotations(operation)
@@ -113,8 +115,8 @@ def _turned(operation: Operation, argument: Argument, unit: Matrix, angle: mp.mp
         R, q = exponential_series(skew(first)), mp.matrix([0, 0, 0, 1])
     elif pair and number == 1:
         R = exponential_series(skew(first)) * R
-    return {"vec3": lambda: unit if argument.name == "axis" else unit * angle,
-            "scalar": lambda: [mp.mpf("0.375") if argument.name == "k" else angle],
+    return {"vec3": lambda: unit if argument.domain == UNIT_VECTOR else unit * angle,
+            "scalar": lambda: [mp.mpf("0.375") if argument.domain == FRACTION else angle],
             "mat3x3": lambda: R, "SE3": lambda: hstack(R, lever * (1 + number)),
             "screw": lambda: [*lever, *(unit * angle)],
             "quaternion": lambda: q}[argument.quantity.name]()

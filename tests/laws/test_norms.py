@@ -75,9 +75,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def evaluates(tier: str, folder: Path) -> dict[str, Evaluate]:
     module = {"plain": coscrew, "accurate": coscrew.accurate}[tier]
-    suffix, operations = ("", OPERATIONS) if tier == "plain" else (tier, tuple(
-        op for op in OPERATIONS if tier_named("accurate").has(plain_program(op))))
-    library = harness(folder, COMPILERS[0], ("-O2", EXACT), suffix, operations)
+    norms = tuple(TABLE[name] for name in NAMES
+                  if tier == "plain" or tier_named("accurate").has(plain_program(TABLE[name])))
+    library = harness(folder, COMPILERS[0], ("-O2", EXACT), tier.removeprefix("plain"), norms)
     return {
         "gufunc": lambda op, precision, x: getattr(module, op.name)(x),
         "twin": lambda op, precision, x: getattr(getattr(module, precision.name), op.name)(x),

@@ -222,6 +222,21 @@ def test_errors_fall_with_the_declared_order(all_steps, integrator: str):
     assert np.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.15)
 
 
+@pytest.mark.parametrize("precision", ("double", "single"))
+def test_runs_are_steps_one_by_one_at_their_times(all_steps, precision: str):
+    """To the last bit: step k begins at t + k h, in double, then rounded to the precision."""
+    scene, kernels, _ = all_steps
+    kind = {"double": np.float64, "single": np.float32}[precision]
+    p, t, h = kind([1.5, 0]), 0.7, 1 / 30
+    for step in scene.steps:
+        take = getattr(getattr(kernels, precision), step.name)
+        q, v = found = kind([0, 0.1]), kind([1, 2])
+        for k in range(20):
+            q, v = take(kind(t + k * h), kind(h), p, q, v)
+        found = take.repeated(20, t, h, p, *found)
+        assert [x.tobytes() for x in found] == [q.tobytes(), v.tobytes()], step.name
+
+
 @pytest.fixture(scope="module")
 def spun(tmp_path_factory: pytest.TempPathFactory):
     """A free body on a spherical joint, with the step of every tableau."""
@@ -287,8 +302,9 @@ def test_adding_heun_is_one_file(tmp_path: Path):
     (package / "integrators" / "heun.py").write_text(HEUN)
     shutil.copy(ROOT / "examples/scenes/pendulum.toml", tmp_path)
     program = ("import sys; sys.path.insert(0, '.'); from coscrew_codegen.__main__ import main; "
-               "import coscrew_codegen; assert coscrew_codegen.__file__.startswith({!r}); "
-               "sys.exit(main(sys.argv[1:]))").format(str(tmp_path))
+               "import coscrew_codegen; "
+               f"assert coscrew_codegen.__file__.startswith({str(tmp_path)!r}); "
+               "sys.exit(main(sys.argv[1:]))")
 
     def said(*words: str) -> str:
         done = subprocess.run([sys.executable, "-c", program, *words], cwd=tmp_path,

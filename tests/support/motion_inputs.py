@@ -10,6 +10,20 @@ import numpy as np
 
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import Operation
+from coscrew_codegen.quantity import (
+    ANGLE,
+    DISPLACEMENT,
+    FRACTION,
+    HALF_TURN,
+    NONZERO,
+    ORDINARY,
+    ROTATION,
+    TURN,
+    UNIT_QUATERNION,
+    UNIT_VECTOR,
+    Argument,
+    Domain,
+)
 
 Rows = np.ndarray
 Generator = np.random.Generator
@@ -20,7 +34,7 @@ def motions_of(operation: Operation, precision: Precision, n: int) -> tuple[Rows
     """n rows of every input; of two rotations, apart by less than 170°, for no shorter arc is
     defined between opposite ones."""
     rng = np.random.default_rng([*operation.name.encode(), precision.bytes])
-    rows = tuple(DRAW[a.name](rng, 2 * n + 20) for a in operation.inputs)
+    rows = tuple(_drawing(a)(rng, 2 * n + 20) for a in operation.inputs)
     names = [a.name for a in operation.inputs]
     near = np.full(len(rows[0]), True)
     if "q2" in names:
@@ -97,11 +111,14 @@ def fractions(rng: Generator, n: int) -> Rows:
     return _mixed(rng, (rng.uniform(-0.5, 1.5, n), np.zeros(n), np.ones(n)), (8, 1, 1))
 
 
-DRAW: dict[str, Callable[[Generator, int], Rows]] = {
-    "v": rotation_vectors, "s": screws, "R": rotations, "D": displacements, "D1": displacements,
-    "D2": displacements, "q": multiples, "q1": quaternions, "q2": quaternions, "axis": axes,
-    "angle": angles, "k": fractions}
-"""What each input of the operations in motions.py stands for."""
+DRAW: dict[Domain, Callable[[Generator, int], Rows]] = {
+    TURN: rotation_vectors, HALF_TURN: rotation_vectors, ROTATION: rotations,
+    DISPLACEMENT: displacements, NONZERO: multiples, ORDINARY: multiples,
+    UNIT_QUATERNION: quaternions, UNIT_VECTOR: axes, ANGLE: angles, FRACTION: fractions}
+
+
+def _drawing(argument: Argument) -> Callable[[Generator, int], Rows]:
+    return screws if argument.quantity.name == "screw" else DRAW[argument.domain]
 
 
 def _mixed(rng: Generator, kinds: tuple[Rows, ...], weights: tuple[float, ...]) -> Rows:

@@ -12,9 +12,14 @@ import random
 import re
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import cache
+from itertools import islice
+from types import CodeType
 
 import pytest
 import sympy as sp
+from sympy import QQ
+from sympy.polys.rings import PolyElement
 
 import coscrew.accurate
 from coscrew_codegen.exact import exact_functions
@@ -31,10 +36,12 @@ EXACTLY = {
     "ksl_product_error": lambda a, b, p: a * b - p,
     "ksl_product_sum": lambda a, b, c: a * b + c,
     "ksl_product_rest": lambda a, b, p, h: a * b - h,
-    "KSL_MUL": operator.mul, "KSL_MULF": operator.mul, "exactly": Fraction,
-    "fabs": abs, "fabsf": abs,
-    "fma": lambda a, b, c: a * b + c, "fmaf": lambda a, b, c: a * b + c,
+    "KSL_MUL": operator.mul, "KSL_MULF": operator.mul,
+    "exactly": lambda x: QQ(*Fraction(x).as_integer_ratio()),
+    "fabs": lambda x: x if isinstance(x, PolyElement) else abs(x),  # in bounds alone
+    "fma": lambda a, b, c: a * b + c,
 }
+EXACTLY |= {f"{name}f": EXACTLY[name] for name in ("fabs", "fma")}
 # Results that have their error computed: p of product_error(…, p) and product_rest(…, p, h), and
 # sums of which a summand's share is taken.
 COMPENSATED = re.compile(r"_error\([^()]*, (\w+)\)|_rest\([^()]*, (\w+), \w+\)|(\w+)_right =")
@@ -100,30 +107,39 @@ def evaluated(text: str, operation: Operation, inputs: Sequence[object],
         memory |= {name: next(components) for name in names(argument)}
     compensated = {name for names in COMPENSATED.findall(text) for name in names if name}
     exact = () if normalized else NORMALIZED.findall(text)
-    result = None
-    for statement in filter(None, (part.strip() for part in text.split(";"))):
-        statement = identifier(re.sub(r"\s+", " ", statement))
-        if statement.startswith("return "):
-            result = eval(statement.removeprefix("return "), memory)
-            continue
-        assigned = re.sub(r"^const (double|float) ", "", statement)
-        for assignment in re.split(r", (?=\w+ = )", assigned):
-            exec(assignment.lstrip("*"), memory)
-            name = assignment.split(" ")[0]
-            if name in compensated and name not in exact:
-                memory[name] += errors()
-            if name.removesuffix("_lo") in exact and name not in exact and memory[name]:
-                return None
-            if largest_error and ERROR.match(assignment):
-                if abs(memory[name]) > largest_error:
-                    return None
+    for name, code, is_error in (x for part in text.split(";") for x in assignments(part)):
+        exec(code, memory)
+        if name in compensated and name not in exact:
+            memory[name] += errors()
+        if name.removesuffix("_lo") in exact and name not in exact and memory[name]:
+            return None
+        if largest_error and is_error and abs(memory[name]) > largest_error:
+            return None
     value = returned(operation)
-    return tuple(result if argument == value and not operation.by_value else memory[name]
-                 for argument in operation.outputs for name in names(argument))
+    return tuple(memory["returned"] if argument == value and not operation.by_value
+                 else memory[name] for argument in operation.outputs for name in names(argument))
 
 
-def is_truth(found: tuple[sp.Expr, ...], operation: Operation) -> bool:
-    return all(sp.expand(x - y) == 0 for x, y in zip(found, operation.truth(), strict=True))
+@cache
+def assignments(statement: str) -> tuple[tuple[str, CodeType, bool], ...]:
+    """What a statement of C assigns, as Python: to which name, and whether it is an error."""
+    text = identifier(re.sub(r"\s+", " ", statement.strip()))
+    text = re.sub(r"^return ", "returned = ", re.sub(r"^const (double|float) ", "", text))
+    each = [x.lstrip("*") for x in re.split(r", (?=\w+ = )", text) if x]
+    return tuple((x.split(" ")[0], compile(x, "C", "exec"), bool(ERROR.match(x))) for x in each)
+
+
+@cache
+def polynomials(operation: Operation) -> tuple[tuple[PolyElement, ...], tuple[PolyElement, ...]]:
+    """All input components, and the truth, as polynomials over the rationals."""
+    symbols = [symbol for a in operation.inputs for symbol in a.symbols]
+    ring, *variables = sp.ring(symbols, QQ)
+    return tuple(variables), tuple(map(ring.from_expr, operation.truth()))
+
+
+def is_truth(found: Sequence[PolyElement], operation: Operation) -> bool:
+    _, truth = polynomials(operation)
+    return all(y - x == 0 for x, y in zip(found, truth, strict=True))
 
 
 class Size:
@@ -179,9 +195,9 @@ def test_a_certified_bound_is_a_multiple_of_the_terms(operation: Operation, prec
 @precisions
 @operations
 def test_c_is_its_truth(operation: Operation, precision: Precision, tier: str):
-    symbols = [symbol for a in operation.inputs for symbol in a.symbols]
-    found = evaluated(body(operation, precision, tier), made(operation, tier), symbols)
-    assert is_truth(found[:len(operation.truth())], operation)
+    variables, truth = polynomials(operation)
+    found = evaluated(body(operation, precision, tier), made(operation, tier), variables)
+    assert is_truth(found[:len(truth)], operation)
 
 
 def first_order_error(text: str, operation: Operation) -> bool:
@@ -230,5 +246,7 @@ def test_python_is_its_truth(operation: Operation, precision: Precision,
     for name in ("product_error", "product_rest"):
         if name in kernel.__globals__:
             monkeypatch.setitem(kernel.__globals__, name, EXACTLY[f"ksl_{name}"])
-    found = kernel(*(a.symbols if a.quantity.shape else a.value for a in operation.inputs))
+    variables = iter(polynomials(operation)[0])
+    found = kernel(*(tuple(islice(variables, a.quantity.size)) if a.quantity.shape
+                     else next(variables) for a in operation.inputs))
     assert is_truth(found if isinstance(found, tuple) else (found,), operation)

@@ -2181,8 +2181,8 @@ def SE3_log(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.f
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
     50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.  Error <=
-    lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved.  Sums
-    on the way may overflow where |t| is above 2e306, in single precision 5e36.
+    lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not proved.
+    Sums on the way may overflow where |t| is above 2e306, in single precision 5e36.
     """
 
 def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -2227,8 +2227,8 @@ def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
     208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
     select.  Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is
-    larger for D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on
-    the way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36.
+    larger for R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.
+    Sums on the way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36.
     """
 
 def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -189,11 +189,11 @@ def screw_norm(si):
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     small_c = where(absolute(si_5) < 1e-09, float64(1), float64(0))
-    small_f = where(absolute(si_4) < 1e-09, small_c, 0)
-    small = where(absolute(si_3) < 1e-09, small_f, 0)
-    p_0 = where(small == 1, si_0, si_3)
-    p_1 = where(small == 1, si_1, si_4)
-    p_2 = where(small == 1, si_2, si_5)
+    small = where(absolute(si_3) < 1e-09, where(absolute(si_4) < 1e-09, small_c, 0), 0)
+    p_0a = small == 1
+    p_0 = where(p_0a, si_0, si_3)
+    p_1 = where(p_0a, si_1, si_4)
+    p_2 = where(p_0a, si_2, si_5)
     s_size_0 = absolute(p_0)
     s_size_1 = absolute(p_1)
     s_size_2 = absolute(p_2)
@@ -223,12 +223,13 @@ def screw_normalize(self):
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     small_a = absolute(self_5)
     small_d = absolute(self_4)
-    small_f = where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0)
     small_g = absolute(self_3)
+    small_f = where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0)
     small = where(small_g < 1e-09, small_f, 0)
-    p_0 = where(small == 1, self_0, self_3)
-    p_1 = where(small == 1, self_1, self_4)
-    p_2 = where(small == 1, self_2, self_5)
+    p_0a = small == 1
+    p_0 = where(p_0a, self_0, self_3)
+    p_1 = where(p_0a, self_1, self_4)
+    p_2 = where(p_0a, self_2, self_5)
     s_size_0 = absolute(p_0)
     s_size_1 = absolute(p_1)
     s_size_2 = absolute(p_2)
@@ -247,18 +248,24 @@ def screw_normalize(self):
     size_0 = absolute(self_0)
     size_1 = absolute(self_1)
     size_2 = absolute(self_2)
-    before_0 = where(size_0 < 256, up, down)
-    before_1 = where(size_1 < 256, up, down)
-    before_2 = where(size_2 < 256, up, down)
-    before_3 = where(small_g < 256, up, down)
-    before_4 = where(small_d < 256, up, down)
-    before_5 = where(small_a < 256, up, down)
-    after_0 = where(size_0 < 256, down, up)
-    after_1 = where(size_1 < 256, down, up)
-    after_2 = where(size_2 < 256, down, up)
-    after_3 = where(small_g < 256, down, up)
-    after_4 = where(small_d < 256, down, up)
-    after_5 = where(small_a < 256, down, up)
+    before_0a = size_0 < 256
+    before_0 = where(before_0a, up, down)
+    before_1a = size_1 < 256
+    before_1 = where(before_1a, up, down)
+    before_2a = size_2 < 256
+    before_2 = where(before_2a, up, down)
+    before_3a = small_g < 256
+    before_3 = where(before_3a, up, down)
+    before_4a = small_d < 256
+    before_4 = where(before_4a, up, down)
+    before_5a = small_a < 256
+    before_5 = where(before_5a, up, down)
+    after_0 = where(before_0a, down, up)
+    after_1 = where(before_1a, down, up)
+    after_2 = where(before_2a, down, up)
+    after_3 = where(before_3a, down, up)
+    after_4 = where(before_4a, down, up)
+    after_5 = where(before_5a, down, up)
     sized_0 = self_0 * before_0
     sized_1 = self_1 * before_1
     sized_2 = self_2 * before_2
@@ -290,12 +297,13 @@ def screw_normalized(si):
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     small_a = absolute(si_5)
     small_d = absolute(si_4)
-    small_f = where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0)
     small_g = absolute(si_3)
+    small_f = where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0)
     small = where(small_g < 1e-09, small_f, 0)
-    p_0 = where(small == 1, si_0, si_3)
-    p_1 = where(small == 1, si_1, si_4)
-    p_2 = where(small == 1, si_2, si_5)
+    p_0a = small == 1
+    p_0 = where(p_0a, si_0, si_3)
+    p_1 = where(p_0a, si_1, si_4)
+    p_2 = where(p_0a, si_2, si_5)
     s_size_0 = absolute(p_0)
     s_size_1 = absolute(p_1)
     s_size_2 = absolute(p_2)
@@ -314,18 +322,24 @@ def screw_normalized(si):
     size_0 = absolute(si_0)
     size_1 = absolute(si_1)
     size_2 = absolute(si_2)
-    before_0 = where(size_0 < 256, up, down)
-    before_1 = where(size_1 < 256, up, down)
-    before_2 = where(size_2 < 256, up, down)
-    before_3 = where(small_g < 256, up, down)
-    before_4 = where(small_d < 256, up, down)
-    before_5 = where(small_a < 256, up, down)
-    after_0 = where(size_0 < 256, down, up)
-    after_1 = where(size_1 < 256, down, up)
-    after_2 = where(size_2 < 256, down, up)
-    after_3 = where(small_g < 256, down, up)
-    after_4 = where(small_d < 256, down, up)
-    after_5 = where(small_a < 256, down, up)
+    before_0a = size_0 < 256
+    before_0 = where(before_0a, up, down)
+    before_1a = size_1 < 256
+    before_1 = where(before_1a, up, down)
+    before_2a = size_2 < 256
+    before_2 = where(before_2a, up, down)
+    before_3a = small_g < 256
+    before_3 = where(before_3a, up, down)
+    before_4a = small_d < 256
+    before_4 = where(before_4a, up, down)
+    before_5a = small_a < 256
+    before_5 = where(before_5a, up, down)
+    after_0 = where(before_0a, down, up)
+    after_1 = where(before_1a, down, up)
+    after_2 = where(before_2a, down, up)
+    after_3 = where(before_3a, down, up)
+    after_4 = where(before_4a, down, up)
+    after_5 = where(before_5a, down, up)
     sized_0 = si_0 * before_0
     sized_1 = si_1 * before_1
     sized_2 = si_2 * before_2

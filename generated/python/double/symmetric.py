@@ -21,7 +21,8 @@ def mat3x3_ldl(A):
     pivot is positive, barring over- and underflow.
     """
     A_00, A_01, A_02, A_10, A_11, A_12, A_20, A_21, A_22 = A
-    divisor0 = where(0 < A_00, A_00, 1)
+    divisor0a = 0 < A_00
+    divisor0 = where(divisor0a, A_00, 1)
     l0_0 = A_10 / divisor0
     l0_1 = A_20 / divisor0
     u1_0 = A_11 - A_10 * l0_0
@@ -29,12 +30,14 @@ def mat3x3_ldl(A):
     divisor1 = where(0 < u1_0, u1_0, 1)
     l1 = u1_1 / divisor1
     u2 = A_22 - A_20 * l0_1 - u1_1 * l1
-    part0 = where(0 < A_00, A_00 / divisor0, A_00)
-    own1 = where(0 < A_11, A_11, 1)
-    part1 = where(0 < A_11, u1_0 / own1, A_11)
+    part0 = where(divisor0a, A_00 / divisor0, A_00)
+    own1a = 0 < A_11
+    own1 = where(own1a, A_11, 1)
+    part1 = where(own1a, u1_0 / own1, A_11)
     smallest1 = where(part0 < part1, part0, part1)
-    own2 = where(0 < A_22, A_22, 1)
-    part2 = where(0 < A_22, u2 / own2, A_22)
+    own2a = 0 < A_22
+    own2 = where(own2a, A_22, 1)
+    part2 = where(own2a, u2 / own2, A_22)
     smallest2 = where(smallest1 < part2, smallest1, part2)
     return (smallest2, A_00, 0, 0, l0_0, u1_0, 0, l0_1, l1, u2)
 
@@ -71,7 +74,8 @@ def mat3x3_solve(A, b):
     """
     A_00, A_01, A_02, A_10, A_11, A_12, A_20, A_21, A_22 = A
     b_0, b_1, b_2 = b
-    divisor0 = where(0 < A_00, A_00, 1)
+    divisor0a = 0 < A_00
+    divisor0 = where(divisor0a, A_00, 1)
     l0_0 = A_10 / divisor0
     l0_1 = A_20 / divisor0
     u1_0 = A_11 - A_10 * l0_0
@@ -80,26 +84,30 @@ def mat3x3_solve(A, b):
     l1 = u1_1 / divisor1
     u2 = A_22 - A_20 * l0_1 - u1_1 * l1
     divisor2 = where(0 < u2, u2, 1)
-    part0 = where(0 < A_00, A_00 / divisor0, A_00)
-    own1 = where(0 < A_11, A_11, 1)
-    part1 = where(0 < A_11, u1_0 / own1, A_11)
+    part0 = where(divisor0a, A_00 / divisor0, A_00)
+    own1a = 0 < A_11
+    own1 = where(own1a, A_11, 1)
+    part1 = where(own1a, u1_0 / own1, A_11)
     smallest1 = where(part0 < part1, part0, part1)
-    own2 = where(0 < A_22, A_22, 1)
-    part2 = where(0 < A_22, u2 / own2, A_22)
+    own2a = 0 < A_22
+    own2 = where(own2a, A_22, 1)
+    part2 = where(own2a, u2 / own2, A_22)
     smallest2 = where(smallest1 < part2, smallest1, part2)
     less_0 = A_00 * 0.9999999999999944
     less_1 = A_11 * 0.9999999999999944
     less_2 = A_22 * 0.9999999999999944
-    less_divisor0 = where(0 < less_0, less_0, 1)
+    less_divisor0a = 0 < less_0
+    less_divisor0 = where(less_divisor0a, less_0, 1)
     less_l0_0 = A_10 / less_divisor0
     less_l0_1 = A_20 / less_divisor0
     less_u1_0 = less_1 - A_10 * less_l0_0
     less_u1_1 = A_21 - A_20 * less_l0_0
-    less_divisor1 = where(0 < less_u1_0, less_u1_0, 1)
+    less_divisor1a = 0 < less_u1_0
+    less_divisor1 = where(less_divisor1a, less_u1_0, 1)
     less_l1 = less_u1_1 / less_divisor1
     less_u2 = less_2 - A_20 * less_l0_1 - less_u1_1 * less_l1
-    regular_c = where(0 < less_u1_0, where(0 < less_u2, float64(1), float64(0)), 0)
-    regular = where(0 < less_0, regular_c, 0)
+    regular_c = where(less_divisor1a, where(0 < less_u2, float64(1), float64(0)), 0)
+    regular = where(less_divisor0a, regular_c, 0)
     least = where(smallest2 < 0, smallest2, 0)
     y1 = b_1 - b_0 * l0_0
     y2 = b_2 - b_0 * l0_1 - l1 * y1
@@ -121,10 +129,11 @@ def mat3x3_solve(A, b):
     found_0 = x0 + refined_x0
     found_1 = x1 + refined_x1
     found_2 = z2 + refined_z2
-    pivot = where(regular == 1, smallest2, least)
-    x_0 = where(regular == 1, found_0, nan)
-    x_1 = where(regular == 1, found_1, nan)
-    x_2 = where(regular == 1, found_2, nan)
+    pivot_a = regular == 1
+    pivot = where(pivot_a, smallest2, least)
+    x_0 = where(pivot_a, found_0, nan)
+    x_1 = where(pivot_a, found_1, nan)
+    x_2 = where(pivot_a, found_2, nan)
     return (pivot, x_0, x_1, x_2)
 
 
@@ -141,7 +150,8 @@ def mat6x6_ldl(A):
     (A_00, A_01, A_02, A_03, A_04, A_05, A_10, A_11, A_12, A_13, A_14, A_15, A_20, A_21, A_22, A_23,
         A_24, A_25, A_30, A_31, A_32, A_33, A_34, A_35, A_40, A_41, A_42, A_43, A_44, A_45, A_50,
         A_51, A_52, A_53, A_54, A_55) = A
-    divisor0 = where(0 < A_00, A_00, 1)
+    divisor0a = 0 < A_00
+    divisor0 = where(divisor0a, A_00, 1)
     l0_0 = A_10 / divisor0
     l0_1 = A_20 / divisor0
     l0_2 = A_30 / divisor0
@@ -176,21 +186,26 @@ def mat6x6_ldl(A):
     divisor4 = where(0 < u4_0, u4_0, 1)
     l4 = u4_1 / divisor4
     u5 = A_55 - A_50 * l0_4 - u1_4 * l1_3 - u2_3 * l2_2 - u3_2 * l3_1 - u4_1 * l4
-    part0 = where(0 < A_00, A_00 / divisor0, A_00)
-    own1 = where(0 < A_11, A_11, 1)
-    part1 = where(0 < A_11, u1_0 / own1, A_11)
+    part0 = where(divisor0a, A_00 / divisor0, A_00)
+    own1a = 0 < A_11
+    own1 = where(own1a, A_11, 1)
+    part1 = where(own1a, u1_0 / own1, A_11)
     smallest1 = where(part0 < part1, part0, part1)
-    own2 = where(0 < A_22, A_22, 1)
-    part2 = where(0 < A_22, u2_0 / own2, A_22)
+    own2a = 0 < A_22
+    own2 = where(own2a, A_22, 1)
+    part2 = where(own2a, u2_0 / own2, A_22)
     smallest2 = where(smallest1 < part2, smallest1, part2)
-    own3 = where(0 < A_33, A_33, 1)
-    part3 = where(0 < A_33, u3_0 / own3, A_33)
+    own3a = 0 < A_33
+    own3 = where(own3a, A_33, 1)
+    part3 = where(own3a, u3_0 / own3, A_33)
     smallest3 = where(smallest2 < part3, smallest2, part3)
-    own4 = where(0 < A_44, A_44, 1)
-    part4 = where(0 < A_44, u4_0 / own4, A_44)
+    own4a = 0 < A_44
+    own4 = where(own4a, A_44, 1)
+    part4 = where(own4a, u4_0 / own4, A_44)
     smallest4 = where(smallest3 < part4, smallest3, part4)
-    own5 = where(0 < A_55, A_55, 1)
-    part5 = where(0 < A_55, u5 / own5, A_55)
+    own5a = 0 < A_55
+    own5 = where(own5a, A_55, 1)
+    part5 = where(own5a, u5 / own5, A_55)
     smallest5 = where(smallest4 < part5, smallest4, part5)
     return (smallest5, A_00, 0, 0, 0, 0, 0, l0_0, u1_0, 0, 0, 0, 0, l0_1, l1_0, u2_0, 0, 0, 0, l0_2,
         l1_1, l2_0, u3_0, 0, 0, l0_3, l1_2, l2_1, l3_0, u4_0, 0, l0_4, l1_3, l2_2, l3_1, l4, u5)
@@ -243,7 +258,8 @@ def mat6x6_solve(A, b):
         A_24, A_25, A_30, A_31, A_32, A_33, A_34, A_35, A_40, A_41, A_42, A_43, A_44, A_45, A_50,
         A_51, A_52, A_53, A_54, A_55) = A
     b_0, b_1, b_2, b_3, b_4, b_5 = b
-    divisor0 = where(0 < A_00, A_00, 1)
+    divisor0a = 0 < A_00
+    divisor0 = where(divisor0a, A_00, 1)
     l0_0 = A_10 / divisor0
     l0_1 = A_20 / divisor0
     l0_2 = A_30 / divisor0
@@ -279,21 +295,26 @@ def mat6x6_solve(A, b):
     l4 = u4_1 / divisor4
     u5 = A_55 - A_50 * l0_4 - u1_4 * l1_3 - u2_3 * l2_2 - u3_2 * l3_1 - u4_1 * l4
     divisor5 = where(0 < u5, u5, 1)
-    part0 = where(0 < A_00, A_00 / divisor0, A_00)
-    own1 = where(0 < A_11, A_11, 1)
-    part1 = where(0 < A_11, u1_0 / own1, A_11)
+    part0 = where(divisor0a, A_00 / divisor0, A_00)
+    own1a = 0 < A_11
+    own1 = where(own1a, A_11, 1)
+    part1 = where(own1a, u1_0 / own1, A_11)
     smallest1 = where(part0 < part1, part0, part1)
-    own2 = where(0 < A_22, A_22, 1)
-    part2 = where(0 < A_22, u2_0 / own2, A_22)
+    own2a = 0 < A_22
+    own2 = where(own2a, A_22, 1)
+    part2 = where(own2a, u2_0 / own2, A_22)
     smallest2 = where(smallest1 < part2, smallest1, part2)
-    own3 = where(0 < A_33, A_33, 1)
-    part3 = where(0 < A_33, u3_0 / own3, A_33)
+    own3a = 0 < A_33
+    own3 = where(own3a, A_33, 1)
+    part3 = where(own3a, u3_0 / own3, A_33)
     smallest3 = where(smallest2 < part3, smallest2, part3)
-    own4 = where(0 < A_44, A_44, 1)
-    part4 = where(0 < A_44, u4_0 / own4, A_44)
+    own4a = 0 < A_44
+    own4 = where(own4a, A_44, 1)
+    part4 = where(own4a, u4_0 / own4, A_44)
     smallest4 = where(smallest3 < part4, smallest3, part4)
-    own5 = where(0 < A_55, A_55, 1)
-    part5 = where(0 < A_55, u5 / own5, A_55)
+    own5a = 0 < A_55
+    own5 = where(own5a, A_55, 1)
+    part5 = where(own5a, u5 / own5, A_55)
     smallest5 = where(smallest4 < part5, smallest4, part5)
     less_0 = A_00 * 0.9999999999999944
     less_1 = A_11 * 0.9999999999999944
@@ -301,7 +322,8 @@ def mat6x6_solve(A, b):
     less_3 = A_33 * 0.9999999999999944
     less_4 = A_44 * 0.9999999999999944
     less_5 = A_55 * 0.9999999999999944
-    less_divisor0 = where(0 < less_0, less_0, 1)
+    less_divisor0a = 0 < less_0
+    less_divisor0 = where(less_divisor0a, less_0, 1)
     less_l0_0 = A_10 / less_divisor0
     less_l0_1 = A_20 / less_divisor0
     less_l0_2 = A_30 / less_divisor0
@@ -312,7 +334,8 @@ def mat6x6_solve(A, b):
     less_u1_2 = A_31 - A_30 * less_l0_0
     less_u1_3 = A_41 - A_40 * less_l0_0
     less_u1_4 = A_51 - A_50 * less_l0_0
-    less_divisor1 = where(0 < less_u1_0, less_u1_0, 1)
+    less_divisor1a = 0 < less_u1_0
+    less_divisor1 = where(less_divisor1a, less_u1_0, 1)
     less_l1_0 = less_u1_1 / less_divisor1
     less_l1_1 = less_u1_2 / less_divisor1
     less_l1_2 = less_u1_3 / less_divisor1
@@ -321,30 +344,30 @@ def mat6x6_solve(A, b):
     less_u2_1 = A_32 - A_30 * less_l0_1 - less_u1_2 * less_l1_0
     less_u2_2 = A_42 - A_40 * less_l0_1 - less_u1_3 * less_l1_0
     less_u2_3 = A_52 - A_50 * less_l0_1 - less_u1_4 * less_l1_0
-    less_divisor2 = where(0 < less_u2_0, less_u2_0, 1)
+    less_divisor2a = 0 < less_u2_0
+    less_divisor2 = where(less_divisor2a, less_u2_0, 1)
     less_l2_0 = less_u2_1 / less_divisor2
     less_l2_1 = less_u2_2 / less_divisor2
     less_l2_2 = less_u2_3 / less_divisor2
     less_u3_0 = less_3 - A_30 * less_l0_2 - less_u1_2 * less_l1_1 - less_u2_1 * less_l2_0
     less_u3_1 = A_43 - A_40 * less_l0_2 - less_u1_3 * less_l1_1 - less_u2_2 * less_l2_0
     less_u3_2 = A_53 - A_50 * less_l0_2 - less_u1_4 * less_l1_1 - less_u2_3 * less_l2_0
-    less_divisor3 = where(0 < less_u3_0, less_u3_0, 1)
+    less_divisor3a = 0 < less_u3_0
+    less_divisor3 = where(less_divisor3a, less_u3_0, 1)
     less_l3_0 = less_u3_1 / less_divisor3
     less_l3_1 = less_u3_2 / less_divisor3
     less_u4_0f = less_4 - A_40 * less_l0_3 - less_u1_3 * less_l1_2 - less_u2_2 * less_l2_1
     less_u4_0 = less_u4_0f - less_u3_1 * less_l3_0
     less_u4_1f = A_54 - A_50 * less_l0_3 - less_u1_4 * less_l1_2 - less_u2_3 * less_l2_1
     less_u4_1 = less_u4_1f - less_u3_2 * less_l3_0
-    less_divisor4 = where(0 < less_u4_0, less_u4_0, 1)
+    less_divisor4a = 0 < less_u4_0
+    less_divisor4 = where(less_divisor4a, less_u4_0, 1)
     less_l4 = less_u4_1 / less_divisor4
     less_u5f = less_5 - A_50 * less_l0_4 - less_u1_4 * less_l1_3 - less_u2_3 * less_l2_2
-    less_u5h = less_u5f - less_u3_2 * less_l3_1
-    less_u5 = less_u5h - less_u4_1 * less_l4
-    regular_c = where(0 < less_u4_0, where(0 < less_u5, float64(1), float64(0)), 0)
-    regular_d = where(0 < less_u3_0, regular_c, 0)
-    regular_e = where(0 < less_u2_0, regular_d, 0)
-    regular_f = where(0 < less_u1_0, regular_e, 0)
-    regular = where(0 < less_0, regular_f, 0)
+    less_u5 = less_u5f - less_u3_2 * less_l3_1 - less_u4_1 * less_l4
+    regular_c = where(less_divisor4a, where(0 < less_u5, float64(1), float64(0)), 0)
+    regular_e = where(less_divisor2a, where(less_divisor3a, regular_c, 0), 0)
+    regular = where(less_divisor0a, where(less_divisor1a, regular_e, 0), 0)
     least = where(smallest5 < 0, smallest5, 0)
     y1 = b_1 - b_0 * l0_0
     y2 = b_2 - b_0 * l0_1 - l1_0 * y1
@@ -374,8 +397,7 @@ def mat6x6_solve(A, b):
     refined_y4f = residual_4 - l0_3 * residual_0 - l1_2 * refined_y1 - l2_1 * refined_y2
     refined_y4 = refined_y4f - l3_0 * refined_y3
     refined_y5f = residual_5 - l0_4 * residual_0 - l1_3 * refined_y1 - l2_2 * refined_y2
-    refined_y5h = refined_y5f - l3_1 * refined_y3
-    refined_y5 = refined_y5h - l4 * refined_y4
+    refined_y5 = refined_y5f - l3_1 * refined_y3 - l4 * refined_y4
     refined_z0 = residual_0 / divisor0
     refined_z1 = refined_y1 / divisor1
     refined_z2 = refined_y2 / divisor2
@@ -388,19 +410,19 @@ def mat6x6_solve(A, b):
     refined_x1f = refined_z1 - l1_0 * refined_x2 - l1_1 * refined_x3 - l1_2 * refined_x4
     refined_x1 = refined_x1f - l1_3 * refined_z5
     refined_x0f = refined_z0 - l0_0 * refined_x1 - l0_1 * refined_x2 - l0_2 * refined_x3
-    refined_x0h = refined_x0f - l0_3 * refined_x4
-    refined_x0 = refined_x0h - l0_4 * refined_z5
+    refined_x0 = refined_x0f - l0_3 * refined_x4 - l0_4 * refined_z5
     found_0 = x0 + refined_x0
     found_1 = x1 + refined_x1
     found_2 = x2 + refined_x2
     found_3 = x3 + refined_x3
     found_4 = x4 + refined_x4
     found_5 = z5 + refined_z5
-    pivot = where(regular == 1, smallest5, least)
-    x_0 = where(regular == 1, found_0, nan)
-    x_1 = where(regular == 1, found_1, nan)
-    x_2 = where(regular == 1, found_2, nan)
-    x_3 = where(regular == 1, found_3, nan)
-    x_4 = where(regular == 1, found_4, nan)
-    x_5 = where(regular == 1, found_5, nan)
+    pivot_a = regular == 1
+    pivot = where(pivot_a, smallest5, least)
+    x_0 = where(pivot_a, found_0, nan)
+    x_1 = where(pivot_a, found_1, nan)
+    x_2 = where(pivot_a, found_2, nan)
+    x_3 = where(pivot_a, found_3, nan)
+    x_4 = where(pivot_a, found_4, nan)
+    x_5 = where(pivot_a, found_5, nan)
     return (pivot, x_0, x_1, x_2, x_3, x_4, x_5)

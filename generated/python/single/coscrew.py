@@ -189,11 +189,11 @@ def coscrew_norm(ci):
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     small_c = where(absolute(ci_2) < 1e-06, float32(1), float32(0))
-    small_f = where(absolute(ci_1) < 1e-06, small_c, 0)
-    small = where(absolute(ci_0) < 1e-06, small_f, 0)
-    p_0 = where(small == 1, ci_3, ci_0)
-    p_1 = where(small == 1, ci_4, ci_1)
-    p_2 = where(small == 1, ci_5, ci_2)
+    small = where(absolute(ci_0) < 1e-06, where(absolute(ci_1) < 1e-06, small_c, 0), 0)
+    p_0a = small == 1
+    p_0 = where(p_0a, ci_3, ci_0)
+    p_1 = where(p_0a, ci_4, ci_1)
+    p_2 = where(p_0a, ci_5, ci_2)
     s_size_0 = absolute(p_0)
     s_size_1 = absolute(p_1)
     s_size_2 = absolute(p_2)
@@ -223,12 +223,13 @@ def coscrew_normalize(self):
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     small_a = absolute(self_2)
     small_d = absolute(self_1)
-    small_f = where(small_d < 1e-06, where(small_a < 1e-06, float32(1), float32(0)), 0)
     small_g = absolute(self_0)
+    small_f = where(small_d < 1e-06, where(small_a < 1e-06, float32(1), float32(0)), 0)
     small = where(small_g < 1e-06, small_f, 0)
-    p_0 = where(small == 1, self_3, self_0)
-    p_1 = where(small == 1, self_4, self_1)
-    p_2 = where(small == 1, self_5, self_2)
+    p_0a = small == 1
+    p_0 = where(p_0a, self_3, self_0)
+    p_1 = where(p_0a, self_4, self_1)
+    p_2 = where(p_0a, self_5, self_2)
     s_size_0 = absolute(p_0)
     s_size_1 = absolute(p_1)
     s_size_2 = absolute(p_2)
@@ -247,18 +248,24 @@ def coscrew_normalize(self):
     size_3 = absolute(self_3)
     size_4 = absolute(self_4)
     size_5 = absolute(self_5)
-    before_0 = where(small_g < 256, up, down)
-    before_1 = where(small_d < 256, up, down)
-    before_2 = where(small_a < 256, up, down)
-    before_3 = where(size_3 < 256, up, down)
-    before_4 = where(size_4 < 256, up, down)
-    before_5 = where(size_5 < 256, up, down)
-    after_0 = where(small_g < 256, down, up)
-    after_1 = where(small_d < 256, down, up)
-    after_2 = where(small_a < 256, down, up)
-    after_3 = where(size_3 < 256, down, up)
-    after_4 = where(size_4 < 256, down, up)
-    after_5 = where(size_5 < 256, down, up)
+    before_0a = small_g < 256
+    before_0 = where(before_0a, up, down)
+    before_1a = small_d < 256
+    before_1 = where(before_1a, up, down)
+    before_2a = small_a < 256
+    before_2 = where(before_2a, up, down)
+    before_3a = size_3 < 256
+    before_3 = where(before_3a, up, down)
+    before_4a = size_4 < 256
+    before_4 = where(before_4a, up, down)
+    before_5a = size_5 < 256
+    before_5 = where(before_5a, up, down)
+    after_0 = where(before_0a, down, up)
+    after_1 = where(before_1a, down, up)
+    after_2 = where(before_2a, down, up)
+    after_3 = where(before_3a, down, up)
+    after_4 = where(before_4a, down, up)
+    after_5 = where(before_5a, down, up)
     sized_0 = self_0 * before_0
     sized_1 = self_1 * before_1
     sized_2 = self_2 * before_2
@@ -290,12 +297,13 @@ def coscrew_normalized(ci):
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
     small_a = absolute(ci_2)
     small_d = absolute(ci_1)
-    small_f = where(small_d < 1e-06, where(small_a < 1e-06, float32(1), float32(0)), 0)
     small_g = absolute(ci_0)
+    small_f = where(small_d < 1e-06, where(small_a < 1e-06, float32(1), float32(0)), 0)
     small = where(small_g < 1e-06, small_f, 0)
-    p_0 = where(small == 1, ci_3, ci_0)
-    p_1 = where(small == 1, ci_4, ci_1)
-    p_2 = where(small == 1, ci_5, ci_2)
+    p_0a = small == 1
+    p_0 = where(p_0a, ci_3, ci_0)
+    p_1 = where(p_0a, ci_4, ci_1)
+    p_2 = where(p_0a, ci_5, ci_2)
     s_size_0 = absolute(p_0)
     s_size_1 = absolute(p_1)
     s_size_2 = absolute(p_2)
@@ -314,18 +322,24 @@ def coscrew_normalized(ci):
     size_3 = absolute(ci_3)
     size_4 = absolute(ci_4)
     size_5 = absolute(ci_5)
-    before_0 = where(small_g < 256, up, down)
-    before_1 = where(small_d < 256, up, down)
-    before_2 = where(small_a < 256, up, down)
-    before_3 = where(size_3 < 256, up, down)
-    before_4 = where(size_4 < 256, up, down)
-    before_5 = where(size_5 < 256, up, down)
-    after_0 = where(small_g < 256, down, up)
-    after_1 = where(small_d < 256, down, up)
-    after_2 = where(small_a < 256, down, up)
-    after_3 = where(size_3 < 256, down, up)
-    after_4 = where(size_4 < 256, down, up)
-    after_5 = where(size_5 < 256, down, up)
+    before_0a = small_g < 256
+    before_0 = where(before_0a, up, down)
+    before_1a = small_d < 256
+    before_1 = where(before_1a, up, down)
+    before_2a = small_a < 256
+    before_2 = where(before_2a, up, down)
+    before_3a = size_3 < 256
+    before_3 = where(before_3a, up, down)
+    before_4a = size_4 < 256
+    before_4 = where(before_4a, up, down)
+    before_5a = size_5 < 256
+    before_5 = where(before_5a, up, down)
+    after_0 = where(before_0a, down, up)
+    after_1 = where(before_1a, down, up)
+    after_2 = where(before_2a, down, up)
+    after_3 = where(before_3a, down, up)
+    after_4 = where(before_4a, down, up)
+    after_5 = where(before_5a, down, up)
     sized_0 = ci_0 * before_0
     sized_1 = ci_1 * before_1
     sized_2 = ci_2 * before_2

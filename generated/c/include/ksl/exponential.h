@@ -909,8 +909,8 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.
-   Error <= lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved.
-     Sums on the way may overflow where |t| is above 2e306, in single precision 5e36. */
+   Error <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not
+     proved.  Sums on the way may overflow where |t| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double p_0 = D->m21 - D->m12;
   const double p_1 = D->m02 - D->m20;
@@ -1889,9 +1889,9 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
      select.
-   Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is larger for
-     D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on the way may
-     overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36. */
+   Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is larger for R
+     of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on the
+     way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2, const double k,
     ksl_SE3_t *Do) {
   const double apart_0 = D2->m03 - D1->m03;
@@ -3128,8 +3128,8 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.
-   Error <= lin: 18 u, ang: 8 u of its largest component for D a rotation; searched, not proved.
-     Sums on the way may overflow where |t| is above 2e306, in single precision 5e36. */
+   Error <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not
+     proved.  Sums on the way may overflow where |t| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float p_0 = D->m21 - D->m12;
   const float p_1 = D->m02 - D->m20;
@@ -4098,9 +4098,9 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
      select.
-   Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is larger for
-     D1 a rotation and D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on the way may
-     overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36. */
+   Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is larger for R
+     of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on the
+     way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     const float k, ksl_SE3f_t *Do) {
   const float apart_0 = D2->m03 - D1->m03;

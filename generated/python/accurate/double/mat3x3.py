@@ -31,48 +31,42 @@ def acceleration_tensor(w, dw):
     Ro_00a = ww_1 + ww_2
     Ro_00a_right = Ro_00a - ww_1
     Ro_00a_left_rest = product_rest(w_1, w_1, ww_1, Ro_00a - Ro_00a_right)
-    Ro_00a_lo = Ro_00a_left_rest + product_rest(w_2, w_2, ww_2, Ro_00a_right)
     Ro_00 = -Ro_00a
-    Ro_00_lo = -Ro_00a_lo
     Ro_01 = ww_3 - dw_2
     Ro_01_right = ww_3 - Ro_01
-    Ro_01_lo = product_rest(w_0, w_1, ww_3, Ro_01 + Ro_01_right) - (dw_2 - Ro_01_right)
     Ro_02 = dw_1 + ww_4
     Ro_02_right = Ro_02 - dw_1
-    Ro_02_lo = dw_1 - (Ro_02 - Ro_02_right) + product_rest(w_0, w_2, ww_4, Ro_02_right)
     Ro_10 = dw_2 + ww_3
     Ro_10_right = Ro_10 - dw_2
-    Ro_10_lo = dw_2 - (Ro_10 - Ro_10_right) + product_rest(w_0, w_1, ww_3, Ro_10_right)
     Ro_11a = ww_0 + ww_2
     Ro_11a_right = Ro_11a - ww_0
     Ro_11a_left_rest = product_rest(w_0, w_0, ww_0, Ro_11a - Ro_11a_right)
-    Ro_11a_lo = Ro_11a_left_rest + product_rest(w_2, w_2, ww_2, Ro_11a_right)
     Ro_11 = -Ro_11a
-    Ro_11_lo = -Ro_11a_lo
     Ro_12 = ww_5 - dw_0
     Ro_12_right = ww_5 - Ro_12
-    Ro_12_lo = product_rest(w_1, w_2, ww_5, Ro_12 + Ro_12_right) - (dw_0 - Ro_12_right)
     Ro_20 = ww_4 - dw_1
     Ro_20_right = ww_4 - Ro_20
-    Ro_20_lo = product_rest(w_0, w_2, ww_4, Ro_20 + Ro_20_right) - (dw_1 - Ro_20_right)
     Ro_21 = dw_0 + ww_5
     Ro_21_right = Ro_21 - dw_0
-    Ro_21_lo = dw_0 - (Ro_21 - Ro_21_right) + product_rest(w_1, w_2, ww_5, Ro_21_right)
     Ro_22a = ww_0 + ww_1
     Ro_22a_right = Ro_22a - ww_0
     Ro_22a_left_rest = product_rest(w_0, w_0, ww_0, Ro_22a - Ro_22a_right)
-    Ro_22a_lo = Ro_22a_left_rest + product_rest(w_1, w_1, ww_1, Ro_22a_right)
     Ro_22 = -Ro_22a
-    Ro_22_lo = -Ro_22a_lo
-    Ro_00_rounded = Ro_00 + Ro_00_lo
+    Ro_00_rounded = Ro_00 + -(Ro_00a_left_rest + product_rest(w_2, w_2, ww_2, Ro_00a_right))
+    Ro_01_lo = product_rest(w_0, w_1, ww_3, Ro_01 + Ro_01_right) - (dw_2 - Ro_01_right)
     Ro_01_rounded = Ro_01 + Ro_01_lo
+    Ro_02_lo = dw_1 - (Ro_02 - Ro_02_right) + product_rest(w_0, w_2, ww_4, Ro_02_right)
     Ro_02_rounded = Ro_02 + Ro_02_lo
+    Ro_10_lo = dw_2 - (Ro_10 - Ro_10_right) + product_rest(w_0, w_1, ww_3, Ro_10_right)
     Ro_10_rounded = Ro_10 + Ro_10_lo
-    Ro_11_rounded = Ro_11 + Ro_11_lo
+    Ro_11_rounded = Ro_11 + -(Ro_11a_left_rest + product_rest(w_2, w_2, ww_2, Ro_11a_right))
+    Ro_12_lo = product_rest(w_1, w_2, ww_5, Ro_12 + Ro_12_right) - (dw_0 - Ro_12_right)
     Ro_12_rounded = Ro_12 + Ro_12_lo
+    Ro_20_lo = product_rest(w_0, w_2, ww_4, Ro_20 + Ro_20_right) - (dw_1 - Ro_20_right)
     Ro_20_rounded = Ro_20 + Ro_20_lo
+    Ro_21_lo = dw_0 - (Ro_21 - Ro_21_right) + product_rest(w_1, w_2, ww_5, Ro_21_right)
     Ro_21_rounded = Ro_21 + Ro_21_lo
-    Ro_22_rounded = Ro_22 + Ro_22_lo
+    Ro_22_rounded = Ro_22 + -(Ro_22a_left_rest + product_rest(w_1, w_1, ww_1, Ro_22a_right))
     return (Ro_00_rounded, Ro_01_rounded, Ro_02_rounded, Ro_10_rounded, Ro_11_rounded,
         Ro_12_rounded, Ro_20_rounded, Ro_21_rounded, Ro_22_rounded)
 
@@ -91,36 +85,29 @@ def mat3x3_determinant(R):
     n_0 = n_0a - n_0b
     n_0_right = n_0a - n_0
     n_0_left_rest = product_rest(R_11, R_22, n_0a, n_0 + n_0_right)
-    n_0_lo = n_0_left_rest - product_rest(R_12, R_21, n_0b, n_0_right)
     n_1a = R_02 * R_21
     n_1b = R_01 * R_22
     n_1 = n_1a - n_1b
     n_1_right = n_1a - n_1
     n_1_left_rest = product_rest(R_02, R_21, n_1a, n_1 + n_1_right)
-    n_1_lo = n_1_left_rest - product_rest(R_01, R_22, n_1b, n_1_right)
     n_2a = R_01 * R_12
     n_2b = R_02 * R_11
     n_2 = n_2a - n_2b
     n_2_right = n_2a - n_2
     n_2_left_rest = product_rest(R_01, R_12, n_2a, n_2 + n_2_right)
-    n_2_lo = n_2_left_rest - product_rest(R_02, R_11, n_2b, n_2_right)
     det_a = R_00 * n_0
-    det_a_cross2 = R_00 * n_0_lo
     det_b = R_10 * n_1
-    det_b_cross2 = R_10 * n_1_lo
     det_c = det_a + det_b
     det_c_right = det_c - det_a
+    det_a_cross2 = R_00 * (n_0_left_rest - product_rest(R_12, R_21, n_0b, n_0_right))
     det_c_left_rest = product_rest(R_00, n_0, det_a, det_c - det_c_right)
-    det_c_cross = det_a_cross2 + det_b_cross2
-    det_c_lo1 = det_c_left_rest + product_rest(R_10, n_1, det_b, det_c_right)
-    det_c_lo = det_c_lo1 + det_c_cross
+    det_c_cross = det_a_cross2 + R_10 * (n_1_left_rest - product_rest(R_01, R_22, n_1b, n_1_right))
     det_d = R_20 * n_2
-    det_d_cross2 = R_20 * n_2_lo
     det = det_c + det_d
     det_right = det - det_c
     det_lo1 = det_c - (det - det_right) + product_rest(R_20, n_2, det_d, det_right)
-    det_lo2 = det_lo1 + det_d_cross2
-    det_lo = det_lo2 + det_c_lo
+    det_lo2 = det_lo1 + R_20 * (n_2_left_rest - product_rest(R_02, R_11, n_2b, n_2_right))
+    det_lo = det_lo2 + (det_c_left_rest + product_rest(R_10, n_1, det_b, det_c_right) + det_c_cross)
     det_rounded = det + det_lo
     return det_rounded
 
@@ -155,12 +142,15 @@ def mat3x3_inverse(R):
     R_largest6 = where(R_largest5 < R_size_6, R_size_6, R_largest5)
     R_largest7 = where(R_largest6 < R_size_7, R_size_7, R_largest6)
     R_largest8 = where(R_largest7 < R_size_8, R_size_8, R_largest7)
-    s_b = where(R_largest8 < 8.452712498170644e+270, float64(2.409919865102884e-181), float64(1.1830521861667747e-271))
-    s_d = where(R_largest8 < 4.149515568880993e+180, 4.909093465297727e-91, s_b)
-    s_f = where(R_largest8 < 2.037035976334486e+90, 1, s_d)
-    s_h = where(R_largest8 < 1, 2.037035976334486e+90, s_f)
-    s_j = where(R_largest8 < 4.909093465297727e-91, 4.149515568880993e+180, s_h)
-    s = where(R_largest8 < 2.409919865102884e-181, 8.452712498170644e+270, s_j)
+    s_a = R_largest8 < 8.452712498170644e+270
+    s_c = R_largest8 < 4.149515568880993e+180
+    s_b = where(s_a, float64(2.409919865102884e-181), float64(1.1830521861667747e-271))
+    s_e = R_largest8 < 2.037035976334486e+90
+    s_g = R_largest8 < 1
+    s_i = R_largest8 < 4.909093465297727e-91
+    s_h = where(s_g, 2.037035976334486e+90, where(s_e, 1, where(s_c, 4.909093465297727e-91, s_b)))
+    s_k = R_largest8 < 2.409919865102884e-181
+    s = where(s_k, 8.452712498170644e+270, where(s_i, 4.149515568880993e+180, s_h))
     A_0 = R_00 * s
     A_1 = R_01 * s
     A_2 = R_02 * s
@@ -230,12 +220,11 @@ def mat3x3_inverse(R):
     d_c_right = d_c - d_a
     d_c_left_rest = product_rest(A_0, n0_0, d_a, d_c - d_c_right)
     d_c_lo1 = d_c_left_rest + product_rest(A_3, n0_1, d_b, d_c_right)
-    d_c_lo = d_c_lo1 + (A_0 * n0_0_lo + A_3 * n0_1_lo)
     d_d = A_6 * n0_2
     d = d_c + d_d
     d_right = d - d_c
     d_lo2 = d_c - (d - d_right) + product_rest(A_6, n0_2, d_d, d_right) + A_6 * n0_2_lo
-    d_lo = d_lo2 + d_c_lo
+    d_lo = d_lo2 + (d_c_lo1 + (A_0 * n0_0_lo + A_3 * n0_1_lo))
     size0_0 = absolute(A_0)
     size0_1 = absolute(A_3)
     size0_2 = absolute(A_6)
@@ -250,79 +239,71 @@ def mat3x3_inverse(R):
     permanent_c = permanent_a + permanent_b
     permanent_c_right = permanent_c - permanent_a
     permanent_c_left = permanent_c - permanent_c_right
-    permanent_c_left_rest = product_rest(size1_1, size2_2, permanent_a, permanent_c_left)
     permanent_c_right_rest = product_rest(size1_2, size2_1, permanent_b, permanent_c_right)
-    permanent_c_lo = permanent_c_left_rest + permanent_c_right_rest
+    permanent_c_left_rest = product_rest(size1_1, size2_2, permanent_a, permanent_c_left)
     permanent_d = size0_0 * permanent_c
-    permanent_d_cross2 = size0_0 * permanent_c_lo
     permanent_e = size1_0 * size2_2
     permanent_f = size1_2 * size2_0
     permanent_g = permanent_e + permanent_f
     permanent_g_right = permanent_g - permanent_e
     permanent_g_left = permanent_g - permanent_g_right
-    permanent_g_left_rest = product_rest(size1_0, size2_2, permanent_e, permanent_g_left)
     permanent_g_right_rest = product_rest(size1_2, size2_0, permanent_f, permanent_g_right)
-    permanent_g_lo = permanent_g_left_rest + permanent_g_right_rest
+    permanent_g_left_rest = product_rest(size1_0, size2_2, permanent_e, permanent_g_left)
     permanent_h = size0_1 * permanent_g
-    permanent_h_cross2 = size0_1 * permanent_g_lo
     permanent_i = permanent_d + permanent_h
     permanent_i_right = permanent_i - permanent_d
     permanent_i_left = permanent_i - permanent_i_right
-    permanent_i_left_rest = product_rest(size0_0, permanent_c, permanent_d, permanent_i_left)
+    permanent_d_cross2 = size0_0 * (permanent_c_left_rest + permanent_c_right_rest)
+    permanent_h_cross2 = size0_1 * (permanent_g_left_rest + permanent_g_right_rest)
     permanent_i_right_rest = product_rest(size0_1, permanent_g, permanent_h, permanent_i_right)
-    permanent_i_cross = permanent_d_cross2 + permanent_h_cross2
+    permanent_i_left_rest = product_rest(size0_0, permanent_c, permanent_d, permanent_i_left)
     permanent_i_lo1 = permanent_i_left_rest + permanent_i_right_rest
-    permanent_i_lo = permanent_i_lo1 + permanent_i_cross
     permanent_j = size1_0 * size2_1
     permanent_k = size1_1 * size2_0
     permanent_l = permanent_j + permanent_k
     permanent_l_right = permanent_l - permanent_j
     permanent_l_left = permanent_l - permanent_l_right
-    permanent_l_left_rest = product_rest(size1_0, size2_1, permanent_j, permanent_l_left)
     permanent_l_right_rest = product_rest(size1_1, size2_0, permanent_k, permanent_l_right)
-    permanent_l_lo = permanent_l_left_rest + permanent_l_right_rest
+    permanent_l_left_rest = product_rest(size1_0, size2_1, permanent_j, permanent_l_left)
     permanent_m = size0_2 * permanent_l
-    permanent_m_cross2 = size0_2 * permanent_l_lo
     permanent = permanent_i + permanent_m
     permanent_right = permanent - permanent_i
     permanent_right_rest = product_rest(size0_2, permanent_l, permanent_m, permanent_right)
     permanent_lo1 = permanent_i - (permanent - permanent_right) + permanent_right_rest
-    permanent_lo2 = permanent_lo1 + permanent_m_cross2
-    permanent_lo = permanent_lo2 + permanent_i_lo
+    permanent_lo2 = permanent_lo1 + size0_2 * (permanent_l_left_rest + permanent_l_right_rest)
     top = R_largest8 * s
     spoiled = top * 1.6489340850168661e-229
     least_a = permanent * 8.881784197001252e-16
-    least_a_cross1 = permanent_lo * 8.881784197001252e-16
+    permanent_lo = permanent_lo2 + (permanent_i_lo1 + (permanent_d_cross2 + permanent_h_cross2))
     least_b = top * top
     least_c = spoiled * least_b
     least = least_a + least_c
     least_right = least - least_a
     least_left_rest = product_rest(permanent, 8.881784197001252e-16, least_a, least - least_right)
-    least_cross = least_a_cross1 + spoiled * product_error(top, top, least_b)
-    least_lo1 = least_left_rest + product_rest(spoiled, least_b, least_c, least_right)
-    least_lo = least_lo1 + least_cross
+    least_cross = permanent_lo * 8.881784197001252e-16 + spoiled * product_error(top, top, least_b)
     regular_a_of_d = d + d_lo
     regular_a_of_d_right = regular_a_of_d - d
     regular_a_of_d_lo = d - (regular_a_of_d - regular_a_of_d_right) + (d_lo - regular_a_of_d_right)
+    least_lo = least_left_rest + product_rest(spoiled, least_b, least_c, least_right) + least_cross
     regular_a_lo = where(regular_a_of_d < 0, -regular_a_of_d_lo, regular_a_of_d_lo)
-    regular_b_of_least = least + least_lo
-    regular_b_of_regular_a = absolute(regular_a_of_d) + regular_a_lo
-    regular = where(regular_b_of_least < regular_b_of_regular_a, float64(1), float64(0))
-    divisor = where(regular == 1, regular_a_of_d, 1)
-    divisor_lo = where(regular == 1, regular_a_of_d_lo, 0)
+    regular_b = least + least_lo < absolute(regular_a_of_d) + regular_a_lo
+    regular = where(regular_b, float64(1), float64(0))
+    divisor_a = regular == 1
+    divisor = where(divisor_a, regular_a_of_d, 1)
+    divisor_lo = where(divisor_a, regular_a_of_d_lo, 0)
     quotient_0_of_n0_0 = n0_0 + n0_0_lo
     quotient_0_of_n0_0_right = quotient_0_of_n0_0 - n0_0
     quotient_0_of_n0_0_left_rest = n0_0 - (quotient_0_of_n0_0 - quotient_0_of_n0_0_right)
-    quotient_0_of_n0_0_lo = quotient_0_of_n0_0_left_rest + (n0_0_lo - quotient_0_of_n0_0_right)
     quotient_0_of_divisor = divisor + divisor_lo
     quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
     quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
-    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
     quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
+    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
     quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
     quotient_0 = quotient_0_of_n0_0 / quotient_0_of_divisor
     quotient_0_product = quotient_0 * quotient_0_of_divisor
     quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
+    quotient_0_of_n0_0_lo = quotient_0_of_n0_0_left_rest + (n0_0_lo - quotient_0_of_n0_0_right)
     quotient_0_exact = quotient_0_of_n0_0 - quotient_0_product - quotient_0_product_error
     quotient_0_numerator = quotient_0_exact + quotient_0_of_n0_0_lo
     quotient_0_residual = quotient_0_numerator - quotient_0 * quotient_0_of_divisor_lo
@@ -330,10 +311,10 @@ def mat3x3_inverse(R):
     quotient_1_of_n0_1 = n0_1 + n0_1_lo
     quotient_1_of_n0_1_right = quotient_1_of_n0_1 - n0_1
     quotient_1_of_n0_1_left_rest = n0_1 - (quotient_1_of_n0_1 - quotient_1_of_n0_1_right)
-    quotient_1_of_n0_1_lo = quotient_1_of_n0_1_left_rest + (n0_1_lo - quotient_1_of_n0_1_right)
     quotient_1 = quotient_1_of_n0_1 / quotient_0_of_divisor
     quotient_1_product = quotient_1 * quotient_0_of_divisor
     quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
+    quotient_1_of_n0_1_lo = quotient_1_of_n0_1_left_rest + (n0_1_lo - quotient_1_of_n0_1_right)
     quotient_1_exact = quotient_1_of_n0_1 - quotient_1_product - quotient_1_product_error
     quotient_1_numerator = quotient_1_exact + quotient_1_of_n0_1_lo
     quotient_1_residual = quotient_1_numerator - quotient_1 * quotient_0_of_divisor_lo
@@ -341,10 +322,10 @@ def mat3x3_inverse(R):
     quotient_2_of_n0_2 = n0_2 + n0_2_lo
     quotient_2_of_n0_2_right = quotient_2_of_n0_2 - n0_2
     quotient_2_of_n0_2_left_rest = n0_2 - (quotient_2_of_n0_2 - quotient_2_of_n0_2_right)
-    quotient_2_of_n0_2_lo = quotient_2_of_n0_2_left_rest + (n0_2_lo - quotient_2_of_n0_2_right)
     quotient_2 = quotient_2_of_n0_2 / quotient_0_of_divisor
     quotient_2_product = quotient_2 * quotient_0_of_divisor
     quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
+    quotient_2_of_n0_2_lo = quotient_2_of_n0_2_left_rest + (n0_2_lo - quotient_2_of_n0_2_right)
     quotient_2_exact = quotient_2_of_n0_2 - quotient_2_product - quotient_2_product_error
     quotient_2_numerator = quotient_2_exact + quotient_2_of_n0_2_lo
     quotient_2_residual = quotient_2_numerator - quotient_2 * quotient_0_of_divisor_lo
@@ -352,10 +333,10 @@ def mat3x3_inverse(R):
     quotient_3_of_n1_0 = n1_0 + n1_0_lo
     quotient_3_of_n1_0_right = quotient_3_of_n1_0 - n1_0
     quotient_3_of_n1_0_left_rest = n1_0 - (quotient_3_of_n1_0 - quotient_3_of_n1_0_right)
-    quotient_3_of_n1_0_lo = quotient_3_of_n1_0_left_rest + (n1_0_lo - quotient_3_of_n1_0_right)
     quotient_3 = quotient_3_of_n1_0 / quotient_0_of_divisor
     quotient_3_product = quotient_3 * quotient_0_of_divisor
     quotient_3_product_error = product_error(quotient_3, quotient_0_of_divisor, quotient_3_product)
+    quotient_3_of_n1_0_lo = quotient_3_of_n1_0_left_rest + (n1_0_lo - quotient_3_of_n1_0_right)
     quotient_3_exact = quotient_3_of_n1_0 - quotient_3_product - quotient_3_product_error
     quotient_3_numerator = quotient_3_exact + quotient_3_of_n1_0_lo
     quotient_3_residual = quotient_3_numerator - quotient_3 * quotient_0_of_divisor_lo
@@ -363,10 +344,10 @@ def mat3x3_inverse(R):
     quotient_4_of_n1_1 = n1_1 + n1_1_lo
     quotient_4_of_n1_1_right = quotient_4_of_n1_1 - n1_1
     quotient_4_of_n1_1_left_rest = n1_1 - (quotient_4_of_n1_1 - quotient_4_of_n1_1_right)
-    quotient_4_of_n1_1_lo = quotient_4_of_n1_1_left_rest + (n1_1_lo - quotient_4_of_n1_1_right)
     quotient_4 = quotient_4_of_n1_1 / quotient_0_of_divisor
     quotient_4_product = quotient_4 * quotient_0_of_divisor
     quotient_4_product_error = product_error(quotient_4, quotient_0_of_divisor, quotient_4_product)
+    quotient_4_of_n1_1_lo = quotient_4_of_n1_1_left_rest + (n1_1_lo - quotient_4_of_n1_1_right)
     quotient_4_exact = quotient_4_of_n1_1 - quotient_4_product - quotient_4_product_error
     quotient_4_numerator = quotient_4_exact + quotient_4_of_n1_1_lo
     quotient_4_residual = quotient_4_numerator - quotient_4 * quotient_0_of_divisor_lo
@@ -374,10 +355,10 @@ def mat3x3_inverse(R):
     quotient_5_of_n1_2 = n1_2 + n1_2_lo
     quotient_5_of_n1_2_right = quotient_5_of_n1_2 - n1_2
     quotient_5_of_n1_2_left_rest = n1_2 - (quotient_5_of_n1_2 - quotient_5_of_n1_2_right)
-    quotient_5_of_n1_2_lo = quotient_5_of_n1_2_left_rest + (n1_2_lo - quotient_5_of_n1_2_right)
     quotient_5 = quotient_5_of_n1_2 / quotient_0_of_divisor
     quotient_5_product = quotient_5 * quotient_0_of_divisor
     quotient_5_product_error = product_error(quotient_5, quotient_0_of_divisor, quotient_5_product)
+    quotient_5_of_n1_2_lo = quotient_5_of_n1_2_left_rest + (n1_2_lo - quotient_5_of_n1_2_right)
     quotient_5_exact = quotient_5_of_n1_2 - quotient_5_product - quotient_5_product_error
     quotient_5_numerator = quotient_5_exact + quotient_5_of_n1_2_lo
     quotient_5_residual = quotient_5_numerator - quotient_5 * quotient_0_of_divisor_lo
@@ -385,10 +366,10 @@ def mat3x3_inverse(R):
     quotient_6_of_n2_0 = n2_0 + n2_0_lo
     quotient_6_of_n2_0_right = quotient_6_of_n2_0 - n2_0
     quotient_6_of_n2_0_left_rest = n2_0 - (quotient_6_of_n2_0 - quotient_6_of_n2_0_right)
-    quotient_6_of_n2_0_lo = quotient_6_of_n2_0_left_rest + (n2_0_lo - quotient_6_of_n2_0_right)
     quotient_6 = quotient_6_of_n2_0 / quotient_0_of_divisor
     quotient_6_product = quotient_6 * quotient_0_of_divisor
     quotient_6_product_error = product_error(quotient_6, quotient_0_of_divisor, quotient_6_product)
+    quotient_6_of_n2_0_lo = quotient_6_of_n2_0_left_rest + (n2_0_lo - quotient_6_of_n2_0_right)
     quotient_6_exact = quotient_6_of_n2_0 - quotient_6_product - quotient_6_product_error
     quotient_6_numerator = quotient_6_exact + quotient_6_of_n2_0_lo
     quotient_6_residual = quotient_6_numerator - quotient_6 * quotient_0_of_divisor_lo
@@ -396,10 +377,10 @@ def mat3x3_inverse(R):
     quotient_7_of_n2_1 = n2_1 + n2_1_lo
     quotient_7_of_n2_1_right = quotient_7_of_n2_1 - n2_1
     quotient_7_of_n2_1_left_rest = n2_1 - (quotient_7_of_n2_1 - quotient_7_of_n2_1_right)
-    quotient_7_of_n2_1_lo = quotient_7_of_n2_1_left_rest + (n2_1_lo - quotient_7_of_n2_1_right)
     quotient_7 = quotient_7_of_n2_1 / quotient_0_of_divisor
     quotient_7_product = quotient_7 * quotient_0_of_divisor
     quotient_7_product_error = product_error(quotient_7, quotient_0_of_divisor, quotient_7_product)
+    quotient_7_of_n2_1_lo = quotient_7_of_n2_1_left_rest + (n2_1_lo - quotient_7_of_n2_1_right)
     quotient_7_exact = quotient_7_of_n2_1 - quotient_7_product - quotient_7_product_error
     quotient_7_numerator = quotient_7_exact + quotient_7_of_n2_1_lo
     quotient_7_residual = quotient_7_numerator - quotient_7 * quotient_0_of_divisor_lo
@@ -407,10 +388,10 @@ def mat3x3_inverse(R):
     quotient_8_of_n2_2 = n2_2 + n2_2_lo
     quotient_8_of_n2_2_right = quotient_8_of_n2_2 - n2_2
     quotient_8_of_n2_2_left_rest = n2_2 - (quotient_8_of_n2_2 - quotient_8_of_n2_2_right)
-    quotient_8_of_n2_2_lo = quotient_8_of_n2_2_left_rest + (n2_2_lo - quotient_8_of_n2_2_right)
     quotient_8 = quotient_8_of_n2_2 / quotient_0_of_divisor
     quotient_8_product = quotient_8 * quotient_0_of_divisor
     quotient_8_product_error = product_error(quotient_8, quotient_0_of_divisor, quotient_8_product)
+    quotient_8_of_n2_2_lo = quotient_8_of_n2_2_left_rest + (n2_2_lo - quotient_8_of_n2_2_right)
     quotient_8_exact = quotient_8_of_n2_2 - quotient_8_product - quotient_8_product_error
     quotient_8_numerator = quotient_8_exact + quotient_8_of_n2_2_lo
     quotient_8_residual = quotient_8_numerator - quotient_8 * quotient_0_of_divisor_lo
@@ -418,177 +399,143 @@ def mat3x3_inverse(R):
     inverse_0_of_quotient_0 = quotient_0 + quotient_0_lo
     inverse_0_of_quotient_0_right = inverse_0_of_quotient_0 - quotient_0
     inverse_0_of_quotient_0_left = inverse_0_of_quotient_0 - inverse_0_of_quotient_0_right
-    inverse_0_of_quotient_0_left_rest = quotient_0 - inverse_0_of_quotient_0_left
     inverse_0_of_quotient_0_right_rest = quotient_0_lo - inverse_0_of_quotient_0_right
-    inverse_0_of_quotient_0_lo = inverse_0_of_quotient_0_left_rest + inverse_0_of_quotient_0_right_rest
+    inverse_0_of_quotient_0_left_rest = quotient_0 - inverse_0_of_quotient_0_left
     inverse_0 = inverse_0_of_quotient_0 * s
     inverse_0_inverse = 1 / s
     inverse_0_lost = inverse_0_of_quotient_0 - inverse_0 * inverse_0_inverse
-    inverse_0_rest = inverse_0_lost + inverse_0_of_quotient_0_lo
-    inverse_0_small = inverse_0_rest * s
-    inverse_0_lo = where(inverse_0_lost == 0, 0, inverse_0_small)
+    inverse_0_of_quotient_0_lo = inverse_0_of_quotient_0_left_rest + inverse_0_of_quotient_0_right_rest
     inverse_1_of_quotient_1 = quotient_1 + quotient_1_lo
     inverse_1_of_quotient_1_right = inverse_1_of_quotient_1 - quotient_1
     inverse_1_of_quotient_1_left = inverse_1_of_quotient_1 - inverse_1_of_quotient_1_right
-    inverse_1_of_quotient_1_left_rest = quotient_1 - inverse_1_of_quotient_1_left
     inverse_1_of_quotient_1_right_rest = quotient_1_lo - inverse_1_of_quotient_1_right
-    inverse_1_of_quotient_1_lo = inverse_1_of_quotient_1_left_rest + inverse_1_of_quotient_1_right_rest
+    inverse_1_of_quotient_1_left_rest = quotient_1 - inverse_1_of_quotient_1_left
     inverse_1 = inverse_1_of_quotient_1 * s
     inverse_1_lost = inverse_1_of_quotient_1 - inverse_1 * inverse_0_inverse
-    inverse_1_rest = inverse_1_lost + inverse_1_of_quotient_1_lo
-    inverse_1_small = inverse_1_rest * s
-    inverse_1_lo = where(inverse_1_lost == 0, 0, inverse_1_small)
+    inverse_1_of_quotient_1_lo = inverse_1_of_quotient_1_left_rest + inverse_1_of_quotient_1_right_rest
     inverse_2_of_quotient_2 = quotient_2 + quotient_2_lo
     inverse_2_of_quotient_2_right = inverse_2_of_quotient_2 - quotient_2
     inverse_2_of_quotient_2_left = inverse_2_of_quotient_2 - inverse_2_of_quotient_2_right
-    inverse_2_of_quotient_2_left_rest = quotient_2 - inverse_2_of_quotient_2_left
     inverse_2_of_quotient_2_right_rest = quotient_2_lo - inverse_2_of_quotient_2_right
-    inverse_2_of_quotient_2_lo = inverse_2_of_quotient_2_left_rest + inverse_2_of_quotient_2_right_rest
+    inverse_2_of_quotient_2_left_rest = quotient_2 - inverse_2_of_quotient_2_left
     inverse_2 = inverse_2_of_quotient_2 * s
     inverse_2_lost = inverse_2_of_quotient_2 - inverse_2 * inverse_0_inverse
-    inverse_2_rest = inverse_2_lost + inverse_2_of_quotient_2_lo
-    inverse_2_small = inverse_2_rest * s
-    inverse_2_lo = where(inverse_2_lost == 0, 0, inverse_2_small)
+    inverse_2_of_quotient_2_lo = inverse_2_of_quotient_2_left_rest + inverse_2_of_quotient_2_right_rest
     inverse_3_of_quotient_3 = quotient_3 + quotient_3_lo
     inverse_3_of_quotient_3_right = inverse_3_of_quotient_3 - quotient_3
     inverse_3_of_quotient_3_left = inverse_3_of_quotient_3 - inverse_3_of_quotient_3_right
-    inverse_3_of_quotient_3_left_rest = quotient_3 - inverse_3_of_quotient_3_left
     inverse_3_of_quotient_3_right_rest = quotient_3_lo - inverse_3_of_quotient_3_right
-    inverse_3_of_quotient_3_lo = inverse_3_of_quotient_3_left_rest + inverse_3_of_quotient_3_right_rest
+    inverse_3_of_quotient_3_left_rest = quotient_3 - inverse_3_of_quotient_3_left
     inverse_3 = inverse_3_of_quotient_3 * s
     inverse_3_lost = inverse_3_of_quotient_3 - inverse_3 * inverse_0_inverse
-    inverse_3_rest = inverse_3_lost + inverse_3_of_quotient_3_lo
-    inverse_3_small = inverse_3_rest * s
-    inverse_3_lo = where(inverse_3_lost == 0, 0, inverse_3_small)
+    inverse_3_of_quotient_3_lo = inverse_3_of_quotient_3_left_rest + inverse_3_of_quotient_3_right_rest
     inverse_4_of_quotient_4 = quotient_4 + quotient_4_lo
     inverse_4_of_quotient_4_right = inverse_4_of_quotient_4 - quotient_4
     inverse_4_of_quotient_4_left = inverse_4_of_quotient_4 - inverse_4_of_quotient_4_right
-    inverse_4_of_quotient_4_left_rest = quotient_4 - inverse_4_of_quotient_4_left
     inverse_4_of_quotient_4_right_rest = quotient_4_lo - inverse_4_of_quotient_4_right
-    inverse_4_of_quotient_4_lo = inverse_4_of_quotient_4_left_rest + inverse_4_of_quotient_4_right_rest
+    inverse_4_of_quotient_4_left_rest = quotient_4 - inverse_4_of_quotient_4_left
     inverse_4 = inverse_4_of_quotient_4 * s
     inverse_4_lost = inverse_4_of_quotient_4 - inverse_4 * inverse_0_inverse
-    inverse_4_rest = inverse_4_lost + inverse_4_of_quotient_4_lo
-    inverse_4_small = inverse_4_rest * s
-    inverse_4_lo = where(inverse_4_lost == 0, 0, inverse_4_small)
+    inverse_4_of_quotient_4_lo = inverse_4_of_quotient_4_left_rest + inverse_4_of_quotient_4_right_rest
     inverse_5_of_quotient_5 = quotient_5 + quotient_5_lo
     inverse_5_of_quotient_5_right = inverse_5_of_quotient_5 - quotient_5
     inverse_5_of_quotient_5_left = inverse_5_of_quotient_5 - inverse_5_of_quotient_5_right
-    inverse_5_of_quotient_5_left_rest = quotient_5 - inverse_5_of_quotient_5_left
     inverse_5_of_quotient_5_right_rest = quotient_5_lo - inverse_5_of_quotient_5_right
-    inverse_5_of_quotient_5_lo = inverse_5_of_quotient_5_left_rest + inverse_5_of_quotient_5_right_rest
+    inverse_5_of_quotient_5_left_rest = quotient_5 - inverse_5_of_quotient_5_left
     inverse_5 = inverse_5_of_quotient_5 * s
     inverse_5_lost = inverse_5_of_quotient_5 - inverse_5 * inverse_0_inverse
-    inverse_5_rest = inverse_5_lost + inverse_5_of_quotient_5_lo
-    inverse_5_small = inverse_5_rest * s
-    inverse_5_lo = where(inverse_5_lost == 0, 0, inverse_5_small)
+    inverse_5_of_quotient_5_lo = inverse_5_of_quotient_5_left_rest + inverse_5_of_quotient_5_right_rest
     inverse_6_of_quotient_6 = quotient_6 + quotient_6_lo
     inverse_6_of_quotient_6_right = inverse_6_of_quotient_6 - quotient_6
     inverse_6_of_quotient_6_left = inverse_6_of_quotient_6 - inverse_6_of_quotient_6_right
-    inverse_6_of_quotient_6_left_rest = quotient_6 - inverse_6_of_quotient_6_left
     inverse_6_of_quotient_6_right_rest = quotient_6_lo - inverse_6_of_quotient_6_right
-    inverse_6_of_quotient_6_lo = inverse_6_of_quotient_6_left_rest + inverse_6_of_quotient_6_right_rest
+    inverse_6_of_quotient_6_left_rest = quotient_6 - inverse_6_of_quotient_6_left
     inverse_6 = inverse_6_of_quotient_6 * s
     inverse_6_lost = inverse_6_of_quotient_6 - inverse_6 * inverse_0_inverse
-    inverse_6_rest = inverse_6_lost + inverse_6_of_quotient_6_lo
-    inverse_6_small = inverse_6_rest * s
-    inverse_6_lo = where(inverse_6_lost == 0, 0, inverse_6_small)
+    inverse_6_of_quotient_6_lo = inverse_6_of_quotient_6_left_rest + inverse_6_of_quotient_6_right_rest
     inverse_7_of_quotient_7 = quotient_7 + quotient_7_lo
     inverse_7_of_quotient_7_right = inverse_7_of_quotient_7 - quotient_7
     inverse_7_of_quotient_7_left = inverse_7_of_quotient_7 - inverse_7_of_quotient_7_right
-    inverse_7_of_quotient_7_left_rest = quotient_7 - inverse_7_of_quotient_7_left
     inverse_7_of_quotient_7_right_rest = quotient_7_lo - inverse_7_of_quotient_7_right
-    inverse_7_of_quotient_7_lo = inverse_7_of_quotient_7_left_rest + inverse_7_of_quotient_7_right_rest
+    inverse_7_of_quotient_7_left_rest = quotient_7 - inverse_7_of_quotient_7_left
     inverse_7 = inverse_7_of_quotient_7 * s
     inverse_7_lost = inverse_7_of_quotient_7 - inverse_7 * inverse_0_inverse
-    inverse_7_rest = inverse_7_lost + inverse_7_of_quotient_7_lo
-    inverse_7_small = inverse_7_rest * s
-    inverse_7_lo = where(inverse_7_lost == 0, 0, inverse_7_small)
+    inverse_7_of_quotient_7_lo = inverse_7_of_quotient_7_left_rest + inverse_7_of_quotient_7_right_rest
     inverse_8_of_quotient_8 = quotient_8 + quotient_8_lo
     inverse_8_of_quotient_8_right = inverse_8_of_quotient_8 - quotient_8
     inverse_8_of_quotient_8_left = inverse_8_of_quotient_8 - inverse_8_of_quotient_8_right
-    inverse_8_of_quotient_8_left_rest = quotient_8 - inverse_8_of_quotient_8_left
     inverse_8_of_quotient_8_right_rest = quotient_8_lo - inverse_8_of_quotient_8_right
-    inverse_8_of_quotient_8_lo = inverse_8_of_quotient_8_left_rest + inverse_8_of_quotient_8_right_rest
+    inverse_8_of_quotient_8_left_rest = quotient_8 - inverse_8_of_quotient_8_left
     inverse_8 = inverse_8_of_quotient_8 * s
     inverse_8_lost = inverse_8_of_quotient_8 - inverse_8 * inverse_0_inverse
-    inverse_8_rest = inverse_8_lost + inverse_8_of_quotient_8_lo
-    inverse_8_small = inverse_8_rest * s
-    inverse_8_lo = where(inverse_8_lost == 0, 0, inverse_8_small)
+    inverse_8_of_quotient_8_lo = inverse_8_of_quotient_8_left_rest + inverse_8_of_quotient_8_right_rest
     start_c = where(regular_a_of_d < 0, -8.452712498170644e+270, 8.452712498170644e+270)
-    start = where(R_largest8 < 4.149515568880993e+180, regular_a_of_d, start_c)
-    start_lo = where(R_largest8 < 4.149515568880993e+180, regular_a_of_d_lo, 0)
-    r2 = where(R_largest8 < 4.909093465297727e-91, float64(1.1830521861667747e-271), float64(1))
+    start = where(s_c, regular_a_of_d, start_c)
+    start_lo = where(s_c, regular_a_of_d_lo, 0)
+    r2 = where(s_i, float64(1.1830521861667747e-271), float64(1))
     once_of_start = start + start_lo
     once_of_start_right = once_of_start - start
     once_of_start_left_rest = start - (once_of_start - once_of_start_right)
-    once_of_start_lo = once_of_start_left_rest + (start_lo - once_of_start_right)
     once = once_of_start * r2
     once_lost = once_of_start - once * (1 / r2)
-    once_rest = once_lost + once_of_start_lo
-    once_small = once_rest * r2
+    once_small = (once_lost + (once_of_start_left_rest + (start_lo - once_of_start_right))) * r2
     once_lo = where(once_lost == 0, 0, once_small)
-    r3 = where(R_largest8 < 2.409919865102884e-181, float64(1.1830521861667747e-271), float64(1))
+    r3 = where(s_k, float64(1.1830521861667747e-271), float64(1))
     twice_of_once = once + once_lo
     twice_of_once_right = twice_of_once - once
     twice_of_once_left_rest = once - (twice_of_once - twice_of_once_right)
-    twice_of_once_lo = twice_of_once_left_rest + (once_lo - twice_of_once_right)
     twice = twice_of_once * r3
     twice_lost = twice_of_once - twice * (1 / r3)
-    twice_rest = twice_lost + twice_of_once_lo
-    twice_small = twice_rest * r3
+    twice_small = (twice_lost + (twice_of_once_left_rest + (once_lo - twice_of_once_right))) * r3
     twice_lo = where(twice_lost == 0, 0, twice_small)
-    r_a = where(R_largest8 < 2.037035976334486e+90, float64(1), float64(8.452712498170644e+270))
-    r = where(R_largest8 < 1, 1.1830521861667747e-271, r_a)
+    r = where(s_g, 1.1830521861667747e-271, where(s_e, float64(1), float64(8.452712498170644e+270)))
     det_R_of_twice = twice + twice_lo
     det_R_of_twice_right = det_R_of_twice - twice
     det_R_of_twice_left_rest = twice - (det_R_of_twice - det_R_of_twice_right)
-    det_R_of_twice_lo = det_R_of_twice_left_rest + (twice_lo - det_R_of_twice_right)
     det_R = det_R_of_twice * r
     det_R_lost = det_R_of_twice - det_R * (1 / r)
-    det_R_rest = det_R_lost + det_R_of_twice_lo
-    det_R_small = det_R_rest * r
-    det_R_lo = where(det_R_lost == 0, 0, det_R_small)
-    det = where(regular == 1, det_R, 0)
-    det_lo = where(regular == 1, det_R_lo, 0)
-    Ro_00 = where(regular == 1, inverse_0, nan)
-    Ro_00_lo = where(regular == 1, inverse_0_lo, 0)
-    Ro_01 = where(regular == 1, inverse_1, nan)
-    Ro_01_lo = where(regular == 1, inverse_1_lo, 0)
-    Ro_02 = where(regular == 1, inverse_2, nan)
-    Ro_02_lo = where(regular == 1, inverse_2_lo, 0)
-    Ro_10 = where(regular == 1, inverse_3, nan)
-    Ro_10_lo = where(regular == 1, inverse_3_lo, 0)
-    Ro_11 = where(regular == 1, inverse_4, nan)
-    Ro_11_lo = where(regular == 1, inverse_4_lo, 0)
-    Ro_12 = where(regular == 1, inverse_5, nan)
-    Ro_12_lo = where(regular == 1, inverse_5_lo, 0)
-    Ro_20 = where(regular == 1, inverse_6, nan)
-    Ro_20_lo = where(regular == 1, inverse_6_lo, 0)
-    Ro_21 = where(regular == 1, inverse_7, nan)
-    Ro_21_lo = where(regular == 1, inverse_7_lo, 0)
-    Ro_22 = where(regular == 1, inverse_8, nan)
-    Ro_22_lo = where(regular == 1, inverse_8_lo, 0)
-    det_rounded = det + det_lo
-    Ro_00_rounded = Ro_00 + Ro_00_lo
-    Ro_01_rounded = Ro_01 + Ro_01_lo
-    Ro_02_rounded = Ro_02 + Ro_02_lo
-    Ro_10_rounded = Ro_10 + Ro_10_lo
-    Ro_11_rounded = Ro_11 + Ro_11_lo
-    Ro_12_rounded = Ro_12 + Ro_12_lo
-    Ro_20_rounded = Ro_20 + Ro_20_lo
-    Ro_21_rounded = Ro_21 + Ro_21_lo
-    Ro_22_rounded = Ro_22 + Ro_22_lo
-    return (where(det_rounded == det_rounded, det_rounded, det),
-        where(Ro_00_rounded == Ro_00_rounded, Ro_00_rounded, Ro_00),
-        where(Ro_01_rounded == Ro_01_rounded, Ro_01_rounded, Ro_01),
-        where(Ro_02_rounded == Ro_02_rounded, Ro_02_rounded, Ro_02),
-        where(Ro_10_rounded == Ro_10_rounded, Ro_10_rounded, Ro_10),
-        where(Ro_11_rounded == Ro_11_rounded, Ro_11_rounded, Ro_11),
-        where(Ro_12_rounded == Ro_12_rounded, Ro_12_rounded, Ro_12),
-        where(Ro_20_rounded == Ro_20_rounded, Ro_20_rounded, Ro_20),
-        where(Ro_21_rounded == Ro_21_rounded, Ro_21_rounded, Ro_21),
-        where(Ro_22_rounded == Ro_22_rounded, Ro_22_rounded, Ro_22))
+    det_R_small = (det_R_lost + (det_R_of_twice_left_rest + (twice_lo - det_R_of_twice_right))) * r
+    det = where(divisor_a, det_R, 0)
+    Ro_00 = where(divisor_a, inverse_0, nan)
+    inverse_0_lo = where(inverse_0_lost == 0, 0, (inverse_0_lost + inverse_0_of_quotient_0_lo) * s)
+    Ro_01 = where(divisor_a, inverse_1, nan)
+    inverse_1_lo = where(inverse_1_lost == 0, 0, (inverse_1_lost + inverse_1_of_quotient_1_lo) * s)
+    Ro_02 = where(divisor_a, inverse_2, nan)
+    inverse_2_lo = where(inverse_2_lost == 0, 0, (inverse_2_lost + inverse_2_of_quotient_2_lo) * s)
+    Ro_10 = where(divisor_a, inverse_3, nan)
+    inverse_3_lo = where(inverse_3_lost == 0, 0, (inverse_3_lost + inverse_3_of_quotient_3_lo) * s)
+    Ro_11 = where(divisor_a, inverse_4, nan)
+    inverse_4_lo = where(inverse_4_lost == 0, 0, (inverse_4_lost + inverse_4_of_quotient_4_lo) * s)
+    Ro_12 = where(divisor_a, inverse_5, nan)
+    inverse_5_lo = where(inverse_5_lost == 0, 0, (inverse_5_lost + inverse_5_of_quotient_5_lo) * s)
+    Ro_20 = where(divisor_a, inverse_6, nan)
+    inverse_6_lo = where(inverse_6_lost == 0, 0, (inverse_6_lost + inverse_6_of_quotient_6_lo) * s)
+    Ro_21 = where(divisor_a, inverse_7, nan)
+    inverse_7_lo = where(inverse_7_lost == 0, 0, (inverse_7_lost + inverse_7_of_quotient_7_lo) * s)
+    Ro_22 = where(divisor_a, inverse_8, nan)
+    inverse_8_lo = where(inverse_8_lost == 0, 0, (inverse_8_lost + inverse_8_of_quotient_8_lo) * s)
+    det_rounded = det + where(divisor_a, where(det_R_lost == 0, 0, det_R_small), 0)
+    Ro_00_rounded = Ro_00 + where(divisor_a, inverse_0_lo, 0)
+    Ro_01_rounded = Ro_01 + where(divisor_a, inverse_1_lo, 0)
+    Ro_02_rounded = Ro_02 + where(divisor_a, inverse_2_lo, 0)
+    Ro_10_rounded = Ro_10 + where(divisor_a, inverse_3_lo, 0)
+    Ro_11_rounded = Ro_11 + where(divisor_a, inverse_4_lo, 0)
+    Ro_12_rounded = Ro_12 + where(divisor_a, inverse_5_lo, 0)
+    Ro_20_rounded = Ro_20 + where(divisor_a, inverse_6_lo, 0)
+    Ro_21_rounded = Ro_21 + where(divisor_a, inverse_7_lo, 0)
+    Ro_22_rounded = Ro_22 + where(divisor_a, inverse_8_lo, 0)
+    det_final = where(det_rounded == det_rounded, det_rounded, det)
+    Ro_00_final = where(Ro_00_rounded == Ro_00_rounded, Ro_00_rounded, Ro_00)
+    Ro_01_final = where(Ro_01_rounded == Ro_01_rounded, Ro_01_rounded, Ro_01)
+    Ro_02_final = where(Ro_02_rounded == Ro_02_rounded, Ro_02_rounded, Ro_02)
+    Ro_10_final = where(Ro_10_rounded == Ro_10_rounded, Ro_10_rounded, Ro_10)
+    Ro_11_final = where(Ro_11_rounded == Ro_11_rounded, Ro_11_rounded, Ro_11)
+    Ro_12_final = where(Ro_12_rounded == Ro_12_rounded, Ro_12_rounded, Ro_12)
+    Ro_20_final = where(Ro_20_rounded == Ro_20_rounded, Ro_20_rounded, Ro_20)
+    Ro_21_final = where(Ro_21_rounded == Ro_21_rounded, Ro_21_rounded, Ro_21)
+    Ro_22_final = where(Ro_22_rounded == Ro_22_rounded, Ro_22_rounded, Ro_22)
+    return (det_final, Ro_00_final, Ro_01_final, Ro_02_final, Ro_10_final, Ro_11_final, Ro_12_final,
+        Ro_20_final, Ro_21_final, Ro_22_final)
 
 
 @kernel("(3,3)->(3,3)")
@@ -607,7 +554,8 @@ def mat3x3_normalize(self):
     q0_s_size_2 = absolute(self_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_b = where(6.703903964971299e+153 < q0_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    q0_s_a = 6.703903964971299e+153 < q0_s_largest2
+    q0_s_b = where(q0_s_a, float64(3.7291703656001034e-155), float64(1))
     q0_s_d = where(q0_s_largest2 < 256, 1.3093562431584567e+151, q0_s_b)
     q0_s = where(q0_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, q0_s_d)
     q0_y_0 = self_00 * q0_s
@@ -620,37 +568,36 @@ def mat3x3_normalize(self):
     q0_n_c = q0_n_a + q0_n_b
     q0_n_c_right = q0_n_c - q0_n_a
     q0_n_c_left_rest = product_rest(q0_y_0, q0_y_0, q0_n_a, q0_n_c - q0_n_c_right)
-    q0_n_c_lo = q0_n_c_left_rest + product_rest(q0_y_1, q0_y_1, q0_n_b, q0_n_c_right)
     q0_n_d = q0_y_2 * q0_y_2
     q0_n_e = q0_n_c + q0_n_d
     q0_n_e_right = q0_n_e - q0_n_c
     q0_n_e_right_rest = product_rest(q0_y_2, q0_y_2, q0_n_d, q0_n_e_right)
-    q0_n_e_lo1 = q0_n_c - (q0_n_e - q0_n_e_right) + q0_n_e_right_rest
-    q0_n_e_lo = q0_n_e_lo1 + q0_n_c_lo
+    q0_n_c_lo = q0_n_c_left_rest + product_rest(q0_y_1, q0_y_1, q0_n_b, q0_n_c_right)
+    q0_n_e_lo = q0_n_c - (q0_n_e - q0_n_e_right) + q0_n_e_right_rest + q0_n_c_lo
     q0_n_of_q0_n_e = q0_n_e + q0_n_e_lo
     q0_n_of_q0_n_e_right = q0_n_of_q0_n_e - q0_n_e
     q0_n_of_q0_n_e_left_rest = q0_n_e - (q0_n_of_q0_n_e - q0_n_of_q0_n_e_right)
-    q0_n_of_q0_n_e_lo = q0_n_of_q0_n_e_left_rest + (q0_n_e_lo - q0_n_of_q0_n_e_right)
     q0_n = sqrt(q0_n_of_q0_n_e)
     q0_n_product = q0_n * q0_n
     q0_n_exact = q0_n_of_q0_n_e - q0_n_product - product_error(q0_n, q0_n, q0_n_product)
-    q0_n_residual = q0_n_exact + q0_n_of_q0_n_e_lo
+    q0_n_residual = q0_n_exact + (q0_n_of_q0_n_e_left_rest + (q0_n_e_lo - q0_n_of_q0_n_e_right))
     q0_n_lo = q0_n_residual / where(q0_n == 0, 1, q0_n + q0_n)
     q0_divisor_a_of_q0_n = q0_n + q0_n_lo
     q0_divisor_a_of_q0_n_right = q0_divisor_a_of_q0_n - q0_n
     q0_divisor_a_of_q0_n_left_rest = q0_n - (q0_divisor_a_of_q0_n - q0_divisor_a_of_q0_n_right)
     q0_divisor_a_of_q0_n_right_rest = q0_n_lo - q0_divisor_a_of_q0_n_right
+    q0_divisor_a = q0_divisor_a_of_q0_n == 0
+    q0_divisor = where(q0_divisor_a, q0_up, q0_divisor_a_of_q0_n)
     q0_divisor_a_of_q0_n_lo = q0_divisor_a_of_q0_n_left_rest + q0_divisor_a_of_q0_n_right_rest
-    q0_divisor = where(q0_divisor_a_of_q0_n == 0, q0_up, q0_divisor_a_of_q0_n)
-    q0_divisor_lo = where(q0_divisor_a_of_q0_n == 0, 0, q0_divisor_a_of_q0_n_lo)
+    q0_divisor_lo = where(q0_divisor_a, 0, q0_divisor_a_of_q0_n_lo)
     q0_sized_0 = self_00 * q0_up
     q0_sized_1 = self_01 * q0_up
     q0_sized_2 = self_02 * q0_up
     q0_quotient_0_of_q0_divisor = q0_divisor + q0_divisor_lo
     q0_quotient_0_of_q0_divisor_right = q0_quotient_0_of_q0_divisor - q0_divisor
     q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor - q0_quotient_0_of_q0_divisor_right
-    q0_quotient_0_of_q0_divisor_left_rest = q0_divisor - q0_quotient_0_of_q0_divisor_left
     q0_quotient_0_of_q0_divisor_right_rest = q0_divisor_lo - q0_quotient_0_of_q0_divisor_right
+    q0_quotient_0_of_q0_divisor_left_rest = q0_divisor - q0_quotient_0_of_q0_divisor_left
     q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest + q0_quotient_0_of_q0_divisor_right_rest
     q0_quotient_0 = q0_sized_0 / q0_quotient_0_of_q0_divisor
     q0_quotient_0_product = q0_quotient_0 * q0_quotient_0_of_q0_divisor
@@ -673,43 +620,38 @@ def mat3x3_normalize(self):
     q0_0_of_q0_quotient_0 = q0_quotient_0 + q0_quotient_0_lo
     q0_0_of_q0_quotient_0_right = q0_0_of_q0_quotient_0 - q0_quotient_0
     q0_0_of_q0_quotient_0_left = q0_0_of_q0_quotient_0 - q0_0_of_q0_quotient_0_right
-    q0_0_of_q0_quotient_0_left_rest = q0_quotient_0 - q0_0_of_q0_quotient_0_left
     q0_0_of_q0_quotient_0_right_rest = q0_quotient_0_lo - q0_0_of_q0_quotient_0_right
-    q0_0_of_q0_quotient_0_lo = q0_0_of_q0_quotient_0_left_rest + q0_0_of_q0_quotient_0_right_rest
+    q0_0_of_q0_quotient_0_left_rest = q0_quotient_0 - q0_0_of_q0_quotient_0_left
     q0_0 = q0_0_of_q0_quotient_0 * q0_down
     q0_0_inverse = 1 / q0_down
     q0_0_lost = q0_0_of_q0_quotient_0 - q0_0 * q0_0_inverse
-    q0_0_rest = q0_0_lost + q0_0_of_q0_quotient_0_lo
-    q0_0_small = q0_0_rest * q0_down
-    q0_0_lo = where(q0_0_lost == 0, 0, q0_0_small)
+    q0_0_rest = q0_0_lost + (q0_0_of_q0_quotient_0_left_rest + q0_0_of_q0_quotient_0_right_rest)
+    q0_0_lo = where(q0_0_lost == 0, 0, q0_0_rest * q0_down)
     q0_1_of_q0_quotient_1 = q0_quotient_1 + q0_quotient_1_lo
     q0_1_of_q0_quotient_1_right = q0_1_of_q0_quotient_1 - q0_quotient_1
     q0_1_of_q0_quotient_1_left = q0_1_of_q0_quotient_1 - q0_1_of_q0_quotient_1_right
-    q0_1_of_q0_quotient_1_left_rest = q0_quotient_1 - q0_1_of_q0_quotient_1_left
     q0_1_of_q0_quotient_1_right_rest = q0_quotient_1_lo - q0_1_of_q0_quotient_1_right
-    q0_1_of_q0_quotient_1_lo = q0_1_of_q0_quotient_1_left_rest + q0_1_of_q0_quotient_1_right_rest
+    q0_1_of_q0_quotient_1_left_rest = q0_quotient_1 - q0_1_of_q0_quotient_1_left
     q0_1 = q0_1_of_q0_quotient_1 * q0_down
     q0_1_lost = q0_1_of_q0_quotient_1 - q0_1 * q0_0_inverse
-    q0_1_rest = q0_1_lost + q0_1_of_q0_quotient_1_lo
-    q0_1_small = q0_1_rest * q0_down
-    q0_1_lo = where(q0_1_lost == 0, 0, q0_1_small)
+    q0_1_rest = q0_1_lost + (q0_1_of_q0_quotient_1_left_rest + q0_1_of_q0_quotient_1_right_rest)
+    q0_1_lo = where(q0_1_lost == 0, 0, q0_1_rest * q0_down)
     q0_2_of_q0_quotient_2 = q0_quotient_2 + q0_quotient_2_lo
     q0_2_of_q0_quotient_2_right = q0_2_of_q0_quotient_2 - q0_quotient_2
     q0_2_of_q0_quotient_2_left = q0_2_of_q0_quotient_2 - q0_2_of_q0_quotient_2_right
-    q0_2_of_q0_quotient_2_left_rest = q0_quotient_2 - q0_2_of_q0_quotient_2_left
     q0_2_of_q0_quotient_2_right_rest = q0_quotient_2_lo - q0_2_of_q0_quotient_2_right
-    q0_2_of_q0_quotient_2_lo = q0_2_of_q0_quotient_2_left_rest + q0_2_of_q0_quotient_2_right_rest
+    q0_2_of_q0_quotient_2_left_rest = q0_quotient_2 - q0_2_of_q0_quotient_2_left
     q0_2 = q0_2_of_q0_quotient_2 * q0_down
     q0_2_lost = q0_2_of_q0_quotient_2 - q0_2 * q0_0_inverse
-    q0_2_rest = q0_2_lost + q0_2_of_q0_quotient_2_lo
-    q0_2_small = q0_2_rest * q0_down
-    q0_2_lo = where(q0_2_lost == 0, 0, q0_2_small)
+    q0_2_rest = q0_2_lost + (q0_2_of_q0_quotient_2_left_rest + q0_2_of_q0_quotient_2_right_rest)
+    q0_2_lo = where(q0_2_lost == 0, 0, q0_2_rest * q0_down)
     u1_s_size_0 = absolute(self_10)
     u1_s_size_1 = absolute(self_11)
     u1_s_size_2 = absolute(self_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_b = where(6.703903964971299e+153 < u1_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    u1_s_a = 6.703903964971299e+153 < u1_s_largest2
+    u1_s_b = where(u1_s_a, float64(3.7291703656001034e-155), float64(1))
     u1_s_d = where(u1_s_largest2 < 256, 1.3093562431584567e+151, u1_s_b)
     u1_s = where(u1_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u1_s_d)
     u1_y_0 = self_10 * u1_s
@@ -722,37 +664,36 @@ def mat3x3_normalize(self):
     u1_n_c = u1_n_a + u1_n_b
     u1_n_c_right = u1_n_c - u1_n_a
     u1_n_c_left_rest = product_rest(u1_y_0, u1_y_0, u1_n_a, u1_n_c - u1_n_c_right)
-    u1_n_c_lo = u1_n_c_left_rest + product_rest(u1_y_1, u1_y_1, u1_n_b, u1_n_c_right)
     u1_n_d = u1_y_2 * u1_y_2
     u1_n_e = u1_n_c + u1_n_d
     u1_n_e_right = u1_n_e - u1_n_c
     u1_n_e_right_rest = product_rest(u1_y_2, u1_y_2, u1_n_d, u1_n_e_right)
-    u1_n_e_lo1 = u1_n_c - (u1_n_e - u1_n_e_right) + u1_n_e_right_rest
-    u1_n_e_lo = u1_n_e_lo1 + u1_n_c_lo
+    u1_n_c_lo = u1_n_c_left_rest + product_rest(u1_y_1, u1_y_1, u1_n_b, u1_n_c_right)
+    u1_n_e_lo = u1_n_c - (u1_n_e - u1_n_e_right) + u1_n_e_right_rest + u1_n_c_lo
     u1_n_of_u1_n_e = u1_n_e + u1_n_e_lo
     u1_n_of_u1_n_e_right = u1_n_of_u1_n_e - u1_n_e
     u1_n_of_u1_n_e_left_rest = u1_n_e - (u1_n_of_u1_n_e - u1_n_of_u1_n_e_right)
-    u1_n_of_u1_n_e_lo = u1_n_of_u1_n_e_left_rest + (u1_n_e_lo - u1_n_of_u1_n_e_right)
     u1_n = sqrt(u1_n_of_u1_n_e)
     u1_n_product = u1_n * u1_n
     u1_n_exact = u1_n_of_u1_n_e - u1_n_product - product_error(u1_n, u1_n, u1_n_product)
-    u1_n_residual = u1_n_exact + u1_n_of_u1_n_e_lo
+    u1_n_residual = u1_n_exact + (u1_n_of_u1_n_e_left_rest + (u1_n_e_lo - u1_n_of_u1_n_e_right))
     u1_n_lo = u1_n_residual / where(u1_n == 0, 1, u1_n + u1_n)
     u1_divisor_a_of_u1_n = u1_n + u1_n_lo
     u1_divisor_a_of_u1_n_right = u1_divisor_a_of_u1_n - u1_n
     u1_divisor_a_of_u1_n_left_rest = u1_n - (u1_divisor_a_of_u1_n - u1_divisor_a_of_u1_n_right)
     u1_divisor_a_of_u1_n_right_rest = u1_n_lo - u1_divisor_a_of_u1_n_right
+    u1_divisor_a = u1_divisor_a_of_u1_n == 0
+    u1_divisor = where(u1_divisor_a, u1_up, u1_divisor_a_of_u1_n)
     u1_divisor_a_of_u1_n_lo = u1_divisor_a_of_u1_n_left_rest + u1_divisor_a_of_u1_n_right_rest
-    u1_divisor = where(u1_divisor_a_of_u1_n == 0, u1_up, u1_divisor_a_of_u1_n)
-    u1_divisor_lo = where(u1_divisor_a_of_u1_n == 0, 0, u1_divisor_a_of_u1_n_lo)
+    u1_divisor_lo = where(u1_divisor_a, 0, u1_divisor_a_of_u1_n_lo)
     u1_sized_0 = self_10 * u1_up
     u1_sized_1 = self_11 * u1_up
     u1_sized_2 = self_12 * u1_up
     u1_quotient_0_of_u1_divisor = u1_divisor + u1_divisor_lo
     u1_quotient_0_of_u1_divisor_right = u1_quotient_0_of_u1_divisor - u1_divisor
     u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor - u1_quotient_0_of_u1_divisor_right
-    u1_quotient_0_of_u1_divisor_left_rest = u1_divisor - u1_quotient_0_of_u1_divisor_left
     u1_quotient_0_of_u1_divisor_right_rest = u1_divisor_lo - u1_quotient_0_of_u1_divisor_right
+    u1_quotient_0_of_u1_divisor_left_rest = u1_divisor - u1_quotient_0_of_u1_divisor_left
     u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest + u1_quotient_0_of_u1_divisor_right_rest
     u1_quotient_0 = u1_sized_0 / u1_quotient_0_of_u1_divisor
     u1_quotient_0_product = u1_quotient_0 * u1_quotient_0_of_u1_divisor
@@ -775,134 +716,117 @@ def mat3x3_normalize(self):
     u1_0_of_u1_quotient_0 = u1_quotient_0 + u1_quotient_0_lo
     u1_0_of_u1_quotient_0_right = u1_0_of_u1_quotient_0 - u1_quotient_0
     u1_0_of_u1_quotient_0_left = u1_0_of_u1_quotient_0 - u1_0_of_u1_quotient_0_right
-    u1_0_of_u1_quotient_0_left_rest = u1_quotient_0 - u1_0_of_u1_quotient_0_left
     u1_0_of_u1_quotient_0_right_rest = u1_quotient_0_lo - u1_0_of_u1_quotient_0_right
-    u1_0_of_u1_quotient_0_lo = u1_0_of_u1_quotient_0_left_rest + u1_0_of_u1_quotient_0_right_rest
+    u1_0_of_u1_quotient_0_left_rest = u1_quotient_0 - u1_0_of_u1_quotient_0_left
     u1_0 = u1_0_of_u1_quotient_0 * u1_down
     u1_0_inverse = 1 / u1_down
     u1_0_lost = u1_0_of_u1_quotient_0 - u1_0 * u1_0_inverse
-    u1_0_rest = u1_0_lost + u1_0_of_u1_quotient_0_lo
-    u1_0_small = u1_0_rest * u1_down
-    u1_0_lo = where(u1_0_lost == 0, 0, u1_0_small)
+    u1_0_rest = u1_0_lost + (u1_0_of_u1_quotient_0_left_rest + u1_0_of_u1_quotient_0_right_rest)
+    u1_0_lo = where(u1_0_lost == 0, 0, u1_0_rest * u1_down)
     u1_1_of_u1_quotient_1 = u1_quotient_1 + u1_quotient_1_lo
     u1_1_of_u1_quotient_1_right = u1_1_of_u1_quotient_1 - u1_quotient_1
     u1_1_of_u1_quotient_1_left = u1_1_of_u1_quotient_1 - u1_1_of_u1_quotient_1_right
-    u1_1_of_u1_quotient_1_left_rest = u1_quotient_1 - u1_1_of_u1_quotient_1_left
     u1_1_of_u1_quotient_1_right_rest = u1_quotient_1_lo - u1_1_of_u1_quotient_1_right
-    u1_1_of_u1_quotient_1_lo = u1_1_of_u1_quotient_1_left_rest + u1_1_of_u1_quotient_1_right_rest
+    u1_1_of_u1_quotient_1_left_rest = u1_quotient_1 - u1_1_of_u1_quotient_1_left
     u1_1 = u1_1_of_u1_quotient_1 * u1_down
     u1_1_lost = u1_1_of_u1_quotient_1 - u1_1 * u1_0_inverse
-    u1_1_rest = u1_1_lost + u1_1_of_u1_quotient_1_lo
-    u1_1_small = u1_1_rest * u1_down
-    u1_1_lo = where(u1_1_lost == 0, 0, u1_1_small)
+    u1_1_rest = u1_1_lost + (u1_1_of_u1_quotient_1_left_rest + u1_1_of_u1_quotient_1_right_rest)
+    u1_1_lo = where(u1_1_lost == 0, 0, u1_1_rest * u1_down)
     u1_2_of_u1_quotient_2 = u1_quotient_2 + u1_quotient_2_lo
     u1_2_of_u1_quotient_2_right = u1_2_of_u1_quotient_2 - u1_quotient_2
     u1_2_of_u1_quotient_2_left = u1_2_of_u1_quotient_2 - u1_2_of_u1_quotient_2_right
-    u1_2_of_u1_quotient_2_left_rest = u1_quotient_2 - u1_2_of_u1_quotient_2_left
     u1_2_of_u1_quotient_2_right_rest = u1_quotient_2_lo - u1_2_of_u1_quotient_2_right
-    u1_2_of_u1_quotient_2_lo = u1_2_of_u1_quotient_2_left_rest + u1_2_of_u1_quotient_2_right_rest
+    u1_2_of_u1_quotient_2_left_rest = u1_quotient_2 - u1_2_of_u1_quotient_2_left
     u1_2 = u1_2_of_u1_quotient_2 * u1_down
     u1_2_lost = u1_2_of_u1_quotient_2 - u1_2 * u1_0_inverse
-    u1_2_rest = u1_2_lost + u1_2_of_u1_quotient_2_lo
-    u1_2_small = u1_2_rest * u1_down
-    u1_2_lo = where(u1_2_lost == 0, 0, u1_2_small)
+    u1_2_rest = u1_2_lost + (u1_2_of_u1_quotient_2_left_rest + u1_2_of_u1_quotient_2_right_rest)
+    u1_2_lo = where(u1_2_lost == 0, 0, u1_2_rest * u1_down)
     along_a = q0_0 * u1_0
     along_b = q0_1 * u1_1
     along_c = along_a + along_b
     along_c_right = along_c - along_a
     along_c_left_rest = product_rest(q0_0, u1_0, along_a, along_c - along_c_right)
     along_c_lo1 = along_c_left_rest + product_rest(q0_1, u1_1, along_b, along_c_right)
-    along_c_lo = along_c_lo1 + (q0_0_lo * u1_0 + q0_0 * u1_0_lo + (q0_1_lo * u1_1 + q0_1 * u1_1_lo))
     along_d = q0_2 * u1_2
     along = along_c + along_d
     along_right = along - along_c
     along_lo1 = along_c - (along - along_right) + product_rest(q0_2, u1_2, along_d, along_right)
-    along_lo2 = along_lo1 + (q0_2_lo * u1_2 + q0_2 * u1_2_lo)
-    along_lo = along_lo2 + along_c_lo
+    along_c_lo = along_c_lo1 + (q0_0_lo * u1_0 + q0_0 * u1_0_lo + (q0_1_lo * u1_1 + q0_1 * u1_1_lo))
+    along_lo = along_lo1 + (q0_2_lo * u1_2 + q0_2 * u1_2_lo) + along_c_lo
     once_0a = q0_0 * along
     once_0 = u1_0 - once_0a
     once_0_right = u1_0 - once_0
     once_0_lo1 = u1_0 - (once_0 + once_0_right) - product_rest(q0_0, along, once_0a, once_0_right)
-    once_0_lo2 = once_0_lo1 - (q0_0_lo * along + q0_0 * along_lo)
-    once_0_lo = once_0_lo2 + u1_0_lo
+    once_0_lo = once_0_lo1 - (q0_0_lo * along + q0_0 * along_lo) + u1_0_lo
     once_1a = q0_1 * along
     once_1 = u1_1 - once_1a
     once_1_right = u1_1 - once_1
     once_1_lo1 = u1_1 - (once_1 + once_1_right) - product_rest(q0_1, along, once_1a, once_1_right)
-    once_1_lo2 = once_1_lo1 - (q0_1_lo * along + q0_1 * along_lo)
-    once_1_lo = once_1_lo2 + u1_1_lo
+    once_1_lo = once_1_lo1 - (q0_1_lo * along + q0_1 * along_lo) + u1_1_lo
     once_2a = q0_2 * along
     once_2 = u1_2 - once_2a
     once_2_right = u1_2 - once_2
     once_2_lo1 = u1_2 - (once_2 + once_2_right) - product_rest(q0_2, along, once_2a, once_2_right)
-    once_2_lo2 = once_2_lo1 - (q0_2_lo * along + q0_2 * along_lo)
-    once_2_lo = once_2_lo2 + u1_2_lo
+    once_2_lo = once_2_lo1 - (q0_2_lo * along + q0_2 * along_lo) + u1_2_lo
     rest_a = q0_0 * once_0
     rest_b = q0_1 * once_1
     rest_c = rest_a + rest_b
     rest_c_right = rest_c - rest_a
     rest_c_left_rest = product_rest(q0_0, once_0, rest_a, rest_c - rest_c_right)
     rest_c_cross = q0_0_lo * once_0 + q0_0 * once_0_lo + (q0_1_lo * once_1 + q0_1 * once_1_lo)
-    rest_c_lo1 = rest_c_left_rest + product_rest(q0_1, once_1, rest_b, rest_c_right)
-    rest_c_lo = rest_c_lo1 + rest_c_cross
     rest_d = q0_2 * once_2
     rest = rest_c + rest_d
     rest_right = rest - rest_c
     rest_lo1 = rest_c - (rest - rest_right) + product_rest(q0_2, once_2, rest_d, rest_right)
-    rest_lo2 = rest_lo1 + (q0_2_lo * once_2 + q0_2 * once_2_lo)
-    rest_lo = rest_lo2 + rest_c_lo
+    rest_c_lo = rest_c_left_rest + product_rest(q0_1, once_1, rest_b, rest_c_right) + rest_c_cross
+    rest_lo = rest_lo1 + (q0_2_lo * once_2 + q0_2 * once_2_lo) + rest_c_lo
     twice_0a = q0_0 * rest
     twice_0 = once_0 - twice_0a
     twice_0_right = once_0 - twice_0
     twice_0_right_rest = product_rest(q0_0, rest, twice_0a, twice_0_right)
     twice_0_lo1 = once_0 - (twice_0 + twice_0_right) - twice_0_right_rest
-    twice_0_lo2 = twice_0_lo1 - (q0_0_lo * rest + q0_0 * rest_lo)
-    twice_0_lo = twice_0_lo2 + once_0_lo
+    twice_0_lo = twice_0_lo1 - (q0_0_lo * rest + q0_0 * rest_lo) + once_0_lo
     twice_1a = q0_1 * rest
     twice_1 = once_1 - twice_1a
     twice_1_right = once_1 - twice_1
     twice_1_right_rest = product_rest(q0_1, rest, twice_1a, twice_1_right)
     twice_1_lo1 = once_1 - (twice_1 + twice_1_right) - twice_1_right_rest
-    twice_1_lo2 = twice_1_lo1 - (q0_1_lo * rest + q0_1 * rest_lo)
-    twice_1_lo = twice_1_lo2 + once_1_lo
+    twice_1_lo = twice_1_lo1 - (q0_1_lo * rest + q0_1 * rest_lo) + once_1_lo
     twice_2a = q0_2 * rest
     twice_2 = once_2 - twice_2a
     twice_2_right = once_2 - twice_2
     twice_2_right_rest = product_rest(q0_2, rest, twice_2a, twice_2_right)
     twice_2_lo1 = once_2 - (twice_2 + twice_2_right) - twice_2_right_rest
-    twice_2_lo2 = twice_2_lo1 - (q0_2_lo * rest + q0_2 * rest_lo)
-    twice_2_lo = twice_2_lo2 + once_2_lo
+    twice_2_lo = twice_2_lo1 - (q0_2_lo * rest + q0_2 * rest_lo) + once_2_lo
     n_a = twice_0 * twice_0
-    n_a_cross = twice_0_lo * twice_0 + twice_0 * twice_0_lo
     n_b = twice_1 * twice_1
     n_c = n_a + n_b
     n_c_right = n_c - n_a
+    n_a_cross = twice_0_lo * twice_0 + twice_0 * twice_0_lo
     n_c_left_rest = product_rest(twice_0, twice_0, n_a, n_c - n_c_right)
-    n_c_cross = n_a_cross + (twice_1_lo * twice_1 + twice_1 * twice_1_lo)
     n_c_lo1 = n_c_left_rest + product_rest(twice_1, twice_1, n_b, n_c_right)
-    n_c_lo = n_c_lo1 + n_c_cross
     n_d = twice_2 * twice_2
     n_e = n_c + n_d
     n_e_right = n_e - n_c
     n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(twice_2, twice_2, n_d, n_e_right)
-    n_e_lo2 = n_e_lo1 + (twice_2_lo * twice_2 + twice_2 * twice_2_lo)
-    n_e_lo = n_e_lo2 + n_c_lo
+    n_c_lo = n_c_lo1 + (n_a_cross + (twice_1_lo * twice_1 + twice_1 * twice_1_lo))
+    n_e_lo = n_e_lo1 + (twice_2_lo * twice_2 + twice_2 * twice_2_lo) + n_c_lo
     n_of_n_e = n_e + n_e_lo
     n_of_n_e_right = n_of_n_e - n_e
     n = sqrt(n_of_n_e)
     n_product = n * n
-    n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
+    n_of_n_e_lo = n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right)
+    n_residual = n_of_n_e - n_product - product_error(n, n, n_product) + n_of_n_e_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor_a_of_n = n + n_lo
     divisor_a_of_n_right = divisor_a_of_n - n
     divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor = where(divisor_a_of_n == 0, 1, divisor_a_of_n)
-    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    divisor_a = divisor_a_of_n == 0
+    divisor = where(divisor_a, 1, divisor_a_of_n)
+    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
     q1_0_of_twice_0 = twice_0 + twice_0_lo
     q1_0_of_twice_0_right = q1_0_of_twice_0 - twice_0
     q1_0_of_twice_0_left_rest = twice_0 - (q1_0_of_twice_0 - q1_0_of_twice_0_right)
-    q1_0_of_twice_0_lo = q1_0_of_twice_0_left_rest + (twice_0_lo - q1_0_of_twice_0_right)
     q1_0_of_divisor = divisor + divisor_lo
     q1_0_of_divisor_right = q1_0_of_divisor - divisor
     q1_0_of_divisor_left_rest = divisor - (q1_0_of_divisor - q1_0_of_divisor_right)
@@ -910,59 +834,55 @@ def mat3x3_normalize(self):
     q1_0 = q1_0_of_twice_0 / q1_0_of_divisor
     q1_0_product = q1_0 * q1_0_of_divisor
     q1_0_exact = q1_0_of_twice_0 - q1_0_product - product_error(q1_0, q1_0_of_divisor, q1_0_product)
-    q1_0_numerator = q1_0_exact + q1_0_of_twice_0_lo
-    q1_0_residual = q1_0_numerator - q1_0 * q1_0_of_divisor_lo
-    q1_0_lo = q1_0_residual / q1_0_of_divisor
+    q1_0_numerator = q1_0_exact + (q1_0_of_twice_0_left_rest + (twice_0_lo - q1_0_of_twice_0_right))
+    q1_0_lo = (q1_0_numerator - q1_0 * q1_0_of_divisor_lo) / q1_0_of_divisor
     q1_1_of_twice_1 = twice_1 + twice_1_lo
     q1_1_of_twice_1_right = q1_1_of_twice_1 - twice_1
     q1_1_of_twice_1_left_rest = twice_1 - (q1_1_of_twice_1 - q1_1_of_twice_1_right)
-    q1_1_of_twice_1_lo = q1_1_of_twice_1_left_rest + (twice_1_lo - q1_1_of_twice_1_right)
     q1_1 = q1_1_of_twice_1 / q1_0_of_divisor
     q1_1_product = q1_1 * q1_0_of_divisor
     q1_1_exact = q1_1_of_twice_1 - q1_1_product - product_error(q1_1, q1_0_of_divisor, q1_1_product)
-    q1_1_numerator = q1_1_exact + q1_1_of_twice_1_lo
-    q1_1_residual = q1_1_numerator - q1_1 * q1_0_of_divisor_lo
-    q1_1_lo = q1_1_residual / q1_0_of_divisor
+    q1_1_numerator = q1_1_exact + (q1_1_of_twice_1_left_rest + (twice_1_lo - q1_1_of_twice_1_right))
+    q1_1_lo = (q1_1_numerator - q1_1 * q1_0_of_divisor_lo) / q1_0_of_divisor
     q1_2_of_twice_2 = twice_2 + twice_2_lo
     q1_2_of_twice_2_right = q1_2_of_twice_2 - twice_2
     q1_2_of_twice_2_left_rest = twice_2 - (q1_2_of_twice_2 - q1_2_of_twice_2_right)
-    q1_2_of_twice_2_lo = q1_2_of_twice_2_left_rest + (twice_2_lo - q1_2_of_twice_2_right)
     q1_2 = q1_2_of_twice_2 / q1_0_of_divisor
     q1_2_product = q1_2 * q1_0_of_divisor
     q1_2_exact = q1_2_of_twice_2 - q1_2_product - product_error(q1_2, q1_0_of_divisor, q1_2_product)
-    q1_2_numerator = q1_2_exact + q1_2_of_twice_2_lo
-    q1_2_residual = q1_2_numerator - q1_2 * q1_0_of_divisor_lo
-    q1_2_lo = q1_2_residual / q1_0_of_divisor
+    q1_2_numerator = q1_2_exact + (q1_2_of_twice_2_left_rest + (twice_2_lo - q1_2_of_twice_2_right))
+    q1_2_lo = (q1_2_numerator - q1_2 * q1_0_of_divisor_lo) / q1_0_of_divisor
     normal_0a = q0_1 * q1_2
     normal_0b = q0_2 * q1_1
     normal_0 = normal_0a - normal_0b
     normal_0_right = normal_0a - normal_0
     normal_0_left_rest = product_rest(q0_1, q1_2, normal_0a, normal_0 + normal_0_right)
-    normal_0_cross = q0_1_lo * q1_2 + q0_1 * q1_2_lo - (q0_2_lo * q1_1 + q0_2 * q1_1_lo)
     normal_0_lo1 = normal_0_left_rest - product_rest(q0_2, q1_1, normal_0b, normal_0_right)
+    normal_0_cross = q0_1_lo * q1_2 + q0_1 * q1_2_lo - (q0_2_lo * q1_1 + q0_2 * q1_1_lo)
     normal_0_lo = normal_0_lo1 + normal_0_cross
     normal_1a = q0_2 * q1_0
     normal_1b = q0_0 * q1_2
     normal_1 = normal_1a - normal_1b
     normal_1_right = normal_1a - normal_1
     normal_1_left_rest = product_rest(q0_2, q1_0, normal_1a, normal_1 + normal_1_right)
-    normal_1_cross = q0_2_lo * q1_0 + q0_2 * q1_0_lo - (q0_0_lo * q1_2 + q0_0 * q1_2_lo)
     normal_1_lo1 = normal_1_left_rest - product_rest(q0_0, q1_2, normal_1b, normal_1_right)
+    normal_1_cross = q0_2_lo * q1_0 + q0_2 * q1_0_lo - (q0_0_lo * q1_2 + q0_0 * q1_2_lo)
     normal_1_lo = normal_1_lo1 + normal_1_cross
     normal_2a = q0_0 * q1_1
     normal_2b = q0_1 * q1_0
     normal_2 = normal_2a - normal_2b
     normal_2_right = normal_2a - normal_2
     normal_2_left_rest = product_rest(q0_0, q1_1, normal_2a, normal_2 + normal_2_right)
-    normal_2_cross = q0_0_lo * q1_1 + q0_0 * q1_1_lo - (q0_1_lo * q1_0 + q0_1 * q1_0_lo)
     normal_2_lo1 = normal_2_left_rest - product_rest(q0_1, q1_0, normal_2b, normal_2_right)
+    normal_2_cross = q0_0_lo * q1_1 + q0_0 * q1_1_lo - (q0_1_lo * q1_0 + q0_1 * q1_0_lo)
     normal_2_lo = normal_2_lo1 + normal_2_cross
     u2_s_size_0 = absolute(self_20)
     u2_s_size_1 = absolute(self_21)
     u2_s_size_2 = absolute(self_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_b = where(6.703903964971299e+153 < u2_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    u2_s_a = 6.703903964971299e+153 < u2_s_largest2
+    u2_s_b = where(u2_s_a, float64(3.7291703656001034e-155), float64(1))
     u2_s_d = where(u2_s_largest2 < 256, 1.3093562431584567e+151, u2_s_b)
     u2_s = where(u2_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u2_s_d)
     u2_y_0 = self_20 * u2_s
@@ -975,37 +895,36 @@ def mat3x3_normalize(self):
     u2_n_c = u2_n_a + u2_n_b
     u2_n_c_right = u2_n_c - u2_n_a
     u2_n_c_left_rest = product_rest(u2_y_0, u2_y_0, u2_n_a, u2_n_c - u2_n_c_right)
-    u2_n_c_lo = u2_n_c_left_rest + product_rest(u2_y_1, u2_y_1, u2_n_b, u2_n_c_right)
     u2_n_d = u2_y_2 * u2_y_2
     u2_n_e = u2_n_c + u2_n_d
     u2_n_e_right = u2_n_e - u2_n_c
     u2_n_e_right_rest = product_rest(u2_y_2, u2_y_2, u2_n_d, u2_n_e_right)
-    u2_n_e_lo1 = u2_n_c - (u2_n_e - u2_n_e_right) + u2_n_e_right_rest
-    u2_n_e_lo = u2_n_e_lo1 + u2_n_c_lo
+    u2_n_c_lo = u2_n_c_left_rest + product_rest(u2_y_1, u2_y_1, u2_n_b, u2_n_c_right)
+    u2_n_e_lo = u2_n_c - (u2_n_e - u2_n_e_right) + u2_n_e_right_rest + u2_n_c_lo
     u2_n_of_u2_n_e = u2_n_e + u2_n_e_lo
     u2_n_of_u2_n_e_right = u2_n_of_u2_n_e - u2_n_e
     u2_n_of_u2_n_e_left_rest = u2_n_e - (u2_n_of_u2_n_e - u2_n_of_u2_n_e_right)
-    u2_n_of_u2_n_e_lo = u2_n_of_u2_n_e_left_rest + (u2_n_e_lo - u2_n_of_u2_n_e_right)
     u2_n = sqrt(u2_n_of_u2_n_e)
     u2_n_product = u2_n * u2_n
     u2_n_exact = u2_n_of_u2_n_e - u2_n_product - product_error(u2_n, u2_n, u2_n_product)
-    u2_n_residual = u2_n_exact + u2_n_of_u2_n_e_lo
+    u2_n_residual = u2_n_exact + (u2_n_of_u2_n_e_left_rest + (u2_n_e_lo - u2_n_of_u2_n_e_right))
     u2_n_lo = u2_n_residual / where(u2_n == 0, 1, u2_n + u2_n)
     u2_divisor_a_of_u2_n = u2_n + u2_n_lo
     u2_divisor_a_of_u2_n_right = u2_divisor_a_of_u2_n - u2_n
     u2_divisor_a_of_u2_n_left_rest = u2_n - (u2_divisor_a_of_u2_n - u2_divisor_a_of_u2_n_right)
     u2_divisor_a_of_u2_n_right_rest = u2_n_lo - u2_divisor_a_of_u2_n_right
+    u2_divisor_a = u2_divisor_a_of_u2_n == 0
+    u2_divisor = where(u2_divisor_a, u2_up, u2_divisor_a_of_u2_n)
     u2_divisor_a_of_u2_n_lo = u2_divisor_a_of_u2_n_left_rest + u2_divisor_a_of_u2_n_right_rest
-    u2_divisor = where(u2_divisor_a_of_u2_n == 0, u2_up, u2_divisor_a_of_u2_n)
-    u2_divisor_lo = where(u2_divisor_a_of_u2_n == 0, 0, u2_divisor_a_of_u2_n_lo)
+    u2_divisor_lo = where(u2_divisor_a, 0, u2_divisor_a_of_u2_n_lo)
     u2_sized_0 = self_20 * u2_up
     u2_sized_1 = self_21 * u2_up
     u2_sized_2 = self_22 * u2_up
     u2_quotient_0_of_u2_divisor = u2_divisor + u2_divisor_lo
     u2_quotient_0_of_u2_divisor_right = u2_quotient_0_of_u2_divisor - u2_divisor
     u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor - u2_quotient_0_of_u2_divisor_right
-    u2_quotient_0_of_u2_divisor_left_rest = u2_divisor - u2_quotient_0_of_u2_divisor_left
     u2_quotient_0_of_u2_divisor_right_rest = u2_divisor_lo - u2_quotient_0_of_u2_divisor_right
+    u2_quotient_0_of_u2_divisor_left_rest = u2_divisor - u2_quotient_0_of_u2_divisor_left
     u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest + u2_quotient_0_of_u2_divisor_right_rest
     u2_quotient_0 = u2_sized_0 / u2_quotient_0_of_u2_divisor
     u2_quotient_0_product = u2_quotient_0 * u2_quotient_0_of_u2_divisor
@@ -1028,104 +947,103 @@ def mat3x3_normalize(self):
     u2_0_of_u2_quotient_0 = u2_quotient_0 + u2_quotient_0_lo
     u2_0_of_u2_quotient_0_right = u2_0_of_u2_quotient_0 - u2_quotient_0
     u2_0_of_u2_quotient_0_left = u2_0_of_u2_quotient_0 - u2_0_of_u2_quotient_0_right
-    u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left
     u2_0_of_u2_quotient_0_right_rest = u2_quotient_0_lo - u2_0_of_u2_quotient_0_right
-    u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest
+    u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left
     u2_0 = u2_0_of_u2_quotient_0 * u2_down
     u2_0_inverse = 1 / u2_down
     u2_0_lost = u2_0_of_u2_quotient_0 - u2_0 * u2_0_inverse
-    u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo
-    u2_0_small = u2_0_rest * u2_down
-    u2_0_lo = where(u2_0_lost == 0, 0, u2_0_small)
+    u2_0_rest = u2_0_lost + (u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest)
     u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo
     u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1
     u2_1_of_u2_quotient_1_left = u2_1_of_u2_quotient_1 - u2_1_of_u2_quotient_1_right
-    u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left
     u2_1_of_u2_quotient_1_right_rest = u2_quotient_1_lo - u2_1_of_u2_quotient_1_right
-    u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest
+    u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left
     u2_1 = u2_1_of_u2_quotient_1 * u2_down
     u2_1_lost = u2_1_of_u2_quotient_1 - u2_1 * u2_0_inverse
-    u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo
-    u2_1_small = u2_1_rest * u2_down
-    u2_1_lo = where(u2_1_lost == 0, 0, u2_1_small)
+    u2_1_rest = u2_1_lost + (u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest)
     u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo
     u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2
     u2_2_of_u2_quotient_2_left = u2_2_of_u2_quotient_2 - u2_2_of_u2_quotient_2_right
-    u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left
     u2_2_of_u2_quotient_2_right_rest = u2_quotient_2_lo - u2_2_of_u2_quotient_2_right
-    u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest
+    u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left
     u2_2 = u2_2_of_u2_quotient_2 * u2_down
     u2_2_lost = u2_2_of_u2_quotient_2 - u2_2 * u2_0_inverse
-    u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo
-    u2_2_small = u2_2_rest * u2_down
-    u2_2_lo = where(u2_2_lost == 0, 0, u2_2_small)
+    u2_2_rest = u2_2_lost + (u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest)
     side_a = normal_0 * u2_0
-    side_a_cross2 = normal_0 * u2_0_lo
-    side_a_cross = normal_0_lo * u2_0 + side_a_cross2
     side_b = normal_1 * u2_1
-    side_b_cross2 = normal_1 * u2_1_lo
-    side_b_cross = normal_1_lo * u2_1 + side_b_cross2
     side_c = side_a + side_b
     side_c_right = side_c - side_a
+    side_a_cross = normal_0_lo * u2_0 + normal_0 * where(u2_0_lost == 0, 0, u2_0_rest * u2_down)
+    side_b_cross = normal_1_lo * u2_1 + normal_1 * where(u2_1_lost == 0, 0, u2_1_rest * u2_down)
     side_c_left_rest = product_rest(normal_0, u2_0, side_a, side_c - side_c_right)
-    side_c_cross = side_a_cross + side_b_cross
     side_c_lo1 = side_c_left_rest + product_rest(normal_1, u2_1, side_b, side_c_right)
-    side_c_lo = side_c_lo1 + side_c_cross
     side_d = normal_2 * u2_2
-    side_d_cross2 = normal_2 * u2_2_lo
-    side_d_cross = normal_2_lo * u2_2 + side_d_cross2
     side = side_c + side_d
     side_right = side - side_c
     side_lo1 = side_c - (side - side_right) + product_rest(normal_2, u2_2, side_d, side_right)
-    side_lo2 = side_lo1 + side_d_cross
-    side_lo = side_lo2 + side_c_lo
+    side_d_cross = normal_2_lo * u2_2 + normal_2 * where(u2_2_lost == 0, 0, u2_2_rest * u2_down)
+    side_lo = side_lo1 + side_d_cross + (side_c_lo1 + (side_a_cross + side_b_cross))
     q2_0b_of_side = side + side_lo
     q2_0b_of_side_right = q2_0b_of_side - side
     q2_0b_of_side_left_rest = side - (q2_0b_of_side - q2_0b_of_side_right)
     q2_0b_of_side_lo = q2_0b_of_side_left_rest + (side_lo - q2_0b_of_side_right)
-    q2_0 = where(q2_0b_of_side < 0, -normal_0, normal_0)
-    q2_1 = where(q2_0b_of_side < 0, -normal_1, normal_1)
-    q2_2 = where(q2_0b_of_side < 0, -normal_2, normal_2)
+    q2_0b = q2_0b_of_side < 0
+    q2_0 = where(q2_0b, -normal_0, normal_0)
+    q2_1 = where(q2_0b, -normal_1, normal_1)
+    q2_2 = where(q2_0b, -normal_2, normal_2)
     size = absolute(q2_0b_of_side)
     size_lo = where(q2_0b_of_side < 0, -q2_0b_of_side_lo, q2_0b_of_side_lo)
     less_a_of_size = size + size_lo
     less_a_of_size_right = less_a_of_size - size
     less_a_of_size_left_rest = size - (less_a_of_size - less_a_of_size_right)
+    less_a = divisor_a_of_n < less_a_of_size
+    less = where(less_a, divisor_a_of_n, less_a_of_size)
     less_a_of_size_lo = less_a_of_size_left_rest + (size_lo - less_a_of_size_right)
-    less = where(divisor_a_of_n < less_a_of_size, divisor_a_of_n, less_a_of_size)
-    less_lo = where(divisor_a_of_n < less_a_of_size, divisor_a_of_n_lo, less_a_of_size_lo)
-    dependent_a_of_less = less + less_lo
+    dependent_a_of_less = less + where(less_a, divisor_a_of_n_lo, less_a_of_size_lo)
     dependent = where(dependent_a_of_less < 1.7763568394002505e-15, float64(1), float64(0))
-    self_00_new = where(dependent == 1, nan, q0_0)
-    self_01_new = where(dependent == 1, nan, q0_1)
-    self_02_new = where(dependent == 1, nan, q0_2)
-    self_10_new = where(dependent == 1, nan, q1_0)
-    self_11_new = where(dependent == 1, nan, q1_1)
-    self_12_new = where(dependent == 1, nan, q1_2)
-    self_20_new = where(dependent == 1, nan, q2_0)
-    self_20_new_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_0_lo, normal_0_lo))
-    self_21_new = where(dependent == 1, nan, q2_1)
-    self_21_new_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_1_lo, normal_1_lo))
-    self_22_new = where(dependent == 1, nan, q2_2)
-    self_22_new_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_2_lo, normal_2_lo))
-    self_00_new_rounded = self_00_new + where(dependent == 1, 0, q0_0_lo)
-    self_01_new_rounded = self_01_new + where(dependent == 1, 0, q0_1_lo)
-    self_02_new_rounded = self_02_new + where(dependent == 1, 0, q0_2_lo)
-    self_10_new_rounded = self_10_new + where(dependent == 1, 0, q1_0_lo)
-    self_11_new_rounded = self_11_new + where(dependent == 1, 0, q1_1_lo)
-    self_12_new_rounded = self_12_new + where(dependent == 1, 0, q1_2_lo)
+    self_00_new_a = dependent == 1
+    self_00_new = where(self_00_new_a, nan, q0_0)
+    self_01_new = where(self_00_new_a, nan, q0_1)
+    self_02_new = where(self_00_new_a, nan, q0_2)
+    self_10_new = where(self_00_new_a, nan, q1_0)
+    self_11_new = where(self_00_new_a, nan, q1_1)
+    self_12_new = where(self_00_new_a, nan, q1_2)
+    self_20_new = where(self_00_new_a, nan, q2_0)
+    self_21_new = where(self_00_new_a, nan, q2_1)
+    self_22_new = where(self_00_new_a, nan, q2_2)
+    self_00_new_rounded = self_00_new + where(self_00_new_a, 0, q0_0_lo)
+    self_00_new_rounded_number = self_00_new_rounded == self_00_new_rounded
+    self_01_new_rounded = self_01_new + where(self_00_new_a, 0, q0_1_lo)
+    self_01_new_rounded_number = self_01_new_rounded == self_01_new_rounded
+    self_02_new_rounded = self_02_new + where(self_00_new_a, 0, q0_2_lo)
+    self_02_new_rounded_number = self_02_new_rounded == self_02_new_rounded
+    self_10_new_rounded = self_10_new + where(self_00_new_a, 0, q1_0_lo)
+    self_10_new_rounded_number = self_10_new_rounded == self_10_new_rounded
+    self_11_new_rounded = self_11_new + where(self_00_new_a, 0, q1_1_lo)
+    self_11_new_rounded_number = self_11_new_rounded == self_11_new_rounded
+    self_12_new_rounded = self_12_new + where(self_00_new_a, 0, q1_2_lo)
+    self_12_new_rounded_number = self_12_new_rounded == self_12_new_rounded
+    self_20_new_lo = where(self_00_new_a, 0, where(q2_0b, -normal_0_lo, normal_0_lo))
     self_20_new_rounded = self_20_new + self_20_new_lo
+    self_20_new_rounded_number = self_20_new_rounded == self_20_new_rounded
+    self_21_new_lo = where(self_00_new_a, 0, where(q2_0b, -normal_1_lo, normal_1_lo))
     self_21_new_rounded = self_21_new + self_21_new_lo
+    self_21_new_rounded_number = self_21_new_rounded == self_21_new_rounded
+    self_22_new_lo = where(self_00_new_a, 0, where(q2_0b, -normal_2_lo, normal_2_lo))
     self_22_new_rounded = self_22_new + self_22_new_lo
-    return (where(self_00_new_rounded == self_00_new_rounded, self_00_new_rounded, self_00_new),
-        where(self_01_new_rounded == self_01_new_rounded, self_01_new_rounded, self_01_new),
-        where(self_02_new_rounded == self_02_new_rounded, self_02_new_rounded, self_02_new),
-        where(self_10_new_rounded == self_10_new_rounded, self_10_new_rounded, self_10_new),
-        where(self_11_new_rounded == self_11_new_rounded, self_11_new_rounded, self_11_new),
-        where(self_12_new_rounded == self_12_new_rounded, self_12_new_rounded, self_12_new),
-        where(self_20_new_rounded == self_20_new_rounded, self_20_new_rounded, self_20_new),
-        where(self_21_new_rounded == self_21_new_rounded, self_21_new_rounded, self_21_new),
-        where(self_22_new_rounded == self_22_new_rounded, self_22_new_rounded, self_22_new))
+    self_22_new_rounded_number = self_22_new_rounded == self_22_new_rounded
+    self_00_new_final = where(self_00_new_rounded_number, self_00_new_rounded, self_00_new)
+    self_01_new_final = where(self_01_new_rounded_number, self_01_new_rounded, self_01_new)
+    self_02_new_final = where(self_02_new_rounded_number, self_02_new_rounded, self_02_new)
+    self_10_new_final = where(self_10_new_rounded_number, self_10_new_rounded, self_10_new)
+    self_11_new_final = where(self_11_new_rounded_number, self_11_new_rounded, self_11_new)
+    self_12_new_final = where(self_12_new_rounded_number, self_12_new_rounded, self_12_new)
+    self_20_new_final = where(self_20_new_rounded_number, self_20_new_rounded, self_20_new)
+    self_21_new_final = where(self_21_new_rounded_number, self_21_new_rounded, self_21_new)
+    self_22_new_final = where(self_22_new_rounded_number, self_22_new_rounded, self_22_new)
+    return (self_00_new_final, self_01_new_final, self_02_new_final, self_10_new_final,
+        self_11_new_final, self_12_new_final, self_20_new_final, self_21_new_final,
+        self_22_new_final)
 
 
 @kernel("(3,3)->(3,3)")
@@ -1144,7 +1062,8 @@ def mat3x3_normalized(R):
     q0_s_size_2 = absolute(R_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_b = where(6.703903964971299e+153 < q0_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    q0_s_a = 6.703903964971299e+153 < q0_s_largest2
+    q0_s_b = where(q0_s_a, float64(3.7291703656001034e-155), float64(1))
     q0_s_d = where(q0_s_largest2 < 256, 1.3093562431584567e+151, q0_s_b)
     q0_s = where(q0_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, q0_s_d)
     q0_y_0 = R_00 * q0_s
@@ -1157,37 +1076,36 @@ def mat3x3_normalized(R):
     q0_n_c = q0_n_a + q0_n_b
     q0_n_c_right = q0_n_c - q0_n_a
     q0_n_c_left_rest = product_rest(q0_y_0, q0_y_0, q0_n_a, q0_n_c - q0_n_c_right)
-    q0_n_c_lo = q0_n_c_left_rest + product_rest(q0_y_1, q0_y_1, q0_n_b, q0_n_c_right)
     q0_n_d = q0_y_2 * q0_y_2
     q0_n_e = q0_n_c + q0_n_d
     q0_n_e_right = q0_n_e - q0_n_c
     q0_n_e_right_rest = product_rest(q0_y_2, q0_y_2, q0_n_d, q0_n_e_right)
-    q0_n_e_lo1 = q0_n_c - (q0_n_e - q0_n_e_right) + q0_n_e_right_rest
-    q0_n_e_lo = q0_n_e_lo1 + q0_n_c_lo
+    q0_n_c_lo = q0_n_c_left_rest + product_rest(q0_y_1, q0_y_1, q0_n_b, q0_n_c_right)
+    q0_n_e_lo = q0_n_c - (q0_n_e - q0_n_e_right) + q0_n_e_right_rest + q0_n_c_lo
     q0_n_of_q0_n_e = q0_n_e + q0_n_e_lo
     q0_n_of_q0_n_e_right = q0_n_of_q0_n_e - q0_n_e
     q0_n_of_q0_n_e_left_rest = q0_n_e - (q0_n_of_q0_n_e - q0_n_of_q0_n_e_right)
-    q0_n_of_q0_n_e_lo = q0_n_of_q0_n_e_left_rest + (q0_n_e_lo - q0_n_of_q0_n_e_right)
     q0_n = sqrt(q0_n_of_q0_n_e)
     q0_n_product = q0_n * q0_n
     q0_n_exact = q0_n_of_q0_n_e - q0_n_product - product_error(q0_n, q0_n, q0_n_product)
-    q0_n_residual = q0_n_exact + q0_n_of_q0_n_e_lo
+    q0_n_residual = q0_n_exact + (q0_n_of_q0_n_e_left_rest + (q0_n_e_lo - q0_n_of_q0_n_e_right))
     q0_n_lo = q0_n_residual / where(q0_n == 0, 1, q0_n + q0_n)
     q0_divisor_a_of_q0_n = q0_n + q0_n_lo
     q0_divisor_a_of_q0_n_right = q0_divisor_a_of_q0_n - q0_n
     q0_divisor_a_of_q0_n_left_rest = q0_n - (q0_divisor_a_of_q0_n - q0_divisor_a_of_q0_n_right)
     q0_divisor_a_of_q0_n_right_rest = q0_n_lo - q0_divisor_a_of_q0_n_right
+    q0_divisor_a = q0_divisor_a_of_q0_n == 0
+    q0_divisor = where(q0_divisor_a, q0_up, q0_divisor_a_of_q0_n)
     q0_divisor_a_of_q0_n_lo = q0_divisor_a_of_q0_n_left_rest + q0_divisor_a_of_q0_n_right_rest
-    q0_divisor = where(q0_divisor_a_of_q0_n == 0, q0_up, q0_divisor_a_of_q0_n)
-    q0_divisor_lo = where(q0_divisor_a_of_q0_n == 0, 0, q0_divisor_a_of_q0_n_lo)
+    q0_divisor_lo = where(q0_divisor_a, 0, q0_divisor_a_of_q0_n_lo)
     q0_sized_0 = R_00 * q0_up
     q0_sized_1 = R_01 * q0_up
     q0_sized_2 = R_02 * q0_up
     q0_quotient_0_of_q0_divisor = q0_divisor + q0_divisor_lo
     q0_quotient_0_of_q0_divisor_right = q0_quotient_0_of_q0_divisor - q0_divisor
     q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor - q0_quotient_0_of_q0_divisor_right
-    q0_quotient_0_of_q0_divisor_left_rest = q0_divisor - q0_quotient_0_of_q0_divisor_left
     q0_quotient_0_of_q0_divisor_right_rest = q0_divisor_lo - q0_quotient_0_of_q0_divisor_right
+    q0_quotient_0_of_q0_divisor_left_rest = q0_divisor - q0_quotient_0_of_q0_divisor_left
     q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest + q0_quotient_0_of_q0_divisor_right_rest
     q0_quotient_0 = q0_sized_0 / q0_quotient_0_of_q0_divisor
     q0_quotient_0_product = q0_quotient_0 * q0_quotient_0_of_q0_divisor
@@ -1210,43 +1128,38 @@ def mat3x3_normalized(R):
     q0_0_of_q0_quotient_0 = q0_quotient_0 + q0_quotient_0_lo
     q0_0_of_q0_quotient_0_right = q0_0_of_q0_quotient_0 - q0_quotient_0
     q0_0_of_q0_quotient_0_left = q0_0_of_q0_quotient_0 - q0_0_of_q0_quotient_0_right
-    q0_0_of_q0_quotient_0_left_rest = q0_quotient_0 - q0_0_of_q0_quotient_0_left
     q0_0_of_q0_quotient_0_right_rest = q0_quotient_0_lo - q0_0_of_q0_quotient_0_right
-    q0_0_of_q0_quotient_0_lo = q0_0_of_q0_quotient_0_left_rest + q0_0_of_q0_quotient_0_right_rest
+    q0_0_of_q0_quotient_0_left_rest = q0_quotient_0 - q0_0_of_q0_quotient_0_left
     q0_0 = q0_0_of_q0_quotient_0 * q0_down
     q0_0_inverse = 1 / q0_down
     q0_0_lost = q0_0_of_q0_quotient_0 - q0_0 * q0_0_inverse
-    q0_0_rest = q0_0_lost + q0_0_of_q0_quotient_0_lo
-    q0_0_small = q0_0_rest * q0_down
-    q0_0_lo = where(q0_0_lost == 0, 0, q0_0_small)
+    q0_0_rest = q0_0_lost + (q0_0_of_q0_quotient_0_left_rest + q0_0_of_q0_quotient_0_right_rest)
+    q0_0_lo = where(q0_0_lost == 0, 0, q0_0_rest * q0_down)
     q0_1_of_q0_quotient_1 = q0_quotient_1 + q0_quotient_1_lo
     q0_1_of_q0_quotient_1_right = q0_1_of_q0_quotient_1 - q0_quotient_1
     q0_1_of_q0_quotient_1_left = q0_1_of_q0_quotient_1 - q0_1_of_q0_quotient_1_right
-    q0_1_of_q0_quotient_1_left_rest = q0_quotient_1 - q0_1_of_q0_quotient_1_left
     q0_1_of_q0_quotient_1_right_rest = q0_quotient_1_lo - q0_1_of_q0_quotient_1_right
-    q0_1_of_q0_quotient_1_lo = q0_1_of_q0_quotient_1_left_rest + q0_1_of_q0_quotient_1_right_rest
+    q0_1_of_q0_quotient_1_left_rest = q0_quotient_1 - q0_1_of_q0_quotient_1_left
     q0_1 = q0_1_of_q0_quotient_1 * q0_down
     q0_1_lost = q0_1_of_q0_quotient_1 - q0_1 * q0_0_inverse
-    q0_1_rest = q0_1_lost + q0_1_of_q0_quotient_1_lo
-    q0_1_small = q0_1_rest * q0_down
-    q0_1_lo = where(q0_1_lost == 0, 0, q0_1_small)
+    q0_1_rest = q0_1_lost + (q0_1_of_q0_quotient_1_left_rest + q0_1_of_q0_quotient_1_right_rest)
+    q0_1_lo = where(q0_1_lost == 0, 0, q0_1_rest * q0_down)
     q0_2_of_q0_quotient_2 = q0_quotient_2 + q0_quotient_2_lo
     q0_2_of_q0_quotient_2_right = q0_2_of_q0_quotient_2 - q0_quotient_2
     q0_2_of_q0_quotient_2_left = q0_2_of_q0_quotient_2 - q0_2_of_q0_quotient_2_right
-    q0_2_of_q0_quotient_2_left_rest = q0_quotient_2 - q0_2_of_q0_quotient_2_left
     q0_2_of_q0_quotient_2_right_rest = q0_quotient_2_lo - q0_2_of_q0_quotient_2_right
-    q0_2_of_q0_quotient_2_lo = q0_2_of_q0_quotient_2_left_rest + q0_2_of_q0_quotient_2_right_rest
+    q0_2_of_q0_quotient_2_left_rest = q0_quotient_2 - q0_2_of_q0_quotient_2_left
     q0_2 = q0_2_of_q0_quotient_2 * q0_down
     q0_2_lost = q0_2_of_q0_quotient_2 - q0_2 * q0_0_inverse
-    q0_2_rest = q0_2_lost + q0_2_of_q0_quotient_2_lo
-    q0_2_small = q0_2_rest * q0_down
-    q0_2_lo = where(q0_2_lost == 0, 0, q0_2_small)
+    q0_2_rest = q0_2_lost + (q0_2_of_q0_quotient_2_left_rest + q0_2_of_q0_quotient_2_right_rest)
+    q0_2_lo = where(q0_2_lost == 0, 0, q0_2_rest * q0_down)
     u1_s_size_0 = absolute(R_10)
     u1_s_size_1 = absolute(R_11)
     u1_s_size_2 = absolute(R_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_b = where(6.703903964971299e+153 < u1_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    u1_s_a = 6.703903964971299e+153 < u1_s_largest2
+    u1_s_b = where(u1_s_a, float64(3.7291703656001034e-155), float64(1))
     u1_s_d = where(u1_s_largest2 < 256, 1.3093562431584567e+151, u1_s_b)
     u1_s = where(u1_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u1_s_d)
     u1_y_0 = R_10 * u1_s
@@ -1259,37 +1172,36 @@ def mat3x3_normalized(R):
     u1_n_c = u1_n_a + u1_n_b
     u1_n_c_right = u1_n_c - u1_n_a
     u1_n_c_left_rest = product_rest(u1_y_0, u1_y_0, u1_n_a, u1_n_c - u1_n_c_right)
-    u1_n_c_lo = u1_n_c_left_rest + product_rest(u1_y_1, u1_y_1, u1_n_b, u1_n_c_right)
     u1_n_d = u1_y_2 * u1_y_2
     u1_n_e = u1_n_c + u1_n_d
     u1_n_e_right = u1_n_e - u1_n_c
     u1_n_e_right_rest = product_rest(u1_y_2, u1_y_2, u1_n_d, u1_n_e_right)
-    u1_n_e_lo1 = u1_n_c - (u1_n_e - u1_n_e_right) + u1_n_e_right_rest
-    u1_n_e_lo = u1_n_e_lo1 + u1_n_c_lo
+    u1_n_c_lo = u1_n_c_left_rest + product_rest(u1_y_1, u1_y_1, u1_n_b, u1_n_c_right)
+    u1_n_e_lo = u1_n_c - (u1_n_e - u1_n_e_right) + u1_n_e_right_rest + u1_n_c_lo
     u1_n_of_u1_n_e = u1_n_e + u1_n_e_lo
     u1_n_of_u1_n_e_right = u1_n_of_u1_n_e - u1_n_e
     u1_n_of_u1_n_e_left_rest = u1_n_e - (u1_n_of_u1_n_e - u1_n_of_u1_n_e_right)
-    u1_n_of_u1_n_e_lo = u1_n_of_u1_n_e_left_rest + (u1_n_e_lo - u1_n_of_u1_n_e_right)
     u1_n = sqrt(u1_n_of_u1_n_e)
     u1_n_product = u1_n * u1_n
     u1_n_exact = u1_n_of_u1_n_e - u1_n_product - product_error(u1_n, u1_n, u1_n_product)
-    u1_n_residual = u1_n_exact + u1_n_of_u1_n_e_lo
+    u1_n_residual = u1_n_exact + (u1_n_of_u1_n_e_left_rest + (u1_n_e_lo - u1_n_of_u1_n_e_right))
     u1_n_lo = u1_n_residual / where(u1_n == 0, 1, u1_n + u1_n)
     u1_divisor_a_of_u1_n = u1_n + u1_n_lo
     u1_divisor_a_of_u1_n_right = u1_divisor_a_of_u1_n - u1_n
     u1_divisor_a_of_u1_n_left_rest = u1_n - (u1_divisor_a_of_u1_n - u1_divisor_a_of_u1_n_right)
     u1_divisor_a_of_u1_n_right_rest = u1_n_lo - u1_divisor_a_of_u1_n_right
+    u1_divisor_a = u1_divisor_a_of_u1_n == 0
+    u1_divisor = where(u1_divisor_a, u1_up, u1_divisor_a_of_u1_n)
     u1_divisor_a_of_u1_n_lo = u1_divisor_a_of_u1_n_left_rest + u1_divisor_a_of_u1_n_right_rest
-    u1_divisor = where(u1_divisor_a_of_u1_n == 0, u1_up, u1_divisor_a_of_u1_n)
-    u1_divisor_lo = where(u1_divisor_a_of_u1_n == 0, 0, u1_divisor_a_of_u1_n_lo)
+    u1_divisor_lo = where(u1_divisor_a, 0, u1_divisor_a_of_u1_n_lo)
     u1_sized_0 = R_10 * u1_up
     u1_sized_1 = R_11 * u1_up
     u1_sized_2 = R_12 * u1_up
     u1_quotient_0_of_u1_divisor = u1_divisor + u1_divisor_lo
     u1_quotient_0_of_u1_divisor_right = u1_quotient_0_of_u1_divisor - u1_divisor
     u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor - u1_quotient_0_of_u1_divisor_right
-    u1_quotient_0_of_u1_divisor_left_rest = u1_divisor - u1_quotient_0_of_u1_divisor_left
     u1_quotient_0_of_u1_divisor_right_rest = u1_divisor_lo - u1_quotient_0_of_u1_divisor_right
+    u1_quotient_0_of_u1_divisor_left_rest = u1_divisor - u1_quotient_0_of_u1_divisor_left
     u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest + u1_quotient_0_of_u1_divisor_right_rest
     u1_quotient_0 = u1_sized_0 / u1_quotient_0_of_u1_divisor
     u1_quotient_0_product = u1_quotient_0 * u1_quotient_0_of_u1_divisor
@@ -1312,134 +1224,117 @@ def mat3x3_normalized(R):
     u1_0_of_u1_quotient_0 = u1_quotient_0 + u1_quotient_0_lo
     u1_0_of_u1_quotient_0_right = u1_0_of_u1_quotient_0 - u1_quotient_0
     u1_0_of_u1_quotient_0_left = u1_0_of_u1_quotient_0 - u1_0_of_u1_quotient_0_right
-    u1_0_of_u1_quotient_0_left_rest = u1_quotient_0 - u1_0_of_u1_quotient_0_left
     u1_0_of_u1_quotient_0_right_rest = u1_quotient_0_lo - u1_0_of_u1_quotient_0_right
-    u1_0_of_u1_quotient_0_lo = u1_0_of_u1_quotient_0_left_rest + u1_0_of_u1_quotient_0_right_rest
+    u1_0_of_u1_quotient_0_left_rest = u1_quotient_0 - u1_0_of_u1_quotient_0_left
     u1_0 = u1_0_of_u1_quotient_0 * u1_down
     u1_0_inverse = 1 / u1_down
     u1_0_lost = u1_0_of_u1_quotient_0 - u1_0 * u1_0_inverse
-    u1_0_rest = u1_0_lost + u1_0_of_u1_quotient_0_lo
-    u1_0_small = u1_0_rest * u1_down
-    u1_0_lo = where(u1_0_lost == 0, 0, u1_0_small)
+    u1_0_rest = u1_0_lost + (u1_0_of_u1_quotient_0_left_rest + u1_0_of_u1_quotient_0_right_rest)
+    u1_0_lo = where(u1_0_lost == 0, 0, u1_0_rest * u1_down)
     u1_1_of_u1_quotient_1 = u1_quotient_1 + u1_quotient_1_lo
     u1_1_of_u1_quotient_1_right = u1_1_of_u1_quotient_1 - u1_quotient_1
     u1_1_of_u1_quotient_1_left = u1_1_of_u1_quotient_1 - u1_1_of_u1_quotient_1_right
-    u1_1_of_u1_quotient_1_left_rest = u1_quotient_1 - u1_1_of_u1_quotient_1_left
     u1_1_of_u1_quotient_1_right_rest = u1_quotient_1_lo - u1_1_of_u1_quotient_1_right
-    u1_1_of_u1_quotient_1_lo = u1_1_of_u1_quotient_1_left_rest + u1_1_of_u1_quotient_1_right_rest
+    u1_1_of_u1_quotient_1_left_rest = u1_quotient_1 - u1_1_of_u1_quotient_1_left
     u1_1 = u1_1_of_u1_quotient_1 * u1_down
     u1_1_lost = u1_1_of_u1_quotient_1 - u1_1 * u1_0_inverse
-    u1_1_rest = u1_1_lost + u1_1_of_u1_quotient_1_lo
-    u1_1_small = u1_1_rest * u1_down
-    u1_1_lo = where(u1_1_lost == 0, 0, u1_1_small)
+    u1_1_rest = u1_1_lost + (u1_1_of_u1_quotient_1_left_rest + u1_1_of_u1_quotient_1_right_rest)
+    u1_1_lo = where(u1_1_lost == 0, 0, u1_1_rest * u1_down)
     u1_2_of_u1_quotient_2 = u1_quotient_2 + u1_quotient_2_lo
     u1_2_of_u1_quotient_2_right = u1_2_of_u1_quotient_2 - u1_quotient_2
     u1_2_of_u1_quotient_2_left = u1_2_of_u1_quotient_2 - u1_2_of_u1_quotient_2_right
-    u1_2_of_u1_quotient_2_left_rest = u1_quotient_2 - u1_2_of_u1_quotient_2_left
     u1_2_of_u1_quotient_2_right_rest = u1_quotient_2_lo - u1_2_of_u1_quotient_2_right
-    u1_2_of_u1_quotient_2_lo = u1_2_of_u1_quotient_2_left_rest + u1_2_of_u1_quotient_2_right_rest
+    u1_2_of_u1_quotient_2_left_rest = u1_quotient_2 - u1_2_of_u1_quotient_2_left
     u1_2 = u1_2_of_u1_quotient_2 * u1_down
     u1_2_lost = u1_2_of_u1_quotient_2 - u1_2 * u1_0_inverse
-    u1_2_rest = u1_2_lost + u1_2_of_u1_quotient_2_lo
-    u1_2_small = u1_2_rest * u1_down
-    u1_2_lo = where(u1_2_lost == 0, 0, u1_2_small)
+    u1_2_rest = u1_2_lost + (u1_2_of_u1_quotient_2_left_rest + u1_2_of_u1_quotient_2_right_rest)
+    u1_2_lo = where(u1_2_lost == 0, 0, u1_2_rest * u1_down)
     along_a = q0_0 * u1_0
     along_b = q0_1 * u1_1
     along_c = along_a + along_b
     along_c_right = along_c - along_a
     along_c_left_rest = product_rest(q0_0, u1_0, along_a, along_c - along_c_right)
     along_c_lo1 = along_c_left_rest + product_rest(q0_1, u1_1, along_b, along_c_right)
-    along_c_lo = along_c_lo1 + (q0_0_lo * u1_0 + q0_0 * u1_0_lo + (q0_1_lo * u1_1 + q0_1 * u1_1_lo))
     along_d = q0_2 * u1_2
     along = along_c + along_d
     along_right = along - along_c
     along_lo1 = along_c - (along - along_right) + product_rest(q0_2, u1_2, along_d, along_right)
-    along_lo2 = along_lo1 + (q0_2_lo * u1_2 + q0_2 * u1_2_lo)
-    along_lo = along_lo2 + along_c_lo
+    along_c_lo = along_c_lo1 + (q0_0_lo * u1_0 + q0_0 * u1_0_lo + (q0_1_lo * u1_1 + q0_1 * u1_1_lo))
+    along_lo = along_lo1 + (q0_2_lo * u1_2 + q0_2 * u1_2_lo) + along_c_lo
     once_0a = q0_0 * along
     once_0 = u1_0 - once_0a
     once_0_right = u1_0 - once_0
     once_0_lo1 = u1_0 - (once_0 + once_0_right) - product_rest(q0_0, along, once_0a, once_0_right)
-    once_0_lo2 = once_0_lo1 - (q0_0_lo * along + q0_0 * along_lo)
-    once_0_lo = once_0_lo2 + u1_0_lo
+    once_0_lo = once_0_lo1 - (q0_0_lo * along + q0_0 * along_lo) + u1_0_lo
     once_1a = q0_1 * along
     once_1 = u1_1 - once_1a
     once_1_right = u1_1 - once_1
     once_1_lo1 = u1_1 - (once_1 + once_1_right) - product_rest(q0_1, along, once_1a, once_1_right)
-    once_1_lo2 = once_1_lo1 - (q0_1_lo * along + q0_1 * along_lo)
-    once_1_lo = once_1_lo2 + u1_1_lo
+    once_1_lo = once_1_lo1 - (q0_1_lo * along + q0_1 * along_lo) + u1_1_lo
     once_2a = q0_2 * along
     once_2 = u1_2 - once_2a
     once_2_right = u1_2 - once_2
     once_2_lo1 = u1_2 - (once_2 + once_2_right) - product_rest(q0_2, along, once_2a, once_2_right)
-    once_2_lo2 = once_2_lo1 - (q0_2_lo * along + q0_2 * along_lo)
-    once_2_lo = once_2_lo2 + u1_2_lo
+    once_2_lo = once_2_lo1 - (q0_2_lo * along + q0_2 * along_lo) + u1_2_lo
     rest_a = q0_0 * once_0
     rest_b = q0_1 * once_1
     rest_c = rest_a + rest_b
     rest_c_right = rest_c - rest_a
     rest_c_left_rest = product_rest(q0_0, once_0, rest_a, rest_c - rest_c_right)
     rest_c_cross = q0_0_lo * once_0 + q0_0 * once_0_lo + (q0_1_lo * once_1 + q0_1 * once_1_lo)
-    rest_c_lo1 = rest_c_left_rest + product_rest(q0_1, once_1, rest_b, rest_c_right)
-    rest_c_lo = rest_c_lo1 + rest_c_cross
     rest_d = q0_2 * once_2
     rest = rest_c + rest_d
     rest_right = rest - rest_c
     rest_lo1 = rest_c - (rest - rest_right) + product_rest(q0_2, once_2, rest_d, rest_right)
-    rest_lo2 = rest_lo1 + (q0_2_lo * once_2 + q0_2 * once_2_lo)
-    rest_lo = rest_lo2 + rest_c_lo
+    rest_c_lo = rest_c_left_rest + product_rest(q0_1, once_1, rest_b, rest_c_right) + rest_c_cross
+    rest_lo = rest_lo1 + (q0_2_lo * once_2 + q0_2 * once_2_lo) + rest_c_lo
     twice_0a = q0_0 * rest
     twice_0 = once_0 - twice_0a
     twice_0_right = once_0 - twice_0
     twice_0_right_rest = product_rest(q0_0, rest, twice_0a, twice_0_right)
     twice_0_lo1 = once_0 - (twice_0 + twice_0_right) - twice_0_right_rest
-    twice_0_lo2 = twice_0_lo1 - (q0_0_lo * rest + q0_0 * rest_lo)
-    twice_0_lo = twice_0_lo2 + once_0_lo
+    twice_0_lo = twice_0_lo1 - (q0_0_lo * rest + q0_0 * rest_lo) + once_0_lo
     twice_1a = q0_1 * rest
     twice_1 = once_1 - twice_1a
     twice_1_right = once_1 - twice_1
     twice_1_right_rest = product_rest(q0_1, rest, twice_1a, twice_1_right)
     twice_1_lo1 = once_1 - (twice_1 + twice_1_right) - twice_1_right_rest
-    twice_1_lo2 = twice_1_lo1 - (q0_1_lo * rest + q0_1 * rest_lo)
-    twice_1_lo = twice_1_lo2 + once_1_lo
+    twice_1_lo = twice_1_lo1 - (q0_1_lo * rest + q0_1 * rest_lo) + once_1_lo
     twice_2a = q0_2 * rest
     twice_2 = once_2 - twice_2a
     twice_2_right = once_2 - twice_2
     twice_2_right_rest = product_rest(q0_2, rest, twice_2a, twice_2_right)
     twice_2_lo1 = once_2 - (twice_2 + twice_2_right) - twice_2_right_rest
-    twice_2_lo2 = twice_2_lo1 - (q0_2_lo * rest + q0_2 * rest_lo)
-    twice_2_lo = twice_2_lo2 + once_2_lo
+    twice_2_lo = twice_2_lo1 - (q0_2_lo * rest + q0_2 * rest_lo) + once_2_lo
     n_a = twice_0 * twice_0
-    n_a_cross = twice_0_lo * twice_0 + twice_0 * twice_0_lo
     n_b = twice_1 * twice_1
     n_c = n_a + n_b
     n_c_right = n_c - n_a
+    n_a_cross = twice_0_lo * twice_0 + twice_0 * twice_0_lo
     n_c_left_rest = product_rest(twice_0, twice_0, n_a, n_c - n_c_right)
-    n_c_cross = n_a_cross + (twice_1_lo * twice_1 + twice_1 * twice_1_lo)
     n_c_lo1 = n_c_left_rest + product_rest(twice_1, twice_1, n_b, n_c_right)
-    n_c_lo = n_c_lo1 + n_c_cross
     n_d = twice_2 * twice_2
     n_e = n_c + n_d
     n_e_right = n_e - n_c
     n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(twice_2, twice_2, n_d, n_e_right)
-    n_e_lo2 = n_e_lo1 + (twice_2_lo * twice_2 + twice_2 * twice_2_lo)
-    n_e_lo = n_e_lo2 + n_c_lo
+    n_c_lo = n_c_lo1 + (n_a_cross + (twice_1_lo * twice_1 + twice_1 * twice_1_lo))
+    n_e_lo = n_e_lo1 + (twice_2_lo * twice_2 + twice_2 * twice_2_lo) + n_c_lo
     n_of_n_e = n_e + n_e_lo
     n_of_n_e_right = n_of_n_e - n_e
     n = sqrt(n_of_n_e)
     n_product = n * n
-    n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
+    n_of_n_e_lo = n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right)
+    n_residual = n_of_n_e - n_product - product_error(n, n, n_product) + n_of_n_e_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor_a_of_n = n + n_lo
     divisor_a_of_n_right = divisor_a_of_n - n
     divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor = where(divisor_a_of_n == 0, 1, divisor_a_of_n)
-    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    divisor_a = divisor_a_of_n == 0
+    divisor = where(divisor_a, 1, divisor_a_of_n)
+    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
     q1_0_of_twice_0 = twice_0 + twice_0_lo
     q1_0_of_twice_0_right = q1_0_of_twice_0 - twice_0
     q1_0_of_twice_0_left_rest = twice_0 - (q1_0_of_twice_0 - q1_0_of_twice_0_right)
-    q1_0_of_twice_0_lo = q1_0_of_twice_0_left_rest + (twice_0_lo - q1_0_of_twice_0_right)
     q1_0_of_divisor = divisor + divisor_lo
     q1_0_of_divisor_right = q1_0_of_divisor - divisor
     q1_0_of_divisor_left_rest = divisor - (q1_0_of_divisor - q1_0_of_divisor_right)
@@ -1447,59 +1342,55 @@ def mat3x3_normalized(R):
     q1_0 = q1_0_of_twice_0 / q1_0_of_divisor
     q1_0_product = q1_0 * q1_0_of_divisor
     q1_0_exact = q1_0_of_twice_0 - q1_0_product - product_error(q1_0, q1_0_of_divisor, q1_0_product)
-    q1_0_numerator = q1_0_exact + q1_0_of_twice_0_lo
-    q1_0_residual = q1_0_numerator - q1_0 * q1_0_of_divisor_lo
-    q1_0_lo = q1_0_residual / q1_0_of_divisor
+    q1_0_numerator = q1_0_exact + (q1_0_of_twice_0_left_rest + (twice_0_lo - q1_0_of_twice_0_right))
+    q1_0_lo = (q1_0_numerator - q1_0 * q1_0_of_divisor_lo) / q1_0_of_divisor
     q1_1_of_twice_1 = twice_1 + twice_1_lo
     q1_1_of_twice_1_right = q1_1_of_twice_1 - twice_1
     q1_1_of_twice_1_left_rest = twice_1 - (q1_1_of_twice_1 - q1_1_of_twice_1_right)
-    q1_1_of_twice_1_lo = q1_1_of_twice_1_left_rest + (twice_1_lo - q1_1_of_twice_1_right)
     q1_1 = q1_1_of_twice_1 / q1_0_of_divisor
     q1_1_product = q1_1 * q1_0_of_divisor
     q1_1_exact = q1_1_of_twice_1 - q1_1_product - product_error(q1_1, q1_0_of_divisor, q1_1_product)
-    q1_1_numerator = q1_1_exact + q1_1_of_twice_1_lo
-    q1_1_residual = q1_1_numerator - q1_1 * q1_0_of_divisor_lo
-    q1_1_lo = q1_1_residual / q1_0_of_divisor
+    q1_1_numerator = q1_1_exact + (q1_1_of_twice_1_left_rest + (twice_1_lo - q1_1_of_twice_1_right))
+    q1_1_lo = (q1_1_numerator - q1_1 * q1_0_of_divisor_lo) / q1_0_of_divisor
     q1_2_of_twice_2 = twice_2 + twice_2_lo
     q1_2_of_twice_2_right = q1_2_of_twice_2 - twice_2
     q1_2_of_twice_2_left_rest = twice_2 - (q1_2_of_twice_2 - q1_2_of_twice_2_right)
-    q1_2_of_twice_2_lo = q1_2_of_twice_2_left_rest + (twice_2_lo - q1_2_of_twice_2_right)
     q1_2 = q1_2_of_twice_2 / q1_0_of_divisor
     q1_2_product = q1_2 * q1_0_of_divisor
     q1_2_exact = q1_2_of_twice_2 - q1_2_product - product_error(q1_2, q1_0_of_divisor, q1_2_product)
-    q1_2_numerator = q1_2_exact + q1_2_of_twice_2_lo
-    q1_2_residual = q1_2_numerator - q1_2 * q1_0_of_divisor_lo
-    q1_2_lo = q1_2_residual / q1_0_of_divisor
+    q1_2_numerator = q1_2_exact + (q1_2_of_twice_2_left_rest + (twice_2_lo - q1_2_of_twice_2_right))
+    q1_2_lo = (q1_2_numerator - q1_2 * q1_0_of_divisor_lo) / q1_0_of_divisor
     normal_0a = q0_1 * q1_2
     normal_0b = q0_2 * q1_1
     normal_0 = normal_0a - normal_0b
     normal_0_right = normal_0a - normal_0
     normal_0_left_rest = product_rest(q0_1, q1_2, normal_0a, normal_0 + normal_0_right)
-    normal_0_cross = q0_1_lo * q1_2 + q0_1 * q1_2_lo - (q0_2_lo * q1_1 + q0_2 * q1_1_lo)
     normal_0_lo1 = normal_0_left_rest - product_rest(q0_2, q1_1, normal_0b, normal_0_right)
+    normal_0_cross = q0_1_lo * q1_2 + q0_1 * q1_2_lo - (q0_2_lo * q1_1 + q0_2 * q1_1_lo)
     normal_0_lo = normal_0_lo1 + normal_0_cross
     normal_1a = q0_2 * q1_0
     normal_1b = q0_0 * q1_2
     normal_1 = normal_1a - normal_1b
     normal_1_right = normal_1a - normal_1
     normal_1_left_rest = product_rest(q0_2, q1_0, normal_1a, normal_1 + normal_1_right)
-    normal_1_cross = q0_2_lo * q1_0 + q0_2 * q1_0_lo - (q0_0_lo * q1_2 + q0_0 * q1_2_lo)
     normal_1_lo1 = normal_1_left_rest - product_rest(q0_0, q1_2, normal_1b, normal_1_right)
+    normal_1_cross = q0_2_lo * q1_0 + q0_2 * q1_0_lo - (q0_0_lo * q1_2 + q0_0 * q1_2_lo)
     normal_1_lo = normal_1_lo1 + normal_1_cross
     normal_2a = q0_0 * q1_1
     normal_2b = q0_1 * q1_0
     normal_2 = normal_2a - normal_2b
     normal_2_right = normal_2a - normal_2
     normal_2_left_rest = product_rest(q0_0, q1_1, normal_2a, normal_2 + normal_2_right)
-    normal_2_cross = q0_0_lo * q1_1 + q0_0 * q1_1_lo - (q0_1_lo * q1_0 + q0_1 * q1_0_lo)
     normal_2_lo1 = normal_2_left_rest - product_rest(q0_1, q1_0, normal_2b, normal_2_right)
+    normal_2_cross = q0_0_lo * q1_1 + q0_0 * q1_1_lo - (q0_1_lo * q1_0 + q0_1 * q1_0_lo)
     normal_2_lo = normal_2_lo1 + normal_2_cross
     u2_s_size_0 = absolute(R_20)
     u2_s_size_1 = absolute(R_21)
     u2_s_size_2 = absolute(R_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_b = where(6.703903964971299e+153 < u2_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    u2_s_a = 6.703903964971299e+153 < u2_s_largest2
+    u2_s_b = where(u2_s_a, float64(3.7291703656001034e-155), float64(1))
     u2_s_d = where(u2_s_largest2 < 256, 1.3093562431584567e+151, u2_s_b)
     u2_s = where(u2_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u2_s_d)
     u2_y_0 = R_20 * u2_s
@@ -1512,37 +1403,36 @@ def mat3x3_normalized(R):
     u2_n_c = u2_n_a + u2_n_b
     u2_n_c_right = u2_n_c - u2_n_a
     u2_n_c_left_rest = product_rest(u2_y_0, u2_y_0, u2_n_a, u2_n_c - u2_n_c_right)
-    u2_n_c_lo = u2_n_c_left_rest + product_rest(u2_y_1, u2_y_1, u2_n_b, u2_n_c_right)
     u2_n_d = u2_y_2 * u2_y_2
     u2_n_e = u2_n_c + u2_n_d
     u2_n_e_right = u2_n_e - u2_n_c
     u2_n_e_right_rest = product_rest(u2_y_2, u2_y_2, u2_n_d, u2_n_e_right)
-    u2_n_e_lo1 = u2_n_c - (u2_n_e - u2_n_e_right) + u2_n_e_right_rest
-    u2_n_e_lo = u2_n_e_lo1 + u2_n_c_lo
+    u2_n_c_lo = u2_n_c_left_rest + product_rest(u2_y_1, u2_y_1, u2_n_b, u2_n_c_right)
+    u2_n_e_lo = u2_n_c - (u2_n_e - u2_n_e_right) + u2_n_e_right_rest + u2_n_c_lo
     u2_n_of_u2_n_e = u2_n_e + u2_n_e_lo
     u2_n_of_u2_n_e_right = u2_n_of_u2_n_e - u2_n_e
     u2_n_of_u2_n_e_left_rest = u2_n_e - (u2_n_of_u2_n_e - u2_n_of_u2_n_e_right)
-    u2_n_of_u2_n_e_lo = u2_n_of_u2_n_e_left_rest + (u2_n_e_lo - u2_n_of_u2_n_e_right)
     u2_n = sqrt(u2_n_of_u2_n_e)
     u2_n_product = u2_n * u2_n
     u2_n_exact = u2_n_of_u2_n_e - u2_n_product - product_error(u2_n, u2_n, u2_n_product)
-    u2_n_residual = u2_n_exact + u2_n_of_u2_n_e_lo
+    u2_n_residual = u2_n_exact + (u2_n_of_u2_n_e_left_rest + (u2_n_e_lo - u2_n_of_u2_n_e_right))
     u2_n_lo = u2_n_residual / where(u2_n == 0, 1, u2_n + u2_n)
     u2_divisor_a_of_u2_n = u2_n + u2_n_lo
     u2_divisor_a_of_u2_n_right = u2_divisor_a_of_u2_n - u2_n
     u2_divisor_a_of_u2_n_left_rest = u2_n - (u2_divisor_a_of_u2_n - u2_divisor_a_of_u2_n_right)
     u2_divisor_a_of_u2_n_right_rest = u2_n_lo - u2_divisor_a_of_u2_n_right
+    u2_divisor_a = u2_divisor_a_of_u2_n == 0
+    u2_divisor = where(u2_divisor_a, u2_up, u2_divisor_a_of_u2_n)
     u2_divisor_a_of_u2_n_lo = u2_divisor_a_of_u2_n_left_rest + u2_divisor_a_of_u2_n_right_rest
-    u2_divisor = where(u2_divisor_a_of_u2_n == 0, u2_up, u2_divisor_a_of_u2_n)
-    u2_divisor_lo = where(u2_divisor_a_of_u2_n == 0, 0, u2_divisor_a_of_u2_n_lo)
+    u2_divisor_lo = where(u2_divisor_a, 0, u2_divisor_a_of_u2_n_lo)
     u2_sized_0 = R_20 * u2_up
     u2_sized_1 = R_21 * u2_up
     u2_sized_2 = R_22 * u2_up
     u2_quotient_0_of_u2_divisor = u2_divisor + u2_divisor_lo
     u2_quotient_0_of_u2_divisor_right = u2_quotient_0_of_u2_divisor - u2_divisor
     u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor - u2_quotient_0_of_u2_divisor_right
-    u2_quotient_0_of_u2_divisor_left_rest = u2_divisor - u2_quotient_0_of_u2_divisor_left
     u2_quotient_0_of_u2_divisor_right_rest = u2_divisor_lo - u2_quotient_0_of_u2_divisor_right
+    u2_quotient_0_of_u2_divisor_left_rest = u2_divisor - u2_quotient_0_of_u2_divisor_left
     u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest + u2_quotient_0_of_u2_divisor_right_rest
     u2_quotient_0 = u2_sized_0 / u2_quotient_0_of_u2_divisor
     u2_quotient_0_product = u2_quotient_0 * u2_quotient_0_of_u2_divisor
@@ -1565,104 +1455,90 @@ def mat3x3_normalized(R):
     u2_0_of_u2_quotient_0 = u2_quotient_0 + u2_quotient_0_lo
     u2_0_of_u2_quotient_0_right = u2_0_of_u2_quotient_0 - u2_quotient_0
     u2_0_of_u2_quotient_0_left = u2_0_of_u2_quotient_0 - u2_0_of_u2_quotient_0_right
-    u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left
     u2_0_of_u2_quotient_0_right_rest = u2_quotient_0_lo - u2_0_of_u2_quotient_0_right
-    u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest
+    u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left
     u2_0 = u2_0_of_u2_quotient_0 * u2_down
     u2_0_inverse = 1 / u2_down
     u2_0_lost = u2_0_of_u2_quotient_0 - u2_0 * u2_0_inverse
-    u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo
-    u2_0_small = u2_0_rest * u2_down
-    u2_0_lo = where(u2_0_lost == 0, 0, u2_0_small)
+    u2_0_rest = u2_0_lost + (u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest)
     u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo
     u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1
     u2_1_of_u2_quotient_1_left = u2_1_of_u2_quotient_1 - u2_1_of_u2_quotient_1_right
-    u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left
     u2_1_of_u2_quotient_1_right_rest = u2_quotient_1_lo - u2_1_of_u2_quotient_1_right
-    u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest
+    u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left
     u2_1 = u2_1_of_u2_quotient_1 * u2_down
     u2_1_lost = u2_1_of_u2_quotient_1 - u2_1 * u2_0_inverse
-    u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo
-    u2_1_small = u2_1_rest * u2_down
-    u2_1_lo = where(u2_1_lost == 0, 0, u2_1_small)
+    u2_1_rest = u2_1_lost + (u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest)
     u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo
     u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2
     u2_2_of_u2_quotient_2_left = u2_2_of_u2_quotient_2 - u2_2_of_u2_quotient_2_right
-    u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left
     u2_2_of_u2_quotient_2_right_rest = u2_quotient_2_lo - u2_2_of_u2_quotient_2_right
-    u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest
+    u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left
     u2_2 = u2_2_of_u2_quotient_2 * u2_down
     u2_2_lost = u2_2_of_u2_quotient_2 - u2_2 * u2_0_inverse
-    u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo
-    u2_2_small = u2_2_rest * u2_down
-    u2_2_lo = where(u2_2_lost == 0, 0, u2_2_small)
+    u2_2_rest = u2_2_lost + (u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest)
     side_a = normal_0 * u2_0
-    side_a_cross2 = normal_0 * u2_0_lo
-    side_a_cross = normal_0_lo * u2_0 + side_a_cross2
     side_b = normal_1 * u2_1
-    side_b_cross2 = normal_1 * u2_1_lo
-    side_b_cross = normal_1_lo * u2_1 + side_b_cross2
     side_c = side_a + side_b
     side_c_right = side_c - side_a
+    side_a_cross = normal_0_lo * u2_0 + normal_0 * where(u2_0_lost == 0, 0, u2_0_rest * u2_down)
+    side_b_cross = normal_1_lo * u2_1 + normal_1 * where(u2_1_lost == 0, 0, u2_1_rest * u2_down)
     side_c_left_rest = product_rest(normal_0, u2_0, side_a, side_c - side_c_right)
-    side_c_cross = side_a_cross + side_b_cross
     side_c_lo1 = side_c_left_rest + product_rest(normal_1, u2_1, side_b, side_c_right)
-    side_c_lo = side_c_lo1 + side_c_cross
     side_d = normal_2 * u2_2
-    side_d_cross2 = normal_2 * u2_2_lo
-    side_d_cross = normal_2_lo * u2_2 + side_d_cross2
     side = side_c + side_d
     side_right = side - side_c
     side_lo1 = side_c - (side - side_right) + product_rest(normal_2, u2_2, side_d, side_right)
-    side_lo2 = side_lo1 + side_d_cross
-    side_lo = side_lo2 + side_c_lo
+    side_d_cross = normal_2_lo * u2_2 + normal_2 * where(u2_2_lost == 0, 0, u2_2_rest * u2_down)
+    side_lo = side_lo1 + side_d_cross + (side_c_lo1 + (side_a_cross + side_b_cross))
     q2_0b_of_side = side + side_lo
     q2_0b_of_side_right = q2_0b_of_side - side
     q2_0b_of_side_left_rest = side - (q2_0b_of_side - q2_0b_of_side_right)
     q2_0b_of_side_lo = q2_0b_of_side_left_rest + (side_lo - q2_0b_of_side_right)
-    q2_0 = where(q2_0b_of_side < 0, -normal_0, normal_0)
-    q2_1 = where(q2_0b_of_side < 0, -normal_1, normal_1)
-    q2_2 = where(q2_0b_of_side < 0, -normal_2, normal_2)
+    q2_0b = q2_0b_of_side < 0
+    q2_0 = where(q2_0b, -normal_0, normal_0)
+    q2_1 = where(q2_0b, -normal_1, normal_1)
+    q2_2 = where(q2_0b, -normal_2, normal_2)
     size = absolute(q2_0b_of_side)
     size_lo = where(q2_0b_of_side < 0, -q2_0b_of_side_lo, q2_0b_of_side_lo)
     less_a_of_size = size + size_lo
     less_a_of_size_right = less_a_of_size - size
     less_a_of_size_left_rest = size - (less_a_of_size - less_a_of_size_right)
+    less_a = divisor_a_of_n < less_a_of_size
+    less = where(less_a, divisor_a_of_n, less_a_of_size)
     less_a_of_size_lo = less_a_of_size_left_rest + (size_lo - less_a_of_size_right)
-    less = where(divisor_a_of_n < less_a_of_size, divisor_a_of_n, less_a_of_size)
-    less_lo = where(divisor_a_of_n < less_a_of_size, divisor_a_of_n_lo, less_a_of_size_lo)
-    dependent_a_of_less = less + less_lo
+    dependent_a_of_less = less + where(less_a, divisor_a_of_n_lo, less_a_of_size_lo)
     dependent = where(dependent_a_of_less < 1.7763568394002505e-15, float64(1), float64(0))
-    Ro_00 = where(dependent == 1, nan, q0_0)
-    Ro_01 = where(dependent == 1, nan, q0_1)
-    Ro_02 = where(dependent == 1, nan, q0_2)
-    Ro_10 = where(dependent == 1, nan, q1_0)
-    Ro_11 = where(dependent == 1, nan, q1_1)
-    Ro_12 = where(dependent == 1, nan, q1_2)
-    Ro_20 = where(dependent == 1, nan, q2_0)
-    Ro_20_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_0_lo, normal_0_lo))
-    Ro_21 = where(dependent == 1, nan, q2_1)
-    Ro_21_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_1_lo, normal_1_lo))
-    Ro_22 = where(dependent == 1, nan, q2_2)
-    Ro_22_lo = where(dependent == 1, 0, where(q2_0b_of_side < 0, -normal_2_lo, normal_2_lo))
-    Ro_00_rounded = Ro_00 + where(dependent == 1, 0, q0_0_lo)
-    Ro_01_rounded = Ro_01 + where(dependent == 1, 0, q0_1_lo)
-    Ro_02_rounded = Ro_02 + where(dependent == 1, 0, q0_2_lo)
-    Ro_10_rounded = Ro_10 + where(dependent == 1, 0, q1_0_lo)
-    Ro_11_rounded = Ro_11 + where(dependent == 1, 0, q1_1_lo)
-    Ro_12_rounded = Ro_12 + where(dependent == 1, 0, q1_2_lo)
-    Ro_20_rounded = Ro_20 + Ro_20_lo
-    Ro_21_rounded = Ro_21 + Ro_21_lo
-    Ro_22_rounded = Ro_22 + Ro_22_lo
-    return (where(Ro_00_rounded == Ro_00_rounded, Ro_00_rounded, Ro_00),
-        where(Ro_01_rounded == Ro_01_rounded, Ro_01_rounded, Ro_01),
-        where(Ro_02_rounded == Ro_02_rounded, Ro_02_rounded, Ro_02),
-        where(Ro_10_rounded == Ro_10_rounded, Ro_10_rounded, Ro_10),
-        where(Ro_11_rounded == Ro_11_rounded, Ro_11_rounded, Ro_11),
-        where(Ro_12_rounded == Ro_12_rounded, Ro_12_rounded, Ro_12),
-        where(Ro_20_rounded == Ro_20_rounded, Ro_20_rounded, Ro_20),
-        where(Ro_21_rounded == Ro_21_rounded, Ro_21_rounded, Ro_21),
-        where(Ro_22_rounded == Ro_22_rounded, Ro_22_rounded, Ro_22))
+    Ro_00a = dependent == 1
+    Ro_00 = where(Ro_00a, nan, q0_0)
+    Ro_01 = where(Ro_00a, nan, q0_1)
+    Ro_02 = where(Ro_00a, nan, q0_2)
+    Ro_10 = where(Ro_00a, nan, q1_0)
+    Ro_11 = where(Ro_00a, nan, q1_1)
+    Ro_12 = where(Ro_00a, nan, q1_2)
+    Ro_20 = where(Ro_00a, nan, q2_0)
+    Ro_21 = where(Ro_00a, nan, q2_1)
+    Ro_22 = where(Ro_00a, nan, q2_2)
+    Ro_00_rounded = Ro_00 + where(Ro_00a, 0, q0_0_lo)
+    Ro_01_rounded = Ro_01 + where(Ro_00a, 0, q0_1_lo)
+    Ro_02_rounded = Ro_02 + where(Ro_00a, 0, q0_2_lo)
+    Ro_10_rounded = Ro_10 + where(Ro_00a, 0, q1_0_lo)
+    Ro_11_rounded = Ro_11 + where(Ro_00a, 0, q1_1_lo)
+    Ro_12_rounded = Ro_12 + where(Ro_00a, 0, q1_2_lo)
+    Ro_20_rounded = Ro_20 + where(Ro_00a, 0, where(q2_0b, -normal_0_lo, normal_0_lo))
+    Ro_21_rounded = Ro_21 + where(Ro_00a, 0, where(q2_0b, -normal_1_lo, normal_1_lo))
+    Ro_22_rounded = Ro_22 + where(Ro_00a, 0, where(q2_0b, -normal_2_lo, normal_2_lo))
+    Ro_00_final = where(Ro_00_rounded == Ro_00_rounded, Ro_00_rounded, Ro_00)
+    Ro_01_final = where(Ro_01_rounded == Ro_01_rounded, Ro_01_rounded, Ro_01)
+    Ro_02_final = where(Ro_02_rounded == Ro_02_rounded, Ro_02_rounded, Ro_02)
+    Ro_10_final = where(Ro_10_rounded == Ro_10_rounded, Ro_10_rounded, Ro_10)
+    Ro_11_final = where(Ro_11_rounded == Ro_11_rounded, Ro_11_rounded, Ro_11)
+    Ro_12_final = where(Ro_12_rounded == Ro_12_rounded, Ro_12_rounded, Ro_12)
+    Ro_20_final = where(Ro_20_rounded == Ro_20_rounded, Ro_20_rounded, Ro_20)
+    Ro_21_final = where(Ro_21_rounded == Ro_21_rounded, Ro_21_rounded, Ro_21)
+    Ro_22_final = where(Ro_22_rounded == Ro_22_rounded, Ro_22_rounded, Ro_22)
+    return (Ro_00_final, Ro_01_final, Ro_02_final, Ro_10_final, Ro_11_final, Ro_12_final,
+        Ro_20_final, Ro_21_final, Ro_22_final)
 
 
 @kernel("(3),(2)->(3,3)")
@@ -1687,7 +1563,6 @@ def mat3x3_setFromAxisDC(axis, dc):
     versine_axis_1_lo = product_error(axis_1, versine, versine_axis_1) + axis_1 * versine_lo
     m_1 = axis_1 * versine_axis_1
     m_2 = axis_2 * versine_axis_2
-    m_2_cross2 = axis_2 * (product_error(axis_2, versine, versine_axis_2) + axis_2 * versine_lo)
     m_3 = axis_1 * versine_axis_0
     m_3_cross2 = axis_1 * versine_axis_0_lo
     m_4 = axis_2 * versine_axis_0
@@ -1700,54 +1575,46 @@ def mat3x3_setFromAxisDC(axis, dc):
     R_00 = dc_1 + m_0
     R_00_right = R_00 - dc_1
     R_00_lo1 = dc_1 - (R_00 - R_00_right) + product_rest(axis_0, versine_axis_0, m_0, R_00_right)
-    R_00_lo = R_00_lo1 + axis_0 * versine_axis_0_lo
     R_01 = m_3 - sine_axis_2
     R_01_right = m_3 - R_01
     R_01_left_rest = product_rest(axis_1, versine_axis_0, m_3, R_01 + R_01_right)
-    R_01_lo1 = R_01_left_rest - product_rest(axis_2, dc_0, sine_axis_2, R_01_right)
-    R_01_lo = R_01_lo1 + m_3_cross2
     R_02 = m_4 + sine_axis_1
     R_02_right = R_02 - m_4
     R_02_left_rest = product_rest(axis_2, versine_axis_0, m_4, R_02 - R_02_right)
-    R_02_lo1 = R_02_left_rest + product_rest(axis_1, dc_0, sine_axis_1, R_02_right)
-    R_02_lo = R_02_lo1 + m_4_cross2
     R_10 = m_3 + sine_axis_2
     R_10_right = R_10 - m_3
     R_10_left_rest = product_rest(axis_1, versine_axis_0, m_3, R_10 - R_10_right)
-    R_10_lo1 = R_10_left_rest + product_rest(axis_2, dc_0, sine_axis_2, R_10_right)
-    R_10_lo = R_10_lo1 + m_3_cross2
     R_11 = dc_1 + m_1
     R_11_right = R_11 - dc_1
     R_11_lo1 = dc_1 - (R_11 - R_11_right) + product_rest(axis_1, versine_axis_1, m_1, R_11_right)
-    R_11_lo = R_11_lo1 + axis_1 * versine_axis_1_lo
     R_12 = m_5 - sine_axis_0
     R_12_right = m_5 - R_12
     R_12_left_rest = product_rest(axis_2, versine_axis_1, m_5, R_12 + R_12_right)
-    R_12_lo1 = R_12_left_rest - product_rest(axis_0, dc_0, sine_axis_0, R_12_right)
-    R_12_lo = R_12_lo1 + m_5_cross2
     R_20 = m_4 - sine_axis_1
     R_20_right = m_4 - R_20
     R_20_left_rest = product_rest(axis_2, versine_axis_0, m_4, R_20 + R_20_right)
-    R_20_lo1 = R_20_left_rest - product_rest(axis_1, dc_0, sine_axis_1, R_20_right)
-    R_20_lo = R_20_lo1 + m_4_cross2
     R_21 = m_5 + sine_axis_0
     R_21_right = R_21 - m_5
     R_21_left_rest = product_rest(axis_2, versine_axis_1, m_5, R_21 - R_21_right)
-    R_21_lo1 = R_21_left_rest + product_rest(axis_0, dc_0, sine_axis_0, R_21_right)
-    R_21_lo = R_21_lo1 + m_5_cross2
     R_22 = dc_1 + m_2
     R_22_right = R_22 - dc_1
     R_22_lo1 = dc_1 - (R_22 - R_22_right) + product_rest(axis_2, versine_axis_2, m_2, R_22_right)
-    R_22_lo = R_22_lo1 + m_2_cross2
-    R_00_rounded = R_00 + R_00_lo
+    m_2_cross2 = axis_2 * (product_error(axis_2, versine, versine_axis_2) + axis_2 * versine_lo)
+    R_00_rounded = R_00 + (R_00_lo1 + axis_0 * versine_axis_0_lo)
+    R_01_lo = R_01_left_rest - product_rest(axis_2, dc_0, sine_axis_2, R_01_right) + m_3_cross2
     R_01_rounded = R_01 + R_01_lo
+    R_02_lo = R_02_left_rest + product_rest(axis_1, dc_0, sine_axis_1, R_02_right) + m_4_cross2
     R_02_rounded = R_02 + R_02_lo
+    R_10_lo = R_10_left_rest + product_rest(axis_2, dc_0, sine_axis_2, R_10_right) + m_3_cross2
     R_10_rounded = R_10 + R_10_lo
-    R_11_rounded = R_11 + R_11_lo
+    R_11_rounded = R_11 + (R_11_lo1 + axis_1 * versine_axis_1_lo)
+    R_12_lo = R_12_left_rest - product_rest(axis_0, dc_0, sine_axis_0, R_12_right) + m_5_cross2
     R_12_rounded = R_12 + R_12_lo
+    R_20_lo = R_20_left_rest - product_rest(axis_1, dc_0, sine_axis_1, R_20_right) + m_4_cross2
     R_20_rounded = R_20 + R_20_lo
+    R_21_lo = R_21_left_rest + product_rest(axis_0, dc_0, sine_axis_0, R_21_right) + m_5_cross2
     R_21_rounded = R_21 + R_21_lo
-    R_22_rounded = R_22 + R_22_lo
+    R_22_rounded = R_22 + (R_22_lo1 + m_2_cross2)
     return (R_00_rounded, R_01_rounded, R_02_rounded, R_10_rounded, R_11_rounded, R_12_rounded,
         R_20_rounded, R_21_rounded, R_22_rounded)
 
@@ -1773,14 +1640,15 @@ def euler_xyz_from_mat3x3(R):
     n_of_n_c_right = n_of_n_c - n_c
     n = sqrt(n_of_n_c)
     n_product = n * n
-    n_exact = n_of_n_c - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + (n_c - (n_of_n_c - n_of_n_c_right) + (n_c_lo - n_of_n_c_right))
+    n_of_n_c_lo = n_c - (n_of_n_c - n_of_n_c_right) + (n_c_lo - n_of_n_c_right)
+    n_residual = n_of_n_c - n_product - product_error(n, n, n_product) + n_of_n_c_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor_a_of_n = n + n_lo
     divisor_a_of_n_right = divisor_a_of_n - n
     divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor = where(divisor_a_of_n == 0, 1, divisor_a_of_n)
-    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    divisor_a = divisor_a_of_n == 0
+    divisor = where(divisor_a, 1, divisor_a_of_n)
+    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
     cosine_a_of_divisor = divisor + divisor_lo
     cosine_a_of_divisor_right = cosine_a_of_divisor - divisor
     cosine_a_of_divisor_left_rest = divisor - (cosine_a_of_divisor - cosine_a_of_divisor_right)
@@ -1790,18 +1658,16 @@ def euler_xyz_from_mat3x3(R):
     cosine_a_product = cosine_a * cosine_a_of_divisor
     cosine_a_product_error = product_error(cosine_a, cosine_a_of_divisor, cosine_a_product)
     cosine_a_exact = R_00 - cosine_a_product - cosine_a_product_error
-    cosine_a_residual = cosine_a_exact - cosine_a * cosine_a_of_divisor_lo
-    cosine_a_lo = cosine_a_residual / cosine_a_of_divisor
-    cosine = where(divisor_a_of_n == 0, 1, cosine_a)
-    cosine_lo = where(divisor_a_of_n == 0, 0, cosine_a_lo)
+    cosine = where(divisor_a, 1, cosine_a)
+    cosine_a_lo = (cosine_a_exact - cosine_a * cosine_a_of_divisor_lo) / cosine_a_of_divisor
+    cosine_lo = where(divisor_a, 0, cosine_a_lo)
     sine_a = -R_01
     sine = sine_a / cosine_a_of_divisor
     sine_product = sine * cosine_a_of_divisor
     sine_exact = sine_a - sine_product - product_error(sine, cosine_a_of_divisor, sine_product)
-    sine_residual = sine_exact - sine * cosine_a_of_divisor_lo
-    sine_lo = sine_residual / cosine_a_of_divisor
+    sine_lo = (sine_exact - sine * cosine_a_of_divisor_lo) / cosine_a_of_divisor
     polar = arctan2(sine_a, R_00)
-    third = where(divisor_a_of_n == 0, 0, polar)
+    third = where(divisor_a, 0, polar)
     left_1a = R_10 * sine
     left_1b = R_11 * cosine
     left_1 = left_1a + left_1b
@@ -1819,41 +1685,38 @@ def euler_xyz_from_mat3x3(R):
     angles_0_of_left_2 = left_2 + left_2_lo
     angles_0_of_left_2_right = angles_0_of_left_2 - left_2
     angles_0_of_left_2_left_rest = left_2 - (angles_0_of_left_2 - angles_0_of_left_2_right)
-    angles_0_of_left_2_lo = angles_0_of_left_2_left_rest + (left_2_lo - angles_0_of_left_2_right)
     angles_0_of_left_1 = left_1 + left_1_lo
     angles_0_of_left_1_right = angles_0_of_left_1 - left_1
     angles_0_of_left_1_left_rest = left_1 - (angles_0_of_left_1 - angles_0_of_left_1_right)
-    angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + (left_1_lo - angles_0_of_left_1_right)
     angles_0 = arctan2(angles_0_of_left_2, angles_0_of_left_1)
     angles_0_size0 = absolute(angles_0_of_left_2)
     angles_0_size1 = absolute(angles_0_of_left_1)
     angles_0_most = where(angles_0_size0 < angles_0_size1, angles_0_size1, angles_0_size0)
-    angles_0_divisor = where(angles_0_most == 0, 1, angles_0_most)
+    angles_0_zero = angles_0_most == 0
+    angles_0_divisor = where(angles_0_zero, 1, angles_0_most)
     angles_0_part0 = angles_0_of_left_2 / angles_0_divisor
     angles_0_part1 = angles_0_of_left_1 / angles_0_divisor
-    angles_0_cross1 = angles_0_part1 * angles_0_of_left_2_lo
-    angles_0_cross2 = angles_0_part0 * angles_0_of_left_1_lo
-    angles_0_cross = angles_0_cross1 - angles_0_cross2
+    angles_0_of_left_2_lo = angles_0_of_left_2_left_rest + (left_2_lo - angles_0_of_left_2_right)
+    angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + (left_1_lo - angles_0_of_left_1_right)
     angles_0_square = angles_0_part1 * angles_0_part1 + angles_0_part0 * angles_0_part0
-    angles_0_divisor2 = angles_0_divisor * angles_0_square
-    angles_0_safe = where(angles_0_most == 0, 1, angles_0_divisor2)
-    angles_0_lo = angles_0_cross / angles_0_safe
+    angles_0_cross = angles_0_part1 * angles_0_of_left_2_lo - angles_0_part0 * angles_0_of_left_1_lo
     angles_1 = arctan2(R_02, divisor_a_of_n)
     angles_1_size0 = absolute(R_02)
     angles_1_size1 = absolute(divisor_a_of_n)
     angles_1_most = where(angles_1_size0 < angles_1_size1, angles_1_size1, angles_1_size0)
-    angles_1_divisor = where(angles_1_most == 0, 1, angles_1_most)
+    angles_1_zero = angles_1_most == 0
+    angles_1_divisor = where(angles_1_zero, 1, angles_1_most)
     angles_1_part0 = R_02 / angles_1_divisor
     angles_1_part1 = divisor_a_of_n / angles_1_divisor
-    angles_1_cross = angles_1_part1 * 0 - angles_1_part0 * divisor_a_of_n_lo
     angles_1_square = angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0
-    angles_1_divisor2 = angles_1_divisor * angles_1_square
-    angles_1_safe = where(angles_1_most == 0, 1, angles_1_divisor2)
-    angles_1_lo = angles_1_cross / angles_1_safe
+    angles_1_safe = where(angles_1_zero, 1, angles_1_divisor * angles_1_square)
+    angles_0_lo = angles_0_cross / where(angles_0_zero, 1, angles_0_divisor * angles_0_square)
     angles_0_rounded = angles_0 + angles_0_lo
+    angles_1_lo = (angles_1_part1 * 0 - angles_1_part0 * divisor_a_of_n_lo) / angles_1_safe
     angles_1_rounded = angles_1 + angles_1_lo
-    return (where(angles_0_rounded == angles_0_rounded, angles_0_rounded, angles_0),
-        where(angles_1_rounded == angles_1_rounded, angles_1_rounded, angles_1), third)
+    angles_0_final = where(angles_0_rounded == angles_0_rounded, angles_0_rounded, angles_0)
+    angles_1_final = where(angles_1_rounded == angles_1_rounded, angles_1_rounded, angles_1)
+    return (angles_0_final, angles_1_final, third)
 
 
 @kernel("(3,3)->(3)")
@@ -1877,14 +1740,15 @@ def euler_xyx_from_mat3x3(R):
     n_of_n_c_right = n_of_n_c - n_c
     n = sqrt(n_of_n_c)
     n_product = n * n
-    n_exact = n_of_n_c - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + (n_c - (n_of_n_c - n_of_n_c_right) + (n_c_lo - n_of_n_c_right))
+    n_of_n_c_lo = n_c - (n_of_n_c - n_of_n_c_right) + (n_c_lo - n_of_n_c_right)
+    n_residual = n_of_n_c - n_product - product_error(n, n, n_product) + n_of_n_c_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor_a_of_n = n + n_lo
     divisor_a_of_n_right = divisor_a_of_n - n
     divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor = where(divisor_a_of_n == 0, 1, divisor_a_of_n)
-    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    divisor_a = divisor_a_of_n == 0
+    divisor = where(divisor_a, 1, divisor_a_of_n)
+    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
     cosine_a_of_divisor = divisor + divisor_lo
     cosine_a_of_divisor_right = cosine_a_of_divisor - divisor
     cosine_a_of_divisor_left_rest = divisor - (cosine_a_of_divisor - cosine_a_of_divisor_right)
@@ -1894,17 +1758,15 @@ def euler_xyx_from_mat3x3(R):
     cosine_a_product = cosine_a * cosine_a_of_divisor
     cosine_a_product_error = product_error(cosine_a, cosine_a_of_divisor, cosine_a_product)
     cosine_a_exact = R_02 - cosine_a_product - cosine_a_product_error
-    cosine_a_residual = cosine_a_exact - cosine_a * cosine_a_of_divisor_lo
-    cosine_a_lo = cosine_a_residual / cosine_a_of_divisor
-    cosine = where(divisor_a_of_n == 0, 1, cosine_a)
-    cosine_lo = where(divisor_a_of_n == 0, 0, cosine_a_lo)
+    cosine = where(divisor_a, 1, cosine_a)
+    cosine_a_lo = (cosine_a_exact - cosine_a * cosine_a_of_divisor_lo) / cosine_a_of_divisor
+    cosine_lo = where(divisor_a, 0, cosine_a_lo)
     sine = R_01 / cosine_a_of_divisor
     sine_product = sine * cosine_a_of_divisor
     sine_exact = R_01 - sine_product - product_error(sine, cosine_a_of_divisor, sine_product)
-    sine_residual = sine_exact - sine * cosine_a_of_divisor_lo
-    sine_lo = sine_residual / cosine_a_of_divisor
+    sine_lo = (sine_exact - sine * cosine_a_of_divisor_lo) / cosine_a_of_divisor
     polar = arctan2(R_01, R_02)
-    third = where(divisor_a_of_n == 0, 0, polar)
+    third = where(divisor_a, 0, polar)
     left_1a = R_11 * cosine
     left_1b = R_12 * sine
     left_1 = left_1a - left_1b
@@ -1922,41 +1784,38 @@ def euler_xyx_from_mat3x3(R):
     angles_0_of_left_2 = left_2 + left_2_lo
     angles_0_of_left_2_right = angles_0_of_left_2 - left_2
     angles_0_of_left_2_left_rest = left_2 - (angles_0_of_left_2 - angles_0_of_left_2_right)
-    angles_0_of_left_2_lo = angles_0_of_left_2_left_rest + (left_2_lo - angles_0_of_left_2_right)
     angles_0_of_left_1 = left_1 + left_1_lo
     angles_0_of_left_1_right = angles_0_of_left_1 - left_1
     angles_0_of_left_1_left_rest = left_1 - (angles_0_of_left_1 - angles_0_of_left_1_right)
-    angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + (left_1_lo - angles_0_of_left_1_right)
     angles_0 = arctan2(angles_0_of_left_2, angles_0_of_left_1)
     angles_0_size0 = absolute(angles_0_of_left_2)
     angles_0_size1 = absolute(angles_0_of_left_1)
     angles_0_most = where(angles_0_size0 < angles_0_size1, angles_0_size1, angles_0_size0)
-    angles_0_divisor = where(angles_0_most == 0, 1, angles_0_most)
+    angles_0_zero = angles_0_most == 0
+    angles_0_divisor = where(angles_0_zero, 1, angles_0_most)
     angles_0_part0 = angles_0_of_left_2 / angles_0_divisor
     angles_0_part1 = angles_0_of_left_1 / angles_0_divisor
-    angles_0_cross1 = angles_0_part1 * angles_0_of_left_2_lo
-    angles_0_cross2 = angles_0_part0 * angles_0_of_left_1_lo
-    angles_0_cross = angles_0_cross1 - angles_0_cross2
+    angles_0_of_left_2_lo = angles_0_of_left_2_left_rest + (left_2_lo - angles_0_of_left_2_right)
+    angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + (left_1_lo - angles_0_of_left_1_right)
     angles_0_square = angles_0_part1 * angles_0_part1 + angles_0_part0 * angles_0_part0
-    angles_0_divisor2 = angles_0_divisor * angles_0_square
-    angles_0_safe = where(angles_0_most == 0, 1, angles_0_divisor2)
-    angles_0_lo = angles_0_cross / angles_0_safe
+    angles_0_cross = angles_0_part1 * angles_0_of_left_2_lo - angles_0_part0 * angles_0_of_left_1_lo
     angles_1 = arctan2(divisor_a_of_n, R_00)
     angles_1_size0 = absolute(divisor_a_of_n)
     angles_1_size1 = absolute(R_00)
     angles_1_most = where(angles_1_size0 < angles_1_size1, angles_1_size1, angles_1_size0)
-    angles_1_divisor = where(angles_1_most == 0, 1, angles_1_most)
+    angles_1_zero = angles_1_most == 0
+    angles_1_divisor = where(angles_1_zero, 1, angles_1_most)
     angles_1_part0 = divisor_a_of_n / angles_1_divisor
     angles_1_part1 = R_00 / angles_1_divisor
-    angles_1_cross = angles_1_part1 * divisor_a_of_n_lo - angles_1_part0 * 0
     angles_1_square = angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0
-    angles_1_divisor2 = angles_1_divisor * angles_1_square
-    angles_1_safe = where(angles_1_most == 0, 1, angles_1_divisor2)
-    angles_1_lo = angles_1_cross / angles_1_safe
+    angles_1_safe = where(angles_1_zero, 1, angles_1_divisor * angles_1_square)
+    angles_0_lo = angles_0_cross / where(angles_0_zero, 1, angles_0_divisor * angles_0_square)
     angles_0_rounded = angles_0 + angles_0_lo
+    angles_1_lo = (angles_1_part1 * divisor_a_of_n_lo - angles_1_part0 * 0) / angles_1_safe
     angles_1_rounded = angles_1 + angles_1_lo
-    return (where(angles_0_rounded == angles_0_rounded, angles_0_rounded, angles_0),
-        where(angles_1_rounded == angles_1_rounded, angles_1_rounded, angles_1), third)
+    angles_0_final = where(angles_0_rounded == angles_0_rounded, angles_0_rounded, angles_0)
+    angles_1_final = where(angles_1_rounded == angles_1_rounded, angles_1_rounded, angles_1)
+    return (angles_0_final, angles_1_final, third)
 
 
 @kernel("(3,3),(3,3)->(3,3),(3,3)")
@@ -1976,57 +1835,51 @@ def mat3x3_jacobi(A, V):
     apart = A_11 - A_00
     apart_right = A_11 - apart
     apart_lo = A_11 - (apart + apart_right) - (A_00 - apart_right)
-    divisor = where(twice == 0, 1, twice)
+    divisor_a = twice == 0
+    divisor = where(divisor_a, 1, twice)
     theta_of_apart = apart + apart_lo
     theta_of_apart_right = theta_of_apart - apart
     theta_of_apart_left_rest = apart - (theta_of_apart - theta_of_apart_right)
-    theta_of_apart_lo = theta_of_apart_left_rest + (apart_lo - theta_of_apart_right)
     theta = theta_of_apart / divisor
     theta_product = theta * divisor
     theta_exact = theta_of_apart - theta_product - product_error(theta, divisor, theta_product)
-    theta_numerator = theta_exact + theta_of_apart_lo
+    theta_numerator = theta_exact + (theta_of_apart_left_rest + (apart_lo - theta_of_apart_right))
     theta_lo = theta_numerator / divisor
     magnitude_of_theta = theta + theta_lo
     magnitude_of_theta_right = magnitude_of_theta - theta
     magnitude_of_theta_left_rest = theta - (magnitude_of_theta - magnitude_of_theta_right)
     magnitude_of_theta_lo = magnitude_of_theta_left_rest + (theta_lo - magnitude_of_theta_right)
     magnitude = absolute(magnitude_of_theta)
-    magnitude_lo = where(magnitude_of_theta < 0, -magnitude_of_theta_lo, magnitude_of_theta_lo)
     size_a = magnitude_of_theta * magnitude_of_theta
     size_a_cross1 = magnitude_of_theta_lo * magnitude_of_theta
-    size_a_cross = size_a_cross1 + magnitude_of_theta * magnitude_of_theta_lo
     size_b = 1 + size_a
     size_b_right = size_b - 1
     size_b_right_rest = product_rest(magnitude_of_theta, magnitude_of_theta, size_a, size_b_right)
-    size_b_lo1 = 1 - (size_b - size_b_right) + size_b_right_rest
-    size_b_lo = size_b_lo1 + size_a_cross
+    size_a_cross = size_a_cross1 + magnitude_of_theta * magnitude_of_theta_lo
+    size_b_lo = 1 - (size_b - size_b_right) + size_b_right_rest + size_a_cross
     size_c_of_size_b = size_b + size_b_lo
     size_c_of_size_b_right = size_c_of_size_b - size_b
     size_c_of_size_b_left_rest = size_b - (size_c_of_size_b - size_c_of_size_b_right)
-    size_c_of_size_b_lo = size_c_of_size_b_left_rest + (size_b_lo - size_c_of_size_b_right)
     size_c = sqrt(size_c_of_size_b)
     size_c_product = size_c * size_c
     size_c_exact = size_c_of_size_b - size_c_product - product_error(size_c, size_c, size_c_product)
-    size_c_residual = size_c_exact + size_c_of_size_b_lo
-    size_c_lo = size_c_residual / where(size_c == 0, 1, size_c + size_c)
+    size_c_of_size_b_lo = size_c_of_size_b_left_rest + (size_b_lo - size_c_of_size_b_right)
     size = magnitude + size_c
     size_right = size - magnitude
-    size_lo1 = magnitude - (size - size_right) + (size_c - size_right)
-    size_lo2 = size_lo1 + size_c_lo
-    size_lo = size_lo2 + magnitude_lo
-    along = where(magnitude_of_theta < 0, -size, size)
-    along_lo = where(magnitude_of_theta < 0, -size_lo, size_lo)
+    size_c_lo = (size_c_exact + size_c_of_size_b_lo) / where(size_c == 0, 1, size_c + size_c)
+    magnitude_lo = where(magnitude_of_theta < 0, -magnitude_of_theta_lo, magnitude_of_theta_lo)
+    size_lo = magnitude - (size - size_right) + (size_c - size_right) + size_c_lo + magnitude_lo
+    along_b = magnitude_of_theta < 0
+    along = where(along_b, -size, size)
+    along_lo = where(along_b, -size_lo, size_lo)
     t_a_of_along = along + along_lo
     t_a_of_along_right = t_a_of_along - along
-    t_a_of_along_lo = along - (t_a_of_along - t_a_of_along_right) + (along_lo - t_a_of_along_right)
     t_a = 1 / t_a_of_along
     t_a_product = t_a * t_a_of_along
+    t_a_of_along_lo = along - (t_a_of_along - t_a_of_along_right) + (along_lo - t_a_of_along_right)
     t_a_exact = 1 - t_a_product - product_error(t_a, t_a_of_along, t_a_product)
-    t_a_cross = t_a * t_a_of_along_lo
-    t_a_residual = t_a_exact - t_a_cross
-    t_a_lo = t_a_residual / t_a_of_along
-    t = where(twice == 0, 0, t_a)
-    t_lo = where(twice == 0, 0, t_a_lo)
+    t = where(divisor_a, 0, t_a)
+    t_lo = where(divisor_a, 0, (t_a_exact - t_a * t_a_of_along_lo) / t_a_of_along)
     secant_a = t * t
     secant_b = 1 + secant_a
     secant_b_right = secant_b - 1
@@ -2035,21 +1888,18 @@ def mat3x3_jacobi(A, V):
     secant_of_secant_b = secant_b + secant_b_lo
     secant_of_secant_b_right = secant_of_secant_b - secant_b
     secant_of_secant_b_left_rest = secant_b - (secant_of_secant_b - secant_of_secant_b_right)
-    secant_of_secant_b_lo = secant_of_secant_b_left_rest + (secant_b_lo - secant_of_secant_b_right)
     secant = sqrt(secant_of_secant_b)
     secant_product = secant * secant
     secant_product_error = product_error(secant, secant, secant_product)
+    secant_of_secant_b_lo = secant_of_secant_b_left_rest + (secant_b_lo - secant_of_secant_b_right)
     secant_exact = secant_of_secant_b - secant_product - secant_product_error
-    secant_residual = secant_exact + secant_of_secant_b_lo
-    secant_lo = secant_residual / where(secant == 0, 1, secant + secant)
+    secant_lo = (secant_exact + secant_of_secant_b_lo) / where(secant == 0, 1, secant + secant)
     c_of_secant = secant + secant_lo
     c_of_secant_right = c_of_secant - secant
     c = 1 / c_of_secant
     c_product = c * c_of_secant
-    c_exact = 1 - c_product - product_error(c, c_of_secant, c_product)
     c_cross = c * (secant - (c_of_secant - c_of_secant_right) + (secant_lo - c_of_secant_right))
-    c_residual = c_exact - c_cross
-    c_lo = c_residual / c_of_secant
+    c_lo = (1 - c_product - product_error(c, c_of_secant, c_product) - c_cross) / c_of_secant
     s = t * c
     change = A_10 * t
     change_cross2 = A_10 * t_lo
@@ -2059,86 +1909,77 @@ def mat3x3_jacobi(A, V):
     zp = zp_a - zp_b
     zp_right = zp_a - zp
     zp_lo1 = product_rest(A_20, c, zp_a, zp + zp_right) - product_rest(A_21, s, zp_b, zp_right)
-    zp_lo = zp_lo1 + (A_20 * c_lo - A_21 * s_lo)
     zq_a = A_20 * s
     zq_b = A_21 * c
     zq = zq_a + zq_b
     zq_right = zq - zq_a
     zq_lo1 = product_rest(A_20, s, zq_a, zq - zq_right) + product_rest(A_21, c, zq_b, zq_right)
-    zq_lo = zq_lo1 + (A_20 * s_lo + A_21 * c_lo)
     vp_0a = V_00 * c
     vp_0b = V_01 * s
     vp_0 = vp_0a - vp_0b
     vp_0_right = vp_0a - vp_0
     vp_0_left_rest = product_rest(V_00, c, vp_0a, vp_0 + vp_0_right)
     vp_0_lo1 = vp_0_left_rest - product_rest(V_01, s, vp_0b, vp_0_right)
-    vp_0_lo = vp_0_lo1 + (V_00 * c_lo - V_01 * s_lo)
     vp_1a = V_10 * c
     vp_1b = V_11 * s
     vp_1 = vp_1a - vp_1b
     vp_1_right = vp_1a - vp_1
     vp_1_left_rest = product_rest(V_10, c, vp_1a, vp_1 + vp_1_right)
     vp_1_lo1 = vp_1_left_rest - product_rest(V_11, s, vp_1b, vp_1_right)
-    vp_1_lo = vp_1_lo1 + (V_10 * c_lo - V_11 * s_lo)
     vp_2a = V_20 * c
     vp_2b = V_21 * s
     vp_2 = vp_2a - vp_2b
     vp_2_right = vp_2a - vp_2
     vp_2_left_rest = product_rest(V_20, c, vp_2a, vp_2 + vp_2_right)
     vp_2_lo1 = vp_2_left_rest - product_rest(V_21, s, vp_2b, vp_2_right)
-    vp_2_lo = vp_2_lo1 + (V_20 * c_lo - V_21 * s_lo)
     vq_0a = V_00 * s
     vq_0b = V_01 * c
     vq_0 = vq_0a + vq_0b
     vq_0_right = vq_0 - vq_0a
     vq_0_left_rest = product_rest(V_00, s, vq_0a, vq_0 - vq_0_right)
     vq_0_lo1 = vq_0_left_rest + product_rest(V_01, c, vq_0b, vq_0_right)
-    vq_0_lo = vq_0_lo1 + (V_00 * s_lo + V_01 * c_lo)
     vq_1a = V_10 * s
     vq_1b = V_11 * c
     vq_1 = vq_1a + vq_1b
     vq_1_right = vq_1 - vq_1a
     vq_1_left_rest = product_rest(V_10, s, vq_1a, vq_1 - vq_1_right)
     vq_1_lo1 = vq_1_left_rest + product_rest(V_11, c, vq_1b, vq_1_right)
-    vq_1_lo = vq_1_lo1 + (V_10 * s_lo + V_11 * c_lo)
     vq_2a = V_20 * s
     vq_2b = V_21 * c
     vq_2 = vq_2a + vq_2b
     vq_2_right = vq_2 - vq_2a
     vq_2_left_rest = product_rest(V_20, s, vq_2a, vq_2 - vq_2_right)
     vq_2_lo1 = vq_2_left_rest + product_rest(V_21, c, vq_2b, vq_2_right)
-    vq_2_lo = vq_2_lo1 + (V_20 * s_lo + V_21 * c_lo)
     A_00_new = A_11 + change
     A_00_new_right = A_00_new - A_11
     A_00_new_right_rest = product_rest(A_10, t, change, A_00_new_right)
-    A_00_new_lo1 = A_11 - (A_00_new - A_00_new_right) + A_00_new_right_rest
-    A_00_new_lo = A_00_new_lo1 + change_cross2
     A_22_new = A_00 - change
     A_22_new_right = A_00 - A_22_new
     A_22_new_right_rest = product_rest(A_10, t, change, A_22_new_right)
-    A_22_new_lo1 = A_00 - (A_22_new + A_22_new_right) - A_22_new_right_rest
-    A_22_new_lo = A_22_new_lo1 - change_cross2
+    A_00_new_lo = A_11 - (A_00_new - A_00_new_right) + A_00_new_right_rest + change_cross2
     A_00_new_rounded = A_00_new + A_00_new_lo
-    zq_rounded = zq + zq_lo
+    zq_rounded = zq + (zq_lo1 + (A_20 * s_lo + A_21 * c_lo))
     zq_final = where(zq_rounded == zq_rounded, zq_rounded, zq)
-    zp_rounded = zp + zp_lo
+    zp_rounded = zp + (zp_lo1 + (A_20 * c_lo - A_21 * s_lo))
     zp_final = where(zp_rounded == zp_rounded, zp_rounded, zp)
+    A_22_new_lo = A_00 - (A_22_new + A_22_new_right) - A_22_new_right_rest - change_cross2
     A_22_new_rounded = A_22_new + A_22_new_lo
-    vq_0_rounded = vq_0 + vq_0_lo
-    vp_0_rounded = vp_0 + vp_0_lo
-    vq_1_rounded = vq_1 + vq_1_lo
-    vp_1_rounded = vp_1 + vp_1_lo
-    vq_2_rounded = vq_2 + vq_2_lo
-    vp_2_rounded = vp_2 + vp_2_lo
-    return (where(A_00_new_rounded == A_00_new_rounded, A_00_new_rounded, A_00_new), zq_final, 0,
-        zq_final, A_22, zp_final, 0, zp_final,
-        where(A_22_new_rounded == A_22_new_rounded, A_22_new_rounded, A_22_new),
-        where(vq_0_rounded == vq_0_rounded, vq_0_rounded, vq_0), V_02,
-        where(vp_0_rounded == vp_0_rounded, vp_0_rounded, vp_0),
-        where(vq_1_rounded == vq_1_rounded, vq_1_rounded, vq_1), V_12,
-        where(vp_1_rounded == vp_1_rounded, vp_1_rounded, vp_1),
-        where(vq_2_rounded == vq_2_rounded, vq_2_rounded, vq_2), V_22,
-        where(vp_2_rounded == vp_2_rounded, vp_2_rounded, vp_2))
+    vq_0_rounded = vq_0 + (vq_0_lo1 + (V_00 * s_lo + V_01 * c_lo))
+    vp_0_rounded = vp_0 + (vp_0_lo1 + (V_00 * c_lo - V_01 * s_lo))
+    vq_1_rounded = vq_1 + (vq_1_lo1 + (V_10 * s_lo + V_11 * c_lo))
+    vp_1_rounded = vp_1 + (vp_1_lo1 + (V_10 * c_lo - V_11 * s_lo))
+    vq_2_rounded = vq_2 + (vq_2_lo1 + (V_20 * s_lo + V_21 * c_lo))
+    vp_2_rounded = vp_2 + (vp_2_lo1 + (V_20 * c_lo - V_21 * s_lo))
+    A_00_new_final = where(A_00_new_rounded == A_00_new_rounded, A_00_new_rounded, A_00_new)
+    A_22_new_final = where(A_22_new_rounded == A_22_new_rounded, A_22_new_rounded, A_22_new)
+    vq_0_final = where(vq_0_rounded == vq_0_rounded, vq_0_rounded, vq_0)
+    vp_0_final = where(vp_0_rounded == vp_0_rounded, vp_0_rounded, vp_0)
+    vq_1_final = where(vq_1_rounded == vq_1_rounded, vq_1_rounded, vq_1)
+    vp_1_final = where(vp_1_rounded == vp_1_rounded, vp_1_rounded, vp_1)
+    vq_2_final = where(vq_2_rounded == vq_2_rounded, vq_2_rounded, vq_2)
+    vp_2_final = where(vp_2_rounded == vp_2_rounded, vp_2_rounded, vp_2)
+    return (A_00_new_final, zq_final, 0, zq_final, A_22, zp_final, 0, zp_final, A_22_new_final,
+        vq_0_final, V_02, vp_0_final, vq_1_final, V_12, vp_1_final, vq_2_final, V_22, vp_2_final)
 
 
 @kernel("(3,3)->(),(3)")
@@ -2184,106 +2025,109 @@ def axis_angle_from_mat3x3(R):
     others_1_lo = R_11 - (others_1 + others_1_right) - (R_22 - others_1_right)
     d_0 = first_0 + others_0
     d_0_right = d_0 - first_0
-    d_0_lo = first_0 - (d_0 - d_0_right) + (others_0 - d_0_right) + others_0_lo + first_0_lo
     d_1 = first_0 - others_0
     d_1_right = first_0 - d_1
-    d_1_lo = first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo + first_0_lo
     d_2 = first_1 + others_1
     d_2_right = d_2 - first_1
-    d_2_lo = first_1 - (d_2 - d_2_right) + (others_1 - d_2_right) + others_1_lo + first_1_lo
     d_3 = first_1 - others_1
     d_3_right = first_1 - d_3
+    low_0a = R_11 < R_00
+    low_0 = where(low_0a, d_1, s_2)
+    d_1_lo = first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo + first_0_lo
+    low_1 = where(low_0a, s_2, d_2)
+    d_2_lo = first_1 - (d_2 - d_2_right) + (others_1 - d_2_right) + others_1_lo + first_1_lo
+    low_2 = where(low_0a, s_1, s_0)
+    low_3 = where(low_0a, p_0, p_1)
+    high_0b = R_00 < -R_11
+    high_0 = where(high_0b, s_1, p_0)
+    high_1 = where(high_0b, s_0, p_1)
+    high_2 = where(high_0b, d_3, p_2)
     d_3_lo = first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo + first_1_lo
-    low_0 = where(R_11 < R_00, d_1, s_2)
-    low_0_lo = where(R_11 < R_00, d_1_lo, s_2_lo)
-    low_1 = where(R_11 < R_00, s_2, d_2)
-    low_1_lo = where(R_11 < R_00, s_2_lo, d_2_lo)
-    low_2 = where(R_11 < R_00, s_1, s_0)
-    low_3 = where(R_11 < R_00, p_0, p_1)
-    high_0 = where(R_00 < -R_11, s_1, p_0)
-    high_1 = where(R_00 < -R_11, s_0, p_1)
-    high_2 = where(R_00 < -R_11, d_3, p_2)
-    high_2_lo = where(R_00 < -R_11, d_3_lo, p_2_lo)
-    high_3 = where(R_00 < -R_11, p_2, d_0)
-    high_3_lo = where(R_00 < -R_11, p_2_lo, d_0_lo)
-    column_0 = where(R_22 < 0, low_0, high_0)
-    column_0_lo = where(R_22 < 0, low_0_lo, where(R_00 < -R_11, s_1_lo, p_0_lo))
-    column_1 = where(R_22 < 0, low_1, high_1)
-    column_1_lo = where(R_22 < 0, low_1_lo, where(R_00 < -R_11, s_0_lo, p_1_lo))
-    column_2 = where(R_22 < 0, low_2, high_2)
-    column_2_lo = where(R_22 < 0, where(R_11 < R_00, s_1_lo, s_0_lo), high_2_lo)
-    column_3 = where(R_22 < 0, low_3, high_3)
-    column_3_lo = where(R_22 < 0, where(R_11 < R_00, p_0_lo, p_1_lo), high_3_lo)
+    high_3 = where(high_0b, p_2, d_0)
+    d_0_lo = first_0 - (d_0 - d_0_right) + (others_0 - d_0_right) + others_0_lo + first_0_lo
+    column_0a = R_22 < 0
+    column_0 = where(column_0a, low_0, high_0)
+    column_0_lo = where(column_0a, where(low_0a, d_1_lo, s_2_lo), where(high_0b, s_1_lo, p_0_lo))
+    column_1 = where(column_0a, low_1, high_1)
+    column_1_lo = where(column_0a, where(low_0a, s_2_lo, d_2_lo), where(high_0b, s_0_lo, p_1_lo))
+    column_2 = where(column_0a, low_2, high_2)
+    column_2_lo = where(column_0a, where(low_0a, s_1_lo, s_0_lo), where(high_0b, d_3_lo, p_2_lo))
+    column_3 = where(column_0a, low_3, high_3)
+    column_3_lo = where(column_0a, where(low_0a, p_0_lo, p_1_lo), where(high_0b, p_2_lo, d_0_lo))
     upper_0b_of_column_3 = column_3 + column_3_lo
     upper_0b_of_column_3_right = upper_0b_of_column_3 - column_3
     upper_0b_of_column_3_left_rest = column_3 - (upper_0b_of_column_3 - upper_0b_of_column_3_right)
     upper_0b_of_column_3_right_rest = column_3_lo - upper_0b_of_column_3_right
     upper_0b_of_column_3_lo = upper_0b_of_column_3_left_rest + upper_0b_of_column_3_right_rest
-    upper_0 = where(upper_0b_of_column_3 < 0, -column_0, column_0)
-    upper_0_lo = where(upper_0b_of_column_3 < 0, -column_0_lo, column_0_lo)
-    upper_1 = where(upper_0b_of_column_3 < 0, -column_1, column_1)
-    upper_1_lo = where(upper_0b_of_column_3 < 0, -column_1_lo, column_1_lo)
-    upper_2 = where(upper_0b_of_column_3 < 0, -column_2, column_2)
-    upper_2_lo = where(upper_0b_of_column_3 < 0, -column_2_lo, column_2_lo)
-    upper_3 = where(upper_0b_of_column_3 < 0, -upper_0b_of_column_3, upper_0b_of_column_3)
-    upper_3_lo = where(upper_0b_of_column_3 < 0, -upper_0b_of_column_3_lo, upper_0b_of_column_3_lo)
+    upper_0b = upper_0b_of_column_3 < 0
+    upper_0 = where(upper_0b, -column_0, column_0)
+    upper_0_lo = where(upper_0b, -column_0_lo, column_0_lo)
+    upper_1 = where(upper_0b, -column_1, column_1)
+    upper_1_lo = where(upper_0b, -column_1_lo, column_1_lo)
+    upper_2 = where(upper_0b, -column_2, column_2)
+    upper_2_lo = where(upper_0b, -column_2_lo, column_2_lo)
+    upper_3 = where(upper_0b, -upper_0b_of_column_3, upper_0b_of_column_3)
+    upper_3_lo = where(upper_0b, -upper_0b_of_column_3_lo, upper_0b_of_column_3_lo)
     v_s_size_0_of_upper_0 = upper_0 + upper_0_lo
     v_s_size_0_of_upper_0_right = v_s_size_0_of_upper_0 - upper_0
     v_s_size_0_of_upper_0_left = v_s_size_0_of_upper_0 - v_s_size_0_of_upper_0_right
-    v_s_size_0_of_upper_0_left_rest = upper_0 - v_s_size_0_of_upper_0_left
     v_s_size_0_of_upper_0_right_rest = upper_0_lo - v_s_size_0_of_upper_0_right
+    v_s_size_0_of_upper_0_left_rest = upper_0 - v_s_size_0_of_upper_0_left
     v_s_size_0_of_upper_0_lo = v_s_size_0_of_upper_0_left_rest + v_s_size_0_of_upper_0_right_rest
     v_s_size_0 = absolute(v_s_size_0_of_upper_0)
-    v_s_size_0_opposite = -v_s_size_0_of_upper_0_lo
-    v_s_size_0_lo = where(v_s_size_0_of_upper_0 < 0, v_s_size_0_opposite, v_s_size_0_of_upper_0_lo)
+    v_s_size_0_negative = v_s_size_0_of_upper_0 < 0
+    v_s_size_0_lo = where(v_s_size_0_negative, -v_s_size_0_of_upper_0_lo, v_s_size_0_of_upper_0_lo)
     v_s_size_1_of_upper_1 = upper_1 + upper_1_lo
     v_s_size_1_of_upper_1_right = v_s_size_1_of_upper_1 - upper_1
     v_s_size_1_of_upper_1_left = v_s_size_1_of_upper_1 - v_s_size_1_of_upper_1_right
-    v_s_size_1_of_upper_1_left_rest = upper_1 - v_s_size_1_of_upper_1_left
     v_s_size_1_of_upper_1_right_rest = upper_1_lo - v_s_size_1_of_upper_1_right
+    v_s_size_1_of_upper_1_left_rest = upper_1 - v_s_size_1_of_upper_1_left
     v_s_size_1_of_upper_1_lo = v_s_size_1_of_upper_1_left_rest + v_s_size_1_of_upper_1_right_rest
     v_s_size_1 = absolute(v_s_size_1_of_upper_1)
-    v_s_size_1_opposite = -v_s_size_1_of_upper_1_lo
-    v_s_size_1_lo = where(v_s_size_1_of_upper_1 < 0, v_s_size_1_opposite, v_s_size_1_of_upper_1_lo)
+    v_s_size_1_negative = v_s_size_1_of_upper_1 < 0
+    v_s_size_1_lo = where(v_s_size_1_negative, -v_s_size_1_of_upper_1_lo, v_s_size_1_of_upper_1_lo)
     v_s_size_2_of_upper_2 = upper_2 + upper_2_lo
     v_s_size_2_of_upper_2_right = v_s_size_2_of_upper_2 - upper_2
     v_s_size_2_of_upper_2_left = v_s_size_2_of_upper_2 - v_s_size_2_of_upper_2_right
-    v_s_size_2_of_upper_2_left_rest = upper_2 - v_s_size_2_of_upper_2_left
     v_s_size_2_of_upper_2_right_rest = upper_2_lo - v_s_size_2_of_upper_2_right
+    v_s_size_2_of_upper_2_left_rest = upper_2 - v_s_size_2_of_upper_2_left
     v_s_size_2_of_upper_2_lo = v_s_size_2_of_upper_2_left_rest + v_s_size_2_of_upper_2_right_rest
     v_s_size_2 = absolute(v_s_size_2_of_upper_2)
-    v_s_size_2_opposite = -v_s_size_2_of_upper_2_lo
-    v_s_size_2_lo = where(v_s_size_2_of_upper_2 < 0, v_s_size_2_opposite, v_s_size_2_of_upper_2_lo)
+    v_s_size_2_negative = v_s_size_2_of_upper_2 < 0
+    v_s_size_2_lo = where(v_s_size_2_negative, -v_s_size_2_of_upper_2_lo, v_s_size_2_of_upper_2_lo)
     v_s_largest1a_of_v_s_size_0 = v_s_size_0 + v_s_size_0_lo
     v_s_largest1a_of_v_s_size_0_right = v_s_largest1a_of_v_s_size_0 - v_s_size_0
     v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 - v_s_largest1a_of_v_s_size_0_right
-    v_s_largest1a_of_v_s_size_0_left_rest = v_s_size_0 - v_s_largest1a_of_v_s_size_0_left
     v_s_largest1a_of_v_s_size_0_right_rest = v_s_size_0_lo - v_s_largest1a_of_v_s_size_0_right
-    v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest + v_s_largest1a_of_v_s_size_0_right_rest
+    v_s_largest1a_of_v_s_size_0_left_rest = v_s_size_0 - v_s_largest1a_of_v_s_size_0_left
     v_s_largest1a_of_v_s_size_1 = v_s_size_1 + v_s_size_1_lo
     v_s_largest1a_of_v_s_size_1_right = v_s_largest1a_of_v_s_size_1 - v_s_size_1
     v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 - v_s_largest1a_of_v_s_size_1_right
-    v_s_largest1a_of_v_s_size_1_left_rest = v_s_size_1 - v_s_largest1a_of_v_s_size_1_left
     v_s_largest1a_of_v_s_size_1_right_rest = v_s_size_1_lo - v_s_largest1a_of_v_s_size_1_right
+    v_s_largest1a_of_v_s_size_1_left_rest = v_s_size_1 - v_s_largest1a_of_v_s_size_1_left
+    v_s_largest1a = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1
+    v_s_largest1 = where(v_s_largest1a, v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_0)
     v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest + v_s_largest1a_of_v_s_size_1_right_rest
-    v_s_largest1 = where(v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_0)
-    v_s_largest1_lo = where(v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_1_lo, v_s_largest1a_of_v_s_size_0_lo)
+    v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest + v_s_largest1a_of_v_s_size_0_right_rest
+    v_s_largest1_lo = where(v_s_largest1a, v_s_largest1a_of_v_s_size_1_lo, v_s_largest1a_of_v_s_size_0_lo)
     v_s_largest2a_of_v_s_largest1 = v_s_largest1 + v_s_largest1_lo
     v_s_largest2a_of_v_s_largest1_right = v_s_largest2a_of_v_s_largest1 - v_s_largest1
     v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 - v_s_largest2a_of_v_s_largest1_right
-    v_s_largest2a_of_v_s_largest1_left_rest = v_s_largest1 - v_s_largest2a_of_v_s_largest1_left
     v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo - v_s_largest2a_of_v_s_largest1_right
-    v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest + v_s_largest2a_of_v_s_largest1_right_rest
+    v_s_largest2a_of_v_s_largest1_left_rest = v_s_largest1 - v_s_largest2a_of_v_s_largest1_left
     v_s_largest2a_of_v_s_size_2 = v_s_size_2 + v_s_size_2_lo
     v_s_largest2a_of_v_s_size_2_right = v_s_largest2a_of_v_s_size_2 - v_s_size_2
     v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 - v_s_largest2a_of_v_s_size_2_right
-    v_s_largest2a_of_v_s_size_2_left_rest = v_s_size_2 - v_s_largest2a_of_v_s_size_2_left
     v_s_largest2a_of_v_s_size_2_right_rest = v_s_size_2_lo - v_s_largest2a_of_v_s_size_2_right
+    v_s_largest2a_of_v_s_size_2_left_rest = v_s_size_2 - v_s_largest2a_of_v_s_size_2_left
+    v_s_largest2a = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2
+    v_s_largest2 = where(v_s_largest2a, v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_largest1)
+    v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest + v_s_largest2a_of_v_s_largest1_right_rest
     v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest + v_s_largest2a_of_v_s_size_2_right_rest
-    v_s_largest2 = where(v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_largest1)
-    v_s_largest2_lo = where(v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_size_2_lo, v_s_largest2a_of_v_s_largest1_lo)
+    v_s_largest2_lo = where(v_s_largest2a, v_s_largest2a_of_v_s_size_2_lo, v_s_largest2a_of_v_s_largest1_lo)
     v_s_a_of_v_s_largest2 = v_s_largest2 + v_s_largest2_lo
-    v_s_b = where(6.703903964971299e+153 < v_s_a_of_v_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    v_s_a = 6.703903964971299e+153 < v_s_a_of_v_s_largest2
+    v_s_b = where(v_s_a, float64(3.7291703656001034e-155), float64(1))
     v_s_d = where(v_s_a_of_v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
     v_s = where(v_s_a_of_v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
     v_y_0 = v_s_size_0_of_upper_0 * v_s
@@ -2302,22 +2146,19 @@ def axis_angle_from_mat3x3(R):
     v_n_c_right = v_n_c - v_n_a
     v_n_c_left_rest = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
     v_n_c_cross = v_y_0_lo * v_y_0 + v_y_0 * v_y_0_lo + (v_y_1_lo * v_y_1 + v_y_1 * v_y_1_lo)
-    v_n_c_lo1 = v_n_c_left_rest + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right)
-    v_n_c_lo = v_n_c_lo1 + v_n_c_cross
     v_n_d = v_y_2 * v_y_2
     v_n_e = v_n_c + v_n_d
     v_n_e_right = v_n_e - v_n_c
     v_n_e_lo1 = v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
-    v_n_e_lo2 = v_n_e_lo1 + (v_y_2_lo * v_y_2 + v_y_2 * v_y_2_lo)
-    v_n_e_lo = v_n_e_lo2 + v_n_c_lo
+    v_n_c_lo = v_n_c_left_rest + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right) + v_n_c_cross
+    v_n_e_lo = v_n_e_lo1 + (v_y_2_lo * v_y_2 + v_y_2 * v_y_2_lo) + v_n_c_lo
     v_n_of_v_n_e = v_n_e + v_n_e_lo
     v_n_of_v_n_e_right = v_n_of_v_n_e - v_n_e
-    v_n_of_v_n_e_lo = v_n_e - (v_n_of_v_n_e - v_n_of_v_n_e_right) + (v_n_e_lo - v_n_of_v_n_e_right)
     v_n = sqrt(v_n_of_v_n_e)
     v_n_product = v_n * v_n
+    v_n_of_v_n_e_lo = v_n_e - (v_n_of_v_n_e - v_n_of_v_n_e_right) + (v_n_e_lo - v_n_of_v_n_e_right)
     v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
-    v_n_residual = v_n_exact + v_n_of_v_n_e_lo
-    v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
+    v_n_lo = (v_n_exact + v_n_of_v_n_e_lo) / where(v_n == 0, 1, v_n + v_n)
     v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
     v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
     v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
@@ -2332,26 +2173,23 @@ def axis_angle_from_mat3x3(R):
     half_of_upper_3 = upper_3 + upper_3_lo
     half_of_upper_3_right = half_of_upper_3 - upper_3
     half_of_upper_3_left_rest = upper_3 - (half_of_upper_3 - half_of_upper_3_right)
-    half_of_upper_3_lo = half_of_upper_3_left_rest + (upper_3_lo - half_of_upper_3_right)
     half = arctan2(half_of_n, half_of_upper_3)
     half_size0 = absolute(half_of_n)
     half_size1 = absolute(half_of_upper_3)
     half_most = where(half_size0 < half_size1, half_size1, half_size0)
-    half_divisor = where(half_most == 0, 1, half_most)
+    half_zero = half_most == 0
+    half_divisor = where(half_zero, 1, half_most)
     half_part0 = half_of_n / half_divisor
     half_part1 = half_of_upper_3 / half_divisor
+    half_cross2 = half_part0 * (half_of_upper_3_left_rest + (upper_3_lo - half_of_upper_3_right))
     half_cross1 = half_part1 * (n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right))
-    half_cross2 = half_part0 * half_of_upper_3_lo
-    half_cross = half_cross1 - half_cross2
     half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
-    half_safe = where(half_most == 0, 1, half_divisor2)
-    half_lo = half_cross / half_safe
-    divisor = where(n_of_v_n == 0, 1, n_of_v_n)
-    divisor_lo = where(n_of_v_n == 0, 0, n_of_v_n_lo)
+    divisor_a = n_of_v_n == 0
+    divisor = where(divisor_a, 1, n_of_v_n)
+    divisor_lo = where(divisor_a, 0, n_of_v_n_lo)
     unit_0_of_v_y_0 = v_y_0 + v_y_0_lo
     unit_0_of_v_y_0_right = unit_0_of_v_y_0 - v_y_0
     unit_0_of_v_y_0_left_rest = v_y_0 - (unit_0_of_v_y_0 - unit_0_of_v_y_0_right)
-    unit_0_of_v_y_0_lo = unit_0_of_v_y_0_left_rest + (v_y_0_lo - unit_0_of_v_y_0_right)
     unit_0_of_divisor = divisor + divisor_lo
     unit_0_of_divisor_right = unit_0_of_divisor - divisor
     unit_0_of_divisor_left_rest = divisor - (unit_0_of_divisor - unit_0_of_divisor_right)
@@ -2359,41 +2197,33 @@ def axis_angle_from_mat3x3(R):
     unit_0 = unit_0_of_v_y_0 / unit_0_of_divisor
     unit_0_product = unit_0 * unit_0_of_divisor
     unit_0_product_error = product_error(unit_0, unit_0_of_divisor, unit_0_product)
-    unit_0_exact = unit_0_of_v_y_0 - unit_0_product - unit_0_product_error
-    unit_0_numerator = unit_0_exact + unit_0_of_v_y_0_lo
-    unit_0_residual = unit_0_numerator - unit_0 * unit_0_of_divisor_lo
-    unit_0_lo = unit_0_residual / unit_0_of_divisor
+    unit_0_of_v_y_0_lo = unit_0_of_v_y_0_left_rest + (v_y_0_lo - unit_0_of_v_y_0_right)
+    unit_0_numerator = unit_0_of_v_y_0 - unit_0_product - unit_0_product_error + unit_0_of_v_y_0_lo
     unit_1_of_v_y_1 = v_y_1 + v_y_1_lo
     unit_1_of_v_y_1_right = unit_1_of_v_y_1 - v_y_1
     unit_1_of_v_y_1_left_rest = v_y_1 - (unit_1_of_v_y_1 - unit_1_of_v_y_1_right)
-    unit_1_of_v_y_1_lo = unit_1_of_v_y_1_left_rest + (v_y_1_lo - unit_1_of_v_y_1_right)
     unit_1 = unit_1_of_v_y_1 / unit_0_of_divisor
     unit_1_product = unit_1 * unit_0_of_divisor
     unit_1_product_error = product_error(unit_1, unit_0_of_divisor, unit_1_product)
-    unit_1_exact = unit_1_of_v_y_1 - unit_1_product - unit_1_product_error
-    unit_1_numerator = unit_1_exact + unit_1_of_v_y_1_lo
-    unit_1_residual = unit_1_numerator - unit_1 * unit_0_of_divisor_lo
-    unit_1_lo = unit_1_residual / unit_0_of_divisor
+    unit_1_of_v_y_1_lo = unit_1_of_v_y_1_left_rest + (v_y_1_lo - unit_1_of_v_y_1_right)
+    unit_1_numerator = unit_1_of_v_y_1 - unit_1_product - unit_1_product_error + unit_1_of_v_y_1_lo
     unit_2_of_v_y_2 = v_y_2 + v_y_2_lo
     unit_2_of_v_y_2_right = unit_2_of_v_y_2 - v_y_2
     unit_2_of_v_y_2_left_rest = v_y_2 - (unit_2_of_v_y_2 - unit_2_of_v_y_2_right)
-    unit_2_of_v_y_2_lo = unit_2_of_v_y_2_left_rest + (v_y_2_lo - unit_2_of_v_y_2_right)
     unit_2 = unit_2_of_v_y_2 / unit_0_of_divisor
     unit_2_product = unit_2 * unit_0_of_divisor
     unit_2_product_error = product_error(unit_2, unit_0_of_divisor, unit_2_product)
-    unit_2_exact = unit_2_of_v_y_2 - unit_2_product - unit_2_product_error
-    unit_2_numerator = unit_2_exact + unit_2_of_v_y_2_lo
-    unit_2_residual = unit_2_numerator - unit_2 * unit_0_of_divisor_lo
-    unit_2_lo = unit_2_residual / unit_0_of_divisor
+    unit_2_of_v_y_2_lo = unit_2_of_v_y_2_left_rest + (v_y_2_lo - unit_2_of_v_y_2_right)
+    unit_2_numerator = unit_2_of_v_y_2 - unit_2_product - unit_2_product_error + unit_2_of_v_y_2_lo
     angle = 2 * half
-    angle_cross2 = 2 * half_lo
-    axis_0 = where(n_of_v_n == 0, 1, unit_0)
-    axis_0_lo = where(n_of_v_n == 0, 0, unit_0_lo)
-    angle_rounded = angle + angle_cross2
-    axis_0_rounded = axis_0 + axis_0_lo
-    unit_1_rounded = unit_1 + unit_1_lo
-    unit_2_rounded = unit_2 + unit_2_lo
-    return (where(angle_rounded == angle_rounded, angle_rounded, angle),
-        where(axis_0_rounded == axis_0_rounded, axis_0_rounded, axis_0),
-        where(unit_1_rounded == unit_1_rounded, unit_1_rounded, unit_1),
-        where(unit_2_rounded == unit_2_rounded, unit_2_rounded, unit_2))
+    axis_0 = where(divisor_a, 1, unit_0)
+    unit_0_lo = (unit_0_numerator - unit_0 * unit_0_of_divisor_lo) / unit_0_of_divisor
+    angle_rounded = angle + 2 * ((half_cross1 - half_cross2) / where(half_zero, 1, half_divisor2))
+    axis_0_rounded = axis_0 + where(divisor_a, 0, unit_0_lo)
+    unit_1_rounded = unit_1 + (unit_1_numerator - unit_1 * unit_0_of_divisor_lo) / unit_0_of_divisor
+    unit_2_rounded = unit_2 + (unit_2_numerator - unit_2 * unit_0_of_divisor_lo) / unit_0_of_divisor
+    angle_final = where(angle_rounded == angle_rounded, angle_rounded, angle)
+    axis_0_final = where(axis_0_rounded == axis_0_rounded, axis_0_rounded, axis_0)
+    unit_1_final = where(unit_1_rounded == unit_1_rounded, unit_1_rounded, unit_1)
+    unit_2_final = where(unit_2_rounded == unit_2_rounded, unit_2_rounded, unit_2)
+    return (angle_final, axis_0_final, unit_1_final, unit_2_final)

@@ -43,22 +43,22 @@ def axpy_qq(a, x, y):
     y_0_new_a = a * x_0
     y_0_new = y_0_new_a + y_0
     y_0_new_right = y_0_new - y_0_new_a
-    y_0_new_lo = product_rest(a, x_0, y_0_new_a, y_0_new - y_0_new_right) + (y_0 - y_0_new_right)
     y_1_new_a = a * x_1
     y_1_new = y_1_new_a + y_1
     y_1_new_right = y_1_new - y_1_new_a
-    y_1_new_lo = product_rest(a, x_1, y_1_new_a, y_1_new - y_1_new_right) + (y_1 - y_1_new_right)
     y_2_new_a = a * x_2
     y_2_new = y_2_new_a + y_2
     y_2_new_right = y_2_new - y_2_new_a
-    y_2_new_lo = product_rest(a, x_2, y_2_new_a, y_2_new - y_2_new_right) + (y_2 - y_2_new_right)
     y_3_new_a = a * x_3
     y_3_new = y_3_new_a + y_3
     y_3_new_right = y_3_new - y_3_new_a
-    y_3_new_lo = product_rest(a, x_3, y_3_new_a, y_3_new - y_3_new_right) + (y_3 - y_3_new_right)
+    y_0_new_lo = product_rest(a, x_0, y_0_new_a, y_0_new - y_0_new_right) + (y_0 - y_0_new_right)
     y_0_new_rounded = y_0_new + y_0_new_lo
+    y_1_new_lo = product_rest(a, x_1, y_1_new_a, y_1_new - y_1_new_right) + (y_1 - y_1_new_right)
     y_1_new_rounded = y_1_new + y_1_new_lo
+    y_2_new_lo = product_rest(a, x_2, y_2_new_a, y_2_new - y_2_new_right) + (y_2 - y_2_new_right)
     y_2_new_rounded = y_2_new + y_2_new_lo
+    y_3_new_lo = product_rest(a, x_3, y_3_new_a, y_3_new - y_3_new_right) + (y_3 - y_3_new_right)
     y_3_new_rounded = y_3_new + y_3_new_lo
     return (y_0_new_rounded, y_1_new_rounded, y_2_new_rounded, y_3_new_rounded)
 
@@ -90,23 +90,21 @@ def quaternion_norm(q):
     n_b = y_1 * y_1
     n_c = n_a + n_b
     n_c_right = n_c - n_a
-    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
     n_e_right = n_e - n_c
-    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
-    n_e_lo = n_e_lo1 + n_c_lo
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_f = y_3 * y_3
     n_g = n_e + n_f
     n_g_right = n_g - n_e
-    n_g_lo1 = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right)
-    n_g_lo = n_g_lo1 + n_e_lo
+    n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
+    n_g_lo = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right) + n_e_lo
     n_of_n_g = n_g + n_g_lo
     n_of_n_g_right = n_of_n_g - n_g
     n = sqrt(n_of_n_g)
     n_product = n * n
-    n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + (n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right))
+    n_of_n_g_lo = n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right)
+    n_residual = n_of_n_g - n_product - product_error(n, n, n_product) + n_of_n_g_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
     r_d = where(1 < s, 7.637340908749012e-152, r_b)
@@ -116,9 +114,9 @@ def quaternion_norm(q):
     norm = norm_of_n * r
     norm_lost = norm_of_n - norm * (1 / r)
     norm_small = (norm_lost + (n - (norm_of_n - norm_of_n_right) + (n_lo - norm_of_n_right))) * r
-    norm_lo = where(norm_lost == 0, 0, norm_small)
-    norm_rounded = norm + norm_lo
-    return where(norm_rounded == norm_rounded, norm_rounded, norm)
+    norm_rounded = norm + where(norm_lost == 0, 0, norm_small)
+    norm_final = where(norm_rounded == norm_rounded, norm_rounded, norm)
+    return norm_final
 
 
 @kernel("(4)->(4)")
@@ -150,29 +148,28 @@ def quaternion_normalize(self):
     n_b = y_1 * y_1
     n_c = n_a + n_b
     n_c_right = n_c - n_a
-    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
     n_e_right = n_e - n_c
-    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
-    n_e_lo = n_e_lo1 + n_c_lo
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_f = y_3 * y_3
     n_g = n_e + n_f
     n_g_right = n_g - n_e
-    n_g_lo1 = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right)
-    n_g_lo = n_g_lo1 + n_e_lo
+    n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
+    n_g_lo = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right) + n_e_lo
     n_of_n_g = n_g + n_g_lo
     n_of_n_g_right = n_of_n_g - n_g
     n = sqrt(n_of_n_g)
     n_product = n * n
-    n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + (n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right))
+    n_of_n_g_lo = n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right)
+    n_residual = n_of_n_g - n_product - product_error(n, n, n_product) + n_of_n_g_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor_a_of_n = n + n_lo
     divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a = divisor_a_of_n == 0
+    divisor = where(divisor_a, up, divisor_a_of_n)
     divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
-    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
     sized_0 = self_0 * up
     sized_1 = self_1 * up
     sized_2 = self_2 * up
@@ -180,8 +177,8 @@ def quaternion_normalize(self):
     quotient_0_of_divisor = divisor + divisor_lo
     quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
     quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
-    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
     quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
+    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
     quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
     quotient_0 = sized_0 / quotient_0_of_divisor
     quotient_0_product = quotient_0 * quotient_0_of_divisor
@@ -210,56 +207,53 @@ def quaternion_normalize(self):
     self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo
     self_0_new_of_quotient_0_right = self_0_new_of_quotient_0 - quotient_0
     self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right
-    self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
     self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right
-    self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
+    self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
     self_0_new = self_0_new_of_quotient_0 * down
     self_0_new_inverse = 1 / down
     self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
-    self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo
-    self_0_new_small = self_0_new_rest * down
-    self_0_new_lo = where(self_0_new_lost == 0, 0, self_0_new_small)
+    self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
+    self_0_new_small = (self_0_new_lost + self_0_new_of_quotient_0_lo) * down
     self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
     self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1
     self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right
-    self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
     self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right
-    self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
+    self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
     self_1_new = self_1_new_of_quotient_1 * down
     self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
-    self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo
-    self_1_new_small = self_1_new_rest * down
-    self_1_new_lo = where(self_1_new_lost == 0, 0, self_1_new_small)
+    self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
+    self_1_new_small = (self_1_new_lost + self_1_new_of_quotient_1_lo) * down
     self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
     self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2
     self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right
-    self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
     self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right
-    self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
+    self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
     self_2_new = self_2_new_of_quotient_2 * down
     self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
-    self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo
-    self_2_new_small = self_2_new_rest * down
-    self_2_new_lo = where(self_2_new_lost == 0, 0, self_2_new_small)
+    self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
+    self_2_new_small = (self_2_new_lost + self_2_new_of_quotient_2_lo) * down
     self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo
     self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3
     self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right
-    self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left
     self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right
-    self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest
+    self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left
     self_3_new = self_3_new_of_quotient_3 * down
     self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * self_0_new_inverse
-    self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo
-    self_3_new_small = self_3_new_rest * down
-    self_3_new_lo = where(self_3_new_lost == 0, 0, self_3_new_small)
-    self_0_new_rounded = self_0_new + self_0_new_lo
-    self_1_new_rounded = self_1_new + self_1_new_lo
-    self_2_new_rounded = self_2_new + self_2_new_lo
-    self_3_new_rounded = self_3_new + self_3_new_lo
-    return (where(self_0_new_rounded == self_0_new_rounded, self_0_new_rounded, self_0_new),
-        where(self_1_new_rounded == self_1_new_rounded, self_1_new_rounded, self_1_new),
-        where(self_2_new_rounded == self_2_new_rounded, self_2_new_rounded, self_2_new),
-        where(self_3_new_rounded == self_3_new_rounded, self_3_new_rounded, self_3_new))
+    self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest
+    self_3_new_small = (self_3_new_lost + self_3_new_of_quotient_3_lo) * down
+    self_0_new_rounded = self_0_new + where(self_0_new_lost == 0, 0, self_0_new_small)
+    self_0_new_rounded_number = self_0_new_rounded == self_0_new_rounded
+    self_1_new_rounded = self_1_new + where(self_1_new_lost == 0, 0, self_1_new_small)
+    self_1_new_rounded_number = self_1_new_rounded == self_1_new_rounded
+    self_2_new_rounded = self_2_new + where(self_2_new_lost == 0, 0, self_2_new_small)
+    self_2_new_rounded_number = self_2_new_rounded == self_2_new_rounded
+    self_3_new_rounded = self_3_new + where(self_3_new_lost == 0, 0, self_3_new_small)
+    self_3_new_rounded_number = self_3_new_rounded == self_3_new_rounded
+    self_0_new_final = where(self_0_new_rounded_number, self_0_new_rounded, self_0_new)
+    self_1_new_final = where(self_1_new_rounded_number, self_1_new_rounded, self_1_new)
+    self_2_new_final = where(self_2_new_rounded_number, self_2_new_rounded, self_2_new)
+    self_3_new_final = where(self_3_new_rounded_number, self_3_new_rounded, self_3_new)
+    return (self_0_new_final, self_1_new_final, self_2_new_final, self_3_new_final)
 
 
 @kernel("(4)->(4)")
@@ -291,29 +285,28 @@ def quaternion_normalized(q):
     n_b = y_1 * y_1
     n_c = n_a + n_b
     n_c_right = n_c - n_a
-    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
     n_e_right = n_e - n_c
-    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
-    n_e_lo = n_e_lo1 + n_c_lo
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_f = y_3 * y_3
     n_g = n_e + n_f
     n_g_right = n_g - n_e
-    n_g_lo1 = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right)
-    n_g_lo = n_g_lo1 + n_e_lo
+    n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
+    n_g_lo = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right) + n_e_lo
     n_of_n_g = n_g + n_g_lo
     n_of_n_g_right = n_of_n_g - n_g
     n = sqrt(n_of_n_g)
     n_product = n * n
-    n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + (n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right))
+    n_of_n_g_lo = n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right)
+    n_residual = n_of_n_g - n_product - product_error(n, n, n_product) + n_of_n_g_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor_a_of_n = n + n_lo
     divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a = divisor_a_of_n == 0
+    divisor = where(divisor_a, up, divisor_a_of_n)
     divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
-    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
     sized_0 = q_0 * up
     sized_1 = q_1 * up
     sized_2 = q_2 * up
@@ -321,8 +314,8 @@ def quaternion_normalized(q):
     quotient_0_of_divisor = divisor + divisor_lo
     quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
     quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
-    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
     quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
+    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
     quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
     quotient_0 = sized_0 / quotient_0_of_divisor
     quotient_0_product = quotient_0 * quotient_0_of_divisor
@@ -352,51 +345,40 @@ def quaternion_normalized(q):
     qo_0_of_quotient_0_right = qo_0_of_quotient_0 - quotient_0
     qo_0_of_quotient_0_left_rest = quotient_0 - (qo_0_of_quotient_0 - qo_0_of_quotient_0_right)
     qo_0_of_quotient_0_right_rest = quotient_0_lo - qo_0_of_quotient_0_right
-    qo_0_of_quotient_0_lo = qo_0_of_quotient_0_left_rest + qo_0_of_quotient_0_right_rest
     qo_0 = qo_0_of_quotient_0 * down
     qo_0_inverse = 1 / down
     qo_0_lost = qo_0_of_quotient_0 - qo_0 * qo_0_inverse
-    qo_0_rest = qo_0_lost + qo_0_of_quotient_0_lo
-    qo_0_small = qo_0_rest * down
-    qo_0_lo = where(qo_0_lost == 0, 0, qo_0_small)
+    qo_0_small = (qo_0_lost + (qo_0_of_quotient_0_left_rest + qo_0_of_quotient_0_right_rest)) * down
     qo_1_of_quotient_1 = quotient_1 + quotient_1_lo
     qo_1_of_quotient_1_right = qo_1_of_quotient_1 - quotient_1
     qo_1_of_quotient_1_left_rest = quotient_1 - (qo_1_of_quotient_1 - qo_1_of_quotient_1_right)
     qo_1_of_quotient_1_right_rest = quotient_1_lo - qo_1_of_quotient_1_right
-    qo_1_of_quotient_1_lo = qo_1_of_quotient_1_left_rest + qo_1_of_quotient_1_right_rest
     qo_1 = qo_1_of_quotient_1 * down
     qo_1_lost = qo_1_of_quotient_1 - qo_1 * qo_0_inverse
-    qo_1_rest = qo_1_lost + qo_1_of_quotient_1_lo
-    qo_1_small = qo_1_rest * down
-    qo_1_lo = where(qo_1_lost == 0, 0, qo_1_small)
+    qo_1_small = (qo_1_lost + (qo_1_of_quotient_1_left_rest + qo_1_of_quotient_1_right_rest)) * down
     qo_2_of_quotient_2 = quotient_2 + quotient_2_lo
     qo_2_of_quotient_2_right = qo_2_of_quotient_2 - quotient_2
     qo_2_of_quotient_2_left_rest = quotient_2 - (qo_2_of_quotient_2 - qo_2_of_quotient_2_right)
     qo_2_of_quotient_2_right_rest = quotient_2_lo - qo_2_of_quotient_2_right
-    qo_2_of_quotient_2_lo = qo_2_of_quotient_2_left_rest + qo_2_of_quotient_2_right_rest
     qo_2 = qo_2_of_quotient_2 * down
     qo_2_lost = qo_2_of_quotient_2 - qo_2 * qo_0_inverse
-    qo_2_rest = qo_2_lost + qo_2_of_quotient_2_lo
-    qo_2_small = qo_2_rest * down
-    qo_2_lo = where(qo_2_lost == 0, 0, qo_2_small)
+    qo_2_small = (qo_2_lost + (qo_2_of_quotient_2_left_rest + qo_2_of_quotient_2_right_rest)) * down
     qo_3_of_quotient_3 = quotient_3 + quotient_3_lo
     qo_3_of_quotient_3_right = qo_3_of_quotient_3 - quotient_3
     qo_3_of_quotient_3_left_rest = quotient_3 - (qo_3_of_quotient_3 - qo_3_of_quotient_3_right)
     qo_3_of_quotient_3_right_rest = quotient_3_lo - qo_3_of_quotient_3_right
-    qo_3_of_quotient_3_lo = qo_3_of_quotient_3_left_rest + qo_3_of_quotient_3_right_rest
     qo_3 = qo_3_of_quotient_3 * down
     qo_3_lost = qo_3_of_quotient_3 - qo_3 * qo_0_inverse
-    qo_3_rest = qo_3_lost + qo_3_of_quotient_3_lo
-    qo_3_small = qo_3_rest * down
-    qo_3_lo = where(qo_3_lost == 0, 0, qo_3_small)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
-    return (where(qo_0_rounded == qo_0_rounded, qo_0_rounded, qo_0),
-        where(qo_1_rounded == qo_1_rounded, qo_1_rounded, qo_1),
-        where(qo_2_rounded == qo_2_rounded, qo_2_rounded, qo_2),
-        where(qo_3_rounded == qo_3_rounded, qo_3_rounded, qo_3))
+    qo_3_small = (qo_3_lost + (qo_3_of_quotient_3_left_rest + qo_3_of_quotient_3_right_rest)) * down
+    qo_0_rounded = qo_0 + where(qo_0_lost == 0, 0, qo_0_small)
+    qo_1_rounded = qo_1 + where(qo_1_lost == 0, 0, qo_1_small)
+    qo_2_rounded = qo_2 + where(qo_2_lost == 0, 0, qo_2_small)
+    qo_3_rounded = qo_3 + where(qo_3_lost == 0, 0, qo_3_small)
+    qo_0_final = where(qo_0_rounded == qo_0_rounded, qo_0_rounded, qo_0)
+    qo_1_final = where(qo_1_rounded == qo_1_rounded, qo_1_rounded, qo_1)
+    qo_2_final = where(qo_2_rounded == qo_2_rounded, qo_2_rounded, qo_2)
+    qo_3_final = where(qo_3_rounded == qo_3_rounded, qo_3_rounded, qo_3)
+    return (qo_0_final, qo_1_final, qo_2_final, qo_3_final)
 
 
 @kernel("(4),(3)->(3)")
@@ -413,22 +395,22 @@ def rotate_qv(q, v):
     c_0b = q_2 * v_1
     c_0 = c_0a - c_0b
     c_0_right = c_0a - c_0
-    c_0_lo = product_rest(q_1, v_2, c_0a, c_0 + c_0_right) - product_rest(q_2, v_1, c_0b, c_0_right)
     c_1a = q_2 * v_0
     c_1b = q_0 * v_2
     c_1 = c_1a - c_1b
     c_1_right = c_1a - c_1
-    c_1_lo = product_rest(q_2, v_0, c_1a, c_1 + c_1_right) - product_rest(q_0, v_2, c_1b, c_1_right)
     c_2a = q_0 * v_1
     c_2b = q_1 * v_0
     c_2 = c_2a - c_2b
     c_2_right = c_2a - c_2
-    c_2_lo = product_rest(q_0, v_1, c_2a, c_2 + c_2_right) - product_rest(q_1, v_0, c_2b, c_2_right)
     t_0 = 2 * c_0
+    c_0_lo = product_rest(q_1, v_2, c_0a, c_0 + c_0_right) - product_rest(q_2, v_1, c_0b, c_0_right)
     t_0_cross2 = 2 * c_0_lo
     t_1 = 2 * c_1
+    c_1_lo = product_rest(q_2, v_0, c_1a, c_1 + c_1_right) - product_rest(q_0, v_2, c_1b, c_1_right)
     t_1_cross2 = 2 * c_1_lo
     t_2 = 2 * c_2
+    c_2_lo = product_rest(q_0, v_1, c_2a, c_2 + c_2_right) - product_rest(q_1, v_0, c_2b, c_2_right)
     t_2_cross2 = 2 * c_2_lo
     turn_0a = q_1 * t_2
     turn_0b = q_2 * t_1
@@ -436,51 +418,45 @@ def rotate_qv(q, v):
     turn_0c_right = turn_0a - turn_0c
     turn_0c_left_rest = product_rest(q_1, t_2, turn_0a, turn_0c + turn_0c_right)
     turn_0c_lo1 = turn_0c_left_rest - product_rest(q_2, t_1, turn_0b, turn_0c_right)
-    turn_0c_lo = turn_0c_lo1 + (q_1 * t_2_cross2 - q_2 * t_1_cross2)
     turn_0d = q_3 * t_0
     turn_0 = turn_0c + turn_0d
     turn_0_right = turn_0 - turn_0c
     turn_0_lo1 = turn_0c - (turn_0 - turn_0_right) + product_rest(q_3, t_0, turn_0d, turn_0_right)
-    turn_0_lo2 = turn_0_lo1 + q_3 * t_0_cross2
-    turn_0_lo = turn_0_lo2 + turn_0c_lo
+    turn_0c_lo = turn_0c_lo1 + (q_1 * t_2_cross2 - q_2 * t_1_cross2)
     turn_1a = q_2 * t_0
     turn_1b = q_0 * t_2
     turn_1c = turn_1a - turn_1b
     turn_1c_right = turn_1a - turn_1c
     turn_1c_left_rest = product_rest(q_2, t_0, turn_1a, turn_1c + turn_1c_right)
     turn_1c_lo1 = turn_1c_left_rest - product_rest(q_0, t_2, turn_1b, turn_1c_right)
-    turn_1c_lo = turn_1c_lo1 + (q_2 * t_0_cross2 - q_0 * t_2_cross2)
     turn_1d = q_3 * t_1
     turn_1 = turn_1c + turn_1d
     turn_1_right = turn_1 - turn_1c
     turn_1_lo1 = turn_1c - (turn_1 - turn_1_right) + product_rest(q_3, t_1, turn_1d, turn_1_right)
-    turn_1_lo2 = turn_1_lo1 + q_3 * t_1_cross2
-    turn_1_lo = turn_1_lo2 + turn_1c_lo
+    turn_1c_lo = turn_1c_lo1 + (q_2 * t_0_cross2 - q_0 * t_2_cross2)
     turn_2a = q_0 * t_1
     turn_2b = q_1 * t_0
     turn_2c = turn_2a - turn_2b
     turn_2c_right = turn_2a - turn_2c
     turn_2c_left_rest = product_rest(q_0, t_1, turn_2a, turn_2c + turn_2c_right)
     turn_2c_lo1 = turn_2c_left_rest - product_rest(q_1, t_0, turn_2b, turn_2c_right)
-    turn_2c_lo = turn_2c_lo1 + (q_0 * t_1_cross2 - q_1 * t_0_cross2)
     turn_2d = q_3 * t_2
     turn_2 = turn_2c + turn_2d
     turn_2_right = turn_2 - turn_2c
     turn_2_lo1 = turn_2c - (turn_2 - turn_2_right) + product_rest(q_3, t_2, turn_2d, turn_2_right)
-    turn_2_lo2 = turn_2_lo1 + q_3 * t_2_cross2
-    turn_2_lo = turn_2_lo2 + turn_2c_lo
+    turn_2c_lo = turn_2c_lo1 + (q_0 * t_1_cross2 - q_1 * t_0_cross2)
     vo_0 = v_0 + turn_0
     vo_0_right = vo_0 - v_0
-    vo_0_lo = v_0 - (vo_0 - vo_0_right) + (turn_0 - vo_0_right) + turn_0_lo
+    vo_0_lo1 = v_0 - (vo_0 - vo_0_right) + (turn_0 - vo_0_right)
     vo_1 = v_1 + turn_1
     vo_1_right = vo_1 - v_1
-    vo_1_lo = v_1 - (vo_1 - vo_1_right) + (turn_1 - vo_1_right) + turn_1_lo
+    vo_1_lo1 = v_1 - (vo_1 - vo_1_right) + (turn_1 - vo_1_right)
     vo_2 = v_2 + turn_2
     vo_2_right = vo_2 - v_2
-    vo_2_lo = v_2 - (vo_2 - vo_2_right) + (turn_2 - vo_2_right) + turn_2_lo
-    vo_0_rounded = vo_0 + vo_0_lo
-    vo_1_rounded = vo_1 + vo_1_lo
-    vo_2_rounded = vo_2 + vo_2_lo
+    vo_2_lo1 = v_2 - (vo_2 - vo_2_right) + (turn_2 - vo_2_right)
+    vo_0_rounded = vo_0 + (vo_0_lo1 + (turn_0_lo1 + q_3 * t_0_cross2 + turn_0c_lo))
+    vo_1_rounded = vo_1 + (vo_1_lo1 + (turn_1_lo1 + q_3 * t_1_cross2 + turn_1c_lo))
+    vo_2_rounded = vo_2 + (vo_2_lo1 + (turn_2_lo1 + q_3 * t_2_cross2 + turn_2c_lo))
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 
 
@@ -498,22 +474,22 @@ def rotate_qconjv(q, v):
     c_0b = q_1 * v_2
     c_0 = c_0a - c_0b
     c_0_right = c_0a - c_0
-    c_0_lo = product_rest(q_2, v_1, c_0a, c_0 + c_0_right) - product_rest(q_1, v_2, c_0b, c_0_right)
     c_1a = q_0 * v_2
     c_1b = q_2 * v_0
     c_1 = c_1a - c_1b
     c_1_right = c_1a - c_1
-    c_1_lo = product_rest(q_0, v_2, c_1a, c_1 + c_1_right) - product_rest(q_2, v_0, c_1b, c_1_right)
     c_2a = q_1 * v_0
     c_2b = q_0 * v_1
     c_2 = c_2a - c_2b
     c_2_right = c_2a - c_2
-    c_2_lo = product_rest(q_1, v_0, c_2a, c_2 + c_2_right) - product_rest(q_0, v_1, c_2b, c_2_right)
     t_0 = 2 * c_0
+    c_0_lo = product_rest(q_2, v_1, c_0a, c_0 + c_0_right) - product_rest(q_1, v_2, c_0b, c_0_right)
     t_0_cross2 = 2 * c_0_lo
     t_1 = 2 * c_1
+    c_1_lo = product_rest(q_0, v_2, c_1a, c_1 + c_1_right) - product_rest(q_2, v_0, c_1b, c_1_right)
     t_1_cross2 = 2 * c_1_lo
     t_2 = 2 * c_2
+    c_2_lo = product_rest(q_1, v_0, c_2a, c_2 + c_2_right) - product_rest(q_0, v_1, c_2b, c_2_right)
     t_2_cross2 = 2 * c_2_lo
     turn_0a = q_2 * t_1
     turn_0b = q_1 * t_2
@@ -521,51 +497,45 @@ def rotate_qconjv(q, v):
     turn_0c_right = turn_0a - turn_0c
     turn_0c_left_rest = product_rest(q_2, t_1, turn_0a, turn_0c + turn_0c_right)
     turn_0c_lo1 = turn_0c_left_rest - product_rest(q_1, t_2, turn_0b, turn_0c_right)
-    turn_0c_lo = turn_0c_lo1 + (q_2 * t_1_cross2 - q_1 * t_2_cross2)
     turn_0d = q_3 * t_0
     turn_0 = turn_0c + turn_0d
     turn_0_right = turn_0 - turn_0c
     turn_0_lo1 = turn_0c - (turn_0 - turn_0_right) + product_rest(q_3, t_0, turn_0d, turn_0_right)
-    turn_0_lo2 = turn_0_lo1 + q_3 * t_0_cross2
-    turn_0_lo = turn_0_lo2 + turn_0c_lo
+    turn_0c_lo = turn_0c_lo1 + (q_2 * t_1_cross2 - q_1 * t_2_cross2)
     turn_1a = q_0 * t_2
     turn_1b = q_2 * t_0
     turn_1c = turn_1a - turn_1b
     turn_1c_right = turn_1a - turn_1c
     turn_1c_left_rest = product_rest(q_0, t_2, turn_1a, turn_1c + turn_1c_right)
     turn_1c_lo1 = turn_1c_left_rest - product_rest(q_2, t_0, turn_1b, turn_1c_right)
-    turn_1c_lo = turn_1c_lo1 + (q_0 * t_2_cross2 - q_2 * t_0_cross2)
     turn_1d = q_3 * t_1
     turn_1 = turn_1c + turn_1d
     turn_1_right = turn_1 - turn_1c
     turn_1_lo1 = turn_1c - (turn_1 - turn_1_right) + product_rest(q_3, t_1, turn_1d, turn_1_right)
-    turn_1_lo2 = turn_1_lo1 + q_3 * t_1_cross2
-    turn_1_lo = turn_1_lo2 + turn_1c_lo
+    turn_1c_lo = turn_1c_lo1 + (q_0 * t_2_cross2 - q_2 * t_0_cross2)
     turn_2a = q_1 * t_0
     turn_2b = q_0 * t_1
     turn_2c = turn_2a - turn_2b
     turn_2c_right = turn_2a - turn_2c
     turn_2c_left_rest = product_rest(q_1, t_0, turn_2a, turn_2c + turn_2c_right)
     turn_2c_lo1 = turn_2c_left_rest - product_rest(q_0, t_1, turn_2b, turn_2c_right)
-    turn_2c_lo = turn_2c_lo1 + (q_1 * t_0_cross2 - q_0 * t_1_cross2)
     turn_2d = q_3 * t_2
     turn_2 = turn_2c + turn_2d
     turn_2_right = turn_2 - turn_2c
     turn_2_lo1 = turn_2c - (turn_2 - turn_2_right) + product_rest(q_3, t_2, turn_2d, turn_2_right)
-    turn_2_lo2 = turn_2_lo1 + q_3 * t_2_cross2
-    turn_2_lo = turn_2_lo2 + turn_2c_lo
+    turn_2c_lo = turn_2c_lo1 + (q_1 * t_0_cross2 - q_0 * t_1_cross2)
     vo_0 = v_0 + turn_0
     vo_0_right = vo_0 - v_0
-    vo_0_lo = v_0 - (vo_0 - vo_0_right) + (turn_0 - vo_0_right) + turn_0_lo
+    vo_0_lo1 = v_0 - (vo_0 - vo_0_right) + (turn_0 - vo_0_right)
     vo_1 = v_1 + turn_1
     vo_1_right = vo_1 - v_1
-    vo_1_lo = v_1 - (vo_1 - vo_1_right) + (turn_1 - vo_1_right) + turn_1_lo
+    vo_1_lo1 = v_1 - (vo_1 - vo_1_right) + (turn_1 - vo_1_right)
     vo_2 = v_2 + turn_2
     vo_2_right = vo_2 - v_2
-    vo_2_lo = v_2 - (vo_2 - vo_2_right) + (turn_2 - vo_2_right) + turn_2_lo
-    vo_0_rounded = vo_0 + vo_0_lo
-    vo_1_rounded = vo_1 + vo_1_lo
-    vo_2_rounded = vo_2 + vo_2_lo
+    vo_2_lo1 = v_2 - (vo_2 - vo_2_right) + (turn_2 - vo_2_right)
+    vo_0_rounded = vo_0 + (vo_0_lo1 + (turn_0_lo1 + q_3 * t_0_cross2 + turn_0c_lo))
+    vo_1_rounded = vo_1 + (vo_1_lo1 + (turn_1_lo1 + q_3 * t_1_cross2 + turn_1c_lo))
+    vo_2_rounded = vo_2 + (vo_2_lo1 + (turn_2_lo1 + q_3 * t_2_cross2 + turn_2c_lo))
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 
 
@@ -585,67 +555,59 @@ def quaternion_product_qq(q1i, q2i):
     qo_0d = qo_0b - qo_0c
     qo_0d_right = qo_0b - qo_0d
     qo_0d_left_rest = product_rest(q1i_1, q2i_2, qo_0b, qo_0d + qo_0d_right)
-    qo_0d_lo = qo_0d_left_rest - product_rest(q1i_2, q2i_1, qo_0c, qo_0d_right)
     qo_0e = qo_0a + qo_0d
     qo_0e_right = qo_0e - qo_0a
     qo_0e_lo1 = product_rest(q1i_0, q2i_3, qo_0a, qo_0e - qo_0e_right) + (qo_0d - qo_0e_right)
-    qo_0e_lo = qo_0e_lo1 + qo_0d_lo
     qo_0f = q1i_3 * q2i_0
     qo_0 = qo_0e + qo_0f
     qo_0_right = qo_0 - qo_0e
-    qo_0_lo1 = qo_0e - (qo_0 - qo_0_right) + product_rest(q1i_3, q2i_0, qo_0f, qo_0_right)
-    qo_0_lo = qo_0_lo1 + qo_0e_lo
+    qo_0e_lo = qo_0e_lo1 + (qo_0d_left_rest - product_rest(q1i_2, q2i_1, qo_0c, qo_0d_right))
     qo_1a = q1i_2 * q2i_0
     qo_1b = q1i_0 * q2i_2
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
     qo_1c_left_rest = product_rest(q1i_2, q2i_0, qo_1a, qo_1c + qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest - product_rest(q1i_0, q2i_2, qo_1b, qo_1c_right)
     qo_1d = q1i_1 * q2i_3
     qo_1e = qo_1c + qo_1d
     qo_1e_right = qo_1e - qo_1c
     qo_1e_lo1 = qo_1c - (qo_1e - qo_1e_right) + product_rest(q1i_1, q2i_3, qo_1d, qo_1e_right)
-    qo_1e_lo = qo_1e_lo1 + qo_1c_lo
     qo_1f = q1i_3 * q2i_1
     qo_1 = qo_1e + qo_1f
     qo_1_right = qo_1 - qo_1e
-    qo_1_lo1 = qo_1e - (qo_1 - qo_1_right) + product_rest(q1i_3, q2i_1, qo_1f, qo_1_right)
-    qo_1_lo = qo_1_lo1 + qo_1e_lo
+    qo_1e_lo = qo_1e_lo1 + (qo_1c_left_rest - product_rest(q1i_0, q2i_2, qo_1b, qo_1c_right))
     qo_2a = q1i_0 * q2i_1
     qo_2b = q1i_1 * q2i_0
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
     qo_2c_left_rest = product_rest(q1i_0, q2i_1, qo_2a, qo_2c + qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest - product_rest(q1i_1, q2i_0, qo_2b, qo_2c_right)
     qo_2d = q1i_2 * q2i_3
     qo_2e = qo_2c + qo_2d
     qo_2e_right = qo_2e - qo_2c
     qo_2e_lo1 = qo_2c - (qo_2e - qo_2e_right) + product_rest(q1i_2, q2i_3, qo_2d, qo_2e_right)
-    qo_2e_lo = qo_2e_lo1 + qo_2c_lo
     qo_2f = q1i_3 * q2i_2
     qo_2 = qo_2e + qo_2f
     qo_2_right = qo_2 - qo_2e
-    qo_2_lo1 = qo_2e - (qo_2 - qo_2_right) + product_rest(q1i_3, q2i_2, qo_2f, qo_2_right)
-    qo_2_lo = qo_2_lo1 + qo_2e_lo
+    qo_2e_lo = qo_2e_lo1 + (qo_2c_left_rest - product_rest(q1i_1, q2i_0, qo_2b, qo_2c_right))
     qo_3a = q1i_3 * q2i_3
     qo_3b = q1i_0 * q2i_0
     qo_3c = q1i_1 * q2i_1
     qo_3d = qo_3b + qo_3c
     qo_3d_right = qo_3d - qo_3b
     qo_3d_left_rest = product_rest(q1i_0, q2i_0, qo_3b, qo_3d - qo_3d_right)
-    qo_3d_lo = qo_3d_left_rest + product_rest(q1i_1, q2i_1, qo_3c, qo_3d_right)
     qo_3e = q1i_2 * q2i_2
     qo_3f = qo_3d + qo_3e
     qo_3f_right = qo_3f - qo_3d
     qo_3f_lo1 = qo_3d - (qo_3f - qo_3f_right) + product_rest(q1i_2, q2i_2, qo_3e, qo_3f_right)
-    qo_3f_lo = qo_3f_lo1 + qo_3d_lo
     qo_3 = qo_3a - qo_3f
     qo_3_right = qo_3a - qo_3
-    qo_3_lo1 = product_rest(q1i_3, q2i_3, qo_3a, qo_3 + qo_3_right) - (qo_3f - qo_3_right)
-    qo_3_lo = qo_3_lo1 - qo_3f_lo
+    qo_3f_lo = qo_3f_lo1 + (qo_3d_left_rest + product_rest(q1i_1, q2i_1, qo_3c, qo_3d_right))
+    qo_0_lo = qo_0e - (qo_0 - qo_0_right) + product_rest(q1i_3, q2i_0, qo_0f, qo_0_right) + qo_0e_lo
     qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_lo = qo_1e - (qo_1 - qo_1_right) + product_rest(q1i_3, q2i_1, qo_1f, qo_1_right) + qo_1e_lo
     qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_lo = qo_2e - (qo_2 - qo_2_right) + product_rest(q1i_3, q2i_2, qo_2f, qo_2_right) + qo_2e_lo
     qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_lo = product_rest(q1i_3, q2i_3, qo_3a, qo_3 + qo_3_right) - (qo_3f - qo_3_right) - qo_3f_lo
     qo_3_rounded = qo_3 + qo_3_lo
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
@@ -665,71 +627,60 @@ def quaternion_product_qqconj(q1i, q2i):
     qo_0c = qo_0a - qo_0b
     qo_0c_right = qo_0a - qo_0c
     qo_0c_left_rest = product_rest(q1i_0, q2i_3, qo_0a, qo_0c + qo_0c_right)
-    qo_0c_lo = qo_0c_left_rest - product_rest(q1i_3, q2i_0, qo_0b, qo_0c_right)
     qo_0d = q1i_2 * q2i_1
     qo_0e = q1i_1 * q2i_2
     qo_0f = qo_0d - qo_0e
     qo_0f_right = qo_0d - qo_0f
     qo_0f_left_rest = product_rest(q1i_2, q2i_1, qo_0d, qo_0f + qo_0f_right)
-    qo_0f_lo = qo_0f_left_rest - product_rest(q1i_1, q2i_2, qo_0e, qo_0f_right)
     qo_0 = qo_0c + qo_0f
     qo_0_right = qo_0 - qo_0c
-    qo_0_lo1 = qo_0c - (qo_0 - qo_0_right) + (qo_0f - qo_0_right)
-    qo_0_lo2 = qo_0_lo1 + qo_0f_lo
-    qo_0_lo = qo_0_lo2 + qo_0c_lo
+    qo_0f_lo = qo_0f_left_rest - product_rest(q1i_1, q2i_2, qo_0e, qo_0f_right)
+    qo_0c_lo = qo_0c_left_rest - product_rest(q1i_3, q2i_0, qo_0b, qo_0c_right)
     qo_1a = q1i_0 * q2i_2
     qo_1b = q1i_2 * q2i_0
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
     qo_1c_left_rest = product_rest(q1i_0, q2i_2, qo_1a, qo_1c + qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest - product_rest(q1i_2, q2i_0, qo_1b, qo_1c_right)
     qo_1d = q1i_1 * q2i_3
     qo_1e = q1i_3 * q2i_1
     qo_1f = qo_1d - qo_1e
     qo_1f_right = qo_1d - qo_1f
     qo_1f_left_rest = product_rest(q1i_1, q2i_3, qo_1d, qo_1f + qo_1f_right)
-    qo_1f_lo = qo_1f_left_rest - product_rest(q1i_3, q2i_1, qo_1e, qo_1f_right)
     qo_1 = qo_1c + qo_1f
     qo_1_right = qo_1 - qo_1c
-    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right)
-    qo_1_lo2 = qo_1_lo1 + qo_1f_lo
-    qo_1_lo = qo_1_lo2 + qo_1c_lo
+    qo_1f_lo = qo_1f_left_rest - product_rest(q1i_3, q2i_1, qo_1e, qo_1f_right)
+    qo_1c_lo = qo_1c_left_rest - product_rest(q1i_2, q2i_0, qo_1b, qo_1c_right)
     qo_2a = q1i_1 * q2i_0
     qo_2b = q1i_0 * q2i_1
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
     qo_2c_left_rest = product_rest(q1i_1, q2i_0, qo_2a, qo_2c + qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest - product_rest(q1i_0, q2i_1, qo_2b, qo_2c_right)
     qo_2d = q1i_2 * q2i_3
     qo_2e = q1i_3 * q2i_2
     qo_2f = qo_2d - qo_2e
     qo_2f_right = qo_2d - qo_2f
     qo_2f_left_rest = product_rest(q1i_2, q2i_3, qo_2d, qo_2f + qo_2f_right)
-    qo_2f_lo = qo_2f_left_rest - product_rest(q1i_3, q2i_2, qo_2e, qo_2f_right)
     qo_2 = qo_2c + qo_2f
     qo_2_right = qo_2 - qo_2c
-    qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right)
-    qo_2_lo2 = qo_2_lo1 + qo_2f_lo
-    qo_2_lo = qo_2_lo2 + qo_2c_lo
+    qo_2f_lo = qo_2f_left_rest - product_rest(q1i_3, q2i_2, qo_2e, qo_2f_right)
+    qo_2c_lo = qo_2c_left_rest - product_rest(q1i_0, q2i_1, qo_2b, qo_2c_right)
     qo_3a = q1i_0 * q2i_0
     qo_3b = q1i_1 * q2i_1
     qo_3c = qo_3a + qo_3b
     qo_3c_right = qo_3c - qo_3a
     qo_3c_left_rest = product_rest(q1i_0, q2i_0, qo_3a, qo_3c - qo_3c_right)
-    qo_3c_lo = qo_3c_left_rest + product_rest(q1i_1, q2i_1, qo_3b, qo_3c_right)
     qo_3d = q1i_2 * q2i_2
     qo_3e = qo_3c + qo_3d
     qo_3e_right = qo_3e - qo_3c
     qo_3e_lo1 = qo_3c - (qo_3e - qo_3e_right) + product_rest(q1i_2, q2i_2, qo_3d, qo_3e_right)
-    qo_3e_lo = qo_3e_lo1 + qo_3c_lo
     qo_3f = q1i_3 * q2i_3
     qo_3 = qo_3e + qo_3f
     qo_3_right = qo_3 - qo_3e
-    qo_3_lo1 = qo_3e - (qo_3 - qo_3_right) + product_rest(q1i_3, q2i_3, qo_3f, qo_3_right)
-    qo_3_lo = qo_3_lo1 + qo_3e_lo
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3e_lo = qo_3e_lo1 + (qo_3c_left_rest + product_rest(q1i_1, q2i_1, qo_3b, qo_3c_right))
+    qo_0_rounded = qo_0 + (qo_0c - (qo_0 - qo_0_right) + (qo_0f - qo_0_right) + qo_0f_lo + qo_0c_lo)
+    qo_1_rounded = qo_1 + (qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right) + qo_1f_lo + qo_1c_lo)
+    qo_2_rounded = qo_2 + (qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right) + qo_2f_lo + qo_2c_lo)
+    qo_3_lo = qo_3e - (qo_3 - qo_3_right) + product_rest(q1i_3, q2i_3, qo_3f, qo_3_right) + qo_3e_lo
     qo_3_rounded = qo_3 + qo_3_lo
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
@@ -749,71 +700,60 @@ def quaternion_product_qconjq(q1i, q2i):
     qo_0c = qo_0a - qo_0b
     qo_0c_right = qo_0a - qo_0c
     qo_0c_left_rest = product_rest(q1i_3, q2i_0, qo_0a, qo_0c + qo_0c_right)
-    qo_0c_lo = qo_0c_left_rest - product_rest(q1i_0, q2i_3, qo_0b, qo_0c_right)
     qo_0d = q1i_2 * q2i_1
     qo_0e = q1i_1 * q2i_2
     qo_0f = qo_0d - qo_0e
     qo_0f_right = qo_0d - qo_0f
     qo_0f_left_rest = product_rest(q1i_2, q2i_1, qo_0d, qo_0f + qo_0f_right)
-    qo_0f_lo = qo_0f_left_rest - product_rest(q1i_1, q2i_2, qo_0e, qo_0f_right)
     qo_0 = qo_0c + qo_0f
     qo_0_right = qo_0 - qo_0c
-    qo_0_lo1 = qo_0c - (qo_0 - qo_0_right) + (qo_0f - qo_0_right)
-    qo_0_lo2 = qo_0_lo1 + qo_0f_lo
-    qo_0_lo = qo_0_lo2 + qo_0c_lo
+    qo_0f_lo = qo_0f_left_rest - product_rest(q1i_1, q2i_2, qo_0e, qo_0f_right)
+    qo_0c_lo = qo_0c_left_rest - product_rest(q1i_0, q2i_3, qo_0b, qo_0c_right)
     qo_1a = q1i_0 * q2i_2
     qo_1b = q1i_2 * q2i_0
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
     qo_1c_left_rest = product_rest(q1i_0, q2i_2, qo_1a, qo_1c + qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest - product_rest(q1i_2, q2i_0, qo_1b, qo_1c_right)
     qo_1d = q1i_3 * q2i_1
     qo_1e = q1i_1 * q2i_3
     qo_1f = qo_1d - qo_1e
     qo_1f_right = qo_1d - qo_1f
     qo_1f_left_rest = product_rest(q1i_3, q2i_1, qo_1d, qo_1f + qo_1f_right)
-    qo_1f_lo = qo_1f_left_rest - product_rest(q1i_1, q2i_3, qo_1e, qo_1f_right)
     qo_1 = qo_1c + qo_1f
     qo_1_right = qo_1 - qo_1c
-    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right)
-    qo_1_lo2 = qo_1_lo1 + qo_1f_lo
-    qo_1_lo = qo_1_lo2 + qo_1c_lo
+    qo_1f_lo = qo_1f_left_rest - product_rest(q1i_1, q2i_3, qo_1e, qo_1f_right)
+    qo_1c_lo = qo_1c_left_rest - product_rest(q1i_2, q2i_0, qo_1b, qo_1c_right)
     qo_2a = q1i_1 * q2i_0
     qo_2b = q1i_0 * q2i_1
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
     qo_2c_left_rest = product_rest(q1i_1, q2i_0, qo_2a, qo_2c + qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest - product_rest(q1i_0, q2i_1, qo_2b, qo_2c_right)
     qo_2d = q1i_3 * q2i_2
     qo_2e = q1i_2 * q2i_3
     qo_2f = qo_2d - qo_2e
     qo_2f_right = qo_2d - qo_2f
     qo_2f_left_rest = product_rest(q1i_3, q2i_2, qo_2d, qo_2f + qo_2f_right)
-    qo_2f_lo = qo_2f_left_rest - product_rest(q1i_2, q2i_3, qo_2e, qo_2f_right)
     qo_2 = qo_2c + qo_2f
     qo_2_right = qo_2 - qo_2c
-    qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right)
-    qo_2_lo2 = qo_2_lo1 + qo_2f_lo
-    qo_2_lo = qo_2_lo2 + qo_2c_lo
+    qo_2f_lo = qo_2f_left_rest - product_rest(q1i_2, q2i_3, qo_2e, qo_2f_right)
+    qo_2c_lo = qo_2c_left_rest - product_rest(q1i_0, q2i_1, qo_2b, qo_2c_right)
     qo_3a = q1i_0 * q2i_0
     qo_3b = q1i_1 * q2i_1
     qo_3c = qo_3a + qo_3b
     qo_3c_right = qo_3c - qo_3a
     qo_3c_left_rest = product_rest(q1i_0, q2i_0, qo_3a, qo_3c - qo_3c_right)
-    qo_3c_lo = qo_3c_left_rest + product_rest(q1i_1, q2i_1, qo_3b, qo_3c_right)
     qo_3d = q1i_2 * q2i_2
     qo_3e = qo_3c + qo_3d
     qo_3e_right = qo_3e - qo_3c
     qo_3e_lo1 = qo_3c - (qo_3e - qo_3e_right) + product_rest(q1i_2, q2i_2, qo_3d, qo_3e_right)
-    qo_3e_lo = qo_3e_lo1 + qo_3c_lo
     qo_3f = q1i_3 * q2i_3
     qo_3 = qo_3e + qo_3f
     qo_3_right = qo_3 - qo_3e
-    qo_3_lo1 = qo_3e - (qo_3 - qo_3_right) + product_rest(q1i_3, q2i_3, qo_3f, qo_3_right)
-    qo_3_lo = qo_3_lo1 + qo_3e_lo
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3e_lo = qo_3e_lo1 + (qo_3c_left_rest + product_rest(q1i_1, q2i_1, qo_3b, qo_3c_right))
+    qo_0_rounded = qo_0 + (qo_0c - (qo_0 - qo_0_right) + (qo_0f - qo_0_right) + qo_0f_lo + qo_0c_lo)
+    qo_1_rounded = qo_1 + (qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right) + qo_1f_lo + qo_1c_lo)
+    qo_2_rounded = qo_2 + (qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right) + qo_2f_lo + qo_2c_lo)
+    qo_3_lo = qo_3e - (qo_3 - qo_3_right) + product_rest(q1i_3, q2i_3, qo_3f, qo_3_right) + qo_3e_lo
     qo_3_rounded = qo_3 + qo_3_lo
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
@@ -833,68 +773,60 @@ def quaternion_product_qconjqconj(q1i, q2i):
     qo_0c = qo_0a - qo_0b
     qo_0c_right = qo_0a - qo_0c
     qo_0c_left_rest = product_rest(q1i_1, q2i_2, qo_0a, qo_0c + qo_0c_right)
-    qo_0c_lo = qo_0c_left_rest - product_rest(q1i_2, q2i_1, qo_0b, qo_0c_right)
     qo_0d = q1i_0 * q2i_3
     qo_0e = qo_0c - qo_0d
     qo_0e_right = qo_0c - qo_0e
     qo_0e_lo1 = qo_0c - (qo_0e + qo_0e_right) - product_rest(q1i_0, q2i_3, qo_0d, qo_0e_right)
-    qo_0e_lo = qo_0e_lo1 + qo_0c_lo
     qo_0f = q1i_3 * q2i_0
     qo_0 = qo_0e - qo_0f
     qo_0_right = qo_0e - qo_0
-    qo_0_lo1 = qo_0e - (qo_0 + qo_0_right) - product_rest(q1i_3, q2i_0, qo_0f, qo_0_right)
-    qo_0_lo = qo_0_lo1 + qo_0e_lo
+    qo_0e_lo = qo_0e_lo1 + (qo_0c_left_rest - product_rest(q1i_2, q2i_1, qo_0b, qo_0c_right))
     qo_1a = q1i_2 * q2i_0
     qo_1b = q1i_0 * q2i_2
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
     qo_1c_left_rest = product_rest(q1i_2, q2i_0, qo_1a, qo_1c + qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest - product_rest(q1i_0, q2i_2, qo_1b, qo_1c_right)
     qo_1d = q1i_1 * q2i_3
     qo_1e = qo_1c - qo_1d
     qo_1e_right = qo_1c - qo_1e
     qo_1e_lo1 = qo_1c - (qo_1e + qo_1e_right) - product_rest(q1i_1, q2i_3, qo_1d, qo_1e_right)
-    qo_1e_lo = qo_1e_lo1 + qo_1c_lo
     qo_1f = q1i_3 * q2i_1
     qo_1 = qo_1e - qo_1f
     qo_1_right = qo_1e - qo_1
-    qo_1_lo1 = qo_1e - (qo_1 + qo_1_right) - product_rest(q1i_3, q2i_1, qo_1f, qo_1_right)
-    qo_1_lo = qo_1_lo1 + qo_1e_lo
+    qo_1e_lo = qo_1e_lo1 + (qo_1c_left_rest - product_rest(q1i_0, q2i_2, qo_1b, qo_1c_right))
     qo_2a = q1i_0 * q2i_1
     qo_2b = q1i_1 * q2i_0
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
     qo_2c_left_rest = product_rest(q1i_0, q2i_1, qo_2a, qo_2c + qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest - product_rest(q1i_1, q2i_0, qo_2b, qo_2c_right)
     qo_2d = q1i_2 * q2i_3
     qo_2e = qo_2c - qo_2d
     qo_2e_right = qo_2c - qo_2e
     qo_2e_lo1 = qo_2c - (qo_2e + qo_2e_right) - product_rest(q1i_2, q2i_3, qo_2d, qo_2e_right)
-    qo_2e_lo = qo_2e_lo1 + qo_2c_lo
     qo_2f = q1i_3 * q2i_2
     qo_2 = qo_2e - qo_2f
     qo_2_right = qo_2e - qo_2
-    qo_2_lo1 = qo_2e - (qo_2 + qo_2_right) - product_rest(q1i_3, q2i_2, qo_2f, qo_2_right)
-    qo_2_lo = qo_2_lo1 + qo_2e_lo
+    qo_2e_lo = qo_2e_lo1 + (qo_2c_left_rest - product_rest(q1i_1, q2i_0, qo_2b, qo_2c_right))
     qo_3a = q1i_3 * q2i_3
     qo_3b = q1i_0 * q2i_0
     qo_3c = q1i_1 * q2i_1
     qo_3d = qo_3b + qo_3c
     qo_3d_right = qo_3d - qo_3b
     qo_3d_left_rest = product_rest(q1i_0, q2i_0, qo_3b, qo_3d - qo_3d_right)
-    qo_3d_lo = qo_3d_left_rest + product_rest(q1i_1, q2i_1, qo_3c, qo_3d_right)
     qo_3e = q1i_2 * q2i_2
     qo_3f = qo_3d + qo_3e
     qo_3f_right = qo_3f - qo_3d
     qo_3f_lo1 = qo_3d - (qo_3f - qo_3f_right) + product_rest(q1i_2, q2i_2, qo_3e, qo_3f_right)
-    qo_3f_lo = qo_3f_lo1 + qo_3d_lo
     qo_3 = qo_3a - qo_3f
     qo_3_right = qo_3a - qo_3
-    qo_3_lo1 = product_rest(q1i_3, q2i_3, qo_3a, qo_3 + qo_3_right) - (qo_3f - qo_3_right)
-    qo_3_lo = qo_3_lo1 - qo_3f_lo
+    qo_3f_lo = qo_3f_lo1 + (qo_3d_left_rest + product_rest(q1i_1, q2i_1, qo_3c, qo_3d_right))
+    qo_0_lo = qo_0e - (qo_0 + qo_0_right) - product_rest(q1i_3, q2i_0, qo_0f, qo_0_right) + qo_0e_lo
     qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_lo = qo_1e - (qo_1 + qo_1_right) - product_rest(q1i_3, q2i_1, qo_1f, qo_1_right) + qo_1e_lo
     qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_lo = qo_2e - (qo_2 + qo_2_right) - product_rest(q1i_3, q2i_2, qo_2f, qo_2_right) + qo_2e_lo
     qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_lo = product_rest(q1i_3, q2i_3, qo_3a, qo_3 + qo_3_right) - (qo_3f - qo_3_right) - qo_3f_lo
     qo_3_rounded = qo_3 + qo_3_lo
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
@@ -914,29 +846,25 @@ def quaternion_product_qxq(dci, qi):
     qo_0 = qo_0a + qo_0b
     qo_0_right = qo_0 - qo_0a
     qo_0_left_rest = product_rest(dci_0, qi_3, qo_0a, qo_0 - qo_0_right)
-    qo_0_lo = qo_0_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0_right)
     qo_1a = dci_1 * qi_1
     qo_1b = dci_0 * qi_2
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
     qo_1_left_rest = product_rest(dci_1, qi_1, qo_1a, qo_1 + qo_1_right)
-    qo_1_lo = qo_1_left_rest - product_rest(dci_0, qi_2, qo_1b, qo_1_right)
     qo_2a = dci_0 * qi_1
     qo_2b = dci_1 * qi_2
     qo_2 = qo_2a + qo_2b
     qo_2_right = qo_2 - qo_2a
     qo_2_left_rest = product_rest(dci_0, qi_1, qo_2a, qo_2 - qo_2_right)
-    qo_2_lo = qo_2_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2_right)
     qo_3a = dci_1 * qi_3
     qo_3b = dci_0 * qi_0
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
     qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
-    qo_3_lo = qo_3_left_rest - product_rest(dci_0, qi_0, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(dci_0, qi_2, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(dci_0, qi_0, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -955,31 +883,26 @@ def quaternion_product_qxqconj(dci, qi):
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
     qo_0_left_rest = product_rest(dci_0, qi_3, qo_0a, qo_0 + qo_0_right)
-    qo_0_lo = qo_0_left_rest - product_rest(dci_1, qi_0, qo_0b, qo_0_right)
     qo_1a = dci_0 * qi_2
     qo_1b = dci_1 * qi_1
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
     qo_1_left_rest = product_rest(dci_0, qi_2, qo_1a, qo_1 + qo_1_right)
-    qo_1_lo = qo_1_left_rest - product_rest(dci_1, qi_1, qo_1b, qo_1_right)
     qo_2a = dci_0 * qi_1
     qo_2b = dci_1 * qi_2
     qo_2c = qo_2a + qo_2b
     qo_2c_right = qo_2c - qo_2a
     qo_2c_left_rest = product_rest(dci_0, qi_1, qo_2a, qo_2c - qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2c_right)
     qo_2 = -qo_2c
-    qo_2_lo = -qo_2c_lo
     qo_3a = dci_0 * qi_0
     qo_3b = dci_1 * qi_3
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
     qo_3_left_rest = product_rest(dci_0, qi_0, qo_3a, qo_3 - qo_3_right)
-    qo_3_lo = qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(dci_1, qi_0, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(dci_1, qi_1, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + -(qo_2c_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2c_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -998,29 +921,25 @@ def quaternion_product_qxconjq(dci, qi):
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
     qo_0_left_rest = product_rest(dci_1, qi_0, qo_0a, qo_0 + qo_0_right)
-    qo_0_lo = qo_0_left_rest - product_rest(dci_0, qi_3, qo_0b, qo_0_right)
     qo_1a = dci_0 * qi_2
     qo_1b = dci_1 * qi_1
     qo_1 = qo_1a + qo_1b
     qo_1_right = qo_1 - qo_1a
     qo_1_left_rest = product_rest(dci_0, qi_2, qo_1a, qo_1 - qo_1_right)
-    qo_1_lo = qo_1_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1_right)
     qo_2a = dci_1 * qi_2
     qo_2b = dci_0 * qi_1
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
     qo_2_left_rest = product_rest(dci_1, qi_2, qo_2a, qo_2 + qo_2_right)
-    qo_2_lo = qo_2_left_rest - product_rest(dci_0, qi_1, qo_2b, qo_2_right)
     qo_3a = dci_0 * qi_0
     qo_3b = dci_1 * qi_3
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
     qo_3_left_rest = product_rest(dci_0, qi_0, qo_3a, qo_3 - qo_3_right)
-    qo_3_lo = qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(dci_0, qi_3, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(dci_0, qi_1, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1039,33 +958,27 @@ def quaternion_product_qxconjqconj(dci, qi):
     qo_0c = qo_0a + qo_0b
     qo_0c_right = qo_0c - qo_0a
     qo_0c_left_rest = product_rest(dci_0, qi_3, qo_0a, qo_0c - qo_0c_right)
-    qo_0c_lo = qo_0c_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0c_right)
     qo_0 = -qo_0c
-    qo_0_lo = -qo_0c_lo
     qo_1a = dci_0 * qi_2
     qo_1b = dci_1 * qi_1
     qo_1c = qo_1a + qo_1b
     qo_1c_right = qo_1c - qo_1a
     qo_1c_left_rest = product_rest(dci_0, qi_2, qo_1a, qo_1c - qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1c_right)
     qo_1 = -qo_1c
-    qo_1_lo = -qo_1c_lo
     qo_2a = dci_0 * qi_1
     qo_2b = dci_1 * qi_2
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
     qo_2_left_rest = product_rest(dci_0, qi_1, qo_2a, qo_2 + qo_2_right)
-    qo_2_lo = qo_2_left_rest - product_rest(dci_1, qi_2, qo_2b, qo_2_right)
     qo_3a = dci_1 * qi_3
     qo_3b = dci_0 * qi_0
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
     qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
-    qo_3_lo = qo_3_left_rest - product_rest(dci_0, qi_0, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + -(qo_0c_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0c_right))
+    qo_1_rounded = qo_1 + -(qo_1c_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1c_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(dci_1, qi_2, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(dci_0, qi_0, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1084,29 +997,25 @@ def quaternion_product_qqx(qi, dci):
     qo_0 = qo_0a + qo_0b
     qo_0_right = qo_0 - qo_0a
     qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 - qo_0_right)
-    qo_0_lo = qo_0_left_rest + product_rest(qi_3, dci_0, qo_0b, qo_0_right)
     qo_1a = qi_1 * dci_1
     qo_1b = qi_2 * dci_0
     qo_1 = qo_1a + qo_1b
     qo_1_right = qo_1 - qo_1a
     qo_1_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1 - qo_1_right)
-    qo_1_lo = qo_1_left_rest + product_rest(qi_2, dci_0, qo_1b, qo_1_right)
     qo_2a = qi_2 * dci_1
     qo_2b = qi_1 * dci_0
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
     qo_2_left_rest = product_rest(qi_2, dci_1, qo_2a, qo_2 + qo_2_right)
-    qo_2_lo = qo_2_left_rest - product_rest(qi_1, dci_0, qo_2b, qo_2_right)
     qo_3a = qi_3 * dci_1
     qo_3b = qi_0 * dci_0
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
     qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
-    qo_3_lo = qo_3_left_rest - product_rest(qi_0, dci_0, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest + product_rest(qi_3, dci_0, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest + product_rest(qi_2, dci_0, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(qi_1, dci_0, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(qi_0, dci_0, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1125,29 +1034,25 @@ def quaternion_product_qqxconj(qi, dci):
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
     qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 + qo_0_right)
-    qo_0_lo = qo_0_left_rest - product_rest(qi_3, dci_0, qo_0b, qo_0_right)
     qo_1a = qi_1 * dci_1
     qo_1b = qi_2 * dci_0
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
     qo_1_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1 + qo_1_right)
-    qo_1_lo = qo_1_left_rest - product_rest(qi_2, dci_0, qo_1b, qo_1_right)
     qo_2a = qi_1 * dci_0
     qo_2b = qi_2 * dci_1
     qo_2 = qo_2a + qo_2b
     qo_2_right = qo_2 - qo_2a
     qo_2_left_rest = product_rest(qi_1, dci_0, qo_2a, qo_2 - qo_2_right)
-    qo_2_lo = qo_2_left_rest + product_rest(qi_2, dci_1, qo_2b, qo_2_right)
     qo_3a = qi_0 * dci_0
     qo_3b = qi_3 * dci_1
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
     qo_3_left_rest = product_rest(qi_0, dci_0, qo_3a, qo_3 - qo_3_right)
-    qo_3_lo = qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(qi_3, dci_0, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(qi_2, dci_0, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest + product_rest(qi_2, dci_1, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1166,31 +1071,26 @@ def quaternion_product_qconjqx(qi, dci):
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
     qo_0_left_rest = product_rest(qi_3, dci_0, qo_0a, qo_0 + qo_0_right)
-    qo_0_lo = qo_0_left_rest - product_rest(qi_0, dci_1, qo_0b, qo_0_right)
     qo_1a = qi_1 * dci_1
     qo_1b = qi_2 * dci_0
     qo_1c = qo_1a + qo_1b
     qo_1c_right = qo_1c - qo_1a
     qo_1c_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1c - qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest + product_rest(qi_2, dci_0, qo_1b, qo_1c_right)
     qo_1 = -qo_1c
-    qo_1_lo = -qo_1c_lo
     qo_2a = qi_1 * dci_0
     qo_2b = qi_2 * dci_1
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
     qo_2_left_rest = product_rest(qi_1, dci_0, qo_2a, qo_2 + qo_2_right)
-    qo_2_lo = qo_2_left_rest - product_rest(qi_2, dci_1, qo_2b, qo_2_right)
     qo_3a = qi_0 * dci_0
     qo_3b = qi_3 * dci_1
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
     qo_3_left_rest = product_rest(qi_0, dci_0, qo_3a, qo_3 - qo_3_right)
-    qo_3_lo = qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(qi_0, dci_1, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + -(qo_1c_left_rest + product_rest(qi_2, dci_0, qo_1b, qo_1c_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(qi_2, dci_1, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1209,33 +1109,27 @@ def quaternion_product_qconjqxconj(qi, dci):
     qo_0c = qo_0a + qo_0b
     qo_0c_right = qo_0c - qo_0a
     qo_0c_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0c - qo_0c_right)
-    qo_0c_lo = qo_0c_left_rest + product_rest(qi_3, dci_0, qo_0b, qo_0c_right)
     qo_0 = -qo_0c
-    qo_0_lo = -qo_0c_lo
     qo_1a = qi_2 * dci_0
     qo_1b = qi_1 * dci_1
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
     qo_1_left_rest = product_rest(qi_2, dci_0, qo_1a, qo_1 + qo_1_right)
-    qo_1_lo = qo_1_left_rest - product_rest(qi_1, dci_1, qo_1b, qo_1_right)
     qo_2a = qi_1 * dci_0
     qo_2b = qi_2 * dci_1
     qo_2c = qo_2a + qo_2b
     qo_2c_right = qo_2c - qo_2a
     qo_2c_left_rest = product_rest(qi_1, dci_0, qo_2a, qo_2c - qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest + product_rest(qi_2, dci_1, qo_2b, qo_2c_right)
     qo_2 = -qo_2c
-    qo_2_lo = -qo_2c_lo
     qo_3a = qi_3 * dci_1
     qo_3b = qi_0 * dci_0
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
     qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
-    qo_3_lo = qo_3_left_rest - product_rest(qi_0, dci_0, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + -(qo_0c_left_rest + product_rest(qi_3, dci_0, qo_0b, qo_0c_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(qi_1, dci_1, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + -(qo_2c_left_rest + product_rest(qi_2, dci_1, qo_2b, qo_2c_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(qi_0, dci_0, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1254,29 +1148,25 @@ def quaternion_product_qyq(dci, qi):
     qo_0 = qo_0a + qo_0b
     qo_0_right = qo_0 - qo_0a
     qo_0_left_rest = product_rest(dci_0, qi_2, qo_0a, qo_0 - qo_0_right)
-    qo_0_lo = qo_0_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0_right)
     qo_1a = dci_0 * qi_3
     qo_1b = dci_1 * qi_1
     qo_1 = qo_1a + qo_1b
     qo_1_right = qo_1 - qo_1a
     qo_1_left_rest = product_rest(dci_0, qi_3, qo_1a, qo_1 - qo_1_right)
-    qo_1_lo = qo_1_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1_right)
     qo_2a = dci_1 * qi_2
     qo_2b = dci_0 * qi_0
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
     qo_2_left_rest = product_rest(dci_1, qi_2, qo_2a, qo_2 + qo_2_right)
-    qo_2_lo = qo_2_left_rest - product_rest(dci_0, qi_0, qo_2b, qo_2_right)
     qo_3a = dci_1 * qi_3
     qo_3b = dci_0 * qi_1
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
     qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
-    qo_3_lo = qo_3_left_rest - product_rest(dci_0, qi_1, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(dci_0, qi_0, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(dci_0, qi_1, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1295,31 +1185,26 @@ def quaternion_product_qyqconj(dci, qi):
     qo_0c = qo_0a + qo_0b
     qo_0c_right = qo_0c - qo_0a
     qo_0c_left_rest = product_rest(dci_0, qi_2, qo_0a, qo_0c - qo_0c_right)
-    qo_0c_lo = qo_0c_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0c_right)
     qo_0 = -qo_0c
-    qo_0_lo = -qo_0c_lo
     qo_1a = dci_0 * qi_3
     qo_1b = dci_1 * qi_1
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
     qo_1_left_rest = product_rest(dci_0, qi_3, qo_1a, qo_1 + qo_1_right)
-    qo_1_lo = qo_1_left_rest - product_rest(dci_1, qi_1, qo_1b, qo_1_right)
     qo_2a = dci_0 * qi_0
     qo_2b = dci_1 * qi_2
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
     qo_2_left_rest = product_rest(dci_0, qi_0, qo_2a, qo_2 + qo_2_right)
-    qo_2_lo = qo_2_left_rest - product_rest(dci_1, qi_2, qo_2b, qo_2_right)
     qo_3a = dci_0 * qi_1
     qo_3b = dci_1 * qi_3
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
     qo_3_left_rest = product_rest(dci_0, qi_1, qo_3a, qo_3 - qo_3_right)
-    qo_3_lo = qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + -(qo_0c_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0c_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(dci_1, qi_1, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(dci_1, qi_2, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1338,29 +1223,25 @@ def quaternion_product_qyconjq(dci, qi):
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
     qo_0_left_rest = product_rest(dci_1, qi_0, qo_0a, qo_0 + qo_0_right)
-    qo_0_lo = qo_0_left_rest - product_rest(dci_0, qi_2, qo_0b, qo_0_right)
     qo_1a = dci_1 * qi_1
     qo_1b = dci_0 * qi_3
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
     qo_1_left_rest = product_rest(dci_1, qi_1, qo_1a, qo_1 + qo_1_right)
-    qo_1_lo = qo_1_left_rest - product_rest(dci_0, qi_3, qo_1b, qo_1_right)
     qo_2a = dci_0 * qi_0
     qo_2b = dci_1 * qi_2
     qo_2 = qo_2a + qo_2b
     qo_2_right = qo_2 - qo_2a
     qo_2_left_rest = product_rest(dci_0, qi_0, qo_2a, qo_2 - qo_2_right)
-    qo_2_lo = qo_2_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2_right)
     qo_3a = dci_0 * qi_1
     qo_3b = dci_1 * qi_3
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
     qo_3_left_rest = product_rest(dci_0, qi_1, qo_3a, qo_3 - qo_3_right)
-    qo_3_lo = qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(dci_0, qi_2, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(dci_0, qi_3, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1379,33 +1260,27 @@ def quaternion_product_qyconjqconj(dci, qi):
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
     qo_0_left_rest = product_rest(dci_0, qi_2, qo_0a, qo_0 + qo_0_right)
-    qo_0_lo = qo_0_left_rest - product_rest(dci_1, qi_0, qo_0b, qo_0_right)
     qo_1a = dci_0 * qi_3
     qo_1b = dci_1 * qi_1
     qo_1c = qo_1a + qo_1b
     qo_1c_right = qo_1c - qo_1a
     qo_1c_left_rest = product_rest(dci_0, qi_3, qo_1a, qo_1c - qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1c_right)
     qo_1 = -qo_1c
-    qo_1_lo = -qo_1c_lo
     qo_2a = dci_0 * qi_0
     qo_2b = dci_1 * qi_2
     qo_2c = qo_2a + qo_2b
     qo_2c_right = qo_2c - qo_2a
     qo_2c_left_rest = product_rest(dci_0, qi_0, qo_2a, qo_2c - qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2c_right)
     qo_2 = -qo_2c
-    qo_2_lo = -qo_2c_lo
     qo_3a = dci_1 * qi_3
     qo_3b = dci_0 * qi_1
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
     qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
-    qo_3_lo = qo_3_left_rest - product_rest(dci_0, qi_1, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(dci_1, qi_0, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + -(qo_1c_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1c_right))
+    qo_2_rounded = qo_2 + -(qo_2c_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2c_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(dci_0, qi_1, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1424,29 +1299,25 @@ def quaternion_product_qqy(qi, dci):
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
     qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 + qo_0_right)
-    qo_0_lo = qo_0_left_rest - product_rest(qi_2, dci_0, qo_0b, qo_0_right)
     qo_1a = qi_1 * dci_1
     qo_1b = qi_3 * dci_0
     qo_1 = qo_1a + qo_1b
     qo_1_right = qo_1 - qo_1a
     qo_1_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1 - qo_1_right)
-    qo_1_lo = qo_1_left_rest + product_rest(qi_3, dci_0, qo_1b, qo_1_right)
     qo_2a = qi_0 * dci_0
     qo_2b = qi_2 * dci_1
     qo_2 = qo_2a + qo_2b
     qo_2_right = qo_2 - qo_2a
     qo_2_left_rest = product_rest(qi_0, dci_0, qo_2a, qo_2 - qo_2_right)
-    qo_2_lo = qo_2_left_rest + product_rest(qi_2, dci_1, qo_2b, qo_2_right)
     qo_3a = qi_3 * dci_1
     qo_3b = qi_1 * dci_0
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
     qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
-    qo_3_lo = qo_3_left_rest - product_rest(qi_1, dci_0, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(qi_2, dci_0, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest + product_rest(qi_3, dci_0, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest + product_rest(qi_2, dci_1, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(qi_1, dci_0, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1465,29 +1336,25 @@ def quaternion_product_qqyconj(qi, dci):
     qo_0 = qo_0a + qo_0b
     qo_0_right = qo_0 - qo_0a
     qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 - qo_0_right)
-    qo_0_lo = qo_0_left_rest + product_rest(qi_2, dci_0, qo_0b, qo_0_right)
     qo_1a = qi_1 * dci_1
     qo_1b = qi_3 * dci_0
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
     qo_1_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1 + qo_1_right)
-    qo_1_lo = qo_1_left_rest - product_rest(qi_3, dci_0, qo_1b, qo_1_right)
     qo_2a = qi_2 * dci_1
     qo_2b = qi_0 * dci_0
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
     qo_2_left_rest = product_rest(qi_2, dci_1, qo_2a, qo_2 + qo_2_right)
-    qo_2_lo = qo_2_left_rest - product_rest(qi_0, dci_0, qo_2b, qo_2_right)
     qo_3a = qi_1 * dci_0
     qo_3b = qi_3 * dci_1
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
     qo_3_left_rest = product_rest(qi_1, dci_0, qo_3a, qo_3 - qo_3_right)
-    qo_3_lo = qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest + product_rest(qi_2, dci_0, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(qi_3, dci_0, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(qi_0, dci_0, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1506,31 +1373,26 @@ def quaternion_product_qconjqy(qi, dci):
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
     qo_0_left_rest = product_rest(qi_2, dci_0, qo_0a, qo_0 + qo_0_right)
-    qo_0_lo = qo_0_left_rest - product_rest(qi_0, dci_1, qo_0b, qo_0_right)
     qo_1a = qi_3 * dci_0
     qo_1b = qi_1 * dci_1
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
     qo_1_left_rest = product_rest(qi_3, dci_0, qo_1a, qo_1 + qo_1_right)
-    qo_1_lo = qo_1_left_rest - product_rest(qi_1, dci_1, qo_1b, qo_1_right)
     qo_2a = qi_0 * dci_0
     qo_2b = qi_2 * dci_1
     qo_2c = qo_2a + qo_2b
     qo_2c_right = qo_2c - qo_2a
     qo_2c_left_rest = product_rest(qi_0, dci_0, qo_2a, qo_2c - qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest + product_rest(qi_2, dci_1, qo_2b, qo_2c_right)
     qo_2 = -qo_2c
-    qo_2_lo = -qo_2c_lo
     qo_3a = qi_1 * dci_0
     qo_3b = qi_3 * dci_1
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
     qo_3_left_rest = product_rest(qi_1, dci_0, qo_3a, qo_3 - qo_3_right)
-    qo_3_lo = qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(qi_0, dci_1, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(qi_1, dci_1, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + -(qo_2c_left_rest + product_rest(qi_2, dci_1, qo_2b, qo_2c_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1549,33 +1411,27 @@ def quaternion_product_qconjqyconj(qi, dci):
     qo_0c = qo_0a + qo_0b
     qo_0c_right = qo_0c - qo_0a
     qo_0c_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0c - qo_0c_right)
-    qo_0c_lo = qo_0c_left_rest + product_rest(qi_2, dci_0, qo_0b, qo_0c_right)
     qo_0 = -qo_0c
-    qo_0_lo = -qo_0c_lo
     qo_1a = qi_1 * dci_1
     qo_1b = qi_3 * dci_0
     qo_1c = qo_1a + qo_1b
     qo_1c_right = qo_1c - qo_1a
     qo_1c_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1c - qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest + product_rest(qi_3, dci_0, qo_1b, qo_1c_right)
     qo_1 = -qo_1c
-    qo_1_lo = -qo_1c_lo
     qo_2a = qi_0 * dci_0
     qo_2b = qi_2 * dci_1
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
     qo_2_left_rest = product_rest(qi_0, dci_0, qo_2a, qo_2 + qo_2_right)
-    qo_2_lo = qo_2_left_rest - product_rest(qi_2, dci_1, qo_2b, qo_2_right)
     qo_3a = qi_3 * dci_1
     qo_3b = qi_1 * dci_0
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
     qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
-    qo_3_lo = qo_3_left_rest - product_rest(qi_1, dci_0, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + -(qo_0c_left_rest + product_rest(qi_2, dci_0, qo_0b, qo_0c_right))
+    qo_1_rounded = qo_1 + -(qo_1c_left_rest + product_rest(qi_3, dci_0, qo_1b, qo_1c_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(qi_2, dci_1, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(qi_1, dci_0, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1594,29 +1450,25 @@ def quaternion_product_qzq(dci, qi):
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
     qo_0_left_rest = product_rest(dci_1, qi_0, qo_0a, qo_0 + qo_0_right)
-    qo_0_lo = qo_0_left_rest - product_rest(dci_0, qi_1, qo_0b, qo_0_right)
     qo_1a = dci_0 * qi_0
     qo_1b = dci_1 * qi_1
     qo_1 = qo_1a + qo_1b
     qo_1_right = qo_1 - qo_1a
     qo_1_left_rest = product_rest(dci_0, qi_0, qo_1a, qo_1 - qo_1_right)
-    qo_1_lo = qo_1_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1_right)
     qo_2a = dci_0 * qi_3
     qo_2b = dci_1 * qi_2
     qo_2 = qo_2a + qo_2b
     qo_2_right = qo_2 - qo_2a
     qo_2_left_rest = product_rest(dci_0, qi_3, qo_2a, qo_2 - qo_2_right)
-    qo_2_lo = qo_2_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2_right)
     qo_3a = dci_1 * qi_3
     qo_3b = dci_0 * qi_2
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
     qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
-    qo_3_lo = qo_3_left_rest - product_rest(dci_0, qi_2, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(dci_0, qi_1, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(dci_0, qi_2, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1635,31 +1487,26 @@ def quaternion_product_qzqconj(dci, qi):
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
     qo_0_left_rest = product_rest(dci_0, qi_1, qo_0a, qo_0 + qo_0_right)
-    qo_0_lo = qo_0_left_rest - product_rest(dci_1, qi_0, qo_0b, qo_0_right)
     qo_1a = dci_0 * qi_0
     qo_1b = dci_1 * qi_1
     qo_1c = qo_1a + qo_1b
     qo_1c_right = qo_1c - qo_1a
     qo_1c_left_rest = product_rest(dci_0, qi_0, qo_1a, qo_1c - qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1c_right)
     qo_1 = -qo_1c
-    qo_1_lo = -qo_1c_lo
     qo_2a = dci_0 * qi_3
     qo_2b = dci_1 * qi_2
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
     qo_2_left_rest = product_rest(dci_0, qi_3, qo_2a, qo_2 + qo_2_right)
-    qo_2_lo = qo_2_left_rest - product_rest(dci_1, qi_2, qo_2b, qo_2_right)
     qo_3a = dci_0 * qi_2
     qo_3b = dci_1 * qi_3
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
     qo_3_left_rest = product_rest(dci_0, qi_2, qo_3a, qo_3 - qo_3_right)
-    qo_3_lo = qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(dci_1, qi_0, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + -(qo_1c_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1c_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(dci_1, qi_2, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1678,29 +1525,25 @@ def quaternion_product_qzconjq(dci, qi):
     qo_0 = qo_0a + qo_0b
     qo_0_right = qo_0 - qo_0a
     qo_0_left_rest = product_rest(dci_0, qi_1, qo_0a, qo_0 - qo_0_right)
-    qo_0_lo = qo_0_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0_right)
     qo_1a = dci_1 * qi_1
     qo_1b = dci_0 * qi_0
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
     qo_1_left_rest = product_rest(dci_1, qi_1, qo_1a, qo_1 + qo_1_right)
-    qo_1_lo = qo_1_left_rest - product_rest(dci_0, qi_0, qo_1b, qo_1_right)
     qo_2a = dci_1 * qi_2
     qo_2b = dci_0 * qi_3
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
     qo_2_left_rest = product_rest(dci_1, qi_2, qo_2a, qo_2 + qo_2_right)
-    qo_2_lo = qo_2_left_rest - product_rest(dci_0, qi_3, qo_2b, qo_2_right)
     qo_3a = dci_0 * qi_2
     qo_3b = dci_1 * qi_3
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
     qo_3_left_rest = product_rest(dci_0, qi_2, qo_3a, qo_3 - qo_3_right)
-    qo_3_lo = qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(dci_0, qi_0, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(dci_0, qi_3, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1719,33 +1562,27 @@ def quaternion_product_qzconjqconj(dci, qi):
     qo_0c = qo_0a + qo_0b
     qo_0c_right = qo_0c - qo_0a
     qo_0c_left_rest = product_rest(dci_0, qi_1, qo_0a, qo_0c - qo_0c_right)
-    qo_0c_lo = qo_0c_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0c_right)
     qo_0 = -qo_0c
-    qo_0_lo = -qo_0c_lo
     qo_1a = dci_0 * qi_0
     qo_1b = dci_1 * qi_1
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
     qo_1_left_rest = product_rest(dci_0, qi_0, qo_1a, qo_1 + qo_1_right)
-    qo_1_lo = qo_1_left_rest - product_rest(dci_1, qi_1, qo_1b, qo_1_right)
     qo_2a = dci_0 * qi_3
     qo_2b = dci_1 * qi_2
     qo_2c = qo_2a + qo_2b
     qo_2c_right = qo_2c - qo_2a
     qo_2c_left_rest = product_rest(dci_0, qi_3, qo_2a, qo_2c - qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2c_right)
     qo_2 = -qo_2c
-    qo_2_lo = -qo_2c_lo
     qo_3a = dci_1 * qi_3
     qo_3b = dci_0 * qi_2
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
     qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
-    qo_3_lo = qo_3_left_rest - product_rest(dci_0, qi_2, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + -(qo_0c_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0c_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(dci_1, qi_1, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + -(qo_2c_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2c_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(dci_0, qi_2, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1764,29 +1601,25 @@ def quaternion_product_qqz(qi, dci):
     qo_0 = qo_0a + qo_0b
     qo_0_right = qo_0 - qo_0a
     qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 - qo_0_right)
-    qo_0_lo = qo_0_left_rest + product_rest(qi_1, dci_0, qo_0b, qo_0_right)
     qo_1a = qi_1 * dci_1
     qo_1b = qi_0 * dci_0
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
     qo_1_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1 + qo_1_right)
-    qo_1_lo = qo_1_left_rest - product_rest(qi_0, dci_0, qo_1b, qo_1_right)
     qo_2a = qi_2 * dci_1
     qo_2b = qi_3 * dci_0
     qo_2 = qo_2a + qo_2b
     qo_2_right = qo_2 - qo_2a
     qo_2_left_rest = product_rest(qi_2, dci_1, qo_2a, qo_2 - qo_2_right)
-    qo_2_lo = qo_2_left_rest + product_rest(qi_3, dci_0, qo_2b, qo_2_right)
     qo_3a = qi_3 * dci_1
     qo_3b = qi_2 * dci_0
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
     qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
-    qo_3_lo = qo_3_left_rest - product_rest(qi_2, dci_0, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest + product_rest(qi_1, dci_0, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(qi_0, dci_0, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest + product_rest(qi_3, dci_0, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(qi_2, dci_0, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1805,29 +1638,25 @@ def quaternion_product_qqzconj(qi, dci):
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
     qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 + qo_0_right)
-    qo_0_lo = qo_0_left_rest - product_rest(qi_1, dci_0, qo_0b, qo_0_right)
     qo_1a = qi_0 * dci_0
     qo_1b = qi_1 * dci_1
     qo_1 = qo_1a + qo_1b
     qo_1_right = qo_1 - qo_1a
     qo_1_left_rest = product_rest(qi_0, dci_0, qo_1a, qo_1 - qo_1_right)
-    qo_1_lo = qo_1_left_rest + product_rest(qi_1, dci_1, qo_1b, qo_1_right)
     qo_2a = qi_2 * dci_1
     qo_2b = qi_3 * dci_0
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
     qo_2_left_rest = product_rest(qi_2, dci_1, qo_2a, qo_2 + qo_2_right)
-    qo_2_lo = qo_2_left_rest - product_rest(qi_3, dci_0, qo_2b, qo_2_right)
     qo_3a = qi_2 * dci_0
     qo_3b = qi_3 * dci_1
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
     qo_3_left_rest = product_rest(qi_2, dci_0, qo_3a, qo_3 - qo_3_right)
-    qo_3_lo = qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(qi_1, dci_0, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest + product_rest(qi_1, dci_1, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(qi_3, dci_0, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1846,31 +1675,26 @@ def quaternion_product_qconjqz(qi, dci):
     qo_0c = qo_0a + qo_0b
     qo_0c_right = qo_0c - qo_0a
     qo_0c_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0c - qo_0c_right)
-    qo_0c_lo = qo_0c_left_rest + product_rest(qi_1, dci_0, qo_0b, qo_0c_right)
     qo_0 = -qo_0c
-    qo_0_lo = -qo_0c_lo
     qo_1a = qi_0 * dci_0
     qo_1b = qi_1 * dci_1
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
     qo_1_left_rest = product_rest(qi_0, dci_0, qo_1a, qo_1 + qo_1_right)
-    qo_1_lo = qo_1_left_rest - product_rest(qi_1, dci_1, qo_1b, qo_1_right)
     qo_2a = qi_3 * dci_0
     qo_2b = qi_2 * dci_1
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
     qo_2_left_rest = product_rest(qi_3, dci_0, qo_2a, qo_2 + qo_2_right)
-    qo_2_lo = qo_2_left_rest - product_rest(qi_2, dci_1, qo_2b, qo_2_right)
     qo_3a = qi_2 * dci_0
     qo_3b = qi_3 * dci_1
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
     qo_3_left_rest = product_rest(qi_2, dci_0, qo_3a, qo_3 - qo_3_right)
-    qo_3_lo = qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + -(qo_0c_left_rest + product_rest(qi_1, dci_0, qo_0b, qo_0c_right))
+    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(qi_1, dci_1, qo_1b, qo_1_right))
+    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(qi_2, dci_1, qo_2b, qo_2_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1889,33 +1713,27 @@ def quaternion_product_qconjqzconj(qi, dci):
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
     qo_0_left_rest = product_rest(qi_1, dci_0, qo_0a, qo_0 + qo_0_right)
-    qo_0_lo = qo_0_left_rest - product_rest(qi_0, dci_1, qo_0b, qo_0_right)
     qo_1a = qi_0 * dci_0
     qo_1b = qi_1 * dci_1
     qo_1c = qo_1a + qo_1b
     qo_1c_right = qo_1c - qo_1a
     qo_1c_left_rest = product_rest(qi_0, dci_0, qo_1a, qo_1c - qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest + product_rest(qi_1, dci_1, qo_1b, qo_1c_right)
     qo_1 = -qo_1c
-    qo_1_lo = -qo_1c_lo
     qo_2a = qi_2 * dci_1
     qo_2b = qi_3 * dci_0
     qo_2c = qo_2a + qo_2b
     qo_2c_right = qo_2c - qo_2a
     qo_2c_left_rest = product_rest(qi_2, dci_1, qo_2a, qo_2c - qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest + product_rest(qi_3, dci_0, qo_2b, qo_2c_right)
     qo_2 = -qo_2c
-    qo_2_lo = -qo_2c_lo
     qo_3a = qi_3 * dci_1
     qo_3b = qi_2 * dci_0
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
     qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
-    qo_3_lo = qo_3_left_rest - product_rest(qi_2, dci_0, qo_3b, qo_3_right)
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(qi_0, dci_1, qo_0b, qo_0_right))
+    qo_1_rounded = qo_1 + -(qo_1c_left_rest + product_rest(qi_1, dci_1, qo_1b, qo_1c_right))
+    qo_2_rounded = qo_2 + -(qo_2c_left_rest + product_rest(qi_3, dci_0, qo_2b, qo_2c_right))
+    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(qi_2, dci_0, qo_3b, qo_3_right))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1934,50 +1752,45 @@ def quaternion_product_qv(qi, vi):
     qo_0c = qo_0a - qo_0b
     qo_0c_right = qo_0a - qo_0c
     qo_0c_left_rest = product_rest(qi_1, vi_2, qo_0a, qo_0c + qo_0c_right)
-    qo_0c_lo = qo_0c_left_rest - product_rest(qi_2, vi_1, qo_0b, qo_0c_right)
     qo_0d = qi_3 * vi_0
     qo_0 = qo_0c + qo_0d
     qo_0_right = qo_0 - qo_0c
     qo_0_lo1 = qo_0c - (qo_0 - qo_0_right) + product_rest(qi_3, vi_0, qo_0d, qo_0_right)
-    qo_0_lo = qo_0_lo1 + qo_0c_lo
     qo_1a = qi_2 * vi_0
     qo_1b = qi_0 * vi_2
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
     qo_1c_left_rest = product_rest(qi_2, vi_0, qo_1a, qo_1c + qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest - product_rest(qi_0, vi_2, qo_1b, qo_1c_right)
     qo_1d = qi_3 * vi_1
     qo_1 = qo_1c + qo_1d
     qo_1_right = qo_1 - qo_1c
     qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + product_rest(qi_3, vi_1, qo_1d, qo_1_right)
-    qo_1_lo = qo_1_lo1 + qo_1c_lo
     qo_2a = qi_0 * vi_1
     qo_2b = qi_1 * vi_0
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
     qo_2c_left_rest = product_rest(qi_0, vi_1, qo_2a, qo_2c + qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest - product_rest(qi_1, vi_0, qo_2b, qo_2c_right)
     qo_2d = qi_3 * vi_2
     qo_2 = qo_2c + qo_2d
     qo_2_right = qo_2 - qo_2c
     qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + product_rest(qi_3, vi_2, qo_2d, qo_2_right)
-    qo_2_lo = qo_2_lo1 + qo_2c_lo
     qo_3a = qi_0 * vi_0
     qo_3b = qi_1 * vi_1
     qo_3c = qo_3a + qo_3b
     qo_3c_right = qo_3c - qo_3a
     qo_3c_left_rest = product_rest(qi_0, vi_0, qo_3a, qo_3c - qo_3c_right)
-    qo_3c_lo = qo_3c_left_rest + product_rest(qi_1, vi_1, qo_3b, qo_3c_right)
     qo_3d = qi_2 * vi_2
     qo_3e = qo_3c + qo_3d
     qo_3e_right = qo_3e - qo_3c
     qo_3e_lo1 = qo_3c - (qo_3e - qo_3e_right) + product_rest(qi_2, vi_2, qo_3d, qo_3e_right)
-    qo_3e_lo = qo_3e_lo1 + qo_3c_lo
     qo_3 = -qo_3e
-    qo_3_lo = -qo_3e_lo
+    qo_0_lo = qo_0_lo1 + (qo_0c_left_rest - product_rest(qi_2, vi_1, qo_0b, qo_0c_right))
     qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_lo = qo_1_lo1 + (qo_1c_left_rest - product_rest(qi_0, vi_2, qo_1b, qo_1c_right))
     qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_lo = qo_2_lo1 + (qo_2c_left_rest - product_rest(qi_1, vi_0, qo_2b, qo_2c_right))
     qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_lo = -(qo_3e_lo1 + (qo_3c_left_rest + product_rest(qi_1, vi_1, qo_3b, qo_3c_right)))
     qo_3_rounded = qo_3 + qo_3_lo
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
@@ -1997,48 +1810,44 @@ def quaternion_product_qconjv(qi, vi):
     qo_0c = qo_0a - qo_0b
     qo_0c_right = qo_0a - qo_0c
     qo_0c_left_rest = product_rest(qi_2, vi_1, qo_0a, qo_0c + qo_0c_right)
-    qo_0c_lo = qo_0c_left_rest - product_rest(qi_1, vi_2, qo_0b, qo_0c_right)
     qo_0d = qi_3 * vi_0
     qo_0 = qo_0c + qo_0d
     qo_0_right = qo_0 - qo_0c
     qo_0_lo1 = qo_0c - (qo_0 - qo_0_right) + product_rest(qi_3, vi_0, qo_0d, qo_0_right)
-    qo_0_lo = qo_0_lo1 + qo_0c_lo
     qo_1a = qi_0 * vi_2
     qo_1b = qi_2 * vi_0
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
     qo_1c_left_rest = product_rest(qi_0, vi_2, qo_1a, qo_1c + qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest - product_rest(qi_2, vi_0, qo_1b, qo_1c_right)
     qo_1d = qi_3 * vi_1
     qo_1 = qo_1c + qo_1d
     qo_1_right = qo_1 - qo_1c
     qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + product_rest(qi_3, vi_1, qo_1d, qo_1_right)
-    qo_1_lo = qo_1_lo1 + qo_1c_lo
     qo_2a = qi_1 * vi_0
     qo_2b = qi_0 * vi_1
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
     qo_2c_left_rest = product_rest(qi_1, vi_0, qo_2a, qo_2c + qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest - product_rest(qi_0, vi_1, qo_2b, qo_2c_right)
     qo_2d = qi_3 * vi_2
     qo_2 = qo_2c + qo_2d
     qo_2_right = qo_2 - qo_2c
     qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + product_rest(qi_3, vi_2, qo_2d, qo_2_right)
-    qo_2_lo = qo_2_lo1 + qo_2c_lo
     qo_3a = qi_0 * vi_0
     qo_3b = qi_1 * vi_1
     qo_3c = qo_3a + qo_3b
     qo_3c_right = qo_3c - qo_3a
     qo_3c_left_rest = product_rest(qi_0, vi_0, qo_3a, qo_3c - qo_3c_right)
-    qo_3c_lo = qo_3c_left_rest + product_rest(qi_1, vi_1, qo_3b, qo_3c_right)
     qo_3d = qi_2 * vi_2
     qo_3 = qo_3c + qo_3d
     qo_3_right = qo_3 - qo_3c
     qo_3_lo1 = qo_3c - (qo_3 - qo_3_right) + product_rest(qi_2, vi_2, qo_3d, qo_3_right)
-    qo_3_lo = qo_3_lo1 + qo_3c_lo
+    qo_0_lo = qo_0_lo1 + (qo_0c_left_rest - product_rest(qi_1, vi_2, qo_0b, qo_0c_right))
     qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_lo = qo_1_lo1 + (qo_1c_left_rest - product_rest(qi_2, vi_0, qo_1b, qo_1c_right))
     qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_lo = qo_2_lo1 + (qo_2c_left_rest - product_rest(qi_0, vi_1, qo_2b, qo_2c_right))
     qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_lo = qo_3_lo1 + (qo_3c_left_rest + product_rest(qi_1, vi_1, qo_3b, qo_3c_right))
     qo_3_rounded = qo_3 + qo_3_lo
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
@@ -2059,49 +1868,44 @@ def quaternion_product_vq(vi, qi):
     qo_0d = qo_0b - qo_0c
     qo_0d_right = qo_0b - qo_0d
     qo_0d_left_rest = product_rest(vi_1, qi_2, qo_0b, qo_0d + qo_0d_right)
-    qo_0d_lo = qo_0d_left_rest - product_rest(vi_2, qi_1, qo_0c, qo_0d_right)
     qo_0 = qo_0a + qo_0d
     qo_0_right = qo_0 - qo_0a
     qo_0_lo1 = product_rest(vi_0, qi_3, qo_0a, qo_0 - qo_0_right) + (qo_0d - qo_0_right)
-    qo_0_lo = qo_0_lo1 + qo_0d_lo
     qo_1a = vi_2 * qi_0
     qo_1b = vi_0 * qi_2
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
     qo_1c_left_rest = product_rest(vi_2, qi_0, qo_1a, qo_1c + qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest - product_rest(vi_0, qi_2, qo_1b, qo_1c_right)
     qo_1d = vi_1 * qi_3
     qo_1 = qo_1c + qo_1d
     qo_1_right = qo_1 - qo_1c
     qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + product_rest(vi_1, qi_3, qo_1d, qo_1_right)
-    qo_1_lo = qo_1_lo1 + qo_1c_lo
     qo_2a = vi_0 * qi_1
     qo_2b = vi_1 * qi_0
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
     qo_2c_left_rest = product_rest(vi_0, qi_1, qo_2a, qo_2c + qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest - product_rest(vi_1, qi_0, qo_2b, qo_2c_right)
     qo_2d = vi_2 * qi_3
     qo_2 = qo_2c + qo_2d
     qo_2_right = qo_2 - qo_2c
     qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + product_rest(vi_2, qi_3, qo_2d, qo_2_right)
-    qo_2_lo = qo_2_lo1 + qo_2c_lo
     qo_3a = vi_0 * qi_0
     qo_3b = vi_1 * qi_1
     qo_3c = qo_3a + qo_3b
     qo_3c_right = qo_3c - qo_3a
     qo_3c_left_rest = product_rest(vi_0, qi_0, qo_3a, qo_3c - qo_3c_right)
-    qo_3c_lo = qo_3c_left_rest + product_rest(vi_1, qi_1, qo_3b, qo_3c_right)
     qo_3d = vi_2 * qi_2
     qo_3e = qo_3c + qo_3d
     qo_3e_right = qo_3e - qo_3c
     qo_3e_lo1 = qo_3c - (qo_3e - qo_3e_right) + product_rest(vi_2, qi_2, qo_3d, qo_3e_right)
-    qo_3e_lo = qo_3e_lo1 + qo_3c_lo
     qo_3 = -qo_3e
-    qo_3_lo = -qo_3e_lo
+    qo_0_lo = qo_0_lo1 + (qo_0d_left_rest - product_rest(vi_2, qi_1, qo_0c, qo_0d_right))
     qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_lo = qo_1_lo1 + (qo_1c_left_rest - product_rest(vi_0, qi_2, qo_1b, qo_1c_right))
     qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_lo = qo_2_lo1 + (qo_2c_left_rest - product_rest(vi_1, qi_0, qo_2b, qo_2c_right))
     qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_lo = -(qo_3e_lo1 + (qo_3c_left_rest + product_rest(vi_1, qi_1, qo_3b, qo_3c_right)))
     qo_3_rounded = qo_3 + qo_3_lo
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
@@ -2122,47 +1926,43 @@ def quaternion_product_vqconj(vi, qi):
     qo_0d = qo_0b - qo_0c
     qo_0d_right = qo_0b - qo_0d
     qo_0d_left_rest = product_rest(vi_2, qi_1, qo_0b, qo_0d + qo_0d_right)
-    qo_0d_lo = qo_0d_left_rest - product_rest(vi_1, qi_2, qo_0c, qo_0d_right)
     qo_0 = qo_0a + qo_0d
     qo_0_right = qo_0 - qo_0a
     qo_0_lo1 = product_rest(vi_0, qi_3, qo_0a, qo_0 - qo_0_right) + (qo_0d - qo_0_right)
-    qo_0_lo = qo_0_lo1 + qo_0d_lo
     qo_1a = vi_0 * qi_2
     qo_1b = vi_2 * qi_0
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
     qo_1c_left_rest = product_rest(vi_0, qi_2, qo_1a, qo_1c + qo_1c_right)
-    qo_1c_lo = qo_1c_left_rest - product_rest(vi_2, qi_0, qo_1b, qo_1c_right)
     qo_1d = vi_1 * qi_3
     qo_1 = qo_1c + qo_1d
     qo_1_right = qo_1 - qo_1c
     qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + product_rest(vi_1, qi_3, qo_1d, qo_1_right)
-    qo_1_lo = qo_1_lo1 + qo_1c_lo
     qo_2a = vi_1 * qi_0
     qo_2b = vi_0 * qi_1
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
     qo_2c_left_rest = product_rest(vi_1, qi_0, qo_2a, qo_2c + qo_2c_right)
-    qo_2c_lo = qo_2c_left_rest - product_rest(vi_0, qi_1, qo_2b, qo_2c_right)
     qo_2d = vi_2 * qi_3
     qo_2 = qo_2c + qo_2d
     qo_2_right = qo_2 - qo_2c
     qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + product_rest(vi_2, qi_3, qo_2d, qo_2_right)
-    qo_2_lo = qo_2_lo1 + qo_2c_lo
     qo_3a = vi_0 * qi_0
     qo_3b = vi_1 * qi_1
     qo_3c = qo_3a + qo_3b
     qo_3c_right = qo_3c - qo_3a
     qo_3c_left_rest = product_rest(vi_0, qi_0, qo_3a, qo_3c - qo_3c_right)
-    qo_3c_lo = qo_3c_left_rest + product_rest(vi_1, qi_1, qo_3b, qo_3c_right)
     qo_3d = vi_2 * qi_2
     qo_3 = qo_3c + qo_3d
     qo_3_right = qo_3 - qo_3c
     qo_3_lo1 = qo_3c - (qo_3 - qo_3_right) + product_rest(vi_2, qi_2, qo_3d, qo_3_right)
-    qo_3_lo = qo_3_lo1 + qo_3c_lo
+    qo_0_lo = qo_0_lo1 + (qo_0d_left_rest - product_rest(vi_1, qi_2, qo_0c, qo_0d_right))
     qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_lo = qo_1_lo1 + (qo_1c_left_rest - product_rest(vi_2, qi_0, qo_1b, qo_1c_right))
     qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_lo = qo_2_lo1 + (qo_2c_left_rest - product_rest(vi_0, qi_1, qo_2b, qo_2c_right))
     qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_lo = qo_3_lo1 + (qo_3c_left_rest + product_rest(vi_1, qi_1, qo_3b, qo_3c_right))
     qo_3_rounded = qo_3 + qo_3_lo
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
@@ -2182,17 +1982,15 @@ def dot_qq(q1i, q2i):
     dot_c = dot_a + dot_b
     dot_c_right = dot_c - dot_a
     dot_c_left_rest = product_rest(q1i_0, q2i_0, dot_a, dot_c - dot_c_right)
-    dot_c_lo = dot_c_left_rest + product_rest(q1i_1, q2i_1, dot_b, dot_c_right)
     dot_d = q1i_2 * q2i_2
     dot_e = dot_c + dot_d
     dot_e_right = dot_e - dot_c
     dot_e_lo1 = dot_c - (dot_e - dot_e_right) + product_rest(q1i_2, q2i_2, dot_d, dot_e_right)
-    dot_e_lo = dot_e_lo1 + dot_c_lo
     dot_f = q1i_3 * q2i_3
     dot = dot_e + dot_f
     dot_right = dot - dot_e
-    dot_lo1 = dot_e - (dot - dot_right) + product_rest(q1i_3, q2i_3, dot_f, dot_right)
-    dot_lo = dot_lo1 + dot_e_lo
+    dot_e_lo = dot_e_lo1 + (dot_c_left_rest + product_rest(q1i_1, q2i_1, dot_b, dot_c_right))
+    dot_lo = dot_e - (dot - dot_right) + product_rest(q1i_3, q2i_3, dot_f, dot_right) + dot_e_lo
     dot_rounded = dot + dot_lo
     return dot_rounded
 
@@ -2218,70 +2016,62 @@ def add_dpiToq(dpi, qi):
     qi_0_new_g_right = qi_0_new_d - qi_0_new_g
     qi_0_new_g_left_rest = product_rest(qi_0_new_c, qi_1, qi_0_new_d, qi_0_new_g + qi_0_new_g_right)
     qi_0_new_g_right_rest = product_rest(qi_0_new_e, qi_2, qi_0_new_f, qi_0_new_g_right)
-    qi_0_new_g_lo = qi_0_new_g_left_rest - qi_0_new_g_right_rest
     qi_0_new_h = qi_0_new_b + qi_0_new_g
     qi_0_new_h_right = qi_0_new_h - qi_0_new_b
     qi_0_new_h_left_rest = product_rest(qi_0_new_a, qi_3, qi_0_new_b, qi_0_new_h - qi_0_new_h_right)
     qi_0_new_h_lo1 = qi_0_new_h_left_rest + (qi_0_new_g - qi_0_new_h_right)
-    qi_0_new_h_lo = qi_0_new_h_lo1 + qi_0_new_g_lo
     qi_0_new = qi_0_new_h + qi_0
     qi_0_new_right = qi_0_new - qi_0_new_h
     qi_0_new_lo1 = qi_0_new_h - (qi_0_new - qi_0_new_right) + (qi_0 - qi_0_new_right)
-    qi_0_new_lo = qi_0_new_lo1 + qi_0_new_h_lo
     qi_1_new_a = qi_0_new_a * qi_2
     qi_1_new_b = qi_0_new_c * qi_0
     qi_1_new_c = qi_1_new_a - qi_1_new_b
     qi_1_new_c_right = qi_1_new_a - qi_1_new_c
     qi_1_new_c_left_rest = product_rest(qi_0_new_a, qi_2, qi_1_new_a, qi_1_new_c + qi_1_new_c_right)
     qi_1_new_c_right_rest = product_rest(qi_0_new_c, qi_0, qi_1_new_b, qi_1_new_c_right)
-    qi_1_new_c_lo = qi_1_new_c_left_rest - qi_1_new_c_right_rest
     qi_1_new_d = qi_0_new_e * qi_3
     qi_1_new_e = qi_1_new_c + qi_1_new_d
     qi_1_new_e_right = qi_1_new_e - qi_1_new_c
     qi_1_new_e_right_rest = product_rest(qi_0_new_e, qi_3, qi_1_new_d, qi_1_new_e_right)
     qi_1_new_e_lo1 = qi_1_new_c - (qi_1_new_e - qi_1_new_e_right) + qi_1_new_e_right_rest
-    qi_1_new_e_lo = qi_1_new_e_lo1 + qi_1_new_c_lo
     qi_1_new = qi_1_new_e + qi_1
     qi_1_new_right = qi_1_new - qi_1_new_e
     qi_1_new_lo1 = qi_1_new_e - (qi_1_new - qi_1_new_right) + (qi_1 - qi_1_new_right)
-    qi_1_new_lo = qi_1_new_lo1 + qi_1_new_e_lo
     qi_2_new_a = qi_0_new_e * qi_0
     qi_2_new_b = qi_0_new_a * qi_1
     qi_2_new_c = qi_2_new_a - qi_2_new_b
     qi_2_new_c_right = qi_2_new_a - qi_2_new_c
     qi_2_new_c_left_rest = product_rest(qi_0_new_e, qi_0, qi_2_new_a, qi_2_new_c + qi_2_new_c_right)
     qi_2_new_c_right_rest = product_rest(qi_0_new_a, qi_1, qi_2_new_b, qi_2_new_c_right)
-    qi_2_new_c_lo = qi_2_new_c_left_rest - qi_2_new_c_right_rest
     qi_2_new_d = qi_0_new_c * qi_3
     qi_2_new_e = qi_2_new_c + qi_2_new_d
     qi_2_new_e_right = qi_2_new_e - qi_2_new_c
     qi_2_new_e_right_rest = product_rest(qi_0_new_c, qi_3, qi_2_new_d, qi_2_new_e_right)
     qi_2_new_e_lo1 = qi_2_new_c - (qi_2_new_e - qi_2_new_e_right) + qi_2_new_e_right_rest
-    qi_2_new_e_lo = qi_2_new_e_lo1 + qi_2_new_c_lo
     qi_2_new = qi_2_new_e + qi_2
     qi_2_new_right = qi_2_new - qi_2_new_e
     qi_2_new_lo1 = qi_2_new_e - (qi_2_new - qi_2_new_right) + (qi_2 - qi_2_new_right)
-    qi_2_new_lo = qi_2_new_lo1 + qi_2_new_e_lo
     qi_3_new_a = qi_0_new_a * qi_0
     qi_3_new_b = qi_0_new_e * qi_1
     qi_3_new_c = qi_3_new_a + qi_3_new_b
     qi_3_new_c_right = qi_3_new_c - qi_3_new_a
     qi_3_new_c_left_rest = product_rest(qi_0_new_a, qi_0, qi_3_new_a, qi_3_new_c - qi_3_new_c_right)
     qi_3_new_c_right_rest = product_rest(qi_0_new_e, qi_1, qi_3_new_b, qi_3_new_c_right)
-    qi_3_new_c_lo = qi_3_new_c_left_rest + qi_3_new_c_right_rest
     qi_3_new_d = qi_0_new_c * qi_2
     qi_3_new_e = qi_3_new_c + qi_3_new_d
     qi_3_new_e_right = qi_3_new_e - qi_3_new_c
     qi_3_new_e_right_rest = product_rest(qi_0_new_c, qi_2, qi_3_new_d, qi_3_new_e_right)
     qi_3_new_e_lo1 = qi_3_new_c - (qi_3_new_e - qi_3_new_e_right) + qi_3_new_e_right_rest
-    qi_3_new_e_lo = qi_3_new_e_lo1 + qi_3_new_c_lo
     qi_3_new = qi_3 - qi_3_new_e
     qi_3_new_right = qi_3 - qi_3_new
     qi_3_new_lo1 = qi_3 - (qi_3_new + qi_3_new_right) - (qi_3_new_e - qi_3_new_right)
-    qi_3_new_lo = qi_3_new_lo1 - qi_3_new_e_lo
+    qi_0_new_lo = qi_0_new_lo1 + (qi_0_new_h_lo1 + (qi_0_new_g_left_rest - qi_0_new_g_right_rest))
     qi_0_new_rounded = qi_0_new + qi_0_new_lo
+    qi_1_new_lo = qi_1_new_lo1 + (qi_1_new_e_lo1 + (qi_1_new_c_left_rest - qi_1_new_c_right_rest))
     qi_1_new_rounded = qi_1_new + qi_1_new_lo
+    qi_2_new_lo = qi_2_new_lo1 + (qi_2_new_e_lo1 + (qi_2_new_c_left_rest - qi_2_new_c_right_rest))
     qi_2_new_rounded = qi_2_new + qi_2_new_lo
+    qi_3_new_lo = qi_3_new_lo1 - (qi_3_new_e_lo1 + (qi_3_new_c_left_rest + qi_3_new_c_right_rest))
     qi_3_new_rounded = qi_3_new + qi_3_new_lo
     return (qi_0_new_rounded, qi_1_new_rounded, qi_2_new_rounded, qi_3_new_rounded)
 
@@ -2304,72 +2094,64 @@ def subtract_dpiFromq(dpi, qi):
     qi_0_new_e_right = qi_0_new_b - qi_0_new_e
     qi_0_new_e_left_rest = product_rest(qi_0_new_a, qi_2, qi_0_new_b, qi_0_new_e + qi_0_new_e_right)
     qi_0_new_e_right_rest = product_rest(qi_0_new_c, qi_1, qi_0_new_d, qi_0_new_e_right)
-    qi_0_new_e_lo = qi_0_new_e_left_rest - qi_0_new_e_right_rest
     qi_0_new_f = 0.5 * dpi_0
     qi_0_new_g = qi_0_new_f * qi_3
     qi_0_new_h = qi_0_new_e - qi_0_new_g
     qi_0_new_h_right = qi_0_new_e - qi_0_new_h
     qi_0_new_h_right_rest = product_rest(qi_0_new_f, qi_3, qi_0_new_g, qi_0_new_h_right)
     qi_0_new_h_lo1 = qi_0_new_e - (qi_0_new_h + qi_0_new_h_right) - qi_0_new_h_right_rest
-    qi_0_new_h_lo = qi_0_new_h_lo1 + qi_0_new_e_lo
     qi_0_new = qi_0_new_h + qi_0
     qi_0_new_right = qi_0_new - qi_0_new_h
     qi_0_new_lo1 = qi_0_new_h - (qi_0_new - qi_0_new_right) + (qi_0 - qi_0_new_right)
-    qi_0_new_lo = qi_0_new_lo1 + qi_0_new_h_lo
     qi_1_new_a = qi_0_new_c * qi_0
     qi_1_new_b = qi_0_new_f * qi_2
     qi_1_new_c = qi_1_new_a - qi_1_new_b
     qi_1_new_c_right = qi_1_new_a - qi_1_new_c
     qi_1_new_c_left_rest = product_rest(qi_0_new_c, qi_0, qi_1_new_a, qi_1_new_c + qi_1_new_c_right)
     qi_1_new_c_right_rest = product_rest(qi_0_new_f, qi_2, qi_1_new_b, qi_1_new_c_right)
-    qi_1_new_c_lo = qi_1_new_c_left_rest - qi_1_new_c_right_rest
     qi_1_new_d = qi_0_new_a * qi_3
     qi_1_new_e = qi_1_new_c - qi_1_new_d
     qi_1_new_e_right = qi_1_new_c - qi_1_new_e
     qi_1_new_e_right_rest = product_rest(qi_0_new_a, qi_3, qi_1_new_d, qi_1_new_e_right)
     qi_1_new_e_lo1 = qi_1_new_c - (qi_1_new_e + qi_1_new_e_right) - qi_1_new_e_right_rest
-    qi_1_new_e_lo = qi_1_new_e_lo1 + qi_1_new_c_lo
     qi_1_new = qi_1_new_e + qi_1
     qi_1_new_right = qi_1_new - qi_1_new_e
     qi_1_new_lo1 = qi_1_new_e - (qi_1_new - qi_1_new_right) + (qi_1 - qi_1_new_right)
-    qi_1_new_lo = qi_1_new_lo1 + qi_1_new_e_lo
     qi_2_new_a = qi_0_new_f * qi_1
     qi_2_new_b = qi_0_new_a * qi_0
     qi_2_new_c = qi_2_new_a - qi_2_new_b
     qi_2_new_c_right = qi_2_new_a - qi_2_new_c
     qi_2_new_c_left_rest = product_rest(qi_0_new_f, qi_1, qi_2_new_a, qi_2_new_c + qi_2_new_c_right)
     qi_2_new_c_right_rest = product_rest(qi_0_new_a, qi_0, qi_2_new_b, qi_2_new_c_right)
-    qi_2_new_c_lo = qi_2_new_c_left_rest - qi_2_new_c_right_rest
     qi_2_new_d = qi_0_new_c * qi_3
     qi_2_new_e = qi_2_new_c - qi_2_new_d
     qi_2_new_e_right = qi_2_new_c - qi_2_new_e
     qi_2_new_e_right_rest = product_rest(qi_0_new_c, qi_3, qi_2_new_d, qi_2_new_e_right)
     qi_2_new_e_lo1 = qi_2_new_c - (qi_2_new_e + qi_2_new_e_right) - qi_2_new_e_right_rest
-    qi_2_new_e_lo = qi_2_new_e_lo1 + qi_2_new_c_lo
     qi_2_new = qi_2_new_e + qi_2
     qi_2_new_right = qi_2_new - qi_2_new_e
     qi_2_new_lo1 = qi_2_new_e - (qi_2_new - qi_2_new_right) + (qi_2 - qi_2_new_right)
-    qi_2_new_lo = qi_2_new_lo1 + qi_2_new_e_lo
     qi_3_new_a = qi_0_new_f * qi_0
     qi_3_new_b = qi_0_new_a * qi_1
     qi_3_new_c = qi_3_new_a + qi_3_new_b
     qi_3_new_c_right = qi_3_new_c - qi_3_new_a
     qi_3_new_c_left_rest = product_rest(qi_0_new_f, qi_0, qi_3_new_a, qi_3_new_c - qi_3_new_c_right)
     qi_3_new_c_right_rest = product_rest(qi_0_new_a, qi_1, qi_3_new_b, qi_3_new_c_right)
-    qi_3_new_c_lo = qi_3_new_c_left_rest + qi_3_new_c_right_rest
     qi_3_new_d = qi_0_new_c * qi_2
     qi_3_new_e = qi_3_new_c + qi_3_new_d
     qi_3_new_e_right = qi_3_new_e - qi_3_new_c
     qi_3_new_e_right_rest = product_rest(qi_0_new_c, qi_2, qi_3_new_d, qi_3_new_e_right)
     qi_3_new_e_lo1 = qi_3_new_c - (qi_3_new_e - qi_3_new_e_right) + qi_3_new_e_right_rest
-    qi_3_new_e_lo = qi_3_new_e_lo1 + qi_3_new_c_lo
     qi_3_new = qi_3_new_e + qi_3
     qi_3_new_right = qi_3_new - qi_3_new_e
     qi_3_new_lo1 = qi_3_new_e - (qi_3_new - qi_3_new_right) + (qi_3 - qi_3_new_right)
-    qi_3_new_lo = qi_3_new_lo1 + qi_3_new_e_lo
+    qi_0_new_lo = qi_0_new_lo1 + (qi_0_new_h_lo1 + (qi_0_new_e_left_rest - qi_0_new_e_right_rest))
     qi_0_new_rounded = qi_0_new + qi_0_new_lo
+    qi_1_new_lo = qi_1_new_lo1 + (qi_1_new_e_lo1 + (qi_1_new_c_left_rest - qi_1_new_c_right_rest))
     qi_1_new_rounded = qi_1_new + qi_1_new_lo
+    qi_2_new_lo = qi_2_new_lo1 + (qi_2_new_e_lo1 + (qi_2_new_c_left_rest - qi_2_new_c_right_rest))
     qi_2_new_rounded = qi_2_new + qi_2_new_lo
+    qi_3_new_lo = qi_3_new_lo1 + (qi_3_new_e_lo1 + (qi_3_new_c_left_rest + qi_3_new_c_right_rest))
     qi_3_new_rounded = qi_3_new + qi_3_new_lo
     return (qi_0_new_rounded, qi_1_new_rounded, qi_2_new_rounded, qi_3_new_rounded)
 
@@ -2394,30 +2176,26 @@ def omega_to_dquaternion(w, qi):
     dqo_0g = dqo_0d - dqo_0f
     dqo_0g_right = dqo_0d - dqo_0g
     dqo_0g_left_rest = product_rest(dqo_0c, qi_2, dqo_0d, dqo_0g + dqo_0g_right)
-    dqo_0g_lo = dqo_0g_left_rest - product_rest(dqo_0e, qi_1, dqo_0f, dqo_0g_right)
     dqo_0h = dqo_0b + dqo_0g
     dqo_0h_right = dqo_0h - dqo_0b
     dqo_0h_lo1 = product_rest(dqo_0a, qi_3, dqo_0b, dqo_0h - dqo_0h_right) + (dqo_0g - dqo_0h_right)
-    dqo_0h_lo = dqo_0h_lo1 + dqo_0g_lo
     dqo_0i = qi_0 * qi_0
     dqo_0j = 1 - dqo_0i
     dqo_0j_right = 1 - dqo_0j
-    dqo_0j_lo = 1 - (dqo_0j + dqo_0j_right) - product_rest(qi_0, qi_0, dqo_0i, dqo_0j_right)
     dqo_0k = qi_1 * qi_1
     dqo_0l = dqo_0j - dqo_0k
     dqo_0l_right = dqo_0j - dqo_0l
     dqo_0l_lo1 = dqo_0j - (dqo_0l + dqo_0l_right) - product_rest(qi_1, qi_1, dqo_0k, dqo_0l_right)
-    dqo_0l_lo = dqo_0l_lo1 + dqo_0j_lo
+    dqo_0j_lo = 1 - (dqo_0j + dqo_0j_right) - product_rest(qi_0, qi_0, dqo_0i, dqo_0j_right)
     dqo_0m = qi_2 * qi_2
     dqo_0n = dqo_0l - dqo_0m
     dqo_0n_right = dqo_0l - dqo_0n
     dqo_0n_lo1 = dqo_0l - (dqo_0n + dqo_0n_right) - product_rest(qi_2, qi_2, dqo_0m, dqo_0n_right)
-    dqo_0n_lo = dqo_0n_lo1 + dqo_0l_lo
     dqo_0o = qi_3 * qi_3
     dqo_0p = dqo_0n - dqo_0o
     dqo_0p_right = dqo_0n - dqo_0p
     dqo_0p_lo1 = dqo_0n - (dqo_0p + dqo_0p_right) - product_rest(qi_3, qi_3, dqo_0o, dqo_0p_right)
-    dqo_0p_lo = dqo_0p_lo1 + dqo_0n_lo
+    dqo_0p_lo = dqo_0p_lo1 + (dqo_0n_lo1 + (dqo_0l_lo1 + dqo_0j_lo))
     dqo_0q_of_dqo_0p = dqo_0p + dqo_0p_lo
     dqo_0q_of_dqo_0p_right = dqo_0q_of_dqo_0p - dqo_0p
     dqo_0q_of_dqo_0p_left_rest = dqo_0p - (dqo_0q_of_dqo_0p - dqo_0q_of_dqo_0p_right)
@@ -2426,66 +2204,56 @@ def omega_to_dquaternion(w, qi):
     dqo_0 = dqo_0h + dqo_0q
     dqo_0_right = dqo_0 - dqo_0h
     dqo_0_right_rest = product_rest(qi_0, dqo_0q_of_dqo_0p, dqo_0q, dqo_0_right)
-    dqo_0_lo1 = dqo_0h - (dqo_0 - dqo_0_right) + dqo_0_right_rest
-    dqo_0_lo2 = dqo_0_lo1 + qi_0 * dqo_0q_of_dqo_0p_lo
-    dqo_0_lo = dqo_0_lo2 + dqo_0h_lo
+    dqo_0h_lo = dqo_0h_lo1 + (dqo_0g_left_rest - product_rest(dqo_0e, qi_1, dqo_0f, dqo_0g_right))
+    dqo_0_lo2 = dqo_0h - (dqo_0 - dqo_0_right) + dqo_0_right_rest + qi_0 * dqo_0q_of_dqo_0p_lo
     dqo_1a = dqo_0e * qi_0
     dqo_1b = dqo_0a * qi_2
     dqo_1c = dqo_1a - dqo_1b
     dqo_1c_right = dqo_1a - dqo_1c
     dqo_1c_left_rest = product_rest(dqo_0e, qi_0, dqo_1a, dqo_1c + dqo_1c_right)
-    dqo_1c_lo = dqo_1c_left_rest - product_rest(dqo_0a, qi_2, dqo_1b, dqo_1c_right)
     dqo_1d = dqo_0c * qi_3
     dqo_1e = dqo_1c + dqo_1d
     dqo_1e_right = dqo_1e - dqo_1c
     dqo_1e_lo1 = dqo_1c - (dqo_1e - dqo_1e_right) + product_rest(dqo_0c, qi_3, dqo_1d, dqo_1e_right)
-    dqo_1e_lo = dqo_1e_lo1 + dqo_1c_lo
     dqo_1f = qi_1 * dqo_0q_of_dqo_0p
     dqo_1 = dqo_1e + dqo_1f
     dqo_1_right = dqo_1 - dqo_1e
     dqo_1_right_rest = product_rest(qi_1, dqo_0q_of_dqo_0p, dqo_1f, dqo_1_right)
-    dqo_1_lo1 = dqo_1e - (dqo_1 - dqo_1_right) + dqo_1_right_rest
-    dqo_1_lo2 = dqo_1_lo1 + qi_1 * dqo_0q_of_dqo_0p_lo
-    dqo_1_lo = dqo_1_lo2 + dqo_1e_lo
+    dqo_1e_lo = dqo_1e_lo1 + (dqo_1c_left_rest - product_rest(dqo_0a, qi_2, dqo_1b, dqo_1c_right))
+    dqo_1_lo2 = dqo_1e - (dqo_1 - dqo_1_right) + dqo_1_right_rest + qi_1 * dqo_0q_of_dqo_0p_lo
     dqo_2a = dqo_0a * qi_1
     dqo_2b = dqo_0c * qi_0
     dqo_2c = dqo_2a - dqo_2b
     dqo_2c_right = dqo_2a - dqo_2c
     dqo_2c_left_rest = product_rest(dqo_0a, qi_1, dqo_2a, dqo_2c + dqo_2c_right)
-    dqo_2c_lo = dqo_2c_left_rest - product_rest(dqo_0c, qi_0, dqo_2b, dqo_2c_right)
     dqo_2d = dqo_0e * qi_3
     dqo_2e = dqo_2c + dqo_2d
     dqo_2e_right = dqo_2e - dqo_2c
     dqo_2e_lo1 = dqo_2c - (dqo_2e - dqo_2e_right) + product_rest(dqo_0e, qi_3, dqo_2d, dqo_2e_right)
-    dqo_2e_lo = dqo_2e_lo1 + dqo_2c_lo
     dqo_2f = qi_2 * dqo_0q_of_dqo_0p
     dqo_2 = dqo_2e + dqo_2f
     dqo_2_right = dqo_2 - dqo_2e
     dqo_2_right_rest = product_rest(qi_2, dqo_0q_of_dqo_0p, dqo_2f, dqo_2_right)
-    dqo_2_lo1 = dqo_2e - (dqo_2 - dqo_2_right) + dqo_2_right_rest
-    dqo_2_lo2 = dqo_2_lo1 + qi_2 * dqo_0q_of_dqo_0p_lo
-    dqo_2_lo = dqo_2_lo2 + dqo_2e_lo
+    dqo_2e_lo = dqo_2e_lo1 + (dqo_2c_left_rest - product_rest(dqo_0c, qi_0, dqo_2b, dqo_2c_right))
+    dqo_2_lo2 = dqo_2e - (dqo_2 - dqo_2_right) + dqo_2_right_rest + qi_2 * dqo_0q_of_dqo_0p_lo
     dqo_3a = qi_3 * dqo_0q_of_dqo_0p
     dqo_3b = dqo_0a * qi_0
     dqo_3c = dqo_0c * qi_1
     dqo_3d = dqo_3b + dqo_3c
     dqo_3d_right = dqo_3d - dqo_3b
     dqo_3d_left_rest = product_rest(dqo_0a, qi_0, dqo_3b, dqo_3d - dqo_3d_right)
-    dqo_3d_lo = dqo_3d_left_rest + product_rest(dqo_0c, qi_1, dqo_3c, dqo_3d_right)
     dqo_3e = dqo_0e * qi_2
     dqo_3f = dqo_3d + dqo_3e
     dqo_3f_right = dqo_3f - dqo_3d
     dqo_3f_lo1 = dqo_3d - (dqo_3f - dqo_3f_right) + product_rest(dqo_0e, qi_2, dqo_3e, dqo_3f_right)
-    dqo_3f_lo = dqo_3f_lo1 + dqo_3d_lo
     dqo_3 = dqo_3a - dqo_3f
     dqo_3_right = dqo_3a - dqo_3
     dqo_3_left_rest = product_rest(qi_3, dqo_0q_of_dqo_0p, dqo_3a, dqo_3 + dqo_3_right)
-    dqo_3_lo1 = dqo_3_left_rest - (dqo_3f - dqo_3_right)
-    dqo_3_lo2 = dqo_3_lo1 - dqo_3f_lo
-    dqo_3_lo = dqo_3_lo2 + qi_3 * dqo_0q_of_dqo_0p_lo
-    dqo_0_rounded = dqo_0 + dqo_0_lo
-    dqo_1_rounded = dqo_1 + dqo_1_lo
-    dqo_2_rounded = dqo_2 + dqo_2_lo
+    dqo_3f_lo = dqo_3f_lo1 + (dqo_3d_left_rest + product_rest(dqo_0c, qi_1, dqo_3c, dqo_3d_right))
+    dqo_0_rounded = dqo_0 + (dqo_0_lo2 + dqo_0h_lo)
+    dqo_1_rounded = dqo_1 + (dqo_1_lo2 + dqo_1e_lo)
+    dqo_2_rounded = dqo_2 + (dqo_2_lo2 + dqo_2e_lo)
+    dqo_3_lo = dqo_3_left_rest - (dqo_3f - dqo_3_right) - dqo_3f_lo + qi_3 * dqo_0q_of_dqo_0p_lo
     dqo_3_rounded = dqo_3 + dqo_3_lo
     return (dqo_0_rounded, dqo_1_rounded, dqo_2_rounded, dqo_3_rounded)
 
@@ -2515,19 +2283,15 @@ def mat3x3_from_quaternion(q):
     pairs_2 = squares_0 + squares_2
     pairs_2_right = pairs_2 - squares_0
     pairs_2_left_rest = product_rest(q_3, q_3, squares_0, pairs_2 - pairs_2_right)
-    pairs_2_lo = pairs_2_left_rest + product_rest(q_1, q_1, squares_2, pairs_2_right)
     pairs_3 = squares_1 + squares_3
     pairs_3_right = pairs_3 - squares_1
     pairs_3_left_rest = product_rest(q_0, q_0, squares_1, pairs_3 - pairs_3_right)
-    pairs_3_lo = pairs_3_left_rest + product_rest(q_2, q_2, squares_3, pairs_3_right)
     pairs_4 = squares_0 + squares_3
     pairs_4_right = pairs_4 - squares_0
     pairs_4_left_rest = product_rest(q_3, q_3, squares_0, pairs_4 - pairs_4_right)
-    pairs_4_lo = pairs_4_left_rest + product_rest(q_2, q_2, squares_3, pairs_4_right)
     pairs_5 = squares_1 + squares_2
     pairs_5_right = pairs_5 - squares_1
     pairs_5_left_rest = product_rest(q_0, q_0, squares_1, pairs_5 - pairs_5_right)
-    pairs_5_lo = pairs_5_left_rest + product_rest(q_1, q_1, squares_2, pairs_5_right)
     square = pairs_0 + pairs_1
     square_right = square - pairs_0
     square_lo2 = pairs_0 - (square - square_right) + (pairs_1 - square_right) + pairs_1_lo
@@ -2535,104 +2299,79 @@ def mat3x3_from_quaternion(q):
     factor_of_square = square + square_lo
     factor_of_square_right = factor_of_square - square
     factor_of_square_left_rest = square - (factor_of_square - factor_of_square_right)
-    factor_of_square_lo = factor_of_square_left_rest + (square_lo - factor_of_square_right)
     factor = 1 / factor_of_square
     factor_product = factor * factor_of_square
     factor_exact = 1 - factor_product - product_error(factor, factor_of_square, factor_product)
-    factor_cross = factor * factor_of_square_lo
-    factor_residual = factor_exact - factor_cross
-    factor_lo = factor_residual / factor_of_square
+    factor_cross = factor * (factor_of_square_left_rest + (square_lo - factor_of_square_right))
+    factor_lo = (factor_exact - factor_cross) / factor_of_square
     d0 = pairs_0 - pairs_1
     d0_right = pairs_0 - d0
-    d0_lo = pairs_0 - (d0 + d0_right) - (pairs_1 - d0_right) - pairs_1_lo + pairs_0_lo
     d1 = pairs_2 - pairs_3
     d1_right = pairs_2 - d1
-    d1_lo2 = pairs_2 - (d1 + d1_right) - (pairs_3 - d1_right) - pairs_3_lo
-    d1_lo = d1_lo2 + pairs_2_lo
+    pairs_3_lo = pairs_3_left_rest + product_rest(q_2, q_2, squares_3, pairs_3_right)
+    pairs_2_lo = pairs_2_left_rest + product_rest(q_1, q_1, squares_2, pairs_2_right)
     d2 = pairs_4 - pairs_5
     d2_right = pairs_4 - d2
-    d2_lo2 = pairs_4 - (d2 + d2_right) - (pairs_5 - d2_right) - pairs_5_lo
-    d2_lo = d2_lo2 + pairs_4_lo
+    pairs_5_lo = pairs_5_left_rest + product_rest(q_1, q_1, squares_2, pairs_5_right)
+    pairs_4_lo = pairs_4_left_rest + product_rest(q_2, q_2, squares_3, pairs_4_right)
     twice = 2 * factor
     twice_cross2 = 2 * factor_lo
     m_0a = q_0 * q_1
     m_0b = q_2 * q_3
     m_0 = m_0a - m_0b
     m_0_right = m_0a - m_0
-    m_0_lo = product_rest(q_0, q_1, m_0a, m_0 + m_0_right) - product_rest(q_2, q_3, m_0b, m_0_right)
     m_1a = q_0 * q_2
     m_1b = q_1 * q_3
     m_1 = m_1a + m_1b
     m_1_right = m_1 - m_1a
-    m_1_lo = product_rest(q_0, q_2, m_1a, m_1 - m_1_right) + product_rest(q_1, q_3, m_1b, m_1_right)
     m_2a = q_1 * q_2
     m_2b = q_0 * q_3
     m_2 = m_2a - m_2b
     m_2_right = m_2a - m_2
-    m_2_lo = product_rest(q_1, q_2, m_2a, m_2 + m_2_right) - product_rest(q_0, q_3, m_2b, m_2_right)
     m_3 = m_0a + m_0b
     m_3_right = m_3 - m_0a
-    m_3_lo = product_rest(q_0, q_1, m_0a, m_3 - m_3_right) + product_rest(q_2, q_3, m_0b, m_3_right)
     m_4 = m_1a - m_1b
     m_4_right = m_1a - m_4
-    m_4_lo = product_rest(q_0, q_2, m_1a, m_4 + m_4_right) - product_rest(q_1, q_3, m_1b, m_4_right)
     m_5 = m_2b + m_2a
     m_5_right = m_5 - m_2b
-    m_5_lo = product_rest(q_0, q_3, m_2b, m_5 - m_5_right) + product_rest(q_1, q_2, m_2a, m_5_right)
     R_00 = factor * d0
-    R_00_cross2 = factor * d0_lo
-    R_00_cross = factor_lo * d0 + R_00_cross2
+    d0_lo = pairs_0 - (d0 + d0_right) - (pairs_1 - d0_right) - pairs_1_lo + pairs_0_lo
     R_01 = twice * m_0
-    R_01_cross2 = twice * m_0_lo
-    R_01_cross = twice_cross2 * m_0 + R_01_cross2
+    m_0_lo = product_rest(q_0, q_1, m_0a, m_0 + m_0_right) - product_rest(q_2, q_3, m_0b, m_0_right)
     R_02 = twice * m_1
-    R_02_cross2 = twice * m_1_lo
-    R_02_cross = twice_cross2 * m_1 + R_02_cross2
+    m_1_lo = product_rest(q_0, q_2, m_1a, m_1 - m_1_right) + product_rest(q_1, q_3, m_1b, m_1_right)
     R_10 = twice * m_3
-    R_10_cross2 = twice * m_3_lo
-    R_10_cross = twice_cross2 * m_3 + R_10_cross2
+    m_3_lo = product_rest(q_0, q_1, m_0a, m_3 - m_3_right) + product_rest(q_2, q_3, m_0b, m_3_right)
     R_11 = factor * d1
-    R_11_cross2 = factor * d1_lo
-    R_11_cross = factor_lo * d1 + R_11_cross2
+    d1_lo = pairs_2 - (d1 + d1_right) - (pairs_3 - d1_right) - pairs_3_lo + pairs_2_lo
     R_12 = twice * m_2
-    R_12_cross2 = twice * m_2_lo
-    R_12_cross = twice_cross2 * m_2 + R_12_cross2
+    m_2_lo = product_rest(q_1, q_2, m_2a, m_2 + m_2_right) - product_rest(q_0, q_3, m_2b, m_2_right)
     R_20 = twice * m_4
-    R_20_cross2 = twice * m_4_lo
-    R_20_cross = twice_cross2 * m_4 + R_20_cross2
+    m_4_lo = product_rest(q_0, q_2, m_1a, m_4 + m_4_right) - product_rest(q_1, q_3, m_1b, m_4_right)
     R_21 = twice * m_5
-    R_21_cross2 = twice * m_5_lo
-    R_21_cross = twice_cross2 * m_5 + R_21_cross2
+    m_5_lo = product_rest(q_0, q_3, m_2b, m_5 - m_5_right) + product_rest(q_1, q_2, m_2a, m_5_right)
     R_22 = factor * d2
-    R_22_cross2 = factor * d2_lo
-    R_22_cross = factor_lo * d2 + R_22_cross2
-    R_00_lo = product_error(factor, d0, R_00) + R_00_cross
-    R_00_rounded = R_00 + R_00_lo
-    R_01_lo = product_error(twice, m_0, R_01) + R_01_cross
-    R_01_rounded = R_01 + R_01_lo
-    R_02_lo = product_error(twice, m_1, R_02) + R_02_cross
-    R_02_rounded = R_02 + R_02_lo
-    R_10_lo = product_error(twice, m_3, R_10) + R_10_cross
-    R_10_rounded = R_10 + R_10_lo
-    R_11_lo = product_error(factor, d1, R_11) + R_11_cross
-    R_11_rounded = R_11 + R_11_lo
-    R_12_lo = product_error(twice, m_2, R_12) + R_12_cross
-    R_12_rounded = R_12 + R_12_lo
-    R_20_lo = product_error(twice, m_4, R_20) + R_20_cross
-    R_20_rounded = R_20 + R_20_lo
-    R_21_lo = product_error(twice, m_5, R_21) + R_21_cross
-    R_21_rounded = R_21 + R_21_lo
-    R_22_lo = product_error(factor, d2, R_22) + R_22_cross
-    R_22_rounded = R_22 + R_22_lo
-    return (where(R_00_rounded == R_00_rounded, R_00_rounded, R_00),
-        where(R_01_rounded == R_01_rounded, R_01_rounded, R_01),
-        where(R_02_rounded == R_02_rounded, R_02_rounded, R_02),
-        where(R_10_rounded == R_10_rounded, R_10_rounded, R_10),
-        where(R_11_rounded == R_11_rounded, R_11_rounded, R_11),
-        where(R_12_rounded == R_12_rounded, R_12_rounded, R_12),
-        where(R_20_rounded == R_20_rounded, R_20_rounded, R_20),
-        where(R_21_rounded == R_21_rounded, R_21_rounded, R_21),
-        where(R_22_rounded == R_22_rounded, R_22_rounded, R_22))
+    d2_lo = pairs_4 - (d2 + d2_right) - (pairs_5 - d2_right) - pairs_5_lo + pairs_4_lo
+    R_00_rounded = R_00 + (product_error(factor, d0, R_00) + (factor_lo * d0 + factor * d0_lo))
+    R_01_rounded = R_01 + (product_error(twice, m_0, R_01) + (twice_cross2 * m_0 + twice * m_0_lo))
+    R_02_rounded = R_02 + (product_error(twice, m_1, R_02) + (twice_cross2 * m_1 + twice * m_1_lo))
+    R_10_rounded = R_10 + (product_error(twice, m_3, R_10) + (twice_cross2 * m_3 + twice * m_3_lo))
+    R_11_rounded = R_11 + (product_error(factor, d1, R_11) + (factor_lo * d1 + factor * d1_lo))
+    R_12_rounded = R_12 + (product_error(twice, m_2, R_12) + (twice_cross2 * m_2 + twice * m_2_lo))
+    R_20_rounded = R_20 + (product_error(twice, m_4, R_20) + (twice_cross2 * m_4 + twice * m_4_lo))
+    R_21_rounded = R_21 + (product_error(twice, m_5, R_21) + (twice_cross2 * m_5 + twice * m_5_lo))
+    R_22_rounded = R_22 + (product_error(factor, d2, R_22) + (factor_lo * d2 + factor * d2_lo))
+    R_00_final = where(R_00_rounded == R_00_rounded, R_00_rounded, R_00)
+    R_01_final = where(R_01_rounded == R_01_rounded, R_01_rounded, R_01)
+    R_02_final = where(R_02_rounded == R_02_rounded, R_02_rounded, R_02)
+    R_10_final = where(R_10_rounded == R_10_rounded, R_10_rounded, R_10)
+    R_11_final = where(R_11_rounded == R_11_rounded, R_11_rounded, R_11)
+    R_12_final = where(R_12_rounded == R_12_rounded, R_12_rounded, R_12)
+    R_20_final = where(R_20_rounded == R_20_rounded, R_20_rounded, R_20)
+    R_21_final = where(R_21_rounded == R_21_rounded, R_21_rounded, R_21)
+    R_22_final = where(R_22_rounded == R_22_rounded, R_22_rounded, R_22)
+    return (R_00_final, R_01_final, R_02_final, R_10_final, R_11_final, R_12_final, R_20_final,
+        R_21_final, R_22_final)
 
 
 @kernel("(3,3)->(4)")
@@ -2676,86 +2415,81 @@ def quaternion_from_mat3x3(R):
     others_1_lo = R_11 - (others_1 + others_1_right) - (R_22 - others_1_right)
     d_0 = first_0 + others_0
     d_0_right = d_0 - first_0
-    d_0_lo = first_0 - (d_0 - d_0_right) + (others_0 - d_0_right) + others_0_lo + first_0_lo
     d_1 = first_0 - others_0
     d_1_right = first_0 - d_1
-    d_1_lo = first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo + first_0_lo
     d_2 = first_1 + others_1
     d_2_right = d_2 - first_1
-    d_2_lo = first_1 - (d_2 - d_2_right) + (others_1 - d_2_right) + others_1_lo + first_1_lo
     d_3 = first_1 - others_1
     d_3_right = first_1 - d_3
+    low_0a = R_11 < R_00
+    low_0 = where(low_0a, d_1, s_2)
+    d_1_lo = first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo + first_0_lo
+    low_1 = where(low_0a, s_2, d_2)
+    d_2_lo = first_1 - (d_2 - d_2_right) + (others_1 - d_2_right) + others_1_lo + first_1_lo
+    low_2 = where(low_0a, s_1, s_0)
+    low_3 = where(low_0a, p_0, p_1)
+    high_0b = R_00 < -R_11
+    high_0 = where(high_0b, s_1, p_0)
+    high_1 = where(high_0b, s_0, p_1)
+    high_2 = where(high_0b, d_3, p_2)
     d_3_lo = first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo + first_1_lo
-    low_0 = where(R_11 < R_00, d_1, s_2)
-    low_0_lo = where(R_11 < R_00, d_1_lo, s_2_lo)
-    low_1 = where(R_11 < R_00, s_2, d_2)
-    low_1_lo = where(R_11 < R_00, s_2_lo, d_2_lo)
-    low_2 = where(R_11 < R_00, s_1, s_0)
-    low_3 = where(R_11 < R_00, p_0, p_1)
-    high_0 = where(R_00 < -R_11, s_1, p_0)
-    high_1 = where(R_00 < -R_11, s_0, p_1)
-    high_2 = where(R_00 < -R_11, d_3, p_2)
-    high_2_lo = where(R_00 < -R_11, d_3_lo, p_2_lo)
-    high_3 = where(R_00 < -R_11, p_2, d_0)
-    high_3_lo = where(R_00 < -R_11, p_2_lo, d_0_lo)
-    column_0 = where(R_22 < 0, low_0, high_0)
-    column_0_lo = where(R_22 < 0, low_0_lo, where(R_00 < -R_11, s_1_lo, p_0_lo))
-    column_1 = where(R_22 < 0, low_1, high_1)
-    column_1_lo = where(R_22 < 0, low_1_lo, where(R_00 < -R_11, s_0_lo, p_1_lo))
-    column_2 = where(R_22 < 0, low_2, high_2)
-    column_2_lo = where(R_22 < 0, where(R_11 < R_00, s_1_lo, s_0_lo), high_2_lo)
-    column_3 = where(R_22 < 0, low_3, high_3)
-    column_3_lo = where(R_22 < 0, where(R_11 < R_00, p_0_lo, p_1_lo), high_3_lo)
+    high_3 = where(high_0b, p_2, d_0)
+    d_0_lo = first_0 - (d_0 - d_0_right) + (others_0 - d_0_right) + others_0_lo + first_0_lo
+    column_0a = R_22 < 0
+    column_0 = where(column_0a, low_0, high_0)
+    column_0_lo = where(column_0a, where(low_0a, d_1_lo, s_2_lo), where(high_0b, s_1_lo, p_0_lo))
+    column_1 = where(column_0a, low_1, high_1)
+    column_1_lo = where(column_0a, where(low_0a, s_2_lo, d_2_lo), where(high_0b, s_0_lo, p_1_lo))
+    column_2 = where(column_0a, low_2, high_2)
+    column_2_lo = where(column_0a, where(low_0a, s_1_lo, s_0_lo), where(high_0b, d_3_lo, p_2_lo))
+    column_3 = where(column_0a, low_3, high_3)
+    column_3_lo = where(column_0a, where(low_0a, p_0_lo, p_1_lo), where(high_0b, p_2_lo, d_0_lo))
     upper_0b_of_column_3 = column_3 + column_3_lo
     upper_0b_of_column_3_right = upper_0b_of_column_3 - column_3
     upper_0b_of_column_3_left_rest = column_3 - (upper_0b_of_column_3 - upper_0b_of_column_3_right)
     upper_0b_of_column_3_right_rest = column_3_lo - upper_0b_of_column_3_right
     upper_0b_of_column_3_lo = upper_0b_of_column_3_left_rest + upper_0b_of_column_3_right_rest
-    upper_0 = where(upper_0b_of_column_3 < 0, -column_0, column_0)
-    upper_0_lo = where(upper_0b_of_column_3 < 0, -column_0_lo, column_0_lo)
-    upper_1 = where(upper_0b_of_column_3 < 0, -column_1, column_1)
-    upper_1_lo = where(upper_0b_of_column_3 < 0, -column_1_lo, column_1_lo)
-    upper_2 = where(upper_0b_of_column_3 < 0, -column_2, column_2)
-    upper_2_lo = where(upper_0b_of_column_3 < 0, -column_2_lo, column_2_lo)
-    upper_3 = where(upper_0b_of_column_3 < 0, -upper_0b_of_column_3, upper_0b_of_column_3)
-    upper_3_lo = where(upper_0b_of_column_3 < 0, -upper_0b_of_column_3_lo, upper_0b_of_column_3_lo)
+    upper_0b = upper_0b_of_column_3 < 0
+    upper_0 = where(upper_0b, -column_0, column_0)
+    upper_0_lo = where(upper_0b, -column_0_lo, column_0_lo)
+    upper_1 = where(upper_0b, -column_1, column_1)
+    upper_1_lo = where(upper_0b, -column_1_lo, column_1_lo)
+    upper_2 = where(upper_0b, -column_2, column_2)
+    upper_2_lo = where(upper_0b, -column_2_lo, column_2_lo)
+    upper_3 = where(upper_0b, -upper_0b_of_column_3, upper_0b_of_column_3)
+    upper_3_lo = where(upper_0b, -upper_0b_of_column_3_lo, upper_0b_of_column_3_lo)
     length_a = upper_0 * upper_0
-    length_a_cross = upper_0_lo * upper_0 + upper_0 * upper_0_lo
     length_b = upper_1 * upper_1
     length_c = length_a + length_b
     length_c_right = length_c - length_a
+    length_a_cross = upper_0_lo * upper_0 + upper_0 * upper_0_lo
     length_c_left_rest = product_rest(upper_0, upper_0, length_a, length_c - length_c_right)
-    length_c_cross = length_a_cross + (upper_1_lo * upper_1 + upper_1 * upper_1_lo)
     length_c_lo1 = length_c_left_rest + product_rest(upper_1, upper_1, length_b, length_c_right)
-    length_c_lo = length_c_lo1 + length_c_cross
     length_d = upper_2 * upper_2
     length_e = length_c + length_d
     length_e_right = length_e - length_c
     length_e_right_rest = product_rest(upper_2, upper_2, length_d, length_e_right)
     length_e_lo1 = length_c - (length_e - length_e_right) + length_e_right_rest
-    length_e_lo2 = length_e_lo1 + (upper_2_lo * upper_2 + upper_2 * upper_2_lo)
-    length_e_lo = length_e_lo2 + length_c_lo
+    length_c_lo = length_c_lo1 + (length_a_cross + (upper_1_lo * upper_1 + upper_1 * upper_1_lo))
     length_f = upper_3 * upper_3
     length_g = length_e + length_f
     length_g_right = length_g - length_e
     length_g_right_rest = product_rest(upper_3, upper_3, length_f, length_g_right)
     length_g_lo1 = length_e - (length_g - length_g_right) + length_g_right_rest
-    length_g_lo2 = length_g_lo1 + (upper_3_lo * upper_3 + upper_3 * upper_3_lo)
-    length_g_lo = length_g_lo2 + length_e_lo
+    length_e_lo = length_e_lo1 + (upper_2_lo * upper_2 + upper_2 * upper_2_lo) + length_c_lo
+    length_g_lo = length_g_lo1 + (upper_3_lo * upper_3 + upper_3 * upper_3_lo) + length_e_lo
     length_of_length_g = length_g + length_g_lo
     length_of_length_g_right = length_of_length_g - length_g
     length_of_length_g_left_rest = length_g - (length_of_length_g - length_of_length_g_right)
-    length_of_length_g_lo = length_of_length_g_left_rest + (length_g_lo - length_of_length_g_right)
     length = sqrt(length_of_length_g)
     length_product = length * length
     length_product_error = product_error(length, length, length_product)
+    length_of_length_g_lo = length_of_length_g_left_rest + (length_g_lo - length_of_length_g_right)
     length_exact = length_of_length_g - length_product - length_product_error
-    length_residual = length_exact + length_of_length_g_lo
-    length_lo = length_residual / where(length == 0, 1, length + length)
+    length_lo = (length_exact + length_of_length_g_lo) / where(length == 0, 1, length + length)
     qo_0_of_upper_0 = upper_0 + upper_0_lo
     qo_0_of_upper_0_right = qo_0_of_upper_0 - upper_0
     qo_0_of_upper_0_left_rest = upper_0 - (qo_0_of_upper_0 - qo_0_of_upper_0_right)
-    qo_0_of_upper_0_lo = qo_0_of_upper_0_left_rest + (upper_0_lo - qo_0_of_upper_0_right)
     qo_0_of_length = length + length_lo
     qo_0_of_length_right = qo_0_of_length - length
     qo_0_of_length_left_rest = length - (qo_0_of_length - qo_0_of_length_right)
@@ -2763,47 +2497,37 @@ def quaternion_from_mat3x3(R):
     qo_0 = qo_0_of_upper_0 / qo_0_of_length
     qo_0_product = qo_0 * qo_0_of_length
     qo_0_exact = qo_0_of_upper_0 - qo_0_product - product_error(qo_0, qo_0_of_length, qo_0_product)
-    qo_0_numerator = qo_0_exact + qo_0_of_upper_0_lo
-    qo_0_residual = qo_0_numerator - qo_0 * qo_0_of_length_lo
-    qo_0_lo = qo_0_residual / qo_0_of_length
+    qo_0_numerator = qo_0_exact + (qo_0_of_upper_0_left_rest + (upper_0_lo - qo_0_of_upper_0_right))
     qo_1_of_upper_1 = upper_1 + upper_1_lo
     qo_1_of_upper_1_right = qo_1_of_upper_1 - upper_1
     qo_1_of_upper_1_left_rest = upper_1 - (qo_1_of_upper_1 - qo_1_of_upper_1_right)
-    qo_1_of_upper_1_lo = qo_1_of_upper_1_left_rest + (upper_1_lo - qo_1_of_upper_1_right)
     qo_1 = qo_1_of_upper_1 / qo_0_of_length
     qo_1_product = qo_1 * qo_0_of_length
     qo_1_exact = qo_1_of_upper_1 - qo_1_product - product_error(qo_1, qo_0_of_length, qo_1_product)
-    qo_1_numerator = qo_1_exact + qo_1_of_upper_1_lo
-    qo_1_residual = qo_1_numerator - qo_1 * qo_0_of_length_lo
-    qo_1_lo = qo_1_residual / qo_0_of_length
+    qo_1_numerator = qo_1_exact + (qo_1_of_upper_1_left_rest + (upper_1_lo - qo_1_of_upper_1_right))
     qo_2_of_upper_2 = upper_2 + upper_2_lo
     qo_2_of_upper_2_right = qo_2_of_upper_2 - upper_2
     qo_2_of_upper_2_left_rest = upper_2 - (qo_2_of_upper_2 - qo_2_of_upper_2_right)
-    qo_2_of_upper_2_lo = qo_2_of_upper_2_left_rest + (upper_2_lo - qo_2_of_upper_2_right)
     qo_2 = qo_2_of_upper_2 / qo_0_of_length
     qo_2_product = qo_2 * qo_0_of_length
     qo_2_exact = qo_2_of_upper_2 - qo_2_product - product_error(qo_2, qo_0_of_length, qo_2_product)
-    qo_2_numerator = qo_2_exact + qo_2_of_upper_2_lo
-    qo_2_residual = qo_2_numerator - qo_2 * qo_0_of_length_lo
-    qo_2_lo = qo_2_residual / qo_0_of_length
+    qo_2_numerator = qo_2_exact + (qo_2_of_upper_2_left_rest + (upper_2_lo - qo_2_of_upper_2_right))
     qo_3_of_upper_3 = upper_3 + upper_3_lo
     qo_3_of_upper_3_right = qo_3_of_upper_3 - upper_3
     qo_3_of_upper_3_left_rest = upper_3 - (qo_3_of_upper_3 - qo_3_of_upper_3_right)
-    qo_3_of_upper_3_lo = qo_3_of_upper_3_left_rest + (upper_3_lo - qo_3_of_upper_3_right)
     qo_3 = qo_3_of_upper_3 / qo_0_of_length
     qo_3_product = qo_3 * qo_0_of_length
     qo_3_exact = qo_3_of_upper_3 - qo_3_product - product_error(qo_3, qo_0_of_length, qo_3_product)
-    qo_3_numerator = qo_3_exact + qo_3_of_upper_3_lo
-    qo_3_residual = qo_3_numerator - qo_3 * qo_0_of_length_lo
-    qo_3_lo = qo_3_residual / qo_0_of_length
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_rounded = qo_3 + qo_3_lo
-    return (where(qo_0_rounded == qo_0_rounded, qo_0_rounded, qo_0),
-        where(qo_1_rounded == qo_1_rounded, qo_1_rounded, qo_1),
-        where(qo_2_rounded == qo_2_rounded, qo_2_rounded, qo_2),
-        where(qo_3_rounded == qo_3_rounded, qo_3_rounded, qo_3))
+    qo_3_numerator = qo_3_exact + (qo_3_of_upper_3_left_rest + (upper_3_lo - qo_3_of_upper_3_right))
+    qo_0_rounded = qo_0 + (qo_0_numerator - qo_0 * qo_0_of_length_lo) / qo_0_of_length
+    qo_1_rounded = qo_1 + (qo_1_numerator - qo_1 * qo_0_of_length_lo) / qo_0_of_length
+    qo_2_rounded = qo_2 + (qo_2_numerator - qo_2 * qo_0_of_length_lo) / qo_0_of_length
+    qo_3_rounded = qo_3 + (qo_3_numerator - qo_3 * qo_0_of_length_lo) / qo_0_of_length
+    qo_0_final = where(qo_0_rounded == qo_0_rounded, qo_0_rounded, qo_0)
+    qo_1_final = where(qo_1_rounded == qo_1_rounded, qo_1_rounded, qo_1)
+    qo_2_final = where(qo_2_rounded == qo_2_rounded, qo_2_rounded, qo_2)
+    qo_3_final = where(qo_3_rounded == qo_3_rounded, qo_3_rounded, qo_3)
+    return (qo_0_final, qo_1_final, qo_2_final, qo_3_final)
 
 
 @kernel("(4)->(),(3)")
@@ -2831,10 +2555,11 @@ def axis_angle_from_quaternion(q):
     scaled_s_1 = q_1 * s
     scaled_s_2 = q_2 * s
     scaled_s_3 = q_3 * s
-    upper_0 = where(scaled_s_3 < 0, -scaled_s_0, scaled_s_0)
-    upper_1 = where(scaled_s_3 < 0, -scaled_s_1, scaled_s_1)
-    upper_2 = where(scaled_s_3 < 0, -scaled_s_2, scaled_s_2)
-    upper_3 = where(scaled_s_3 < 0, -scaled_s_3, scaled_s_3)
+    upper_0b = scaled_s_3 < 0
+    upper_0 = where(upper_0b, -scaled_s_0, scaled_s_0)
+    upper_1 = where(upper_0b, -scaled_s_1, scaled_s_1)
+    upper_2 = where(upper_0b, -scaled_s_2, scaled_s_2)
+    upper_3 = where(upper_0b, -scaled_s_3, scaled_s_3)
     v_s_size_0 = absolute(upper_0)
     v_s_size_1 = absolute(upper_1)
     v_s_size_2 = absolute(upper_2)
@@ -2850,20 +2575,18 @@ def axis_angle_from_quaternion(q):
     v_n_c = v_n_a + v_n_b
     v_n_c_right = v_n_c - v_n_a
     v_n_c_left_rest = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
-    v_n_c_lo = v_n_c_left_rest + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right)
     v_n_d = v_y_2 * v_y_2
     v_n_e = v_n_c + v_n_d
     v_n_e_right = v_n_e - v_n_c
     v_n_e_lo1 = v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
-    v_n_e_lo = v_n_e_lo1 + v_n_c_lo
+    v_n_e_lo = v_n_e_lo1 + (v_n_c_left_rest + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right))
     v_n_of_v_n_e = v_n_e + v_n_e_lo
     v_n_of_v_n_e_right = v_n_of_v_n_e - v_n_e
-    v_n_of_v_n_e_lo = v_n_e - (v_n_of_v_n_e - v_n_of_v_n_e_right) + (v_n_e_lo - v_n_of_v_n_e_right)
     v_n = sqrt(v_n_of_v_n_e)
     v_n_product = v_n * v_n
+    v_n_of_v_n_e_lo = v_n_e - (v_n_of_v_n_e - v_n_of_v_n_e_right) + (v_n_e_lo - v_n_of_v_n_e_right)
     v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
-    v_n_residual = v_n_exact + v_n_of_v_n_e_lo
-    v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
+    v_n_lo = (v_n_exact + v_n_of_v_n_e_lo) / where(v_n == 0, 1, v_n + v_n)
     v_r_b = where(1 < v_s, float64(7.637340908749012e-152), float64(1))
     v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_b)
     n_of_v_n = v_n + v_n_lo
@@ -2878,16 +2601,15 @@ def axis_angle_from_quaternion(q):
     half_size0 = absolute(half_of_n)
     half_size1 = absolute(upper_3)
     half_most = where(half_size0 < half_size1, half_size1, half_size0)
-    half_divisor = where(half_most == 0, 1, half_most)
+    half_zero = half_most == 0
+    half_divisor = where(half_zero, 1, half_most)
     half_part0 = half_of_n / half_divisor
     half_part1 = upper_3 / half_divisor
     half_cross1 = half_part1 * (n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right))
-    half_cross = half_cross1 - half_part0 * 0
     half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
-    half_safe = where(half_most == 0, 1, half_divisor2)
-    half_lo = half_cross / half_safe
-    divisor = where(n_of_v_n == 0, 1, n_of_v_n)
-    divisor_lo = where(n_of_v_n == 0, 0, n_of_v_n_lo)
+    divisor_a = n_of_v_n == 0
+    divisor = where(divisor_a, 1, n_of_v_n)
+    divisor_lo = where(divisor_a, 0, n_of_v_n_lo)
     unit_0_of_divisor = divisor + divisor_lo
     unit_0_of_divisor_right = unit_0_of_divisor - divisor
     unit_0_of_divisor_left_rest = divisor - (unit_0_of_divisor - unit_0_of_divisor_right)
@@ -2895,30 +2617,25 @@ def axis_angle_from_quaternion(q):
     unit_0 = v_y_0 / unit_0_of_divisor
     unit_0_product = unit_0 * unit_0_of_divisor
     unit_0_exact = v_y_0 - unit_0_product - product_error(unit_0, unit_0_of_divisor, unit_0_product)
-    unit_0_residual = unit_0_exact - unit_0 * unit_0_of_divisor_lo
-    unit_0_lo = unit_0_residual / unit_0_of_divisor
     unit_1 = v_y_1 / unit_0_of_divisor
     unit_1_product = unit_1 * unit_0_of_divisor
     unit_1_exact = v_y_1 - unit_1_product - product_error(unit_1, unit_0_of_divisor, unit_1_product)
-    unit_1_residual = unit_1_exact - unit_1 * unit_0_of_divisor_lo
-    unit_1_lo = unit_1_residual / unit_0_of_divisor
     unit_2 = v_y_2 / unit_0_of_divisor
     unit_2_product = unit_2 * unit_0_of_divisor
     unit_2_exact = v_y_2 - unit_2_product - product_error(unit_2, unit_0_of_divisor, unit_2_product)
-    unit_2_residual = unit_2_exact - unit_2 * unit_0_of_divisor_lo
-    unit_2_lo = unit_2_residual / unit_0_of_divisor
     angle = 2 * half
-    angle_cross2 = 2 * half_lo
-    axis_0 = where(n_of_v_n == 0, 1, unit_0)
-    axis_0_lo = where(n_of_v_n == 0, 0, unit_0_lo)
+    axis_0 = where(divisor_a, 1, unit_0)
+    unit_0_lo = (unit_0_exact - unit_0 * unit_0_of_divisor_lo) / unit_0_of_divisor
+    angle_cross2 = 2 * ((half_cross1 - half_part0 * 0) / where(half_zero, 1, half_divisor2))
     angle_rounded = angle + angle_cross2
-    axis_0_rounded = axis_0 + axis_0_lo
-    unit_1_rounded = unit_1 + unit_1_lo
-    unit_2_rounded = unit_2 + unit_2_lo
-    return (where(angle_rounded == angle_rounded, angle_rounded, angle),
-        where(axis_0_rounded == axis_0_rounded, axis_0_rounded, axis_0),
-        where(unit_1_rounded == unit_1_rounded, unit_1_rounded, unit_1),
-        where(unit_2_rounded == unit_2_rounded, unit_2_rounded, unit_2))
+    axis_0_rounded = axis_0 + where(divisor_a, 0, unit_0_lo)
+    unit_1_rounded = unit_1 + (unit_1_exact - unit_1 * unit_0_of_divisor_lo) / unit_0_of_divisor
+    unit_2_rounded = unit_2 + (unit_2_exact - unit_2 * unit_0_of_divisor_lo) / unit_0_of_divisor
+    angle_final = where(angle_rounded == angle_rounded, angle_rounded, angle)
+    axis_0_final = where(axis_0_rounded == axis_0_rounded, axis_0_rounded, axis_0)
+    unit_1_final = where(unit_1_rounded == unit_1_rounded, unit_1_rounded, unit_1)
+    unit_2_final = where(unit_2_rounded == unit_2_rounded, unit_2_rounded, unit_2)
+    return (angle_final, axis_0_final, unit_1_final, unit_2_final)
 
 
 @kernel("(4)->(3)")
@@ -2945,10 +2662,11 @@ def quaternion_log(q):
     scaled_s_1 = q_1 * s
     scaled_s_2 = q_2 * s
     scaled_s_3 = q_3 * s
-    upper_0 = where(scaled_s_3 < 0, -scaled_s_0, scaled_s_0)
-    upper_1 = where(scaled_s_3 < 0, -scaled_s_1, scaled_s_1)
-    upper_2 = where(scaled_s_3 < 0, -scaled_s_2, scaled_s_2)
-    upper_3 = where(scaled_s_3 < 0, -scaled_s_3, scaled_s_3)
+    upper_0b = scaled_s_3 < 0
+    upper_0 = where(upper_0b, -scaled_s_0, scaled_s_0)
+    upper_1 = where(upper_0b, -scaled_s_1, scaled_s_1)
+    upper_2 = where(upper_0b, -scaled_s_2, scaled_s_2)
+    upper_3 = where(upper_0b, -scaled_s_3, scaled_s_3)
     v_s_size_0 = absolute(upper_0)
     v_s_size_1 = absolute(upper_1)
     v_s_size_2 = absolute(upper_2)
@@ -2964,20 +2682,18 @@ def quaternion_log(q):
     v_n_c = v_n_a + v_n_b
     v_n_c_right = v_n_c - v_n_a
     v_n_c_left_rest = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
-    v_n_c_lo = v_n_c_left_rest + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right)
     v_n_d = v_y_2 * v_y_2
     v_n_e = v_n_c + v_n_d
     v_n_e_right = v_n_e - v_n_c
     v_n_e_lo1 = v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
-    v_n_e_lo = v_n_e_lo1 + v_n_c_lo
+    v_n_e_lo = v_n_e_lo1 + (v_n_c_left_rest + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right))
     v_n_of_v_n_e = v_n_e + v_n_e_lo
     v_n_of_v_n_e_right = v_n_of_v_n_e - v_n_e
-    v_n_of_v_n_e_lo = v_n_e - (v_n_of_v_n_e - v_n_of_v_n_e_right) + (v_n_e_lo - v_n_of_v_n_e_right)
     v_n = sqrt(v_n_of_v_n_e)
     v_n_product = v_n * v_n
+    v_n_of_v_n_e_lo = v_n_e - (v_n_of_v_n_e - v_n_of_v_n_e_right) + (v_n_e_lo - v_n_of_v_n_e_right)
     v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
-    v_n_residual = v_n_exact + v_n_of_v_n_e_lo
-    v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
+    v_n_lo = (v_n_exact + v_n_of_v_n_e_lo) / where(v_n == 0, 1, v_n + v_n)
     v_r_b = where(1 < v_s, float64(7.637340908749012e-152), float64(1))
     v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_b)
     n_of_v_n = v_n + v_n_lo
@@ -2993,29 +2709,27 @@ def quaternion_log(q):
     half_size0 = absolute(half_of_n)
     half_size1 = absolute(upper_3)
     half_most = where(half_size0 < half_size1, half_size1, half_size0)
-    half_divisor = where(half_most == 0, 1, half_most)
+    half_zero = half_most == 0
+    half_divisor = where(half_zero, 1, half_most)
     half_part0 = half_of_n / half_divisor
     half_part1 = upper_3 / half_divisor
     half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
-    half_safe = where(half_most == 0, 1, half_divisor2)
-    half_lo = (half_part1 * half_of_n_lo - half_part0 * 0) / half_safe
-    divisor = where(half_of_n == 0, 1, half_of_n)
-    divisor_lo = where(half_of_n == 0, 0, half_of_n_lo)
+    divisor_a = half_of_n == 0
+    divisor = where(divisor_a, 1, half_of_n)
+    divisor_lo = where(divisor_a, 0, half_of_n_lo)
     theta = 2 * half
+    half_lo = (half_part1 * half_of_n_lo - half_part0 * 0) / where(half_zero, 1, half_divisor2)
     theta_cross2 = 2 * half_lo
     k_of_theta = theta + theta_cross2
     k_of_theta_right = k_of_theta - theta
-    k_of_theta_lo = theta - (k_of_theta - k_of_theta_right) + (theta_cross2 - k_of_theta_right)
     k_of_divisor = divisor + divisor_lo
     k_of_divisor_right = k_of_divisor - divisor
     k_of_divisor_left_rest = divisor - (k_of_divisor - k_of_divisor_right)
-    k_of_divisor_lo = k_of_divisor_left_rest + (divisor_lo - k_of_divisor_right)
     k = k_of_theta / k_of_divisor
     k_product = k * k_of_divisor
-    k_exact = k_of_theta - k_product - product_error(k, k_of_divisor, k_product)
-    k_numerator = k_exact + k_of_theta_lo
-    k_cross = k * k_of_divisor_lo
-    k_residual = k_numerator - k_cross
+    k_of_theta_lo = theta - (k_of_theta - k_of_theta_right) + (theta_cross2 - k_of_theta_right)
+    k_numerator = k_of_theta - k_product - product_error(k, k_of_divisor, k_product) + k_of_theta_lo
+    k_residual = k_numerator - k * (k_of_divisor_left_rest + (divisor_lo - k_of_divisor_right))
     k_lo = k_residual / k_of_divisor
     vector_0 = upper_0 * k
     vector_1 = upper_1 * k
@@ -3023,6 +2737,7 @@ def quaternion_log(q):
     vector_0_rounded = vector_0 + (product_error(upper_0, k, vector_0) + upper_0 * k_lo)
     vector_1_rounded = vector_1 + (product_error(upper_1, k, vector_1) + upper_1 * k_lo)
     vector_2_rounded = vector_2 + (product_error(upper_2, k, vector_2) + upper_2 * k_lo)
-    return (where(vector_0_rounded == vector_0_rounded, vector_0_rounded, vector_0),
-        where(vector_1_rounded == vector_1_rounded, vector_1_rounded, vector_1),
-        where(vector_2_rounded == vector_2_rounded, vector_2_rounded, vector_2))
+    vector_0_final = where(vector_0_rounded == vector_0_rounded, vector_0_rounded, vector_0)
+    vector_1_final = where(vector_1_rounded == vector_1_rounded, vector_1_rounded, vector_1)
+    vector_2_final = where(vector_2_rounded == vector_2_rounded, vector_2_rounded, vector_2)
+    return (vector_0_final, vector_1_final, vector_2_final)

@@ -41,17 +41,17 @@ def axpy_vv(a, x, y):
     y_0_new_a = a * x_0
     y_0_new = y_0_new_a + y_0
     y_0_new_right = y_0_new - y_0_new_a
-    y_0_new_lo = product_rest(a, x_0, y_0_new_a, y_0_new - y_0_new_right) + (y_0 - y_0_new_right)
     y_1_new_a = a * x_1
     y_1_new = y_1_new_a + y_1
     y_1_new_right = y_1_new - y_1_new_a
-    y_1_new_lo = product_rest(a, x_1, y_1_new_a, y_1_new - y_1_new_right) + (y_1 - y_1_new_right)
     y_2_new_a = a * x_2
     y_2_new = y_2_new_a + y_2
     y_2_new_right = y_2_new - y_2_new_a
-    y_2_new_lo = product_rest(a, x_2, y_2_new_a, y_2_new - y_2_new_right) + (y_2 - y_2_new_right)
+    y_0_new_lo = product_rest(a, x_0, y_0_new_a, y_0_new - y_0_new_right) + (y_0 - y_0_new_right)
     y_0_new_rounded = y_0_new + y_0_new_lo
+    y_1_new_lo = product_rest(a, x_1, y_1_new_a, y_1_new - y_1_new_right) + (y_1 - y_1_new_right)
     y_1_new_rounded = y_1_new + y_1_new_lo
+    y_2_new_lo = product_rest(a, x_2, y_2_new_a, y_2_new - y_2_new_right) + (y_2 - y_2_new_right)
     y_2_new_rounded = y_2_new + y_2_new_lo
     return (y_0_new_rounded, y_1_new_rounded, y_2_new_rounded)
 
@@ -198,18 +198,17 @@ def vec3_l2norm(v):
     n_b = y_1 * y_1
     n_c = n_a + n_b
     n_c_right = n_c - n_a
-    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
     n_e_right = n_e - n_c
-    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
-    n_e_lo = n_e_lo1 + n_c_lo
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
+    n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
     n_of_n_e = n_e + n_e_lo
     n_of_n_e_right = n_of_n_e - n_e
     n = sqrt(n_of_n_e)
     n_product = n * n
-    n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
+    n_of_n_e_lo = n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right)
+    n_residual = n_of_n_e - n_product - product_error(n, n, n_product) + n_of_n_e_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
     r_d = where(1 < s, 7.637340908749012e-152, r_b)
@@ -219,9 +218,9 @@ def vec3_l2norm(v):
     norm = norm_of_n * r
     norm_lost = norm_of_n - norm * (1 / r)
     norm_small = (norm_lost + (n - (norm_of_n - norm_of_n_right) + (n_lo - norm_of_n_right))) * r
-    norm_lo = where(norm_lost == 0, 0, norm_small)
-    norm_rounded = norm + norm_lo
-    return where(norm_rounded == norm_rounded, norm_rounded, norm)
+    norm_rounded = norm + where(norm_lost == 0, 0, norm_small)
+    norm_final = where(norm_rounded == norm_rounded, norm_rounded, norm)
+    return norm_final
 
 
 @kernel("(3)->(3)")
@@ -250,32 +249,32 @@ def vec3_normalize(self):
     n_b = y_1 * y_1
     n_c = n_a + n_b
     n_c_right = n_c - n_a
-    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
     n_e_right = n_e - n_c
-    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
-    n_e_lo = n_e_lo1 + n_c_lo
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
+    n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
     n_of_n_e = n_e + n_e_lo
     n_of_n_e_right = n_of_n_e - n_e
     n = sqrt(n_of_n_e)
     n_product = n * n
-    n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
+    n_of_n_e_lo = n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right)
+    n_residual = n_of_n_e - n_product - product_error(n, n, n_product) + n_of_n_e_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor_a_of_n = n + n_lo
     divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a = divisor_a_of_n == 0
+    divisor = where(divisor_a, up, divisor_a_of_n)
     divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
-    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
     sized_0 = self_0 * up
     sized_1 = self_1 * up
     sized_2 = self_2 * up
     quotient_0_of_divisor = divisor + divisor_lo
     quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
     quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
-    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
     quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
+    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
     quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
     quotient_0 = sized_0 / quotient_0_of_divisor
     quotient_0_product = quotient_0 * quotient_0_of_divisor
@@ -298,43 +297,41 @@ def vec3_normalize(self):
     self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo
     self_0_new_of_quotient_0_right = self_0_new_of_quotient_0 - quotient_0
     self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right
-    self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
     self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right
-    self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
+    self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
     self_0_new = self_0_new_of_quotient_0 * down
     self_0_new_inverse = 1 / down
     self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
-    self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo
-    self_0_new_small = self_0_new_rest * down
-    self_0_new_lo = where(self_0_new_lost == 0, 0, self_0_new_small)
+    self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
+    self_0_new_small = (self_0_new_lost + self_0_new_of_quotient_0_lo) * down
     self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
     self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1
     self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right
-    self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
     self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right
-    self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
+    self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
     self_1_new = self_1_new_of_quotient_1 * down
     self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
-    self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo
-    self_1_new_small = self_1_new_rest * down
-    self_1_new_lo = where(self_1_new_lost == 0, 0, self_1_new_small)
+    self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
+    self_1_new_small = (self_1_new_lost + self_1_new_of_quotient_1_lo) * down
     self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
     self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2
     self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right
-    self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
     self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right
-    self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
+    self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
     self_2_new = self_2_new_of_quotient_2 * down
     self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
-    self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo
-    self_2_new_small = self_2_new_rest * down
-    self_2_new_lo = where(self_2_new_lost == 0, 0, self_2_new_small)
-    self_0_new_rounded = self_0_new + self_0_new_lo
-    self_1_new_rounded = self_1_new + self_1_new_lo
-    self_2_new_rounded = self_2_new + self_2_new_lo
-    return (where(self_0_new_rounded == self_0_new_rounded, self_0_new_rounded, self_0_new),
-        where(self_1_new_rounded == self_1_new_rounded, self_1_new_rounded, self_1_new),
-        where(self_2_new_rounded == self_2_new_rounded, self_2_new_rounded, self_2_new))
+    self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
+    self_2_new_small = (self_2_new_lost + self_2_new_of_quotient_2_lo) * down
+    self_0_new_rounded = self_0_new + where(self_0_new_lost == 0, 0, self_0_new_small)
+    self_0_new_rounded_number = self_0_new_rounded == self_0_new_rounded
+    self_1_new_rounded = self_1_new + where(self_1_new_lost == 0, 0, self_1_new_small)
+    self_1_new_rounded_number = self_1_new_rounded == self_1_new_rounded
+    self_2_new_rounded = self_2_new + where(self_2_new_lost == 0, 0, self_2_new_small)
+    self_2_new_rounded_number = self_2_new_rounded == self_2_new_rounded
+    self_0_new_final = where(self_0_new_rounded_number, self_0_new_rounded, self_0_new)
+    self_1_new_final = where(self_1_new_rounded_number, self_1_new_rounded, self_1_new)
+    self_2_new_final = where(self_2_new_rounded_number, self_2_new_rounded, self_2_new)
+    return (self_0_new_final, self_1_new_final, self_2_new_final)
 
 
 @kernel("(3)->(3)")
@@ -363,32 +360,32 @@ def vec3_normalized(v):
     n_b = y_1 * y_1
     n_c = n_a + n_b
     n_c_right = n_c - n_a
-    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
     n_e_right = n_e - n_c
-    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
-    n_e_lo = n_e_lo1 + n_c_lo
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
+    n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
     n_of_n_e = n_e + n_e_lo
     n_of_n_e_right = n_of_n_e - n_e
     n = sqrt(n_of_n_e)
     n_product = n * n
-    n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
+    n_of_n_e_lo = n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right)
+    n_residual = n_of_n_e - n_product - product_error(n, n, n_product) + n_of_n_e_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor_a_of_n = n + n_lo
     divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a = divisor_a_of_n == 0
+    divisor = where(divisor_a, up, divisor_a_of_n)
     divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
-    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
     sized_0 = v_0 * up
     sized_1 = v_1 * up
     sized_2 = v_2 * up
     quotient_0_of_divisor = divisor + divisor_lo
     quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
     quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
-    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
     quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
+    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
     quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
     quotient_0 = sized_0 / quotient_0_of_divisor
     quotient_0_product = quotient_0 * quotient_0_of_divisor
@@ -412,39 +409,31 @@ def vec3_normalized(v):
     vo_0_of_quotient_0_right = vo_0_of_quotient_0 - quotient_0
     vo_0_of_quotient_0_left_rest = quotient_0 - (vo_0_of_quotient_0 - vo_0_of_quotient_0_right)
     vo_0_of_quotient_0_right_rest = quotient_0_lo - vo_0_of_quotient_0_right
-    vo_0_of_quotient_0_lo = vo_0_of_quotient_0_left_rest + vo_0_of_quotient_0_right_rest
     vo_0 = vo_0_of_quotient_0 * down
     vo_0_inverse = 1 / down
     vo_0_lost = vo_0_of_quotient_0 - vo_0 * vo_0_inverse
-    vo_0_rest = vo_0_lost + vo_0_of_quotient_0_lo
-    vo_0_small = vo_0_rest * down
-    vo_0_lo = where(vo_0_lost == 0, 0, vo_0_small)
+    vo_0_small = (vo_0_lost + (vo_0_of_quotient_0_left_rest + vo_0_of_quotient_0_right_rest)) * down
     vo_1_of_quotient_1 = quotient_1 + quotient_1_lo
     vo_1_of_quotient_1_right = vo_1_of_quotient_1 - quotient_1
     vo_1_of_quotient_1_left_rest = quotient_1 - (vo_1_of_quotient_1 - vo_1_of_quotient_1_right)
     vo_1_of_quotient_1_right_rest = quotient_1_lo - vo_1_of_quotient_1_right
-    vo_1_of_quotient_1_lo = vo_1_of_quotient_1_left_rest + vo_1_of_quotient_1_right_rest
     vo_1 = vo_1_of_quotient_1 * down
     vo_1_lost = vo_1_of_quotient_1 - vo_1 * vo_0_inverse
-    vo_1_rest = vo_1_lost + vo_1_of_quotient_1_lo
-    vo_1_small = vo_1_rest * down
-    vo_1_lo = where(vo_1_lost == 0, 0, vo_1_small)
+    vo_1_small = (vo_1_lost + (vo_1_of_quotient_1_left_rest + vo_1_of_quotient_1_right_rest)) * down
     vo_2_of_quotient_2 = quotient_2 + quotient_2_lo
     vo_2_of_quotient_2_right = vo_2_of_quotient_2 - quotient_2
     vo_2_of_quotient_2_left_rest = quotient_2 - (vo_2_of_quotient_2 - vo_2_of_quotient_2_right)
     vo_2_of_quotient_2_right_rest = quotient_2_lo - vo_2_of_quotient_2_right
-    vo_2_of_quotient_2_lo = vo_2_of_quotient_2_left_rest + vo_2_of_quotient_2_right_rest
     vo_2 = vo_2_of_quotient_2 * down
     vo_2_lost = vo_2_of_quotient_2 - vo_2 * vo_0_inverse
-    vo_2_rest = vo_2_lost + vo_2_of_quotient_2_lo
-    vo_2_small = vo_2_rest * down
-    vo_2_lo = where(vo_2_lost == 0, 0, vo_2_small)
-    vo_0_rounded = vo_0 + vo_0_lo
-    vo_1_rounded = vo_1 + vo_1_lo
-    vo_2_rounded = vo_2 + vo_2_lo
-    return (where(vo_0_rounded == vo_0_rounded, vo_0_rounded, vo_0),
-        where(vo_1_rounded == vo_1_rounded, vo_1_rounded, vo_1),
-        where(vo_2_rounded == vo_2_rounded, vo_2_rounded, vo_2))
+    vo_2_small = (vo_2_lost + (vo_2_of_quotient_2_left_rest + vo_2_of_quotient_2_right_rest)) * down
+    vo_0_rounded = vo_0 + where(vo_0_lost == 0, 0, vo_0_small)
+    vo_1_rounded = vo_1 + where(vo_1_lost == 0, 0, vo_1_small)
+    vo_2_rounded = vo_2 + where(vo_2_lost == 0, 0, vo_2_small)
+    vo_0_final = where(vo_0_rounded == vo_0_rounded, vo_0_rounded, vo_0)
+    vo_1_final = where(vo_1_rounded == vo_1_rounded, vo_1_rounded, vo_1)
+    vo_2_final = where(vo_2_rounded == vo_2_rounded, vo_2_rounded, vo_2)
+    return (vo_0_final, vo_1_final, vo_2_final)
 
 
 @kernel("(3),(3)->()")
@@ -518,33 +507,36 @@ def angle_vv(v1, v2):
     s_largest1a_of_s_size_0 = s_size_0 + s_size_0_lo
     s_largest1a_of_s_size_0_right = s_largest1a_of_s_size_0 - s_size_0
     s_largest1a_of_s_size_0_left = s_largest1a_of_s_size_0 - s_largest1a_of_s_size_0_right
-    s_largest1a_of_s_size_0_left_rest = s_size_0 - s_largest1a_of_s_size_0_left
     s_largest1a_of_s_size_0_right_rest = s_size_0_lo - s_largest1a_of_s_size_0_right
-    s_largest1a_of_s_size_0_lo = s_largest1a_of_s_size_0_left_rest + s_largest1a_of_s_size_0_right_rest
+    s_largest1a_of_s_size_0_left_rest = s_size_0 - s_largest1a_of_s_size_0_left
     s_largest1a_of_s_size_1 = s_size_1 + s_size_1_lo
     s_largest1a_of_s_size_1_right = s_largest1a_of_s_size_1 - s_size_1
     s_largest1a_of_s_size_1_left = s_largest1a_of_s_size_1 - s_largest1a_of_s_size_1_right
-    s_largest1a_of_s_size_1_left_rest = s_size_1 - s_largest1a_of_s_size_1_left
     s_largest1a_of_s_size_1_right_rest = s_size_1_lo - s_largest1a_of_s_size_1_right
+    s_largest1a_of_s_size_1_left_rest = s_size_1 - s_largest1a_of_s_size_1_left
+    s_largest1a = s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1
+    s_largest1 = where(s_largest1a, s_largest1a_of_s_size_1, s_largest1a_of_s_size_0)
     s_largest1a_of_s_size_1_lo = s_largest1a_of_s_size_1_left_rest + s_largest1a_of_s_size_1_right_rest
-    s_largest1 = where(s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1, s_largest1a_of_s_size_1, s_largest1a_of_s_size_0)
-    s_largest1_lo = where(s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1, s_largest1a_of_s_size_1_lo, s_largest1a_of_s_size_0_lo)
+    s_largest1a_of_s_size_0_lo = s_largest1a_of_s_size_0_left_rest + s_largest1a_of_s_size_0_right_rest
+    s_largest1_lo = where(s_largest1a, s_largest1a_of_s_size_1_lo, s_largest1a_of_s_size_0_lo)
     s_largest2a_of_s_largest1 = s_largest1 + s_largest1_lo
     s_largest2a_of_s_largest1_right = s_largest2a_of_s_largest1 - s_largest1
     s_largest2a_of_s_largest1_left = s_largest2a_of_s_largest1 - s_largest2a_of_s_largest1_right
-    s_largest2a_of_s_largest1_left_rest = s_largest1 - s_largest2a_of_s_largest1_left
     s_largest2a_of_s_largest1_right_rest = s_largest1_lo - s_largest2a_of_s_largest1_right
-    s_largest2a_of_s_largest1_lo = s_largest2a_of_s_largest1_left_rest + s_largest2a_of_s_largest1_right_rest
+    s_largest2a_of_s_largest1_left_rest = s_largest1 - s_largest2a_of_s_largest1_left
     s_largest2a_of_s_size_2 = s_size_2 + s_size_2_lo
     s_largest2a_of_s_size_2_right = s_largest2a_of_s_size_2 - s_size_2
     s_largest2a_of_s_size_2_left = s_largest2a_of_s_size_2 - s_largest2a_of_s_size_2_right
-    s_largest2a_of_s_size_2_left_rest = s_size_2 - s_largest2a_of_s_size_2_left
     s_largest2a_of_s_size_2_right_rest = s_size_2_lo - s_largest2a_of_s_size_2_right
+    s_largest2a_of_s_size_2_left_rest = s_size_2 - s_largest2a_of_s_size_2_left
+    s_largest2a = s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2
+    s_largest2 = where(s_largest2a, s_largest2a_of_s_size_2, s_largest2a_of_s_largest1)
+    s_largest2a_of_s_largest1_lo = s_largest2a_of_s_largest1_left_rest + s_largest2a_of_s_largest1_right_rest
     s_largest2a_of_s_size_2_lo = s_largest2a_of_s_size_2_left_rest + s_largest2a_of_s_size_2_right_rest
-    s_largest2 = where(s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2, s_largest2a_of_s_size_2, s_largest2a_of_s_largest1)
-    s_largest2_lo = where(s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2, s_largest2a_of_s_size_2_lo, s_largest2a_of_s_largest1_lo)
+    s_largest2_lo = where(s_largest2a, s_largest2a_of_s_size_2_lo, s_largest2a_of_s_largest1_lo)
     s_a_of_s_largest2 = s_largest2 + s_largest2_lo
-    s_b = where(6.703903964971299e+153 < s_a_of_s_largest2, float64(3.7291703656001034e-155), float64(1))
+    s_a = 6.703903964971299e+153 < s_a_of_s_largest2
+    s_b = where(s_a, float64(3.7291703656001034e-155), float64(1))
     s_d = where(s_a_of_s_largest2 < 256, 1.3093562431584567e+151, s_b)
     s = where(s_a_of_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = s_size_0_of_c_0 * s
@@ -562,19 +554,18 @@ def angle_vv(v1, v2):
     n_c = n_a + n_b
     n_c_right = n_c - n_a
     n_c_lo1 = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
-    n_c_lo = n_c_lo1 + (y_0_lo * y_0 + y_0 * y_0_lo + (y_1_lo * y_1 + y_1 * y_1_lo))
     n_d = y_2 * y_2
     n_e = n_c + n_d
     n_e_right = n_e - n_c
     n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
-    n_e_lo2 = n_e_lo1 + (y_2_lo * y_2 + y_2 * y_2_lo)
-    n_e_lo = n_e_lo2 + n_c_lo
+    n_c_lo = n_c_lo1 + (y_0_lo * y_0 + y_0 * y_0_lo + (y_1_lo * y_1 + y_1 * y_1_lo))
+    n_e_lo = n_e_lo1 + (y_2_lo * y_2 + y_2 * y_2_lo) + n_c_lo
     n_of_n_e = n_e + n_e_lo
     n_of_n_e_right = n_of_n_e - n_e
     n = sqrt(n_of_n_e)
     n_product = n * n
-    n_exact = n_of_n_e - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + (n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right))
+    n_of_n_e_lo = n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right)
+    n_residual = n_of_n_e - n_product - product_error(n, n, n_product) + n_of_n_e_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
     r_d = where(1 < s, 7.637340908749012e-152, r_b)
@@ -584,43 +575,38 @@ def angle_vv(v1, v2):
     cross = cross_of_n * r
     cross_lost = cross_of_n - cross * (1 / r)
     cross_rest = cross_lost + (n - (cross_of_n - cross_of_n_right) + (n_lo - cross_of_n_right))
-    cross_small = cross_rest * r
-    cross_lo = where(cross_lost == 0, 0, cross_small)
+    cross_lo = where(cross_lost == 0, 0, cross_rest * r)
     dot__a = scaled_s1_0 * scaled_s2_0
     dot__b = scaled_s1_1 * scaled_s2_1
     dot__c = dot__a + dot__b
     dot__c_right = dot__c - dot__a
     dot__c_left_rest = product_rest(scaled_s1_0, scaled_s2_0, dot__a, dot__c - dot__c_right)
-    dot__c_lo = dot__c_left_rest + product_rest(scaled_s1_1, scaled_s2_1, dot__b, dot__c_right)
     dot__d = scaled_s1_2 * scaled_s2_2
     dot_ = dot__c + dot__d
     dot__right = dot_ - dot__c
     dot__right_rest = product_rest(scaled_s1_2, scaled_s2_2, dot__d, dot__right)
-    dot__lo1 = dot__c - (dot_ - dot__right) + dot__right_rest
-    dot__lo = dot__lo1 + dot__c_lo
+    dot__c_lo = dot__c_left_rest + product_rest(scaled_s1_1, scaled_s2_1, dot__b, dot__c_right)
+    dot__lo = dot__c - (dot_ - dot__right) + dot__right_rest + dot__c_lo
     angle_of_cross = cross + cross_lo
     angle_of_cross_right = angle_of_cross - cross
     angle_of_cross_left_rest = cross - (angle_of_cross - angle_of_cross_right)
-    angle_of_cross_lo = angle_of_cross_left_rest + (cross_lo - angle_of_cross_right)
     angle_of_dot_ = dot_ + dot__lo
     angle_of_dot__right = angle_of_dot_ - dot_
     angle_of_dot__left_rest = dot_ - (angle_of_dot_ - angle_of_dot__right)
-    angle_of_dot__lo = angle_of_dot__left_rest + (dot__lo - angle_of_dot__right)
     angle = arctan2(angle_of_cross, angle_of_dot_)
     angle_size0 = absolute(angle_of_cross)
     angle_size1 = absolute(angle_of_dot_)
     angle_most = where(angle_size0 < angle_size1, angle_size1, angle_size0)
-    angle_divisor = where(angle_most == 0, 1, angle_most)
+    angle_zero = angle_most == 0
+    angle_divisor = where(angle_zero, 1, angle_most)
     angle_part0 = angle_of_cross / angle_divisor
     angle_part1 = angle_of_dot_ / angle_divisor
-    angle_cross1 = angle_part1 * angle_of_cross_lo
-    angle_cross2 = angle_part0 * angle_of_dot__lo
-    angle_cross = angle_cross1 - angle_cross2
+    angle_cross1 = angle_part1 * (angle_of_cross_left_rest + (cross_lo - angle_of_cross_right))
+    angle_cross2 = angle_part0 * (angle_of_dot__left_rest + (dot__lo - angle_of_dot__right))
     angle_divisor2 = angle_divisor * (angle_part1 * angle_part1 + angle_part0 * angle_part0)
-    angle_safe = where(angle_most == 0, 1, angle_divisor2)
-    angle_lo = angle_cross / angle_safe
-    angle_rounded = angle + angle_lo
-    return where(angle_rounded == angle_rounded, angle_rounded, angle)
+    angle_rounded = angle + (angle_cross1 - angle_cross2) / where(angle_zero, 1, angle_divisor2)
+    angle_final = where(angle_rounded == angle_rounded, angle_rounded, angle)
+    return angle_final
 
 
 @kernel("(3),(3)->()")
@@ -638,13 +624,11 @@ def dot_vv(v1, v2):
     dot_c = dot_a + dot_b
     dot_c_right = dot_c - dot_a
     dot_c_left_rest = product_rest(v1_0, v2_0, dot_a, dot_c - dot_c_right)
-    dot_c_lo = dot_c_left_rest + product_rest(v1_1, v2_1, dot_b, dot_c_right)
     dot_d = v1_2 * v2_2
     dot = dot_c + dot_d
     dot_right = dot - dot_c
     dot_lo1 = dot_c - (dot - dot_right) + product_rest(v1_2, v2_2, dot_d, dot_right)
-    dot_lo = dot_lo1 + dot_c_lo
-    dot_rounded = dot + dot_lo
+    dot_rounded = dot + (dot_lo1 + (dot_c_left_rest + product_rest(v1_1, v2_1, dot_b, dot_c_right)))
     return dot_rounded
 
 
@@ -682,9 +666,10 @@ def product_ainvv(k, v):
     vo_0_rounded = vo_0 + (v_0 - vo_0_product - product_error(vo_0, k, vo_0_product)) / k
     vo_1_rounded = vo_1 + (v_1 - vo_1_product - product_error(vo_1, k, vo_1_product)) / k
     vo_2_rounded = vo_2 + (v_2 - vo_2_product - product_error(vo_2, k, vo_2_product)) / k
-    return (where(vo_0_rounded == vo_0_rounded, vo_0_rounded, vo_0),
-        where(vo_1_rounded == vo_1_rounded, vo_1_rounded, vo_1),
-        where(vo_2_rounded == vo_2_rounded, vo_2_rounded, vo_2))
+    vo_0_final = where(vo_0_rounded == vo_0_rounded, vo_0_rounded, vo_0)
+    vo_1_final = where(vo_1_rounded == vo_1_rounded, vo_1_rounded, vo_1)
+    vo_2_final = where(vo_2_rounded == vo_2_rounded, vo_2_rounded, vo_2)
+    return (vo_0_final, vo_1_final, vo_2_final)
 
 
 @kernel("(3),(3)->(3)")
@@ -702,22 +687,19 @@ def cross_vv(v1, v2):
     vo_0 = vo_0a - vo_0b
     vo_0_right = vo_0a - vo_0
     vo_0_left_rest = product_rest(v1_1, v2_2, vo_0a, vo_0 + vo_0_right)
-    vo_0_lo = vo_0_left_rest - product_rest(v1_2, v2_1, vo_0b, vo_0_right)
     vo_1a = v1_2 * v2_0
     vo_1b = v1_0 * v2_2
     vo_1 = vo_1a - vo_1b
     vo_1_right = vo_1a - vo_1
     vo_1_left_rest = product_rest(v1_2, v2_0, vo_1a, vo_1 + vo_1_right)
-    vo_1_lo = vo_1_left_rest - product_rest(v1_0, v2_2, vo_1b, vo_1_right)
     vo_2a = v1_0 * v2_1
     vo_2b = v1_1 * v2_0
     vo_2 = vo_2a - vo_2b
     vo_2_right = vo_2a - vo_2
     vo_2_left_rest = product_rest(v1_0, v2_1, vo_2a, vo_2 + vo_2_right)
-    vo_2_lo = vo_2_left_rest - product_rest(v1_1, v2_0, vo_2b, vo_2_right)
-    vo_0_rounded = vo_0 + vo_0_lo
-    vo_1_rounded = vo_1 + vo_1_lo
-    vo_2_rounded = vo_2 + vo_2_lo
+    vo_0_rounded = vo_0 + (vo_0_left_rest - product_rest(v1_2, v2_1, vo_0b, vo_0_right))
+    vo_1_rounded = vo_1 + (vo_1_left_rest - product_rest(v1_0, v2_2, vo_1b, vo_1_right))
+    vo_2_rounded = vo_2 + (vo_2_left_rest - product_rest(v1_1, v2_0, vo_2b, vo_2_right))
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 
 
@@ -736,22 +718,19 @@ def cross_vvinv(v1, v2):
     vo_0 = vo_0a - vo_0b
     vo_0_right = vo_0a - vo_0
     vo_0_left_rest = product_rest(v1_2, v2_1, vo_0a, vo_0 + vo_0_right)
-    vo_0_lo = vo_0_left_rest - product_rest(v1_1, v2_2, vo_0b, vo_0_right)
     vo_1a = v1_0 * v2_2
     vo_1b = v1_2 * v2_0
     vo_1 = vo_1a - vo_1b
     vo_1_right = vo_1a - vo_1
     vo_1_left_rest = product_rest(v1_0, v2_2, vo_1a, vo_1 + vo_1_right)
-    vo_1_lo = vo_1_left_rest - product_rest(v1_2, v2_0, vo_1b, vo_1_right)
     vo_2a = v1_1 * v2_0
     vo_2b = v1_0 * v2_1
     vo_2 = vo_2a - vo_2b
     vo_2_right = vo_2a - vo_2
     vo_2_left_rest = product_rest(v1_1, v2_0, vo_2a, vo_2 + vo_2_right)
-    vo_2_lo = vo_2_left_rest - product_rest(v1_0, v2_1, vo_2b, vo_2_right)
-    vo_0_rounded = vo_0 + vo_0_lo
-    vo_1_rounded = vo_1 + vo_1_lo
-    vo_2_rounded = vo_2 + vo_2_lo
+    vo_0_rounded = vo_0 + (vo_0_left_rest - product_rest(v1_1, v2_2, vo_0b, vo_0_right))
+    vo_1_rounded = vo_1 + (vo_1_left_rest - product_rest(v1_2, v2_0, vo_1b, vo_1_right))
+    vo_2_rounded = vo_2 + (vo_2_left_rest - product_rest(v1_0, v2_1, vo_2b, vo_2_right))
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 
 

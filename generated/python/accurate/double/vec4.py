@@ -76,23 +76,21 @@ def vec4_l2norm(v):
     n_b = y_1 * y_1
     n_c = n_a + n_b
     n_c_right = n_c - n_a
-    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
     n_e_right = n_e - n_c
-    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
-    n_e_lo = n_e_lo1 + n_c_lo
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_f = y_3 * y_3
     n_g = n_e + n_f
     n_g_right = n_g - n_e
-    n_g_lo1 = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right)
-    n_g_lo = n_g_lo1 + n_e_lo
+    n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
+    n_g_lo = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right) + n_e_lo
     n_of_n_g = n_g + n_g_lo
     n_of_n_g_right = n_of_n_g - n_g
     n = sqrt(n_of_n_g)
     n_product = n * n
-    n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + (n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right))
+    n_of_n_g_lo = n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right)
+    n_residual = n_of_n_g - n_product - product_error(n, n, n_product) + n_of_n_g_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
     r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
     r_d = where(1 < s, 7.637340908749012e-152, r_b)
@@ -102,9 +100,9 @@ def vec4_l2norm(v):
     norm = norm_of_n * r
     norm_lost = norm_of_n - norm * (1 / r)
     norm_small = (norm_lost + (n - (norm_of_n - norm_of_n_right) + (n_lo - norm_of_n_right))) * r
-    norm_lo = where(norm_lost == 0, 0, norm_small)
-    norm_rounded = norm + norm_lo
-    return where(norm_rounded == norm_rounded, norm_rounded, norm)
+    norm_rounded = norm + where(norm_lost == 0, 0, norm_small)
+    norm_final = where(norm_rounded == norm_rounded, norm_rounded, norm)
+    return norm_final
 
 
 @kernel("(4)->(4)")
@@ -136,29 +134,28 @@ def vec4_normalize(self):
     n_b = y_1 * y_1
     n_c = n_a + n_b
     n_c_right = n_c - n_a
-    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
     n_e_right = n_e - n_c
-    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
-    n_e_lo = n_e_lo1 + n_c_lo
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_f = y_3 * y_3
     n_g = n_e + n_f
     n_g_right = n_g - n_e
-    n_g_lo1 = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right)
-    n_g_lo = n_g_lo1 + n_e_lo
+    n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
+    n_g_lo = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right) + n_e_lo
     n_of_n_g = n_g + n_g_lo
     n_of_n_g_right = n_of_n_g - n_g
     n = sqrt(n_of_n_g)
     n_product = n * n
-    n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + (n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right))
+    n_of_n_g_lo = n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right)
+    n_residual = n_of_n_g - n_product - product_error(n, n, n_product) + n_of_n_g_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor_a_of_n = n + n_lo
     divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a = divisor_a_of_n == 0
+    divisor = where(divisor_a, up, divisor_a_of_n)
     divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
-    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
     sized_0 = self_0 * up
     sized_1 = self_1 * up
     sized_2 = self_2 * up
@@ -166,8 +163,8 @@ def vec4_normalize(self):
     quotient_0_of_divisor = divisor + divisor_lo
     quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
     quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
-    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
     quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
+    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
     quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
     quotient_0 = sized_0 / quotient_0_of_divisor
     quotient_0_product = quotient_0 * quotient_0_of_divisor
@@ -196,56 +193,53 @@ def vec4_normalize(self):
     self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo
     self_0_new_of_quotient_0_right = self_0_new_of_quotient_0 - quotient_0
     self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right
-    self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
     self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right
-    self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
+    self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
     self_0_new = self_0_new_of_quotient_0 * down
     self_0_new_inverse = 1 / down
     self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
-    self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo
-    self_0_new_small = self_0_new_rest * down
-    self_0_new_lo = where(self_0_new_lost == 0, 0, self_0_new_small)
+    self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
+    self_0_new_small = (self_0_new_lost + self_0_new_of_quotient_0_lo) * down
     self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
     self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1
     self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right
-    self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
     self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right
-    self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
+    self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
     self_1_new = self_1_new_of_quotient_1 * down
     self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
-    self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo
-    self_1_new_small = self_1_new_rest * down
-    self_1_new_lo = where(self_1_new_lost == 0, 0, self_1_new_small)
+    self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
+    self_1_new_small = (self_1_new_lost + self_1_new_of_quotient_1_lo) * down
     self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
     self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2
     self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right
-    self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
     self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right
-    self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
+    self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
     self_2_new = self_2_new_of_quotient_2 * down
     self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
-    self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo
-    self_2_new_small = self_2_new_rest * down
-    self_2_new_lo = where(self_2_new_lost == 0, 0, self_2_new_small)
+    self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
+    self_2_new_small = (self_2_new_lost + self_2_new_of_quotient_2_lo) * down
     self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo
     self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3
     self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right
-    self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left
     self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right
-    self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest
+    self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left
     self_3_new = self_3_new_of_quotient_3 * down
     self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * self_0_new_inverse
-    self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo
-    self_3_new_small = self_3_new_rest * down
-    self_3_new_lo = where(self_3_new_lost == 0, 0, self_3_new_small)
-    self_0_new_rounded = self_0_new + self_0_new_lo
-    self_1_new_rounded = self_1_new + self_1_new_lo
-    self_2_new_rounded = self_2_new + self_2_new_lo
-    self_3_new_rounded = self_3_new + self_3_new_lo
-    return (where(self_0_new_rounded == self_0_new_rounded, self_0_new_rounded, self_0_new),
-        where(self_1_new_rounded == self_1_new_rounded, self_1_new_rounded, self_1_new),
-        where(self_2_new_rounded == self_2_new_rounded, self_2_new_rounded, self_2_new),
-        where(self_3_new_rounded == self_3_new_rounded, self_3_new_rounded, self_3_new))
+    self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest
+    self_3_new_small = (self_3_new_lost + self_3_new_of_quotient_3_lo) * down
+    self_0_new_rounded = self_0_new + where(self_0_new_lost == 0, 0, self_0_new_small)
+    self_0_new_rounded_number = self_0_new_rounded == self_0_new_rounded
+    self_1_new_rounded = self_1_new + where(self_1_new_lost == 0, 0, self_1_new_small)
+    self_1_new_rounded_number = self_1_new_rounded == self_1_new_rounded
+    self_2_new_rounded = self_2_new + where(self_2_new_lost == 0, 0, self_2_new_small)
+    self_2_new_rounded_number = self_2_new_rounded == self_2_new_rounded
+    self_3_new_rounded = self_3_new + where(self_3_new_lost == 0, 0, self_3_new_small)
+    self_3_new_rounded_number = self_3_new_rounded == self_3_new_rounded
+    self_0_new_final = where(self_0_new_rounded_number, self_0_new_rounded, self_0_new)
+    self_1_new_final = where(self_1_new_rounded_number, self_1_new_rounded, self_1_new)
+    self_2_new_final = where(self_2_new_rounded_number, self_2_new_rounded, self_2_new)
+    self_3_new_final = where(self_3_new_rounded_number, self_3_new_rounded, self_3_new)
+    return (self_0_new_final, self_1_new_final, self_2_new_final, self_3_new_final)
 
 
 @kernel("(4)->(4)")
@@ -277,29 +271,28 @@ def vec4_normalized(v):
     n_b = y_1 * y_1
     n_c = n_a + n_b
     n_c_right = n_c - n_a
-    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_d = y_2 * y_2
     n_e = n_c + n_d
     n_e_right = n_e - n_c
-    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
-    n_e_lo = n_e_lo1 + n_c_lo
+    n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_f = y_3 * y_3
     n_g = n_e + n_f
     n_g_right = n_g - n_e
-    n_g_lo1 = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right)
-    n_g_lo = n_g_lo1 + n_e_lo
+    n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
+    n_g_lo = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right) + n_e_lo
     n_of_n_g = n_g + n_g_lo
     n_of_n_g_right = n_of_n_g - n_g
     n = sqrt(n_of_n_g)
     n_product = n * n
-    n_exact = n_of_n_g - n_product - product_error(n, n, n_product)
-    n_residual = n_exact + (n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right))
+    n_of_n_g_lo = n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right)
+    n_residual = n_of_n_g - n_product - product_error(n, n, n_product) + n_of_n_g_lo
     n_lo = n_residual / where(n == 0, 1, n + n)
     divisor_a_of_n = n + n_lo
     divisor_a_of_n_right = divisor_a_of_n - n
+    divisor_a = divisor_a_of_n == 0
+    divisor = where(divisor_a, up, divisor_a_of_n)
     divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor = where(divisor_a_of_n == 0, up, divisor_a_of_n)
-    divisor_lo = where(divisor_a_of_n == 0, 0, divisor_a_of_n_lo)
+    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
     sized_0 = v_0 * up
     sized_1 = v_1 * up
     sized_2 = v_2 * up
@@ -307,8 +300,8 @@ def vec4_normalized(v):
     quotient_0_of_divisor = divisor + divisor_lo
     quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
     quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
-    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
     quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
+    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
     quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
     quotient_0 = sized_0 / quotient_0_of_divisor
     quotient_0_product = quotient_0 * quotient_0_of_divisor
@@ -338,48 +331,37 @@ def vec4_normalized(v):
     vo_0_of_quotient_0_right = vo_0_of_quotient_0 - quotient_0
     vo_0_of_quotient_0_left_rest = quotient_0 - (vo_0_of_quotient_0 - vo_0_of_quotient_0_right)
     vo_0_of_quotient_0_right_rest = quotient_0_lo - vo_0_of_quotient_0_right
-    vo_0_of_quotient_0_lo = vo_0_of_quotient_0_left_rest + vo_0_of_quotient_0_right_rest
     vo_0 = vo_0_of_quotient_0 * down
     vo_0_inverse = 1 / down
     vo_0_lost = vo_0_of_quotient_0 - vo_0 * vo_0_inverse
-    vo_0_rest = vo_0_lost + vo_0_of_quotient_0_lo
-    vo_0_small = vo_0_rest * down
-    vo_0_lo = where(vo_0_lost == 0, 0, vo_0_small)
+    vo_0_small = (vo_0_lost + (vo_0_of_quotient_0_left_rest + vo_0_of_quotient_0_right_rest)) * down
     vo_1_of_quotient_1 = quotient_1 + quotient_1_lo
     vo_1_of_quotient_1_right = vo_1_of_quotient_1 - quotient_1
     vo_1_of_quotient_1_left_rest = quotient_1 - (vo_1_of_quotient_1 - vo_1_of_quotient_1_right)
     vo_1_of_quotient_1_right_rest = quotient_1_lo - vo_1_of_quotient_1_right
-    vo_1_of_quotient_1_lo = vo_1_of_quotient_1_left_rest + vo_1_of_quotient_1_right_rest
     vo_1 = vo_1_of_quotient_1 * down
     vo_1_lost = vo_1_of_quotient_1 - vo_1 * vo_0_inverse
-    vo_1_rest = vo_1_lost + vo_1_of_quotient_1_lo
-    vo_1_small = vo_1_rest * down
-    vo_1_lo = where(vo_1_lost == 0, 0, vo_1_small)
+    vo_1_small = (vo_1_lost + (vo_1_of_quotient_1_left_rest + vo_1_of_quotient_1_right_rest)) * down
     vo_2_of_quotient_2 = quotient_2 + quotient_2_lo
     vo_2_of_quotient_2_right = vo_2_of_quotient_2 - quotient_2
     vo_2_of_quotient_2_left_rest = quotient_2 - (vo_2_of_quotient_2 - vo_2_of_quotient_2_right)
     vo_2_of_quotient_2_right_rest = quotient_2_lo - vo_2_of_quotient_2_right
-    vo_2_of_quotient_2_lo = vo_2_of_quotient_2_left_rest + vo_2_of_quotient_2_right_rest
     vo_2 = vo_2_of_quotient_2 * down
     vo_2_lost = vo_2_of_quotient_2 - vo_2 * vo_0_inverse
-    vo_2_rest = vo_2_lost + vo_2_of_quotient_2_lo
-    vo_2_small = vo_2_rest * down
-    vo_2_lo = where(vo_2_lost == 0, 0, vo_2_small)
+    vo_2_small = (vo_2_lost + (vo_2_of_quotient_2_left_rest + vo_2_of_quotient_2_right_rest)) * down
     vo_3_of_quotient_3 = quotient_3 + quotient_3_lo
     vo_3_of_quotient_3_right = vo_3_of_quotient_3 - quotient_3
     vo_3_of_quotient_3_left_rest = quotient_3 - (vo_3_of_quotient_3 - vo_3_of_quotient_3_right)
     vo_3_of_quotient_3_right_rest = quotient_3_lo - vo_3_of_quotient_3_right
-    vo_3_of_quotient_3_lo = vo_3_of_quotient_3_left_rest + vo_3_of_quotient_3_right_rest
     vo_3 = vo_3_of_quotient_3 * down
     vo_3_lost = vo_3_of_quotient_3 - vo_3 * vo_0_inverse
-    vo_3_rest = vo_3_lost + vo_3_of_quotient_3_lo
-    vo_3_small = vo_3_rest * down
-    vo_3_lo = where(vo_3_lost == 0, 0, vo_3_small)
-    vo_0_rounded = vo_0 + vo_0_lo
-    vo_1_rounded = vo_1 + vo_1_lo
-    vo_2_rounded = vo_2 + vo_2_lo
-    vo_3_rounded = vo_3 + vo_3_lo
-    return (where(vo_0_rounded == vo_0_rounded, vo_0_rounded, vo_0),
-        where(vo_1_rounded == vo_1_rounded, vo_1_rounded, vo_1),
-        where(vo_2_rounded == vo_2_rounded, vo_2_rounded, vo_2),
-        where(vo_3_rounded == vo_3_rounded, vo_3_rounded, vo_3))
+    vo_3_small = (vo_3_lost + (vo_3_of_quotient_3_left_rest + vo_3_of_quotient_3_right_rest)) * down
+    vo_0_rounded = vo_0 + where(vo_0_lost == 0, 0, vo_0_small)
+    vo_1_rounded = vo_1 + where(vo_1_lost == 0, 0, vo_1_small)
+    vo_2_rounded = vo_2 + where(vo_2_lost == 0, 0, vo_2_small)
+    vo_3_rounded = vo_3 + where(vo_3_lost == 0, 0, vo_3_small)
+    vo_0_final = where(vo_0_rounded == vo_0_rounded, vo_0_rounded, vo_0)
+    vo_1_final = where(vo_1_rounded == vo_1_rounded, vo_1_rounded, vo_1)
+    vo_2_final = where(vo_2_rounded == vo_2_rounded, vo_2_rounded, vo_2)
+    vo_3_final = where(vo_3_rounded == vo_3_rounded, vo_3_rounded, vo_3)
+    return (vo_0_final, vo_1_final, vo_2_final, vo_3_final)

@@ -85,12 +85,15 @@ def mat3x3_inverse(R):
     R_largest6 = where(R_largest5 < R_size_6, R_size_6, R_largest5)
     R_largest7 = where(R_largest6 < R_size_7, R_size_7, R_largest6)
     R_largest8 = where(R_largest7 < R_size_8, R_size_8, R_largest7)
-    s_b = where(R_largest8 < 1.329227995784916e+36, float64(8.271806125530277e-25), float64(7.52316384526264e-37))
-    s_d = where(R_largest8 < 1.2089258196146292e+24, 9.094947017729282e-13, s_b)
-    s_f = where(R_largest8 < 1099511627776, 1, s_d)
-    s_h = where(R_largest8 < 1, 1099511627776, s_f)
-    s_j = where(R_largest8 < 9.094947017729282e-13, 1.2089258196146292e+24, s_h)
-    s = where(R_largest8 < 8.271806125530277e-25, 1.329227995784916e+36, s_j)
+    s_a = R_largest8 < 1.329227995784916e+36
+    s_c = R_largest8 < 1.2089258196146292e+24
+    s_b = where(s_a, float64(8.271806125530277e-25), float64(7.52316384526264e-37))
+    s_e = R_largest8 < 1099511627776
+    s_g = R_largest8 < 1
+    s_i = R_largest8 < 9.094947017729282e-13
+    s_h = where(s_g, 1099511627776, where(s_e, 1, where(s_c, 9.094947017729282e-13, s_b)))
+    s_k = R_largest8 < 8.271806125530277e-25
+    s = where(s_k, 1.329227995784916e+36, where(s_i, 1.2089258196146292e+24, s_h))
     A_0 = R_00 * s
     A_1 = R_01 * s
     A_2 = R_02 * s
@@ -126,7 +129,8 @@ def mat3x3_inverse(R):
     spoiled = top * 1.262177448353619e-29
     least = permanent * 4.76837158203125e-07 + spoiled * (top * top)
     regular = where(least < absolute(d), float64(1), float64(0))
-    divisor = where(regular == 1, d, 1)
+    divisor_a = regular == 1
+    divisor = where(divisor_a, d, 1)
     quotient_0 = n0_0 / divisor
     quotient_1 = n0_1 / divisor
     quotient_2 = n0_2 / divisor
@@ -145,25 +149,23 @@ def mat3x3_inverse(R):
     inverse_6 = quotient_6 * s
     inverse_7 = quotient_7 * s
     inverse_8 = quotient_8 * s
-    start_c = where(d < 0, -1.329227995784916e+36, 1.329227995784916e+36)
-    start = where(R_largest8 < 1.2089258196146292e+24, d, start_c)
-    r2 = where(R_largest8 < 9.094947017729282e-13, float64(7.52316384526264e-37), float64(1))
+    start = where(s_c, d, where(d < 0, -1.329227995784916e+36, 1.329227995784916e+36))
+    r2 = where(s_i, float64(7.52316384526264e-37), float64(1))
     once = start * r2
-    r3 = where(R_largest8 < 8.271806125530277e-25, float64(7.52316384526264e-37), float64(1))
+    r3 = where(s_k, float64(7.52316384526264e-37), float64(1))
     twice = once * r3
-    r_a = where(R_largest8 < 1099511627776, float64(1), float64(1.329227995784916e+36))
-    r = where(R_largest8 < 1, 7.52316384526264e-37, r_a)
+    r = where(s_g, 7.52316384526264e-37, where(s_e, float64(1), float64(1.329227995784916e+36)))
     det_R = twice * r
-    det = where(regular == 1, det_R, 0)
-    Ro_00 = where(regular == 1, inverse_0, nan)
-    Ro_01 = where(regular == 1, inverse_1, nan)
-    Ro_02 = where(regular == 1, inverse_2, nan)
-    Ro_10 = where(regular == 1, inverse_3, nan)
-    Ro_11 = where(regular == 1, inverse_4, nan)
-    Ro_12 = where(regular == 1, inverse_5, nan)
-    Ro_20 = where(regular == 1, inverse_6, nan)
-    Ro_21 = where(regular == 1, inverse_7, nan)
-    Ro_22 = where(regular == 1, inverse_8, nan)
+    det = where(divisor_a, det_R, 0)
+    Ro_00 = where(divisor_a, inverse_0, nan)
+    Ro_01 = where(divisor_a, inverse_1, nan)
+    Ro_02 = where(divisor_a, inverse_2, nan)
+    Ro_10 = where(divisor_a, inverse_3, nan)
+    Ro_11 = where(divisor_a, inverse_4, nan)
+    Ro_12 = where(divisor_a, inverse_5, nan)
+    Ro_20 = where(divisor_a, inverse_6, nan)
+    Ro_21 = where(divisor_a, inverse_7, nan)
+    Ro_22 = where(divisor_a, inverse_8, nan)
     return (det, Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22)
 
 
@@ -182,7 +184,8 @@ def mat3x3_normalize(self):
     q0_s_size_2 = absolute(self_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_b = where(4.611686018427388e+18 < q0_s_largest2, float64(2.710505431213761e-20), float64(1))
+    q0_s_a = 4.611686018427388e+18 < q0_s_largest2
+    q0_s_b = where(q0_s_a, float64(2.710505431213761e-20), float64(1))
     q0_s_d = where(q0_s_largest2 < 256, 1.8014398509481984e+16, q0_s_b)
     q0_s = where(q0_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, q0_s_d)
     q0_y_0 = self_00 * q0_s
@@ -206,7 +209,8 @@ def mat3x3_normalize(self):
     u1_s_size_2 = absolute(self_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_b = where(4.611686018427388e+18 < u1_s_largest2, float64(2.710505431213761e-20), float64(1))
+    u1_s_a = 4.611686018427388e+18 < u1_s_largest2
+    u1_s_b = where(u1_s_a, float64(2.710505431213761e-20), float64(1))
     u1_s_d = where(u1_s_largest2 < 256, 1.8014398509481984e+16, u1_s_b)
     u1_s = where(u1_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u1_s_d)
     u1_y_0 = self_10 * u1_s
@@ -246,7 +250,8 @@ def mat3x3_normalize(self):
     u2_s_size_2 = absolute(self_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_b = where(4.611686018427388e+18 < u2_s_largest2, float64(2.710505431213761e-20), float64(1))
+    u2_s_a = 4.611686018427388e+18 < u2_s_largest2
+    u2_s_b = where(u2_s_a, float64(2.710505431213761e-20), float64(1))
     u2_s_d = where(u2_s_largest2 < 256, 1.8014398509481984e+16, u2_s_b)
     u2_s = where(u2_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u2_s_d)
     u2_y_0 = self_20 * u2_s
@@ -266,21 +271,23 @@ def mat3x3_normalize(self):
     u2_1 = u2_quotient_1 * u2_down
     u2_2 = u2_quotient_2 * u2_down
     side = normal_0 * u2_0 + normal_1 * u2_1 + normal_2 * u2_2
-    q2_0 = where(side < 0, -normal_0, normal_0)
-    q2_1 = where(side < 0, -normal_1, normal_1)
-    q2_2 = where(side < 0, -normal_2, normal_2)
+    q2_0b = side < 0
+    q2_0 = where(q2_0b, -normal_0, normal_0)
+    q2_1 = where(q2_0b, -normal_1, normal_1)
+    q2_2 = where(q2_0b, -normal_2, normal_2)
     size = absolute(side)
     less = where(n < size, n, size)
     dependent = where(less < 9.5367431640625e-07, float64(1), float64(0))
-    self_00_new = where(dependent == 1, nan, q0_0)
-    self_01_new = where(dependent == 1, nan, q0_1)
-    self_02_new = where(dependent == 1, nan, q0_2)
-    self_10_new = where(dependent == 1, nan, q1_0)
-    self_11_new = where(dependent == 1, nan, q1_1)
-    self_12_new = where(dependent == 1, nan, q1_2)
-    self_20_new = where(dependent == 1, nan, q2_0)
-    self_21_new = where(dependent == 1, nan, q2_1)
-    self_22_new = where(dependent == 1, nan, q2_2)
+    self_00_new_a = dependent == 1
+    self_00_new = where(self_00_new_a, nan, q0_0)
+    self_01_new = where(self_00_new_a, nan, q0_1)
+    self_02_new = where(self_00_new_a, nan, q0_2)
+    self_10_new = where(self_00_new_a, nan, q1_0)
+    self_11_new = where(self_00_new_a, nan, q1_1)
+    self_12_new = where(self_00_new_a, nan, q1_2)
+    self_20_new = where(self_00_new_a, nan, q2_0)
+    self_21_new = where(self_00_new_a, nan, q2_1)
+    self_22_new = where(self_00_new_a, nan, q2_2)
     return (self_00_new, self_01_new, self_02_new, self_10_new, self_11_new, self_12_new,
         self_20_new, self_21_new, self_22_new)
 
@@ -300,7 +307,8 @@ def mat3x3_normalized(R):
     q0_s_size_2 = absolute(R_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_b = where(4.611686018427388e+18 < q0_s_largest2, float64(2.710505431213761e-20), float64(1))
+    q0_s_a = 4.611686018427388e+18 < q0_s_largest2
+    q0_s_b = where(q0_s_a, float64(2.710505431213761e-20), float64(1))
     q0_s_d = where(q0_s_largest2 < 256, 1.8014398509481984e+16, q0_s_b)
     q0_s = where(q0_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, q0_s_d)
     q0_y_0 = R_00 * q0_s
@@ -324,7 +332,8 @@ def mat3x3_normalized(R):
     u1_s_size_2 = absolute(R_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_b = where(4.611686018427388e+18 < u1_s_largest2, float64(2.710505431213761e-20), float64(1))
+    u1_s_a = 4.611686018427388e+18 < u1_s_largest2
+    u1_s_b = where(u1_s_a, float64(2.710505431213761e-20), float64(1))
     u1_s_d = where(u1_s_largest2 < 256, 1.8014398509481984e+16, u1_s_b)
     u1_s = where(u1_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u1_s_d)
     u1_y_0 = R_10 * u1_s
@@ -364,7 +373,8 @@ def mat3x3_normalized(R):
     u2_s_size_2 = absolute(R_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_b = where(4.611686018427388e+18 < u2_s_largest2, float64(2.710505431213761e-20), float64(1))
+    u2_s_a = 4.611686018427388e+18 < u2_s_largest2
+    u2_s_b = where(u2_s_a, float64(2.710505431213761e-20), float64(1))
     u2_s_d = where(u2_s_largest2 < 256, 1.8014398509481984e+16, u2_s_b)
     u2_s = where(u2_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u2_s_d)
     u2_y_0 = R_20 * u2_s
@@ -384,21 +394,23 @@ def mat3x3_normalized(R):
     u2_1 = u2_quotient_1 * u2_down
     u2_2 = u2_quotient_2 * u2_down
     side = normal_0 * u2_0 + normal_1 * u2_1 + normal_2 * u2_2
-    q2_0 = where(side < 0, -normal_0, normal_0)
-    q2_1 = where(side < 0, -normal_1, normal_1)
-    q2_2 = where(side < 0, -normal_2, normal_2)
+    q2_0b = side < 0
+    q2_0 = where(q2_0b, -normal_0, normal_0)
+    q2_1 = where(q2_0b, -normal_1, normal_1)
+    q2_2 = where(q2_0b, -normal_2, normal_2)
     size = absolute(side)
     less = where(n < size, n, size)
     dependent = where(less < 9.5367431640625e-07, float64(1), float64(0))
-    Ro_00 = where(dependent == 1, nan, q0_0)
-    Ro_01 = where(dependent == 1, nan, q0_1)
-    Ro_02 = where(dependent == 1, nan, q0_2)
-    Ro_10 = where(dependent == 1, nan, q1_0)
-    Ro_11 = where(dependent == 1, nan, q1_1)
-    Ro_12 = where(dependent == 1, nan, q1_2)
-    Ro_20 = where(dependent == 1, nan, q2_0)
-    Ro_21 = where(dependent == 1, nan, q2_1)
-    Ro_22 = where(dependent == 1, nan, q2_2)
+    Ro_00a = dependent == 1
+    Ro_00 = where(Ro_00a, nan, q0_0)
+    Ro_01 = where(Ro_00a, nan, q0_1)
+    Ro_02 = where(Ro_00a, nan, q0_2)
+    Ro_10 = where(Ro_00a, nan, q1_0)
+    Ro_11 = where(Ro_00a, nan, q1_1)
+    Ro_12 = where(Ro_00a, nan, q1_2)
+    Ro_20 = where(Ro_00a, nan, q2_0)
+    Ro_21 = where(Ro_00a, nan, q2_1)
+    Ro_22 = where(Ro_00a, nan, q2_2)
     return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22)
 
 
@@ -449,12 +461,13 @@ def euler_xyz_from_mat3x3(R):
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n = sqrt(R_00 * R_00 + R_01 * R_01)
-    divisor = where(n == 0, 1, n)
-    cosine = where(n == 0, 1, R_00 / divisor)
+    divisor_a = n == 0
+    divisor = where(divisor_a, 1, n)
+    cosine = where(divisor_a, 1, R_00 / divisor)
     sine_a = -R_01
     sine = sine_a / divisor
     polar = arctan2(sine_a, R_00)
-    third = where(n == 0, 0, polar)
+    third = where(divisor_a, 0, polar)
     left_1 = R_10 * sine + R_11 * cosine
     left_2 = R_20 * sine + R_21 * cosine
     angles_0 = arctan2(left_2, left_1)
@@ -473,11 +486,12 @@ def euler_xyx_from_mat3x3(R):
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n = sqrt(R_01 * R_01 + R_02 * R_02)
-    divisor = where(n == 0, 1, n)
-    cosine = where(n == 0, 1, R_02 / divisor)
+    divisor_a = n == 0
+    divisor = where(divisor_a, 1, n)
+    cosine = where(divisor_a, 1, R_02 / divisor)
     sine = R_01 / divisor
     polar = arctan2(R_01, R_02)
-    third = where(n == 0, 0, polar)
+    third = where(divisor_a, 0, polar)
     left_1 = R_11 * cosine - R_12 * sine
     left_2 = R_21 * cosine - R_22 * sine
     angles_0 = arctan2(left_2, left_1)
@@ -499,12 +513,13 @@ def mat3x3_jacobi(A, V):
     V_00, V_01, V_02, V_10, V_11, V_12, V_20, V_21, V_22 = V
     twice = 2 * A_10
     apart = A_11 - A_00
-    divisor = where(twice == 0, 1, twice)
+    divisor_a = twice == 0
+    divisor = where(divisor_a, 1, twice)
     theta = apart / divisor
     magnitude = absolute(theta)
     size = magnitude + sqrt(1 + theta * theta)
     along = where(theta < 0, -size, size)
-    t = where(twice == 0, 0, 1 / along)
+    t = where(divisor_a, 0, 1 / along)
     secant = sqrt(1 + t * t)
     c = 1 / secant
     s = t * c
@@ -547,22 +562,26 @@ def axis_angle_from_mat3x3(R):
     d_1 = first_0 - others_0
     d_2 = first_1 + others_1
     d_3 = first_1 - others_1
-    low_0 = where(R_11 < R_00, d_1, s_2)
-    low_1 = where(R_11 < R_00, s_2, d_2)
-    low_2 = where(R_11 < R_00, s_1, s_0)
-    low_3 = where(R_11 < R_00, p_0, p_1)
-    high_0 = where(R_00 < -R_11, s_1, p_0)
-    high_1 = where(R_00 < -R_11, s_0, p_1)
-    high_2 = where(R_00 < -R_11, d_3, p_2)
-    high_3 = where(R_00 < -R_11, p_2, d_0)
-    column_0 = where(R_22 < 0, low_0, high_0)
-    column_1 = where(R_22 < 0, low_1, high_1)
-    column_2 = where(R_22 < 0, low_2, high_2)
-    column_3 = where(R_22 < 0, low_3, high_3)
-    upper_0 = where(column_3 < 0, -column_0, column_0)
-    upper_1 = where(column_3 < 0, -column_1, column_1)
-    upper_2 = where(column_3 < 0, -column_2, column_2)
-    upper_3 = where(column_3 < 0, -column_3, column_3)
+    low_0a = R_11 < R_00
+    low_0 = where(low_0a, d_1, s_2)
+    low_1 = where(low_0a, s_2, d_2)
+    low_2 = where(low_0a, s_1, s_0)
+    low_3 = where(low_0a, p_0, p_1)
+    high_0b = R_00 < -R_11
+    high_0 = where(high_0b, s_1, p_0)
+    high_1 = where(high_0b, s_0, p_1)
+    high_2 = where(high_0b, d_3, p_2)
+    high_3 = where(high_0b, p_2, d_0)
+    column_0a = R_22 < 0
+    column_0 = where(column_0a, low_0, high_0)
+    column_1 = where(column_0a, low_1, high_1)
+    column_2 = where(column_0a, low_2, high_2)
+    column_3 = where(column_0a, low_3, high_3)
+    upper_0b = column_3 < 0
+    upper_0 = where(upper_0b, -column_0, column_0)
+    upper_1 = where(upper_0b, -column_1, column_1)
+    upper_2 = where(upper_0b, -column_2, column_2)
+    upper_3 = where(upper_0b, -column_3, column_3)
     v_s_size_0 = absolute(upper_0)
     v_s_size_1 = absolute(upper_1)
     v_s_size_2 = absolute(upper_2)
@@ -580,10 +599,11 @@ def axis_angle_from_mat3x3(R):
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = arctan2(n, upper_3)
-    divisor = where(v_n == 0, 1, v_n)
+    divisor_a = v_n == 0
+    divisor = where(divisor_a, 1, v_n)
     unit_0 = v_y_0 / divisor
     unit_1 = v_y_1 / divisor
     unit_2 = v_y_2 / divisor
     angle = 2 * half
-    axis_0 = where(v_n == 0, 1, unit_0)
+    axis_0 = where(divisor_a, 1, unit_0)
     return (angle, axis_0, unit_1, unit_2)

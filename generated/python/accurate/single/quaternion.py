@@ -898,22 +898,26 @@ def quaternion_from_mat3x3(R):
     d_1 = first_0 - others_0
     d_2 = first_1 + others_1
     d_3 = first_1 - others_1
-    low_0 = where(R_11 < R_00, d_1, s_2)
-    low_1 = where(R_11 < R_00, s_2, d_2)
-    low_2 = where(R_11 < R_00, s_1, s_0)
-    low_3 = where(R_11 < R_00, p_0, p_1)
-    high_0 = where(R_00 < -R_11, s_1, p_0)
-    high_1 = where(R_00 < -R_11, s_0, p_1)
-    high_2 = where(R_00 < -R_11, d_3, p_2)
-    high_3 = where(R_00 < -R_11, p_2, d_0)
-    column_0 = where(R_22 < 0, low_0, high_0)
-    column_1 = where(R_22 < 0, low_1, high_1)
-    column_2 = where(R_22 < 0, low_2, high_2)
-    column_3 = where(R_22 < 0, low_3, high_3)
-    upper_0 = where(column_3 < 0, -column_0, column_0)
-    upper_1 = where(column_3 < 0, -column_1, column_1)
-    upper_2 = where(column_3 < 0, -column_2, column_2)
-    upper_3 = where(column_3 < 0, -column_3, column_3)
+    low_0a = R_11 < R_00
+    low_0 = where(low_0a, d_1, s_2)
+    low_1 = where(low_0a, s_2, d_2)
+    low_2 = where(low_0a, s_1, s_0)
+    low_3 = where(low_0a, p_0, p_1)
+    high_0b = R_00 < -R_11
+    high_0 = where(high_0b, s_1, p_0)
+    high_1 = where(high_0b, s_0, p_1)
+    high_2 = where(high_0b, d_3, p_2)
+    high_3 = where(high_0b, p_2, d_0)
+    column_0a = R_22 < 0
+    column_0 = where(column_0a, low_0, high_0)
+    column_1 = where(column_0a, low_1, high_1)
+    column_2 = where(column_0a, low_2, high_2)
+    column_3 = where(column_0a, low_3, high_3)
+    upper_0b = column_3 < 0
+    upper_0 = where(upper_0b, -column_0, column_0)
+    upper_1 = where(upper_0b, -column_1, column_1)
+    upper_2 = where(upper_0b, -column_2, column_2)
+    upper_3 = where(upper_0b, -column_3, column_3)
     length = sqrt(upper_0 * upper_0 + upper_1 * upper_1 + upper_2 * upper_2 + upper_3 * upper_3)
     qo_0 = upper_0 / length
     qo_1 = upper_1 / length
@@ -946,10 +950,11 @@ def axis_angle_from_quaternion(q):
     scaled_s_1 = q_1 * s
     scaled_s_2 = q_2 * s
     scaled_s_3 = q_3 * s
-    upper_0 = where(scaled_s_3 < 0, -scaled_s_0, scaled_s_0)
-    upper_1 = where(scaled_s_3 < 0, -scaled_s_1, scaled_s_1)
-    upper_2 = where(scaled_s_3 < 0, -scaled_s_2, scaled_s_2)
-    upper_3 = where(scaled_s_3 < 0, -scaled_s_3, scaled_s_3)
+    upper_0b = scaled_s_3 < 0
+    upper_0 = where(upper_0b, -scaled_s_0, scaled_s_0)
+    upper_1 = where(upper_0b, -scaled_s_1, scaled_s_1)
+    upper_2 = where(upper_0b, -scaled_s_2, scaled_s_2)
+    upper_3 = where(upper_0b, -scaled_s_3, scaled_s_3)
     v_s_size_0 = absolute(upper_0)
     v_s_size_1 = absolute(upper_1)
     v_s_size_2 = absolute(upper_2)
@@ -965,12 +970,13 @@ def axis_angle_from_quaternion(q):
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_b)
     n = v_n * v_r
     half = arctan2(n, upper_3)
-    divisor = where(v_n == 0, 1, v_n)
+    divisor_a = v_n == 0
+    divisor = where(divisor_a, 1, v_n)
     unit_0 = v_y_0 / divisor
     unit_1 = v_y_1 / divisor
     unit_2 = v_y_2 / divisor
     angle = 2 * half
-    axis_0 = where(v_n == 0, 1, unit_0)
+    axis_0 = where(divisor_a, 1, unit_0)
     return (angle, axis_0, unit_1, unit_2)
 
 
@@ -998,10 +1004,11 @@ def quaternion_log(q):
     scaled_s_1 = q_1 * s
     scaled_s_2 = q_2 * s
     scaled_s_3 = q_3 * s
-    upper_0 = where(scaled_s_3 < 0, -scaled_s_0, scaled_s_0)
-    upper_1 = where(scaled_s_3 < 0, -scaled_s_1, scaled_s_1)
-    upper_2 = where(scaled_s_3 < 0, -scaled_s_2, scaled_s_2)
-    upper_3 = where(scaled_s_3 < 0, -scaled_s_3, scaled_s_3)
+    upper_0b = scaled_s_3 < 0
+    upper_0 = where(upper_0b, -scaled_s_0, scaled_s_0)
+    upper_1 = where(upper_0b, -scaled_s_1, scaled_s_1)
+    upper_2 = where(upper_0b, -scaled_s_2, scaled_s_2)
+    upper_3 = where(upper_0b, -scaled_s_3, scaled_s_3)
     v_s_size_0 = absolute(upper_0)
     v_s_size_1 = absolute(upper_1)
     v_s_size_2 = absolute(upper_2)

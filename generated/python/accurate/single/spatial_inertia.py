@@ -417,7 +417,8 @@ def spatial_inertia_consistency(B):
     sigma_0 = trace - B_4
     sigma_1 = trace - B_5
     sigma_2 = trace - B_6
-    divisor0 = where(0 < B_0, B_0, 1)
+    divisor0a = 0 < B_0
+    divisor0 = where(divisor0a, B_0, 1)
     l0_0 = B_1 / divisor0
     l0_1 = B_2 / divisor0
     l0_2 = B_3 / divisor0
@@ -432,14 +433,17 @@ def spatial_inertia_consistency(B):
     divisor2 = where(0 < u2_0, u2_0, 1)
     l2 = u2_1 / divisor2
     u3 = sigma_2 - B_3 * l0_2 - u1_2 * l1_1 - u2_1 * l2
-    part0 = where(0 < B_0, B_0 / divisor0, B_0)
-    own1 = where(0 < sigma_0, sigma_0, 1)
-    part1 = where(0 < sigma_0, u1_0 / own1, sigma_0)
+    part0 = where(divisor0a, B_0 / divisor0, B_0)
+    own1a = 0 < sigma_0
+    own1 = where(own1a, sigma_0, 1)
+    part1 = where(own1a, u1_0 / own1, sigma_0)
     smallest1 = where(part0 < part1, part0, part1)
-    own2 = where(0 < sigma_1, sigma_1, 1)
-    part2 = where(0 < sigma_1, u2_0 / own2, sigma_1)
+    own2a = 0 < sigma_1
+    own2 = where(own2a, sigma_1, 1)
+    part2 = where(own2a, u2_0 / own2, sigma_1)
     smallest2 = where(smallest1 < part2, smallest1, part2)
-    own3 = where(0 < sigma_2, sigma_2, 1)
-    part3 = where(0 < sigma_2, u3 / own3, sigma_2)
+    own3a = 0 < sigma_2
+    own3 = where(own3a, sigma_2, 1)
+    part3 = where(own3a, u3 / own3, sigma_2)
     smallest3 = where(smallest2 < part3, smallest2, part3)
     return smallest3

@@ -32,12 +32,12 @@ def SE3_invert(self):
     self_23_new_d = self_22 * self_23
     self_23_new = -(self_23_new_a + self_23_new_b + self_23_new_d)
     self_03_new_e_size = absolute(self_03_new_a) + absolute(self_03_new_b) + absolute(self_03_new_d)
-    self_13_new_e_size = absolute(self_13_new_a) + absolute(self_13_new_b) + absolute(self_13_new_d)
-    self_23_new_e_size = absolute(self_23_new_a) + absolute(self_23_new_b) + absolute(self_23_new_d)
     self_03_new_e_padded = self_03_new_e_size + 2.004168360008973e-292
     self_03_new_e_error_bound = 3.3306690738754706e-16 * self_03_new_e_padded
+    self_13_new_e_size = absolute(self_13_new_a) + absolute(self_13_new_b) + absolute(self_13_new_d)
     self_13_new_e_padded = self_13_new_e_size + 2.004168360008973e-292
     self_13_new_e_error_bound = 3.3306690738754706e-16 * self_13_new_e_padded
+    self_23_new_e_size = absolute(self_23_new_a) + absolute(self_23_new_b) + absolute(self_23_new_d)
     self_23_new_e_padded = self_23_new_e_size + 2.004168360008973e-292
     self_23_new_e_error_bound = 3.3306690738754706e-16 * self_23_new_e_padded
     return (self_00, self_10, self_20, self_03_new, self_01, self_11, self_21, self_13_new, self_02,

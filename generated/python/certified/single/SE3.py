@@ -32,14 +32,11 @@ def SE3_invert(self):
     self_23_new_d = self_22 * self_23
     self_23_new = -(self_23_new_a + self_23_new_b + self_23_new_d)
     self_03_new_e_size = absolute(self_03_new_a) + absolute(self_03_new_b) + absolute(self_03_new_d)
+    self_03_new_e_error_bound = 1.7881396e-07 * (self_03_new_e_size + 1.9721522630525295e-31)
     self_13_new_e_size = absolute(self_13_new_a) + absolute(self_13_new_b) + absolute(self_13_new_d)
+    self_13_new_e_error_bound = 1.7881396e-07 * (self_13_new_e_size + 1.9721522630525295e-31)
     self_23_new_e_size = absolute(self_23_new_a) + absolute(self_23_new_b) + absolute(self_23_new_d)
-    self_03_new_e_padded = self_03_new_e_size + 1.9721522630525295e-31
-    self_03_new_e_error_bound = 1.7881396e-07 * self_03_new_e_padded
-    self_13_new_e_padded = self_13_new_e_size + 1.9721522630525295e-31
-    self_13_new_e_error_bound = 1.7881396e-07 * self_13_new_e_padded
-    self_23_new_e_padded = self_23_new_e_size + 1.9721522630525295e-31
-    self_23_new_e_error_bound = 1.7881396e-07 * self_23_new_e_padded
+    self_23_new_e_error_bound = 1.7881396e-07 * (self_23_new_e_size + 1.9721522630525295e-31)
     return (self_00, self_10, self_20, self_03_new, self_01, self_11, self_21, self_13_new, self_02,
         self_12, self_22, self_23_new, 0, 0, 0, self_03_new_e_error_bound, 0, 0, 0,
         self_13_new_e_error_bound, 0, 0, 0, self_23_new_e_error_bound)

@@ -1,0 +1,64 @@
+"""Before the first test: compiled extensions must be of the kernels that stand in generated/.
+
+And `--quick`, for the working day: files that take long are left out, and of tests with many
+parameters a few are run.
+"""
+
+import importlib
+import warnings
+from pathlib import Path
+
+import pytest
+
+LONG = frozenset("""
+    test_absence test_check test_check_bounces test_climb test_command_line test_cost test_cross
+    test_documents test_examples test_flags test_generate test_generate_scene test_gufuncs
+    test_hard_cases test_hard_effects test_headers test_inverses test_load_scene test_motions
+    test_mujoco test_packaging test_parity test_pinocchio test_recording
+    test_references test_report_command test_report_files test_report_measure test_report_page
+    test_sanitizers test_scene_agreement test_scene_compilation test_scene_flags test_selfcheck
+    test_simulate test_tiers test_true_motion test_typing test_version test_view""".split())
+"""Files that take more than five seconds of a processor, however few parameters are tried."""
+FEW = 6
+
+EXTENDED = ("coscrew", "coscrew.accurate", "coscrew.certified")
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--stale-extensions", action="store_true",
+                     help="run, though extensions are missing or of other kernels: coscrew is then "
+                          "pure NumPy, and tests of compiled functions fail")
+    parser.addoption("--quick", action="store_true",
+                     help="leave out files that take long, and of each test's parameters all but "
+                          f"{FEW}, evenly spread")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Says once what is wrong and ends, instead of failing where something happens to notice."""
+    if config.getoption("--stale-extensions") or hasattr(config, "workerinput"):
+        return
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", RuntimeWarning)
+        stale = [name for name in EXTENDED if not importlib.import_module(name).COMPILED]
+    if stale:
+        said = sorted({str(x.message) for x in caught if "pure NumPy" in str(x.message)})
+        raise pytest.UsageError("\n".join((
+            f"not compiled from the kernels in generated/: {', '.join(stale)}.  `make build` "
+            "compiles them; --stale-extensions runs tests all the same.", *said)))
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Those that take long, unless they are named."""
+    named = any(Path(x.partition("::")[0]).name == collection_path.name for x in config.args)
+    return config.getoption("--quick") and collection_path.stem in LONG and not named or None
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if not config.getoption("--quick"):
+        return
+    each: dict[str, list[pytest.Item]] = {}
+    for item in items:
+        each.setdefault(item.nodeid.partition("[")[0], []).append(item)
+    chosen = {found[k * len(found) // FEW] for found in each.values() for k in range(FEW)}
+    config.hook.pytest_deselected(items=[item for item in items if item not in chosen])
+    items[:] = [item for item in items if item in chosen]
