@@ -10,9 +10,10 @@ Each stage is a function from one frozen value to the next; imports run one way,
     recording/         arithmetic on Numbers → Program
     program/           Programs: what is proved of them, how they fold; no SymPy
     tiers/             Program → Program, more accurate, faster, or with its bound
+    library            what targets are given: every operation as every tier has it
     formats            double and single precision
-    targets/           Program → text of one language and precision
-    emit               text → templates → files
+    targets/           given Programs, its files: a Target each, found like effects
+    layout, emit       the files of all targets, gathered, and written or compared
     command_line       the commands; __main__ is how they end
 
 Scenes take the operations' Programs from there on:

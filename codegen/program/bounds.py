@@ -171,15 +171,22 @@ def _is_rounded_constant(operand: Operand) -> bool:
 
 
 def _combined(*scaled: tuple[int, _Series]) -> _Series:
-    """Σ factor · series; factors are 1 and -1."""
-    sums: dict[Deltas, dict[Monomial, Number]] = {}
+    """Σ factor · series; factors are 1 and -1.  Most terms are in roundings that one series alone
+    has, and stay as they are."""
+    sums: dict[Deltas, Polynomial] = {}
     for factor, series in scaled:
         for deltas, polynomial in series.terms.items():
-            into = sums.setdefault(deltas, defaultdict(int))
-            for monomial, coefficient in polynomial.items():
-                into[monomial] += coefficient if factor == 1 else -coefficient
-    return _Series({deltas: kept for deltas, polynomial in sums.items()
-                    if (kept := {m: c for m, c in polynomial.items() if c})})
+            signed = polynomial if factor == 1 else {m: -c for m, c in polynomial.items()}
+            sums[deltas] = _added(sums[deltas], signed) if deltas in sums else signed
+    return _Series({deltas: polynomial for deltas, polynomial in sums.items() if polynomial})
+
+
+def _added(a: Polynomial, b: Polynomial) -> Polynomial:
+    """a + b without terms that are zero."""
+    total = dict(a)
+    for monomial, coefficient in b.items():
+        total[monomial] = total.get(monomial, 0) + coefficient
+    return {m: c for m, c in total.items() if c}
 
 
 def _product(a: _Series, b: _Series) -> _Series:
@@ -192,7 +199,8 @@ def _product(a: _Series, b: _Series) -> _Series:
             for m, c in p.items():
                 for n, d in q.items():
                     into[tuple(sorted(m + n))] += c * d
-    return _combined((1, _Series(sums)))
+    return _Series({deltas: kept for deltas, polynomial in sums.items()
+                    if (kept := {m: c for m, c in polynomial.items() if c})})
 
 
 def _roundoff(value: _Series, number: int) -> _Series:

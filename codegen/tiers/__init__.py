@@ -11,6 +11,8 @@ A tier may also add in another order: `program.sums` gives the terms of a plain 
 from coscrew_codegen.found import found
 from coscrew_codegen.tiers.tier import Tier
 
+__all__ = ["MARKED", "PLAIN", "TIERS", "Tier", "tier_named"]
+
 TIERS: tuple[Tier, ...] = tuple(sorted(found(__name__, __path__, "TIER", Tier),
                                        key=lambda tier: tier.order))
 """All, from the cheapest on."""

@@ -171,10 +171,10 @@ def test_imports_run_one_way():
     order = ["version", "errors", "parameter", "found", "integrator", "integrators", "identifiers",
              "algebra", "quantity", "domains", "operations", "kernel", "passes", "program",
              "formats", "scene_functions", "scene_symbols", "schedule", "programs", "recording",
-             "tiers", "library", "render", "native", "targets", "special", "exact", "selection", "layout",
-             "emit", "report", "scene", "mechanics", "effects", "scene_files", "documentation",
-             "console", "simulate", "cost", "generate_command", "command_line", "extras",
-             "__main__"]
+             "tiers", "library", "render", "native", "targets", "special", "exact", "selection",
+             "layout", "emit", "report", "scene", "mechanics", "effects", "scene_files",
+             "documentation", "console", "simulate", "cost", "generate_command", "command_line",
+             "extras", "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
 

@@ -1,4 +1,4 @@
-"""On a terminal it is said what goes on while a scene is derived and compiled; elsewhere it is not."""
+"""A terminal is told what goes on while a scene is derived and compiled; nothing else is."""
 
 import os
 import pty
