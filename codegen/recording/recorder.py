@@ -92,8 +92,18 @@ class Recorder:
     @contextmanager
     def part(self, owner: str, symbol: str = "", heading: str = "") -> Iterator[None]:
         """Names what is issued within after its owner and what it computes, below a heading."""
-        before = self._part
-        self._part = Part(owner, symbol, heading or before.heading)
+        with self.resumed(Part(owner, symbol, heading or self._part.heading)):
+            yield
+
+    @property
+    def current(self) -> Part:
+        """What is issued now is part of this."""
+        return self._part
+
+    @contextmanager
+    def resumed(self, part: Part) -> Iterator[None]:
+        """What is issued within is part of this."""
+        before, self._part = self._part, part
         try:
             yield
         except ZeroDivisionError:

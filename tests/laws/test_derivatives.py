@@ -1,8 +1,8 @@
 """Tangents and adjoints of Programs are derivatives: exactly for polynomials, else to 24 digits.
 
-Truth is the function itself at points along a line: interpolated exactly, in rationals, where it is a
-polynomial of a degree below nine; else differences over 2e-16 at 50 digits, wrong by about 1e-32 of
-the third derivative.
+Truth is the function itself at points along a line: interpolated exactly, in rationals, where it
+is a polynomial of a degree below nine; else differences over 2e-16 at 50 digits, wrong by about
+1e-32 of the third derivative.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -46,7 +46,7 @@ def fifty_digits() -> Iterator[None]:
 
 
 def slope(f: Callable[[object], object], numbers: Numbers) -> object:
-    """f'(0): of a polynomial from its values at -4 … 4, weights by Lagrange; else of differences."""
+    """f'(0): of a polynomial from its values at -4 … 4, by Lagrange; else of differences."""
     if numbers is MULTIPRECISE:
         return (f(STEP) - f(-STEP)) / (2 * STEP)
     return sum(Fraction((-1)**(k + 1), k) * Fraction(factorial(4)**2,
