@@ -24,7 +24,7 @@ class Library:
     languages: tuple[str, ...]
     banner: str
 
-    @cache  # every target asks again
+    @cache  # noqa: B019  every target asks again; libraries live as long as the process
     def kernels(self, tier: Tier, precision: Precision) -> Mapping[Operation, Program]:
         """The operations that have the tier, as it has them, with their programs."""
         return {tier.operation(op): tier.program(self.plain[op.name], precision)

@@ -48,7 +48,7 @@ class Tier:
     in_words: str = ""  # of its Python package; none where C alone has the tier
     marked: bool = True  # whether its names tell it
 
-    @cache  # every language asks again
+    @cache  # noqa: B019  every language asks again; tiers live as long as the process
     def program(self, plain: Program, precision: Precision) -> Program:
         """What the tier makes of a plain program, in this precision."""
         return self.make(plain, precision)
