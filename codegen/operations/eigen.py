@@ -53,7 +53,7 @@ def step(let: Let, A: sp.Matrix, V: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
 
 
 OPERATIONS = (
-    Operation("mat3x3_jacobi", "mat3x3", "A = J^T A J, V = V J: Jacobi's rotation J in the plane "
+    Operation("mat3x3", "mat3x3_jacobi", "A = J^T A J, V = V J: Jacobi's rotation J in the plane "
               "xy, by the smaller angle that makes A_xy zero; then y, z, x become x, y, z.  A "
               "symmetric, its lower triangle is read.  From V = I, steps end in "
               "A = diag(eigenvalues), with V A V^T the same throughout", (_A, _V), (_A, _V),

@@ -2,12 +2,13 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import sympy as sp
 
 from coscrew_codegen.quantity import Argument
 
-Value = sp.Matrix | sp.Expr
+Value: TypeAlias = sp.Matrix | sp.Expr
 
 # Below it every component counts as zero when a norm chooses between linear and angular part.
 NORM_THRESHOLD = sp.Symbol("norm_threshold", positive=True)
@@ -98,17 +99,17 @@ class Operation:
     parameters where it is not inputs, then outputs.
     """
 
-    name: str
     family: str
+    name: str
     statement: str
     inputs: tuple[Argument, ...]
     outputs: tuple[Argument, ...]
     formula: Callable[..., Value | tuple[Value, ...]]
     derivation: Callable[..., Value | tuple[Value, ...]] | None = None
+    normwise: tuple[Normwise, ...] = ()
     order: tuple[str, ...] = ()
     by_value: bool = False  # in C, arguments and result are passed by value
     remark: str = ""  # what unfused arithmetic makes true besides
-    normwise: tuple[Normwise, ...] = ()
     rounding: str = ""  # what else bounds the errors, in words
 
     def __post_init__(self) -> None:
