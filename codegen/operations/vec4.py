@@ -1,4 +1,4 @@
-"""Vectors of four components: of three dimensions, with a homogeneous coordinate behind them."""
+"""Vectors of four components: three dimensions and a homogeneous coordinate."""
 
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import divided, l2, nonzero, safe_norm, safe_normalized
