@@ -24,7 +24,7 @@ class Library:
     languages: tuple[str, ...]
     banner: str
 
-    @cache  # called by every target
+    @cache  # noqa: B019  called by every target; libraries live as long as the process
     def kernels(self, tier: Tier, precision: Precision) -> Mapping[Operation, Program]:
         """The tier's operations with their programs; without those that the tier cannot take."""
         return {tier.operation(op): tier.program(self.plain[op.name], precision)

@@ -110,7 +110,8 @@ class Statements:
         for step in self.program.instructions:
             if step.op in (Op.ADD, Op.SUB):
                 last = [x.name for x in step.operands if isinstance(x, Ref) and x.name in products]
-                found |= {step.name: products[name] for name in last[-1:]}
+                if last:
+                    found[step.name] = products[last[-1]]
         return found
 
     def declarators(self, steps: Sequence[Instruction]) -> list[str]:

@@ -55,7 +55,8 @@ class Compensator:
                  for number, pair in enumerate(((a_lo, b), (a, b_lo)), start=1)
                  if None not in pair]
         if scales(step):
-            self._low |= {step.name: x for x in cross}
+            if cross:
+                self._low[step.name] = cross[0]
             return
         if len(cross) == 2:
             cross = [self.issue(step, Op.ADD, tuple(cross), "cross")]

@@ -48,7 +48,7 @@ class Tier:
     in_words: str = ""  # docstring of its Python package; "" if only C has the tier
     marked: bool = True  # whether names of its functions end in the tier's name
 
-    @cache  # called for every language
+    @cache  # noqa: B019  called for every language; tiers live as long as the process
     def program(self, plain: Program, precision: Precision) -> Program:
         """The tier's program for a plain program, in this precision."""
         return self.make(plain, precision)
