@@ -1,4 +1,4 @@
-"""The table of operations, family by family.  Everything else iterates over it."""
+"""The table of operations, family by family; everything generated is made from it."""
 
 from coscrew_codegen.operations import (
     SE3,
