@@ -25,7 +25,7 @@ HEADERS = {"axis": ("vec3", "Axes, and sequences of axes of Euler angles."),
            "array": ("vec3", "Numbers in arrays: exchanged, and added in multiples.")}
 """Headers of nothing else: name → the family that brings them, their first line."""
 
-SYSTEM = {"vec3": ("stdbool.h",), "mat3x3": ("stdarg.h",)}
+SYSTEM = {"vec3": ("stdbool.h",), "mat3x3": ("stdarg.h",), "array": ("stddef.h",)}
 """Headers of C's own that they need."""
 
 REFUSED = {
