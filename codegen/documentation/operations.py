@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from coscrew_codegen.documentation.formula import formulas
 from coscrew_codegen.documentation.notation import escaped, markdown
 from coscrew_codegen.formats import DOUBLE, PRECISIONS
-from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation, family_title
+from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation, family_named
 from coscrew_codegen.program import Program, bounds, counts_in_words
 from coscrew_codegen.quantity import in_words
 from coscrew_codegen.render import render
@@ -37,7 +37,7 @@ class Entry:
 
 def families_page(banner: str) -> str:
     """The list of families, in Markdown."""
-    families = [{"name": family, "title": escaped(family_title(family)),
+    families = [{"name": family, "title": escaped(family_named(family).title),
                  "count": sum(operation.family == family for operation in OPERATIONS)}
                 for family in FAMILIES]
     return render("docs/operations.md", banner=banner, families=families)
@@ -49,7 +49,7 @@ def family_page(family: str, programs: Mapping[str, Program], banner: str) -> st
     anchors = _anchors(op.name for op in operations)
     entries = [_entry(op, programs[op.name], anchor)
                for op, anchor in zip(operations, anchors, strict=True)]
-    return render("docs/family.md", banner=banner, family=family, title=family_title(family),
+    return render("docs/family.md", banner=banner, family=family, title=family_named(family).title,
                   entries=entries)
 
 

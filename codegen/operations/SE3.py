@@ -3,6 +3,7 @@
 import sympy as sp
 
 from coscrew_codegen.algebra import I3, displacement, homogeneous, inverse, rotation, translation
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import (
     ANY,
@@ -14,7 +15,7 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "SE3"
+_NAME = "SE3"
 
 _D, _self, _Do = (Argument(name, SE3) for name in ("D", "self", "Do"))
 _R, _t = Argument("R", MAT3X3, ROTATION), Argument("t", VEC3, ANY)
@@ -22,7 +23,7 @@ _M = Argument("M", MAT4X4)
 
 
 def _op(name, statement, inputs, outputs, formula, by_value=False):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, by_value=by_value)
+    return Operation(name, _NAME, statement, inputs, outputs, formula, by_value=by_value)
 
 
 OPERATIONS = (
@@ -36,3 +37,5 @@ OPERATIONS = (
     _op("SE3_toMat4x4", "M = [[R, t], [0, 1]] of D = [R | t]", (_D,), (_M,), homogeneous),
     _op("SE3_inverted", "Do = D^-1 = [R^T | -R^T t]", (_D,), (_Do,), inverse),
 )
+
+FAMILY = Family(_NAME, 40, __doc__, OPERATIONS, includes=("mat3x3",))

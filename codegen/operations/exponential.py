@@ -22,6 +22,7 @@ from coscrew_codegen.algebra import (
     translation,
 )
 from coscrew_codegen.operations import special
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.norm import Let, prefixed, unnamed
 from coscrew_codegen.operations.operation import Normwise, Operation
 from coscrew_codegen.operations.quaternion import PRINCIPAL, axis_and_angle, axis_angle
@@ -45,7 +46,7 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "exponential"
+_NAME = "exponential"
 
 _v, _small_v, _vo = Argument("v", VEC3, TURN), Argument("v", VEC3, HALF_TURN), Argument("vo", VEC3)
 _axis, _axis_out = Argument("axis", VEC3, UNIT_VECTOR), Argument("axis", VEC3)
@@ -58,7 +59,7 @@ _Do, _M = Argument("Do", SE3), Argument("M", MAT6X6)
 _angle, _k = Argument("angle", SCALAR, ANGLE), Argument("k", SCALAR, FRACTION)
 
 
-def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=(), family=FAMILY,
+def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=(), family=_NAME,
         rounding=""):
     return Operation(name, family, statement, inputs, outputs, formula, derivation,
                      normwise=normwise, rounding=rounding)
@@ -274,3 +275,5 @@ _DISPLACEMENTS = (
 )
 
 OPERATIONS = (*_ROTATIONS, *_DISPLACEMENTS)
+
+FAMILY = Family(_NAME, 120, __doc__, OPERATIONS, includes=("quaternion", "SE3", "screw"))

@@ -10,6 +10,7 @@ from functools import partial
 import sympy as sp
 
 from coscrew_codegen.algebra import rotation, translation
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import Let, unnamed
 from coscrew_codegen.operations.operation import Operation
@@ -25,7 +26,7 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "inertia"
+_NAME = "inertia"
 
 _Ji, _Jo, _self = (Argument(name, INERTIA) for name in ("Ji", "Jo", "self"))
 _Jj, _J = Argument("Jj", INERTIA), Argument("J", INERTIA)
@@ -43,7 +44,7 @@ MERGED = 18
 
 
 def _op(name, statement, inputs, outputs, formula, derivation=None, by_value=False, rounding=""):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation,
+    return Operation(name, _NAME, statement, inputs, outputs, formula, derivation,
                      by_value=by_value, rounding=rounding)
 
 
@@ -114,7 +115,7 @@ OPERATIONS = (
     _op("inertia", "J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, "
         "entries of the moments' matrix about it in kg m^2, Ixy = -∫ x y dm",
         (_m, _t, *_NUMBERS), (_J,), _made, by_value=True),
-    *(op for op in linear_space(FAMILY, INERTIA, "J") if op.name == "inertia_copy"),
+    *(op for op in linear_space(_NAME, INERTIA, "J") if op.name == "inertia_copy"),
     *_in_place_too("rotate", "{} turned by R: m, R mt, R I R^T", _R, partial(_rotated, unnamed),
                    _rotated),
     *_in_place_too("translate", "{} moved by t: m, mt + m t, I", _t, _translated),
@@ -128,3 +129,5 @@ OPERATIONS = (
         rounding=f"Error <= {MERGED} u times the sum of the sizes of all terms, for masses that "
         "are not negative, barring over- and underflow."),
 )
+
+FAMILY = Family(_NAME, 140, __doc__, OPERATIONS, includes=("SE3",))

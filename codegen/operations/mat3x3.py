@@ -4,6 +4,7 @@ import sympy as sp
 
 from coscrew_codegen.algebra import I3, skew
 from coscrew_codegen.operations import eigen, euler, special
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.norm import (
     Let,
     divided,
@@ -35,7 +36,7 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "mat3x3"
+_NAME = "mat3x3"
 
 _R, _self, _Ro = (Argument(name, MAT3X3, ROTATION) for name in ("R", "self", "Ro"))
 _near, _own_near = (Argument(name, MAT3X3, NEAR_ROTATION) for name in ("R", "self"))
@@ -47,7 +48,7 @@ _det = Argument("det", SCALAR)
 
 
 def _op(name, statement, inputs, outputs, formula, derivation=None, order=(), rounding=""):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation, order,
+    return Operation(name, _NAME, statement, inputs, outputs, formula, derivation, order,
                      rounding=rounding)
 
 
@@ -180,3 +181,5 @@ OPERATIONS = (
         ("R", "axis", "dc")),
     *euler.OPERATIONS, *eigen.OPERATIONS,
 )
+
+FAMILY = Family(_NAME, 30, __doc__, OPERATIONS, includes=("vec3",))

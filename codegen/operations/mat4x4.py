@@ -3,6 +3,7 @@
 import sympy as sp
 
 from coscrew_codegen.algebra import displacement, homogeneous
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import (
     ANY,
@@ -14,14 +15,14 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "mat4x4"
+_NAME = "mat4x4"
 
 _M, _self = Argument("M", MAT4X4, ANY), Argument("self", MAT4X4, ANY)
 _D, _R, _t = Argument("D", SE3), Argument("R", MAT3X3, ROTATION), Argument("t", VEC3, ANY)
 
 
 def _op(name, statement, inputs, outputs, formula, by_value=False):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, by_value=by_value)
+    return Operation(name, _NAME, statement, inputs, outputs, formula, by_value=by_value)
 
 
 OPERATIONS = (
@@ -35,3 +36,5 @@ OPERATIONS = (
     _op("mat4x4_getTranslation", "t, the first three entries of the last column of M", (_M,),
         (_t,), lambda M: M[:3, 3]),
 )
+
+FAMILY = Family(_NAME, 50, __doc__, OPERATIONS, includes=("SE3", "vec4"))

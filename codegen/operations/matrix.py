@@ -16,6 +16,7 @@ from coscrew_codegen.algebra import (
     turned,
     unit,
 )
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import (
     ANY,
@@ -28,7 +29,7 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "matrix"
+_NAME = "matrix"
 
 _R, _R1, _R2, _Ro = (Argument(name, MAT3X3, ROTATION) for name in ("R", "R1", "R2", "Ro"))
 _D, _D1, _D2, _Do = (Argument(name, SE3) for name in ("D", "D1", "D2", "Do"))
@@ -37,7 +38,7 @@ _k, _dc = Argument("k", SCALAR, ANY), Argument("dc", DC)
 
 
 def _op(name, statement, inputs, outputs, formula, derivation=None):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation)
+    return Operation(name, _NAME, statement, inputs, outputs, formula, derivation)
 
 
 _VECTORS = (
@@ -113,3 +114,5 @@ def _about_axis(axis: int, inverted: bool) -> tuple[Operation, ...]:
 
 OPERATIONS = (*_VECTORS, *_ROTATIONS, *_DISPLACEMENTS,
               *(op for axis in range(3) for inv in (False, True) for op in _about_axis(axis, inv)))
+
+FAMILY = Family(_NAME, 70, __doc__, OPERATIONS, includes=("SE3", "trig"))

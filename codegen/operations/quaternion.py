@@ -6,6 +6,7 @@ Those of norm 1 are rotations, q and -q the same one.
 import sympy as sp
 
 from coscrew_codegen.operations import special
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import (
     Let,
@@ -51,7 +52,7 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "quaternion"
+_NAME = "quaternion"
 
 _any, _self = Argument("q", QUATERNION, ANY), Argument("self", QUATERNION, ANY)
 _q, _qo = Argument("q", QUATERNION), Argument("qo", QUATERNION)
@@ -68,7 +69,7 @@ PRINCIPAL = "0 <= angle <= π; the axis is (1, 0, 0) where nothing turns"
 
 
 def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=()):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation,
+    return Operation(name, _NAME, statement, inputs, outputs, formula, derivation,
                      normwise=normwise)
 
 
@@ -193,6 +194,8 @@ _CONVERSIONS = (
         _slerp, (Normwise("qo", 16),)),
 )
 
-OPERATIONS = (*(op for op in linear_space(FAMILY, QUATERNION, "q")
+OPERATIONS = (*(op for op in linear_space(_NAME, QUATERNION, "q")
                 if op.name in ("quaternion_copy", "quaternion_scale", "axpy_qq")),
               *_PRODUCTS, *PRODUCTS, *_CONVERSIONS)
+
+FAMILY = Family(_NAME, 110, __doc__, OPERATIONS, includes=("mat3x3",))

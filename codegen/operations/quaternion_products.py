@@ -20,7 +20,7 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "quaternion"
+_NAME = "quaternion"
 
 _q1, _q2, _qi, _qo, _dqo = (Argument(name, QUATERNION)
                             for name in ("q1i", "q2i", "qi", "qo", "dqo"))
@@ -32,7 +32,7 @@ Factor = tuple[str, str, Argument, Callable[[sp.Matrix], sp.Matrix]]
 
 
 def _op(name, statement, inputs, outputs, formula):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula)
+    return Operation(name, _NAME, statement, inputs, outputs, formula)
 
 
 def _pure(v: sp.Matrix) -> sp.Matrix:

@@ -8,6 +8,7 @@ import sympy as sp
 
 from coscrew_codegen.algebra import I3, ang, blocks, lin, rotation, skew, stack, translation
 from coscrew_codegen.operations import inertia as centroidal
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.mat3x3 import acceleration_tensor, products_of
 from coscrew_codegen.operations.norm import Let, unnamed
@@ -30,7 +31,7 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "spatial_inertia"
+_NAME = "spatial_inertia"
 
 _B, _Bo = Argument("B", SPATIAL_INERTIA), Argument("Bo", SPATIAL_INERTIA)
 _J, _Jo, _m = Argument("J", INERTIA), Argument("Jo", INERTIA), Argument("m", SCALAR, MASS)
@@ -46,7 +47,7 @@ _UPPER = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 
 def _op(name, statement, inputs, outputs, formula, derivation=None, rounding=""):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation,
+    return Operation(name, _NAME, statement, inputs, outputs, formula, derivation,
                      rounding=rounding)
 
 
@@ -189,7 +190,7 @@ _CONVERTED = (f"Error of a moment <= {CONVERTED} u times the sum of the sizes of
 
 
 OPERATIONS = (
-    *(op for op in linear_space(FAMILY, SPATIAL_INERTIA, "B")
+    *(op for op in linear_space(_NAME, SPATIAL_INERTIA, "B")
       if op.name in ("spatial_inertia_copy", "spatial_inertia_scale", "add_BB", "subtract_BB")),
     _op("spatial_inertia_from_com", "Bo: mass m, centre of mass com, second moments Ic about it "
         "(kg m^2; of the symmetric matrix the upper triangle): h = m com, I = Ic - m com~ com~",
@@ -224,3 +225,5 @@ OPERATIONS = (
         "inertia", (_B,), (_pivot,),
         lambda B: smallest_pivot(*lower_triangle(_pseudo_inertia(unnamed, B))), _consistency),
 )
+
+FAMILY = Family(_NAME, 150, __doc__, OPERATIONS, includes=("inertia", "coscrew"))

@@ -8,6 +8,7 @@ from functools import partial
 
 import sympy as sp
 
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.norm import Let, prefixed, unnamed
 from coscrew_codegen.operations.operation import REGULAR, Operation
 from coscrew_codegen.operations.special import factor, smallest_pivot, solution, vector
@@ -25,7 +26,7 @@ from coscrew_codegen.quantity import (
     Quantity,
 )
 
-FAMILY = "symmetric"
+_NAME = "symmetric"
 
 
 def lower_triangle(A: sp.Matrix) -> list[sp.Expr]:
@@ -129,7 +130,7 @@ def _operations(matrix: Quantity, right: Quantity, left: Quantity) -> tuple[Oper
         unit = sp.Matrix(n, n, lambda i, j: 1 if i == j else L[i, j] if j < i else 0)
         return substituted(let, unit, [L[i, i] for i in range(n)], b)
 
-    op = partial(Operation, family=FAMILY)
+    op = partial(Operation, family=_NAME)
     return (
         op(name=f"{matrix.name}_ldl", statement="L, D with L D L^T = A, of which the lower "
            "triangle is read: unit lower triangular L, D on its diagonal; returns the smallest "
@@ -161,3 +162,5 @@ def _backward(matrix: str) -> str:
 
 
 OPERATIONS = (*_operations(MAT3X3, VEC3, VEC3), *_operations(MAT6X6, COSCREW, SCREW))
+
+FAMILY = Family(_NAME, 130, __doc__, OPERATIONS, includes=("mat6x6", "screw", "coscrew"))

@@ -3,6 +3,7 @@
 import sympy as sp
 
 from coscrew_codegen.algebra import unit
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import (
     divided,
@@ -20,7 +21,7 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "vec3"
+_NAME = "vec3"
 
 _v, _self, _vo = (Argument(name, VEC3, ANY) for name in ("v", "self", "vo"))
 _v1, _v2 = Argument("v1", VEC3, ANY), Argument("v2", VEC3, ANY)
@@ -39,7 +40,7 @@ def _angle_between(let, a, b):
 
 
 def _op(name, statement, inputs, outputs, formula, derivation=None, order=()):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation, order)
+    return Operation(name, _NAME, statement, inputs, outputs, formula, derivation, order)
 
 
 _PRODUCTS = (
@@ -55,7 +56,7 @@ _PRODUCTS = (
     _op("dot_vv", "v1·v2", (_v1, _v2), (_dot,), lambda v1, v2: v1.dot(v2)),
     _op("product_avinv", "vo = k (-v)", (_k, _v), (_vo,), lambda k, v: -k * v),
     _op("product_ainvv", "vo = v / k", (_k, _v), (_vo,), lambda k, v: v / k),
-    Operation("cross_vv", FAMILY, "vo = v1 × v2", (_v1, _v2), (_vo,),
+    Operation("cross_vv", _NAME, "vo = v1 × v2", (_v1, _v2), (_vo,),
               lambda v1, v2: v1.cross(v2),
               remark="Exactly zero for v1 = v2, unless products overflow."),
     _op("cross_vvinv", "vo = v1 × (-v2)", (_v1, _v2), (_vo,), lambda v1, v2: v1.cross(-v2)),
@@ -69,5 +70,7 @@ def _shift(axis: int, sign: int) -> Operation:
     return _op(name, statement, (_v, _k), (_vo,), lambda v, k: v + sign * k * sp.Matrix(unit(axis)))
 
 
-OPERATIONS = (*linear_space(FAMILY, VEC3, "v"), *_PRODUCTS,
+OPERATIONS = (*linear_space(_NAME, VEC3, "v"), *_PRODUCTS,
               *(_shift(axis, sign) for axis in range(3) for sign in (1, -1)))
+
+FAMILY = Family(_NAME, 10, __doc__, OPERATIONS)

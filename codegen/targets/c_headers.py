@@ -5,7 +5,7 @@ from functools import cache
 
 from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.library import Library
-from coscrew_codegen.operations import family_title
+from coscrew_codegen.operations import FAMILIES, family_named
 from coscrew_codegen.render import render
 from coscrew_codegen.targets import c, c_ksl, c_storage
 from coscrew_codegen.targets.target import Files, Target
@@ -13,17 +13,6 @@ from coscrew_codegen.tiers import MARKED, PLAIN, TIERS, Tier
 from coscrew_codegen.version import VERSION, numbers
 
 Headers = Mapping[str, str]  # by name, each after those it includes
-
-# What a family's header includes, so that any header may come first.
-_INCLUDES = {
-    "vec3": (), "vec4": (), "trig": (), "mat6x6": (), "axis": ("vec3",),
-    "array": (), "mat3x3": ("vec3", "axis"), "SE3": ("mat3x3",),
-    "mat4x4": ("SE3", "vec4"),
-    "matrix": ("SE3", "trig"), "screw": ("matrix", "mat6x6"), "coscrew": ("screw",),
-    "quaternion": ("mat3x3",), "exponential": ("quaternion", "SE3", "screw"),
-    "symmetric": ("mat6x6", "screw", "coscrew"), "inertia": ("SE3",),
-    "spatial_inertia": ("inertia", "coscrew"),
-}
 
 
 def files(library: Library) -> Files:
@@ -68,7 +57,7 @@ def _titles(families: tuple[str, ...]) -> dict[str, str]:
     """The headers of KSL's names, each after those it includes, with their first lines."""
     titles: dict[str, str] = {}
     for family in families:
-        titles[family] = family_title(family)
+        titles[family] = family_named(family).title
         titles |= {name: title for name, (after, title) in c_ksl.HEADERS.items() if after == family}
     return titles
 
@@ -86,12 +75,25 @@ def _types(library: Library) -> str:
                   sequences=[name for name, _ in c_ksl.SEQUENCES])
 
 
-def _included(family: str, titles: Mapping[str, str]) -> tuple[str, ...]:
+def _included(header: str, titles: Mapping[str, str]) -> tuple[str, ...]:
     """The headers of `titles` that a header includes directly; through those left out, theirs."""
     found: list[str] = []
-    for other in _INCLUDES[family]:
+    for other in _includes(header):
         found += [other] if other in titles else _included(other, titles)
     return tuple(dict.fromkeys(found))
+
+
+def _includes(header: str) -> tuple[str, ...]:
+    """What a header includes, so that any may come first: what its family says, and what else its
+    text by hand calls."""
+    said = family_named(header).includes if header in FAMILIES else ()
+    reached = set().union(*map(_reached, said))
+    return (*said, *(x for x in c_ksl.NEEDED.get(header, ()) if x not in reached))
+
+
+def _reached(header: str) -> frozenset[str]:
+    """The header and all that it includes, through others too."""
+    return frozenset({header}).union(*map(_reached, _includes(header)))
 
 
 def _marked_headers(library: Library, tier: Tier) -> Headers:
@@ -104,7 +106,7 @@ def _marked_headers(library: Library, tier: Tier) -> Headers:
         if functions:
             families[f"{family}_{tier.mark}"] = render(
                 "c/family.h", banner=library.banner,
-                title=f"{family_title(family)}\n   {tier.title}",
+                title=f"{family_named(family).title}\n   {tier.title}",
                 guard=f"KSL_{family.upper()}_{tier.mark.upper()}_H", functions=functions,
                 includes=(tier.header,), system=(), by_hand="", allocations=[])
     umbrella = render(

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.library import Library
-from coscrew_codegen.operations import Operation, family_title
+from coscrew_codegen.operations import Operation, family_named
 from coscrew_codegen.program import Program
 from coscrew_codegen.render import render
 from coscrew_codegen.targets import numpy
@@ -85,7 +85,7 @@ def _twin_modules(library: Library, tier: Tier) -> Files:
 def _twins(library: Library, family: str, kernels: Mapping[Operation, Program],
            precision: Precision, tier: Tier) -> str:
     programs = tuple(kernels.values())
-    return render("python/family.py", banner=library.banner, title=family_title(family),
+    return render("python/family.py", banner=library.banner, title=family_named(family).title,
                   precision=precision, imports=numpy.imports(programs, precision), tier=tier.name,
                   functions=[numpy.function(op, program, precision)
                              for op, program in kernels.items()],

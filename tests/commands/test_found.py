@@ -24,7 +24,8 @@ from tests.support.walks.pairwise import TIER as PAIRWISE
 TABLE = {operation.name: operation for operation in OPERATIONS}
 WALKS = Path(__file__).parents[1] / "support" / "walks"
 DERIVED = ("vec3", "mat3x3", "coscrew")  # families: to derive everything would take long
-FOLDERS = {"effects": "EFFECT", "integrators": "INTEGRATOR", "tiers": "TIER", "targets": "TARGET"}
+FOLDERS = {"effects": "EFFECT", "integrators": "INTEGRATOR", "operations": "FAMILY",
+           "tiers": "TIER", "targets": "TARGET"}
 
 
 @pytest.fixture(scope="module")

@@ -2,7 +2,7 @@
 
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.library import Library
-from coscrew_codegen.operations import Operation, family_title
+from coscrew_codegen.operations import Operation, family_named
 from coscrew_codegen.program import Constant, Input, NotANumber, Op, Operand, Program
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
@@ -15,7 +15,7 @@ _SPELLING = {Op.ADD: "{} + {}", Op.SUB: "{} - {}", Op.MUL: "{} * {}", Op.NEG: "-
 def files(library: Library) -> Files:
     """rust/vec3.rs and so on: the kernels that are sums and products."""
     return {f"rust/{family}.rs": render(
-        "rust/family.rs", banner=library.banner, title=family_title(family),
+        "rust/family.rs", banner=library.banner, title=family_named(family).title,
         functions=[_function(op, program, DOUBLE) for op, program in kernels.items()
                    if program.counts.keys() <= _SPELLING.keys()])
         for family, kernels in library.by_family(PLAIN, DOUBLE).items()}
