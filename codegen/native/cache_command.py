@@ -1,4 +1,4 @@
-"""`coscrew cache`: shows what is kept of scenes that were loaded, and empties it."""
+"""`coscrew cache`: shows what is kept of scenes and of the library, and empties it."""
 
 import argparse
 
@@ -8,9 +8,9 @@ from coscrew_codegen.native import cache
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add `cache` to the command line."""
     parser = commands.add_parser(
-        "cache", help="show or empty what is kept of loaded scenes",
-        description="Show what is kept of scenes that were derived and compiled: folder, entries, "
-        f"bytes, limit.  The limit is ${cache.LIMIT}, {cache.DEFAULT_LIMIT} if that is not set; "
+        "cache", help="show or empty what is kept of scenes and of the library",
+        description="Show what is kept of scenes that were derived and compiled, and of the "
+        f"library's families that were derived: folder, entries, bytes, limit.  The limit is ${cache.LIMIT}, {cache.DEFAULT_LIMIT} if that is not set; "
         "entries used least recently go when there is more.")
     parser.add_argument("--clear", action="store_true", help="empty it")
     parser.set_defaults(run=run)

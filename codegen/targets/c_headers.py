@@ -4,10 +4,11 @@ from collections.abc import Mapping
 from functools import cache
 
 from coscrew_codegen.formats import DOUBLE
-from coscrew_codegen.library import Library
+from coscrew_codegen.library import FamilyKernels, Library
 from coscrew_codegen.operations import FAMILIES, family_named
 from coscrew_codegen.render import render
 from coscrew_codegen.targets import c, c_ksl, c_storage
+from coscrew_codegen.targets.c_function import CFunction
 from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.tiers import MARKED, PLAIN, TIERS, Tier
 from coscrew_codegen.version import VERSION, numbers
@@ -27,16 +28,23 @@ def headers(library: Library, tier: Tier) -> Headers:
     return _plain_headers(library) if tier is PLAIN else _marked_headers(library, tier)
 
 
+def _functions(kernels: FamilyKernels) -> Mapping[tuple[str, str], tuple[CFunction, ...]]:
+    """A family's kernels, by tier and precision."""
+    return {(tier.name, precision.name): tuple(
+        c.function(op, program, precision, tier.mark)
+        for op, program in kernels.of(tier, precision).items())
+        for tier in TIERS for precision in kernels.precisions}
+
+
 def _plain_headers(library: Library) -> Headers:
     made = {"ksl_rounding": render("c/ksl_rounding.h", banner=library.banner,
                                    products=library.precisions),
             "ksl_types": _types(library)}
-    titles = _titles(library.families)
+    titles, kernels = _titles(library.families), library.made(_functions)
     for name, title in titles.items():
-        functions = [function for precision in library.precisions
-                     for function in (*c_storage.storage_functions(name, precision),
-                                      *(c.function(op, program, precision) for op, program in
-                                        library.by_family(PLAIN, precision).get(name, {}).items()))]
+        functions = [function for precision in library.precisions for function in (
+            *c_storage.storage_functions(name, precision),
+            *(kernels[name][PLAIN.name, precision.name] if name in kernels else ()))]
         allocations = [c_storage.allocation(name, precision) for precision in library.precisions]
         made[name] = render(
             "c/family.h", banner=library.banner, title=title,
@@ -100,9 +108,9 @@ def _marked_headers(library: Library, tier: Tier) -> Headers:
     """Exact errors where the tier takes them, one header a family, one that includes all."""
     families = {}
     for family in library.families:
-        functions = [
-            c.function(op, program, precision, tier.mark) for precision in library.precisions
-            for op, program in library.by_family(tier, precision).get(family, {}).items()]
+        kernels = library.made(_functions)[family]
+        functions = [function for precision in library.precisions
+                     for function in kernels[tier.name, precision.name]]
         if functions:
             families[f"{family}_{tier.mark}"] = render(
                 "c/family.h", banner=library.banner,

@@ -7,7 +7,6 @@ import re
 import shutil
 import subprocess
 import sys
-from importlib.resources import as_file, files
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +17,7 @@ import coscrew_codegen
 from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.operations import OPERATIONS
 from coscrew_codegen.program.bounds import bounds_of
+from tests.support.generator_copy import copied, generated
 from tests.support.truth.attack import TIERED, plain_program
 from tests.support.walks.pairwise import TIER as PAIRWISE
 
@@ -30,20 +30,8 @@ FOLDERS = {"effects": "EFFECT", "integrators": "INTEGRATOR", "operations": "FAMI
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder that holds a copy of the generator and of its templates."""
-    folder = tmp_path_factory.mktemp("site")
-    package, unneeded = folder / "coscrew_codegen", shutil.ignore_patterns("__pycache__")
-    shutil.copytree(Path(coscrew_codegen.__file__).parent, package, ignore=unneeded)
-    with as_file(files("coscrew_codegen.templates")) as templates:
-        shutil.copytree(templates, package / "templates", ignore=unneeded)
-    return folder
-
-
-def generated(site: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    """`coscrew generate` of that copy."""
-    return subprocess.run([sys.executable, "-m", "coscrew_codegen", "generate", *words], cwd=site,
-                          env={**os.environ, "PYTHONPATH": str(site)}, text=True,
-                          capture_output=True)
+    """A folder that holds a copy of the generator."""
+    return copied(tmp_path_factory.mktemp("site"))
 
 
 @pytest.fixture(scope="module")
@@ -157,6 +145,39 @@ def test_a_file_that_cannot_be_added_says_why(site, text, said):
         file.unlink()
     assert done.returncode != 0 and said in done.stderr
     assert not (site / "refused").exists()
+
+
+FAMILY_FILE = '''"""Areas."""
+
+from coscrew_codegen.operations.family import Family
+from coscrew_codegen.operations.operation import Operation
+from coscrew_codegen.quantity import ANY, SCALAR, VEC3, Argument
+
+_a, _v = Argument("a", SCALAR), Argument("v", VEC3, ANY)
+FAMILY = Family("area", 35, __doc__, (Operation(
+    "box_area", "area", "a = 2 (x y + y z + z x)", (_v,), (_a,),
+    lambda v: 2 * (v[0] * v[1] + v[1] * v[2] + v[2] * v[0])),), includes=("mat3x3",))
+'''
+
+
+def test_a_family_is_one_file(site):
+    """It has headers, modules, and its place in the umbrella header, which its order says."""
+    file = site / "coscrew_codegen" / "operations" / "area.py"
+    file.write_text(FAMILY_FILE)
+    try:
+        done = generated(site, "--family", "mat3x3", "area", "SE3", "--output", "areas")
+    finally:
+        file.unlink()
+    assert done.returncode == 0, done.stderr
+    header = (site / "areas/c/include/ksl/area.h").read_text()
+    assert '#include "mat3x3.h"' in header and "double ksl_box_area(const ksl_vec3_t *v)" in header
+    umbrella = (site / "areas/c/include/ksl/ksl.h").read_text()
+    assert re.search('"mat3x3.h"\n#include "area.h"\n#include "SE3.h"', umbrella)
+    (site / "areas/python").rename(site / "areas/coscrew")
+    done = subprocess.run(
+        [sys.executable, "-c", "import coscrew; print(coscrew.box_area([1, 2, 3]))"], text=True,
+        env={**os.environ, "PYTHONPATH": str(site / "areas")}, capture_output=True)
+    assert done.stdout == "22.0\n", done.stderr
 
 
 def test_two_targets_that_write_one_file_are_refused(site):
