@@ -73,7 +73,7 @@ def _library(options: argparse.Namespace) -> int:
     stale = stale_files(files, folder) if whole else ()
     option = "" if folder == Path(DEFAULT_OUTPUT) else f" --output {folder}"
     return _deliver(selection.command + option, files, folder, stale, check, str(folder),
-                    kept.made_again)
+                    kept.derived)
 
 
 def _scene(options: argparse.Namespace) -> int:

@@ -1,7 +1,9 @@
-"""What was made of families of operations, kept by the content of all that it was made from.
+"""Keeps what is derived from each family of operations, so that only changed families are derived
+again.
 
-A family is made again where a source of the generator changed, but for those of other families that
-its own do not import.  `coscrew generate --check` keeps nothing and finds nothing.
+A family's key names all sources of the generator, except those in operations/ that its own modules
+do not import, and the versions of the packages that derive.  `coscrew generate --check` does not use
+what is kept.
 """
 
 import ast
@@ -21,17 +23,17 @@ _PACKAGE = "coscrew_codegen.operations"
 _FOLDER, _INIT = "codegen/operations/", "__init__"
 _SUFFIX = ".family"
 _PACKAGES = ("sympy", "mpmath", "gmpy2", "numpy", "jinja2")
-"""What derives and writes besides the generator: their versions are part of every key."""
+"""The packages whose versions are part of every key."""
 
 Made = TypeVar("Made")
-Bundle = dict[str, object]  # what each function gave of a family, by its name
+Bundle = dict[str, object]  # a family's results, by the names of the functions that made them
 
 
 class Kept:
-    """Finds what was made of a family, or makes it, which it tells; `save` keeps what was made.
+    """Finds the results for a family or makes them; `save` keeps those that were made.
 
-    `sources` are the generator's as they stood before this process imported those of operations;
-    without them nothing is found or kept.  `command` makes all that is generated."""
+    `sources` are the generator's sources, read before this process imported the operations; without
+    them nothing is found and nothing is kept.  `command` selects what is generated."""
 
     def __init__(self, sources: Mapping[str, bytes] | None, command: str,
                  tell: Callable[[str], None]):
@@ -53,12 +55,12 @@ class Kept:
         return bundle[name]
 
     @property
-    def made_again(self) -> tuple[str, ...]:
-        """The families of which anything was made."""
+    def derived(self) -> tuple[str, ...]:
+        """The families that were derived, not found."""
         return tuple(self._made)
 
     def save(self) -> None:
-        """Keep what was made, unless sources have changed meanwhile, or no folder lasts."""
+        """Keep what was made, unless the sources have changed since or no folder can be written to."""
         if self._sources is None or cache.sources() != self._sources or not cache.lasts():
             return
         for family in self._made:
@@ -67,7 +69,7 @@ class Kept:
                             zlib.compress(pickle.dumps(self._bundles[family]), 1))
 
     def _found(self, family: str) -> Bundle:
-        """What is kept of a family; nothing where that cannot be read."""
+        """What is kept of a family; empty if it cannot be read."""
         if self._sources is None or not cache.lasts():
             return {}
         path = cache.found(self._key(family, self._sources), _SUFFIX)
@@ -85,16 +87,16 @@ class Kept:
 
 
 def made_from(family: str, sources: Mapping[str, bytes]) -> dict[str, bytes]:
-    """The sources that a family is made from: all but those of operations that it does not
-    import."""
+    """The sources that a family depends on: all, except those in operations/ that its modules do
+    not import."""
     own = _imported((_INIT, *contributors(family)), sources)
     return {path: content for path, content in sources.items()
             if not path.startswith(_FOLDER) or path in own}
 
 
 def _imported(modules: Iterable[str], sources: Mapping[str, bytes]) -> set[str]:
-    """The paths of these modules of operations, and of all that they import of its folder, at
-    their top or within functions."""
+    """The paths of these modules of operations/ and of those that they import from there, directly
+    or not, at the top of a module or inside a function."""
     found: set[str] = set()
     waiting = [_path(module) for module in modules]
     while waiting:
@@ -110,7 +112,7 @@ def _path(module: str) -> str:
 
 
 def _imports(tree: ast.Module) -> set[str]:
-    """The names of modules of operations that a module may import; some are no modules."""
+    """The names that a module imports from operations/; some are not modules."""
     found = set()
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):

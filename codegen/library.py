@@ -1,4 +1,4 @@
-"""What targets are given of the library: its operations, family by family, with their Programs."""
+"""What targets receive of the library: its operations, family by family, with their Programs."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -17,9 +17,8 @@ Made = TypeVar("Made")
 
 @dataclass(frozen=True, eq=False)
 class FamilyKernels:
-    """The operations of a family, each as every tier has it, in every precision.
-
-    Derived when they are asked for, since most of what is made of them is kept."""
+    """The operations of a family in every tier and every selected precision, derived on demand:
+    most results are kept."""
 
     family: str
     operations: tuple[Operation, ...]
@@ -30,7 +29,7 @@ class FamilyKernels:
         """All operations, with their plain programs."""
         return {op: program_of(op) for op in self.operations}
 
-    @cache  # every target asks again
+    @cache  # noqa: B019  called by every target; libraries live as long as the process
     def of(self, tier: Tier, precision: Precision) -> Kernels:
         """The operations that have the tier, as it has them, with their programs."""
         return {tier.operation(op): tier.program(program, precision)
@@ -38,16 +37,16 @@ class FamilyKernels:
 
 
 class Keep(Protocol):
-    """Finds what was made of a family's kernels before, or makes it."""
+    """Finds the result of `make` for a family, or calls it."""
 
     def __call__(self, kernels: FamilyKernels, make: Callable[[FamilyKernels], Made]) -> Made: ...
 
 
 @dataclass(frozen=True, eq=False)
 class Library:
-    """The operations that are asked for.
+    """The selected operations, in every tier and every selected precision.
 
-    `banner` is the first line of every file, as a comment's text."""
+    `banner` is the text of the comment on the first line of every file."""
 
     operations: tuple[Operation, ...]
     families: tuple[str, ...]
@@ -62,10 +61,10 @@ class Library:
             family, tuple(op for op in self.operations if op.family == family), self.precisions)
             for family in self.families)
 
-    @cache  # targets share what they make
+    @cache  # noqa: B019
     def made(self, make: Callable[[FamilyKernels], Made]) -> Mapping[str, Made]:
-        """What `make`, a function of a module, gives of each family's kernels and of nothing else:
-        where the family's sources are what they were, it is not made again."""
+        """The results of `make`, family by family.  `make` must depend on the kernels alone: it is
+        not called for families whose results are kept and whose sources have not changed."""
         return {kernels.family: self.keep(kernels, make) for kernels in self._families}
 
     def by_family(self, tier: Tier, precision: Precision) -> Mapping[str, Kernels]:
@@ -73,7 +72,7 @@ class Library:
         return {kernels.family: found for kernels in self._families
                 if (found := kernels.of(tier, precision))}
 
-    @cache
+    @cache  # noqa: B019
     def having(self, tier: Tier) -> tuple[Operation, ...]:
         """The operations that have a tier, as it has them, in the table's order."""
         names = {name for found in self.made(_tiered).values() for name in found[tier.name]}

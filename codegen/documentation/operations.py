@@ -50,8 +50,8 @@ def family_page(family: str, library: Library) -> str:
     anchors, derived = _anchors(op.name for op in operations), library.made(_derived)[family]
     entries = [_entry(op, derived[op.name], anchor)
                for op, anchor in zip(operations, anchors, strict=True)]
-    return render("docs/family.md", banner=library.banner, family=family, title=family_named(family).title,
-                  entries=entries)
+    return render("docs/family.md", banner=library.banner, family=family,
+                  title=family_named(family).title, entries=entries)
 
 
 def _anchors(names: Iterator[str]) -> Iterator[str]:

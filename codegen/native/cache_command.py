@@ -10,8 +10,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser = commands.add_parser(
         "cache", help="show or empty what is kept of scenes and of the library",
         description="Show what is kept of scenes that were derived and compiled, and of the "
-        f"library's families that were derived: folder, entries, bytes, limit.  The limit is ${cache.LIMIT}, {cache.DEFAULT_LIMIT} if that is not set; "
-        "entries used least recently go when there is more.")
+        "library's families that were derived: folder, entries, bytes, limit.  The limit is "
+        f"${cache.LIMIT}, {cache.DEFAULT_LIMIT} if that is not set; entries used least recently go "
+        "when there is more.")
     parser.add_argument("--clear", action="store_true", help="empty it")
     parser.set_defaults(run=run)
 

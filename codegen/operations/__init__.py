@@ -1,4 +1,4 @@
-"""The table of operations, a file each family.  Everything else iterates over it."""
+"""The table of operations, one file per family; everything generated is made from it."""
 
 from coscrew_codegen.found import found
 from coscrew_codegen.operations.family import Family

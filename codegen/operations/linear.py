@@ -1,4 +1,4 @@
-"""The operations every linear space has: copy, scale, negate, add, subtract, a x + y."""
+"""The operations of every linear space: copy, scale, negate, add, subtract, a x + y."""
 
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import (

@@ -1,8 +1,7 @@
-"""What screws and coscrews share: each is transformed by an operator of displacements.
+"""Operations that screws and coscrews have in common, written once for both.
 
-Screws are transformed by [Ad], coscrews by [Ad]*; everything below is written once for both.
-`…inv` behind the letter transforms the inverse of the quantity, its negative; `inv` before it
-applies the inverse transform.
+Screws are transformed by [Ad], coscrews by [Ad]*.  In names, `inv` after the letter transforms the
+inverse of the quantity, its negative; `inv` before it applies the inverse transform.
 """
 
 from collections.abc import Callable
@@ -48,15 +47,15 @@ JOINTS = ("tx", "ty", "tz", "rx", "ry", "rz")
 
 @dataclass(frozen=True)
 class Space:
-    """Screws or coscrews: the quantity, its letter, its operator, the part its norm looks at."""
+    """Screws or coscrews: the quantity, its letter, its operator, the part that its norm uses."""
 
     kind: Quantity
     letter: str
     operator: Callable[[sp.Matrix], sp.Matrix]
-    operator_name: str  # as function names write it: Ad, CoAd
-    operator_words: str  # as equations write it: [Ad], [Ad]*
-    norm_first: Callable[[sp.Matrix], sp.Matrix]  # this part's norm, unless it is about zero:
-    norm_second: Callable[[sp.Matrix], sp.Matrix]  # then this one's
+    operator_name: str  # in names of functions: Ad, CoAd
+    operator_words: str  # in equations: [Ad], [Ad]*
+    norm_first: Callable[[sp.Matrix], sp.Matrix]  # the norm is this part's, unless it is about 0:
+    norm_second: Callable[[sp.Matrix], sp.Matrix]  # then this part's
     norm_words: str
 
     @property
@@ -71,7 +70,7 @@ class Space:
 
 
 def space_operations(space: Space) -> tuple[Operation, ...]:
-    """All operations screws and coscrews have in common."""
+    """All operations that screws and coscrews have in common."""
     return (*linear_space(space.family, space.kind, space.letter), *_norms(space), *_parts(space),
             *_transforms(space), *_joint_columns(space), *_operator_matrix(space))
 

@@ -34,7 +34,7 @@ def _normalized(let, v):
 
 
 def _angle_between(let, a, b):
-    """Of both vectors times powers of two, which changes no angle."""
+    """The angle between both vectors, scaled by powers of two, which does not change it."""
     a, b = moderate(let, "s1", a), moderate(let, "s2", b)
     return sp.atan2(let("cross", safe_norm(let, let("c", a.cross(b)))), let("dot_", a.dot(b)))
 

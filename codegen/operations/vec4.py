@@ -1,4 +1,4 @@
-"""Vectors of four components: of three dimensions, with a homogeneous coordinate behind them."""
+"""Vectors of four components: three dimensions and a homogeneous coordinate."""
 
 from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.linear import linear_space

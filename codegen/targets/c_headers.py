@@ -1,4 +1,4 @@
-"""The C headers: one a family, those of a tier beside the plain ones, and what they share."""
+"""The C headers: one per family and tier, and those that they share."""
 
 from collections.abc import Mapping
 from functools import cache
@@ -13,7 +13,7 @@ from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.tiers import MARKED, PLAIN, TIERS, Tier
 from coscrew_codegen.version import VERSION, numbers
 
-Headers = Mapping[str, str]  # by name, each after those it includes
+Headers = Mapping[str, str]  # name → text, each after those it includes
 
 
 def files(library: Library) -> Files:
@@ -22,9 +22,9 @@ def files(library: Library) -> Files:
             for name, text in headers(library, tier).items()}
 
 
-@cache  # other targets make more of them
+@cache  # also used by other targets
 def headers(library: Library, tier: Tier) -> Headers:
-    """The headers of a tier; of the plain one with all that others share."""
+    """The headers of a tier; those of the plain tier with the shared ones."""
     return _plain_headers(library) if tier is PLAIN else _marked_headers(library, tier)
 
 
@@ -62,7 +62,7 @@ def _plain_headers(library: Library) -> Headers:
 
 
 def _titles(families: tuple[str, ...]) -> dict[str, str]:
-    """The headers of KSL's names, each after those it includes, with their first lines."""
+    """Name → title of the headers with KSL's names, each after those it includes."""
     titles: dict[str, str] = {}
     for family in families:
         titles[family] = family_named(family).title
@@ -84,7 +84,7 @@ def _types(library: Library) -> str:
 
 
 def _included(header: str, titles: Mapping[str, str]) -> tuple[str, ...]:
-    """The headers of `titles` that a header includes directly; through those left out, theirs."""
+    """The headers in `titles` that a header includes, directly or through headers not in it."""
     found: list[str] = []
     for other in _includes(header):
         found += [other] if other in titles else _included(other, titles)
@@ -105,7 +105,7 @@ def _reached(header: str) -> frozenset[str]:
 
 
 def _marked_headers(library: Library, tier: Tier) -> Headers:
-    """Exact errors where the tier takes them, one header a family, one that includes all."""
+    """ksl_exact if the tier needs it, one header per family, and one that includes all."""
     families = {}
     for family in library.families:
         kernels = library.made(_functions)[family]
