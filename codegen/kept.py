@@ -1,9 +1,9 @@
 """Keeps what is derived from each family of operations, so that only changed families are derived
 again.
 
-A family's key names all sources of the generator, except those in operations/ that its own modules
-do not import, and the versions of the packages that derive.  `coscrew generate --check` does not use
-what is kept.
+A family's key names the versions of the packages that derive, and all sources of the generator,
+except those in operations/ that the family's own modules do not import.  `coscrew generate --check`
+derives everything.
 """
 
 import ast
@@ -60,7 +60,8 @@ class Kept:
         return tuple(self._made)
 
     def save(self) -> None:
-        """Keep what was made, unless the sources have changed since or no folder can be written to."""
+        """Keep what was made, unless the sources have changed since or the cache cannot be written
+        to."""
         if self._sources is None or cache.sources() != self._sources or not cache.lasts():
             return
         for family in self._made:
