@@ -4,12 +4,15 @@ Imports what derives only when it is asked to, so that other commands start at o
 
 import argparse
 import sys
-from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from coscrew_codegen.console import doing
 from coscrew_codegen.native import cache
 from coscrew_codegen.simulate.command import add_implausible, scene_of
+
+if TYPE_CHECKING:
+    from coscrew_codegen.targets.target import Files
 
 DEFAULT_OUTPUT = "generated"
 
@@ -106,7 +109,7 @@ def _scene(options: argparse.Namespace) -> int:
                     stale_files(files, folder), options.check, str(folder))
 
 
-def _deliver(command: str, files: Mapping[str, str], folder: Path, stale: tuple[str, ...],
+def _deliver(command: str, files: "Files", folder: Path, stale: tuple[str, ...],
              check: bool, output: str, derived: tuple[str, ...] = ()) -> int:
     """Write the files, or show what is out of date and the command that mends it."""
     from coscrew_codegen.emit import differences, write

@@ -13,7 +13,7 @@ import zlib
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from importlib.metadata import PackageNotFoundError, version
-from typing import TypeVar
+from typing import TypeVar, cast
 
 from coscrew_codegen.library import FamilyKernels
 from coscrew_codegen.native import cache
@@ -52,7 +52,7 @@ class Kept:
             self._made[family] = None
             self._tell(f"deriving {family}")
             bundle[name] = make(kernels)
-        return bundle[name]
+        return cast(Made, bundle[name])
 
     @property
     def derived(self) -> tuple[str, ...]:

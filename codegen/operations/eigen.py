@@ -53,7 +53,7 @@ def step(let: Let, A: sp.Matrix, V: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
 
 
 OPERATIONS = (
-    Operation("mat3x3_jacobi", "mat3x3", "A = J^T A J, V = V J: Jacobi's rotation J in the xy "
+    Operation("mat3x3", "mat3x3_jacobi", "A = J^T A J, V = V J: Jacobi's rotation J in the xy "
               "plane, by the smaller angle that makes A_xy zero; then y, z, x become x, y, z.  A "
               "is symmetric, only its lower triangle is read.  Repeated from V = I, it converges "
               "to A = diag(eigenvalues); V A V^T does not change", (_A, _V), (_A, _V),

@@ -4,6 +4,8 @@ Two sequences are enough: x y z, and x y x.  Every other sequence i, j, k follow
 by renaming axes; all angles change their signs if the renamed axes are left-handed.
 """
 
+from collections.abc import Callable
+
 import sympy as sp
 
 from coscrew_codegen.algebra import rotation_about
@@ -68,14 +70,15 @@ def _of_xyx(let: Let, R: sp.Matrix) -> sp.Matrix:
     return _angles_of(let, R, R[0, 1], R[0, 2], (None, R[0, 0]), (R[:, 1], R[:, 2]))
 
 
-def _pair(name: str, axes: tuple[int, int, int], derivation, middle: str) -> tuple[Operation, ...]:
+def _pair(name: str, axes: tuple[int, int, int], derivation: Callable[[Let, sp.Matrix], sp.Matrix],
+          middle: str) -> tuple[Operation, ...]:
     i, j, k = ("xyz"[axis] for axis in axes)
     turns = f"R_{i}(a) R_{j}(b) R_{k}(c), angles = (a, b, c)"
     return (
-        Operation(f"mat3x3_from_euler_{name}", "mat3x3", f"R = {turns}", (_angles,), (_R,),
+        Operation("mat3x3", f"mat3x3_from_euler_{name}", f"R = {turns}", (_angles,), (_R,),
                   lambda angles: _matrix(axes, angles),
                   lambda let, angles: _bound_matrix(axes, let, angles)),
-        Operation(f"euler_{name}_from_mat3x3", "mat3x3",
+        Operation("mat3x3", f"euler_{name}_from_mat3x3",
                   f"angles of the rotation R = {turns}; a, c in [-π, π], {middle}; c = 0 in gimbal "
                   "lock", (_R,), (_angles,), lambda R: derivation(unnamed, R), derivation,
                   rounding=f"The rotation by these angles differs from R by at most {BACKWARD} u "

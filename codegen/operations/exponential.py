@@ -57,12 +57,7 @@ _s, _small_s = Argument("s", SCREW, TURN), Argument("s", SCREW, HALF_TURN)
 _so = Argument("so", SCREW)
 _Do, _M = Argument("Do", SE3), Argument("M", MAT6X6)
 _angle, _k = Argument("angle", SCALAR, ANGLE), Argument("k", SCALAR, FRACTION)
-
-
-def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=(), family=_NAME,
-        rounding=""):
-    return Operation(name, family, statement, inputs, outputs, formula, derivation,
-                     normwise=normwise, rounding=rounding)
+_op = partial(Operation, _NAME)
 
 
 # Rotations.  `sign` is 1 for left Jacobians, -1 for right ones: J_r(v) = J_l(-v).
@@ -138,15 +133,16 @@ _ROTATIONS = (
           (_small_v,), (_R,), partial(_jacobian_inverse, sign),
           partial(_bound_jacobian_inverse, sign), (Normwise("R", 6),))
       for side, sign in (("left", 1), ("right", -1))),
-    _op("mat3x3_from_axis_angle",
-        "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; "
-        "otherwise R is not a rotation",
-        (_axis, _angle), (_R,), lambda a, t: _matrix(a, sp.sin(t), 1 - sp.cos(t)), _bound_turn,
-        (Normwise("R", 9),), "mat3x3"),
-    _op("axis_angle_from_mat3x3", f"angle and axis of the rotation R; {PRINCIPAL}", (_R,),
-        (_angle, _axis_out), lambda R: axis_and_angle(_log_of(R)),
-        lambda let, R: axis_angle(let, quaternion_of(let, R)),
-        (Normwise("angle", 8), Normwise("axis", 5)), "mat3x3"),
+    Operation("mat3x3", "mat3x3_from_axis_angle",
+              "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; "
+              "otherwise R is not a rotation",
+              (_axis, _angle), (_R,), lambda a, t: _matrix(a, sp.sin(t), 1 - sp.cos(t)),
+              _bound_turn, (Normwise("R", 9),)),
+    Operation("mat3x3", "axis_angle_from_mat3x3",
+              f"angle and axis of the rotation R; {PRINCIPAL}", (_R,),
+              (_angle, _axis_out), lambda R: axis_and_angle(_log_of(R)),
+              lambda let, R: axis_angle(let, quaternion_of(let, R)),
+              (Normwise("angle", 8), Normwise("axis", 5))),
     _op("mat3x3_orthonormalize", f"self = {_NEWTON}", (_self,), (_self,),
         lambda R: _newton(unnamed, R), _newton),
     _op("mat3x3_orthonormalized", f"Ro = {_NEWTON}", (_near,), (_Ro,),

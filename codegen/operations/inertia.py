@@ -5,6 +5,7 @@ of the frame: translating a body changes only its first moment mt.  These number
 bodies are joined; those of spatial inertias do.
 """
 
+from collections.abc import Callable
 from functools import partial
 
 import sympy as sp
@@ -41,11 +42,7 @@ PLACES = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
 
 MERGED = 18
 """In u: the error bound of a component of joined bodies, from a count of its roundings."""
-
-
-def _op(name, statement, inputs, outputs, formula, derivation=None, by_value=False, rounding=""):
-    return Operation(name, _NAME, statement, inputs, outputs, formula, derivation,
-                     by_value=by_value, rounding=rounding)
+_op = partial(Operation, _NAME)
 
 
 def first(J: sp.Matrix) -> sp.Matrix:
@@ -102,7 +99,8 @@ def _merged(let: Let, Ji: sp.Matrix, t_ic: sp.Matrix, Jj: sp.Matrix, t_jc: sp.Ma
     return inertia(m, first(Ji) + Jj[0] * c, second(Ji) + rotated + parallel_axis)
 
 
-def _in_place_too(verb: str, statement: str, by: Argument, formula, derivation=None):
+def _in_place_too(verb: str, statement: str, by: Argument, formula: Callable[..., sp.Matrix],
+                  derivation: Callable[..., sp.Matrix] | None = None) -> tuple[Operation, ...]:
     """inertia_rotated(Ji, R, Jo) and inertia_rotate(self, R)."""
     past = f"{verb}{'d' if verb.endswith('e') else 'ed'}"
     return (_op(f"inertia_{past}", f"Jo = {statement.format('Ji')}", (_Ji, by), (_Jo,), formula,

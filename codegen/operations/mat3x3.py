@@ -1,5 +1,7 @@
 """3×3 matrices: rotations, and matrices in general."""
 
+from functools import partial
+
 import sympy as sp
 
 from coscrew_codegen.algebra import I3, skew
@@ -45,11 +47,7 @@ _axis, _regular = Argument("axis", VEC3, UNIT_VECTOR), Argument("R", MAT3X3, REG
 _x, _y, _z = (Argument(name, VEC3, ANY) for name in "xyz")
 _w, _dw = Argument("w", VEC3, ANY), Argument("dw", VEC3, ANY)
 _det = Argument("det", SCALAR)
-
-
-def _op(name, statement, inputs, outputs, formula, derivation=None, order=(), rounding=""):
-    return Operation(name, _NAME, statement, inputs, outputs, formula, derivation, order,
-                     rounding=rounding)
+_op = partial(Operation, _NAME)
 
 
 def _entries(function: type[sp.Function], R: sp.Matrix) -> sp.Matrix:
@@ -179,7 +177,7 @@ OPERATIONS = (
         lambda R: _entries(special.orthonormal_rows, R), _orthonormal_rows, rounding=_ROWS),
     _op("mat3x3_setFromAxisDC", "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 "
         "(else R is not a rotation), dc = (sin θ, cos θ)", (_axis, _dc), (_R,), _about,
-        _bound_about, ("R", "axis", "dc")),
+        _bound_about, order=("R", "axis", "dc")),
     *euler.OPERATIONS, *eigen.OPERATIONS,
 )
 

@@ -49,16 +49,16 @@ def _moved(name: str, of: Argument, displacement: Callable[[sp.Matrix], sp.Matri
            derivation: Callable[..., sp.Matrix]) -> Operation:
     x = of.name
     return Operation(
-        f"mat6x6_{name}", _NAME, f"Mo = [Ad]*({x}) M [Ad]^-1({x}), the articulated inertia M "
+        _NAME, f"mat6x6_{name}", f"Mo = [Ad]*({x}) M [Ad]^-1({x}), the articulated inertia M "
         f"{name} by {x}; M is symmetric, only its lower triangle is read",
         (of, _articulated), (_Mo,),
         lambda x, M: CoAd(displacement(x)) * _symmetric(M) * CoAd(displacement(x)).T, derivation)
 
 
 OPERATIONS = (
-    Operation("mat6x6_copy", _NAME, "Mo = M", (_M,), (_Mo,), lambda M: M),
-    Operation("mat6x6_setIdentity", _NAME, "self = I", (_self,), (_self,), lambda M: sp.eye(6)),
-    Operation("mat6x6_transposed", _NAME, "Mo = M^T", (_M,), (_Mo,), lambda M: M.T),
+    Operation(_NAME, "mat6x6_copy", "Mo = M", (_M,), (_Mo,), lambda M: M),
+    Operation(_NAME, "mat6x6_setIdentity", "self = I", (_self,), (_self,), lambda M: sp.eye(6)),
+    Operation(_NAME, "mat6x6_transposed", "Mo = M^T", (_M,), (_Mo,), lambda M: M.T),
     _moved("rotated", _R, turned, _rotated),
     _moved("shifted", _t, shifted, _shifted),
 )

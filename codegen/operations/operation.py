@@ -2,12 +2,13 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import sympy as sp
 
 from coscrew_codegen.quantity import Argument
 
-Value = sp.Matrix | sp.Expr
+Value: TypeAlias = sp.Matrix | sp.Expr
 
 # A part whose components are all below it counts as zero when a norm chooses between the parts.
 NORM_THRESHOLD = sp.Symbol("norm_threshold", positive=True)
@@ -99,17 +100,17 @@ class Operation:
     parameters, if it is not inputs, then outputs.
     """
 
-    name: str
     family: str
+    name: str
     statement: str
     inputs: tuple[Argument, ...]
     outputs: tuple[Argument, ...]
     formula: Callable[..., Value | tuple[Value, ...]]
     derivation: Callable[..., Value | tuple[Value, ...]] | None = None
+    normwise: tuple[Normwise, ...] = ()
     order: tuple[str, ...] = ()
     by_value: bool = False  # in C, arguments and result are passed by value
     remark: str = ""  # a further property of the tiers without fused operations
-    normwise: tuple[Normwise, ...] = ()
     rounding: str = ""  # further error bounds, in words
 
     def __post_init__(self) -> None:

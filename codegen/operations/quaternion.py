@@ -3,6 +3,8 @@
 Unit quaternions are rotations; q and -q are the same rotation.
 """
 
+from functools import partial
+
 import sympy as sp
 
 from coscrew_codegen.operations import special
@@ -66,11 +68,7 @@ _R, _R_out = Argument("R", MAT3X3, ROTATION), Argument("R", MAT3X3)
 _ordinary = Argument("q", QUATERNION, ORDINARY)
 
 PRINCIPAL = "0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0"
-
-
-def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=()):
-    return Operation(name, _NAME, statement, inputs, outputs, formula, derivation,
-                     normwise=normwise)
+_op = partial(Operation, _NAME)
 
 
 def _normalized(q: sp.Matrix) -> sp.Matrix:

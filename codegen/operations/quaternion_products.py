@@ -5,6 +5,7 @@ with dci = (sine, cosine) of half its angle; `v` is the quaternion (v; 0).
 """
 
 from collections.abc import Callable, Iterator
+from functools import partial
 
 import sympy as sp
 
@@ -29,10 +30,7 @@ _vi, _w, _dpi = (Argument(name, VEC3, ANY) for name in ("vi", "w", "dpi"))
 
 # name in operations, text in equations, argument, conversion to a quaternion
 Factor = tuple[str, str, Argument, Callable[[sp.Matrix], sp.Matrix]]
-
-
-def _op(name, statement, inputs, outputs, formula):
-    return Operation(name, _NAME, statement, inputs, outputs, formula)
+_op = partial(Operation, _NAME)
 
 
 def _pure(v: sp.Matrix) -> sp.Matrix:

@@ -1,5 +1,7 @@
 """Rotations as matrices, quaternions and rotation vectors: building blocks of operations."""
 
+from collections.abc import Sequence
+
 import sympy as sp
 
 from coscrew_codegen.algebra import skew
@@ -61,7 +63,8 @@ def quaternion_of(let: Let, R: sp.Matrix) -> sp.Matrix:
     w, x, y, z = let("d", sp.Matrix([first[0] + less[0], first[0] - less[0],
                                      first[1] + less[1], first[1] - less[1]]))
 
-    def choice(name, test, first, second):
+    def choice(name: str, test: sp.Basic, first: Sequence[sp.Expr],
+               second: Sequence[sp.Expr]) -> sp.Matrix:
         return let(name, sp.Matrix([sp.Piecewise((one, test), (other, True))
                                     for one, other in zip(first, second, strict=True)]))
 

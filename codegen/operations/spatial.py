@@ -6,6 +6,7 @@ inverse of the quantity, its negative; `inv` before it applies the inverse trans
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import sympy as sp
 
@@ -21,6 +22,7 @@ from coscrew_codegen.algebra import (
 )
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import (
+    Let,
     chosen_part,
     divided,
     leading_part,
@@ -65,8 +67,10 @@ class Space:
     def argument(self, suffix: str) -> Argument:
         return Argument(f"{self.letter}{suffix}", self.kind)
 
-    def op(self, name, statement, inputs, outputs, formula, derivation=None) -> Operation:
-        return Operation(name, self.family, statement, inputs, outputs, formula, derivation)
+    @property
+    def op(self) -> Callable[..., Operation]:
+        """An operation of the family."""
+        return partial(Operation, self.family)
 
 
 def space_operations(space: Space) -> tuple[Operation, ...]:
@@ -79,16 +83,16 @@ def _norms(space: Space) -> tuple[Operation, ...]:
     kind, xi, xo = space.kind.name, space.argument("i"), space.argument("o")
     self, norm = Argument("self", space.kind), Argument("norm", SCALAR)
 
-    def norm_of(x):
+    def norm_of(x: sp.Matrix) -> sp.Expr:
         return sp.sqrt(leading_part(space.norm_first(x), space.norm_second(x)))
 
-    def bound_norm(let, x):
+    def bound_norm(let: Let, x: sp.Matrix) -> sp.Expr:
         return safe_norm(let, chosen_part(let, space.norm_first(x), space.norm_second(x)))
 
-    def normalized(x):
+    def normalized(x: sp.Matrix) -> sp.Matrix:
         return divided(x, nonzero(norm_of(x)))
 
-    def bound_normalized(let, x):
+    def bound_normalized(let: Let, x: sp.Matrix) -> sp.Matrix:
         part = chosen_part(let, space.norm_first(x), space.norm_second(x))
         return safe_normalized(let, x, part)
 
@@ -127,13 +131,14 @@ def _transforms(space: Space) -> tuple[Operation, ...]:
     D = Argument("D", SE3)
     i, o = xi.name, xo.name
 
-    def by_displacement(let, D, x):
+    def by_displacement(let: Let, D: sp.Matrix, x: sp.Matrix) -> sp.Matrix:
         return operator(shifted(translation(D))) * let("w", operator(turned(rotation(D))) * x)
 
-    def by_inverse(let, D, x):
+    def by_inverse(let: Let, D: sp.Matrix, x: sp.Matrix) -> sp.Matrix:
         return operator(turned(rotation(D).T)) * let("w", operator(shifted(-translation(D))) * x)
 
-    def op(suffix, equation, argument, formula, derivation=None):
+    def op(suffix: str, equation: str, argument: Argument, formula: Callable[..., sp.Matrix],
+           derivation: Callable[..., sp.Matrix] | None = None) -> Operation:
         return space.op(f"product_{space.operator_name}{suffix}", f"{o} = {equation}",
                         (argument, xi), (xo,), formula, derivation)
 

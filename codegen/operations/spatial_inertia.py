@@ -4,6 +4,8 @@ These ten numbers are linear: those of joined bodies add up, and momentum is lin
 operator [[m 1, -h~], [h~, I]] a spatial inertia maps screws to coscrews (momenta).
 """
 
+from functools import partial
+
 import sympy as sp
 
 from coscrew_codegen.algebra import I3, ang, blocks, lin, rotation, skew, stack, translation
@@ -44,11 +46,7 @@ _vo, _Ro, _Mo = Argument("vo", VEC3), Argument("Ro", MAT3X3), Argument("Mo", MAT
 
 _CYCLES = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
 _UPPER = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
-
-
-def _op(name, statement, inputs, outputs, formula, derivation=None, rounding=""):
-    return Operation(name, _NAME, statement, inputs, outputs, formula, derivation,
-                     rounding=rounding)
+_op = partial(Operation, _NAME)
 
 
 def _first(B: sp.Matrix) -> sp.Matrix:

@@ -4,6 +4,7 @@ Only the lower triangle of A is read.  Pivots are returned divided by their diag
 a diagonal matrix, small for a nearly singular one, zero or negative if A is not positive definite.
 """
 
+from collections.abc import Sequence
 from functools import partial
 
 import sympy as sp
@@ -113,26 +114,26 @@ def _operations(matrix: Quantity, right: Quantity, left: Quantity) -> tuple[Oper
     b, x = Argument("b", right, ANY), Argument("x", left)
     pivot = Argument("pivot", SCALAR)
 
-    def entry(i, j, triangle):
+    def entry(i: int, j: int, triangle: Sequence[sp.Expr]) -> sp.Expr:
         return factor(i, j, *triangle) if j <= i else sp.Integer(0)
 
-    def ldl(A):
+    def ldl(A: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
         triangle = lower_triangle(A)
         return smallest_pivot(*triangle), sp.Matrix(n, n, lambda i, j: entry(i, j, triangle))
 
-    def bound_ldl(let, A):
+    def bound_ldl(let: Let, A: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
         L, D = factored(let, A)
         return bound_smallest_pivot(let, A, D), L - sp.eye(n) + sp.diag(*D)
 
-    def solved(A, b):
+    def solved(A: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
         triangle = lower_triangle(A)
         return smallest_pivot(*triangle), vector(solution, n, *b, *triangle)
 
-    def by_factor(let, L, b):
+    def by_factor(let: Let, L: sp.Matrix, b: sp.Matrix) -> sp.Matrix:
         unit = sp.Matrix(n, n, lambda i, j: 1 if i == j else L[i, j] if j < i else 0)
         return substituted(let, unit, [L[i, i] for i in range(n)], b)
 
-    op = partial(Operation, family=_NAME)
+    op = partial(Operation, _NAME)
     return (
         op(name=f"{matrix.name}_ldl", statement="L, D with L D L^T = A: unit lower triangular L, "
            "with D on its diagonal; only the lower triangle of A is read.  Returns the smallest "

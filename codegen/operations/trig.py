@@ -16,7 +16,7 @@ _NAME = "trig"
 _theta, _dc = Argument("theta", SCALAR, ANY), Argument("dc", DC)
 
 OPERATIONS = (
-    Operation("dc", _NAME, "dc = (sin θ, cos θ), θ in rad; accurate as the platform's sin and cos",
+    Operation(_NAME, "dc", "dc = (sin θ, cos θ), θ in rad; accurate as the platform's sin and cos",
               (_theta,), (_dc,), lambda theta: sp.Matrix([sp.sin(theta), sp.cos(theta)])),
 )
 

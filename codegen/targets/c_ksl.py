@@ -25,7 +25,7 @@ HEADERS = {"axis": ("vec3", "Axes, and sequences of axes of Euler angles."),
            "array": ("vec3", "Numbers in arrays: exchanged, and added in multiples.")}
 """Headers that hold nothing else: name → (the family they come with, their title)."""
 
-SYSTEM = {"vec3": ("stdbool.h",), "mat3x3": ("stdarg.h",)}
+SYSTEM = {"vec3": ("stdbool.h",), "mat3x3": ("stdarg.h",), "array": ("stddef.h",)}
 """Headers of the C library that they need."""
 
 REFUSED = {

@@ -18,7 +18,7 @@ from coscrew_codegen.kept import Kept, made_from
 from coscrew_codegen.library import FamilyKernels
 from coscrew_codegen.native import cache
 from coscrew_codegen.operations import FAMILIES, OPERATIONS, contributors
-from tests.support.generator_copy import copied, generated
+from tests.support.walks import copied, generated
 
 SOME = ("vec3", "mat6x6", "trig")  # families that are made soon
 WORDS = ("--family", *SOME, "--output", "out")
@@ -28,7 +28,7 @@ ALL = set(SOME)
 @pytest.fixture(scope="module")
 def filled(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of the generator that has made SOME families once, and kept them."""
-    site = copied(tmp_path_factory.mktemp("site"))
+    site = copied(tmp_path_factory.mktemp("site")).parent
     assert derived(generated(site, *WORDS)) == ALL
     return site
 
