@@ -1,12 +1,13 @@
 """The nesting printer: a Program's instructions as assignments, those used once inside what uses
 them.
 
-For languages that round every operation once whatever stands around it; parentheses keep the
-Program's order.  Takes time in proportion to the Program's length.
+For languages that round every operation once whatever stands around it, or that are told to;
+parentheses keep the Program's order.  Takes time in proportion to the Program's length.
 """
 
+import re
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from coscrew_codegen.program import (
@@ -18,28 +19,37 @@ from coscrew_codegen.program import (
     Operand,
     Program,
     Ref,
+    renamed,
 )
 
-CALLS = 4
-"""How tightly a call of a function binds."""
+CHOICE, COMPARISON, SUM, PRODUCT, SIGN, CALL = range(6)
+"""How tightly operations bind; the last: calls of functions, names."""
 
 
 @dataclass(frozen=True)
 class Language:
-    """How a language spells instructions: a pattern, and how tightly it binds, of each operation; a
-    constant; a choice between constants, which may need a type; what is not a number."""
+    """How a language spells an instruction, a pattern and how tightly it binds; a constant; what is
+    not a number."""
 
-    spelling: Mapping[Op, tuple[str, int]]
+    spelling: Callable[[Instruction], tuple[str, int]]
     constant: Callable[[Constant], str]
-    choice_of_constants: str
     not_a_number: str
     comment: str
+
+
+@dataclass(frozen=True)
+class Assignment:
+    """What a step that is not nested is: the step, and its expression."""
+
+    step: Instruction
+    expression: str
 
 
 @dataclass
 class Nesting:
     """The texts of a Program.  `access` writes how an input is read; `named` holds the instructions
-    that are assigned whether or not they are used once; a line is at most `width` wide."""
+    that are assigned whether or not they are used once; `name = expression` is at most `width`
+    wide, the longest operands have names of their own before it is wider."""
 
     program: Program
     language: Language
@@ -50,14 +60,20 @@ class Nesting:
     result_width: int = 0  # up to which a result need not be a name
 
     def __post_init__(self) -> None:
-        self.lines: list[str] = []  # assignments and comments
-        self._waiting: dict[str, tuple[str, int]] = {}  # name → expression, how tightly it binds
+        self.assigned: list[Assignment | str] = []  # and headings
+        self._waiting: dict[str, tuple[Instruction, str, int]] = {}  # name → expression, binding
         self._uses = Counter(x.name for x in self._operands() if isinstance(x, Ref))
         for number, step in enumerate(self.program.instructions):
             if number in self.headings:
                 self._heading(self.headings[number])
             self._take(step)
         self.results = [self._result(x) for x in self.program.results]
+
+    @property
+    def lines(self) -> list[str]:
+        """Assignments and comments."""
+        return [f"{self.language.comment}{x}" if isinstance(x, str) else
+                f"{x.step.name} = {x.expression}" for x in self.assigned]
 
     def _operands(self) -> Iterator[Operand]:
         for step in self.program.instructions:
@@ -69,42 +85,40 @@ class Nesting:
         line is short enough, the longest get lines of their own first."""
         inner = [x.name for x in step.operands
                  if isinstance(x, Ref) and x.name in self._waiting]
-        expression = self._expression(step)
-        while inner and len(step.name) + len(" = ") + len(expression[0]) > self.width:
-            longest = max(inner, key=lambda name: len(self._waiting[name][0]))
+        expression, binding = self._expression(step)
+        while inner and len(step.name) + len(" = ") + len(expression) > self.width:
+            longest = max(inner, key=lambda name: len(self._waiting[name][1]))
             inner.remove(longest)
-            self._assign(longest, self._waiting.pop(longest)[0])
-            expression = self._expression(step)
+            self._assign(*self._waiting.pop(longest)[:2])
+            expression, binding = self._expression(step)
         for name in inner:
             del self._waiting[name]
         if self._uses[step.name] == 1 and not self.named(step):
-            self._waiting[step.name] = expression
+            self._waiting[step.name] = step, expression, binding
         else:
-            self._assign(step.name, expression[0])
+            self._assign(step, expression)
 
     def _heading(self, words: str) -> None:
         """A comment, in place of one that nothing stands under."""
-        if self.lines and self.lines[-1].startswith(self.language.comment):
-            self.lines.pop()
-        self.lines.append(f"{self.language.comment}{words}")
+        if self.assigned and isinstance(self.assigned[-1], str):
+            self.assigned.pop()
+        self.assigned.append(words)
 
-    def _assign(self, name: str, expression: str) -> None:
-        self.lines.append(f"{name} = {expression}")
+    def _assign(self, step: Instruction, expression: str) -> None:
+        self.assigned.append(Assignment(step, expression))
 
     def _result(self, operand: Operand) -> str:
         if isinstance(operand, Ref) and operand.name in self._waiting:
-            text, _ = self._waiting.pop(operand.name)
+            step, text, _ = self._waiting.pop(operand.name)
             if len(text) <= self.result_width:
                 return text
-            self._assign(operand.name, text)
-        return self._operand(operand, 0)
+            self._assign(step, text)
+        return self._operand(operand, CHOICE)
 
     def _expression(self, step: Instruction) -> tuple[str, int]:
-        spelling, binding = self.language.spelling[step.op]
-        if is_choice_of_constants(step):
-            spelling = self.language.choice_of_constants
-        needed: Sequence[int] = [0] * 4 if binding == CALLS else [binding, binding + 1]
-        operands = [self._operand(x, n) for x, n in zip(step.operands, needed, strict=False)]
+        spelling, binding = self.language.spelling(step)
+        operands = [self._operand(x, n)
+                    for x, n in zip(step.operands, _needed(step, binding), strict=False)]
         return spelling.format(*operands), binding
 
     def _operand(self, operand: Operand, needed: int) -> str:
@@ -112,13 +126,87 @@ class Nesting:
         if isinstance(operand, Input):
             return self.access(operand)
         if isinstance(operand, Constant):
-            return self.language.constant(operand)
+            text = self.language.constant(operand)
+            return f"({text})" if text.startswith("-") and needed > SIGN else text
         if isinstance(operand, NotANumber):
             return self.language.not_a_number
-        text, binding = self._waiting.get(operand.name, (operand.name, CALLS))
+        if operand.name not in self._waiting:
+            return operand.name
+        _, text, binding = self._waiting[operand.name]
         return text if binding >= needed else f"({text})"
 
 
-def is_choice_of_constants(step: Instruction) -> bool:
-    """Whether this chooses between numbers that may have no type of their own."""
-    return step.op is Op.SELECT and all(isinstance(x, Constant) for x in step.operands[1:])
+def _needed(step: Instruction, binding: int) -> Sequence[int]:
+    """How tightly the operands of a step must bind that binds so tightly itself."""
+    if step.op is Op.MUL:
+        return PRODUCT, PRODUCT + 1  # also within a call
+    if binding == CALL:
+        return [CHOICE] * 4
+    if step.op is Op.SELECT:
+        return [COMPARISON] * 3
+    return [binding + 1] if step.op is Op.NEG else [binding, binding + 1]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A Program in which the steps that are assigned are known, and numbered without gaps."""
+
+    program: Program
+    assigned: frozenset[str]
+
+    def printed(self, language: Language, access: Callable[[Input], str],
+                headings: Mapping[int, str]) -> Nesting:
+        """Its texts: expressions are as long as they are."""
+        return Nesting(self.program, language, access, 1 << 30, headings,
+                       lambda step: step.name in self.assigned)
+
+
+_NUMBERED = re.compile(r"(.+)_([0-9]+)")  # a step towards something, which has no name of its own
+
+
+def planned(program: Program, language: Language, access: Callable[[Input], str], width: int,
+            named: Collection[str] = ()) -> Plan:
+    """The plan by which values with names and `named` ones are assigned, and steps that are used
+    several times; assignments are at most `width` wide in this language."""
+    found = Nesting(program, language, access, width, named=lambda step: (
+        step.name in named or not _NUMBERED.fullmatch(step.name)))
+    assigned = [x.step.name for x in found.assigned if isinstance(x, Assignment)]
+    names = _numbered(program, assigned)
+    return Plan(renamed(program, names), frozenset(names[x] for x in assigned))
+
+
+def _numbered(program: Program, assigned: Sequence[str]) -> dict[str, str]:
+    """Names of all steps: numbers without gaps of those that are assigned, then of the others; none
+    of a result to which nothing else is a step."""
+    steps = [step.name for step in program.instructions]
+    arguments = [a.name for a in (*program.inputs, *program.outputs)]
+    taken = {*steps, *arguments, *(f"{x}o" for x in arguments)}
+    names: dict[str, str] = {}
+    numbers: Counter[str] = Counter()
+    for name in dict.fromkeys((*assigned, *steps)):
+        if match := _NUMBERED.fullmatch(name):
+            numbers[match[1]] += 1
+        names[name] = f"{match[1]}_{numbers[match[1]]}" if match else name
+    alone = Counter(match[1] for x in assigned if (match := _NUMBERED.fullmatch(x)))
+    for x in program.results:
+        match = _NUMBERED.fullmatch(x.name) if isinstance(x, Ref) else None
+        if match and alone[match[1]] == 1 and match[1] not in taken:
+            names[match[0]] = match[1]
+    return names
+
+
+def wrapped(text: str, width: int, indent: int) -> Iterator[str]:
+    """Rows of the text, the first at most `width` wide, the others, which will be indented, less:
+    broken where the fewest parentheses are open, as late as that allows."""
+    while len(text) > width:
+        depth, best, least = 0, -1, len(text)
+        for place, letter in enumerate(text[:width]):
+            depth += (letter in "([") - (letter in ")]")
+            if letter == " " and text[place + 1] in "+-*/?:<" and depth <= least:
+                best, least = place, depth
+        if best < 0:
+            break
+        yield text[:best]
+        text, width = text[best + 1:], width - indent
+        indent = 0
+    yield text
