@@ -64,9 +64,9 @@ def reading(name: str) -> tuple[str, str, str, str]:
     step = "step" if last.isdigit() and stem else ""
     word = (stem if step else name).rpartition("_")[2] if "_" in name else ""
     for cut in range(len(word), 0, -1):
-        if match := re.fullmatch("([xyz]{0,2})(n?)([0-9]*)", word[cut:]):
-            if word[:cut] in _KNOWN:
-                return word[:cut], match[2] and "sign", match[3] and "number", step
+        match = re.fullmatch("([xyz]{0,2})(n?)([0-9]*)", word[cut:])
+        if match and word[:cut] in _KNOWN:
+            return word[:cut], match[2] and "sign", match[3] and "number", step
     return "", "", "", ""
 
 

@@ -87,7 +87,8 @@ def static_torques(q: Array) -> Array:
     """τ of the Panda with its payload, in N m and in q's precision.  (…,7) -> (…,7)."""
     links = panda(q.dtype)
     frames = joint_frames(links, q)
-    supports = [support(D, link["mass"], link["centre"]) for D, link in zip(frames, links)]
+    supports = [support(D, link["mass"], link["centre"])
+                for D, link in zip(frames, links, strict=True)]
     flange = coscrew.product_ddtz(frames[-1], q.dtype.type(FLANGE))
     payload = support(flange, q.dtype.type(PAYLOAD_MASS), np.array(PAYLOAD_CENTRE, q.dtype))
     supports[-1] = coscrew.add_cc(payload, supports[-1])

@@ -87,11 +87,11 @@ def _curve(axes: Axes, points: Sequence[Point], costs: Costs, dash: str, marker:
     for x in points:
         axes.plot([1e6 * x.time.low, 1e6 * x.time.high], [x.error] * 2, color=colour, linewidth=2,
                   label="_", gid=f"{name} interval")
-    axes.plot(*zip(*where), dash, color=colour, linewidth=1, label="_", gid=name)
+    axes.plot(*zip(*where, strict=True), dash, color=colour, linewidth=1, label="_", gid=name)
     for hollow in (False, True):
-        chosen = [at for at, x in zip(where, points) if costs.known(x) != hollow]
-        axes.plot(*zip(*chosen) if chosen else ((), ()), marker, linestyle="", color=colour,
-                  markersize=4, markerfacecolor="white" if hollow else colour, label="_",
-                  gid=f"{name} hollow" if hollow else f"{name} runs")
+        chosen = [at for at, x in zip(where, points, strict=True) if costs.known(x) != hollow]
+        axes.plot(*zip(*chosen, strict=True) if chosen else ((), ()), marker, linestyle="",
+                  color=colour, markersize=4, markerfacecolor="white" if hollow else colour,
+                  label="_", gid=f"{name} hollow" if hollow else f"{name} runs")
     axes.plot((), (), dash + marker, color=colour, markersize=4, linewidth=1,
               label=f"{first.integrator}, {first.precision}")

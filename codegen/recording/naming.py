@@ -38,9 +38,10 @@ def named(program: Program, parts: Mapping[str, Part], labels: Mapping[str, Part
     users = _only_users(program)
     taken: Counter[str] = Counter()
     for step in reversed(steps):  # so that what needs a step has its name first
-        if step.name not in names and (user := users.get(step.name)):
-            if user.component == step.component and user.name in names:
-                names[step.name] = names[user.name].partition(".")[0] + "."
+        user = users.get(step.name)
+        if step.name not in names and user and user.component == step.component \
+                and user.name in names:
+            names[step.name] = names[user.name].partition(".")[0] + "."
         names.setdefault(step.name, f"{parts[step.name].stem}.")
     for step in steps:
         if names[step.name].endswith("."):

@@ -179,7 +179,8 @@ def _read(kind, value, where: str):
         if not isinstance(value, list) or others != [...] and len(value) != 1 + len(others):
             raise ValueError(f"{where}: wanted a list; got {value!r}")
         each = [first] * len(value) if others == [...] else [first, *others]
-        return tuple(_read(k, x, f"{where}[{i}]") for i, (k, x) in enumerate(zip(each, value)))
+        return tuple(_read(k, x, f"{where}[{i}]")
+                     for i, (k, x) in enumerate(zip(each, value, strict=True)))
     wanted = (int, float) if kind is float else kind
     if not isinstance(value, wanted) or isinstance(value, bool) and kind is not bool:
         raise ValueError(f"{where}: wanted {kind.__name__}; got {value!r}")

@@ -5,6 +5,10 @@ Rotations are nine entries, row by row, as in `Placement`.
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import mpmath
 
 DIGITS = 50
 

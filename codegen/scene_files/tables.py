@@ -141,7 +141,7 @@ class Table:
             self.refuse(key, f"{shown(twice)} occurs twice")
         return texts
 
-    def as_number(self, key: str, value: object) -> Fraction:
+    def as_number(self, key: str, value: object) -> Fraction:  # noqa: RET503  refuse() raises
         """A value as an exact number; texts are formulas without t, such as "pi/2", not "2"."""
         try:
             if isinstance(value, Decimals):

@@ -117,7 +117,7 @@ def _on_named(reading: EffectTable, plain: Mapping[str, object]) -> Iterator[App
     table, several = reading.table, reading.several
     by_target = {key: table.table(key) for key, value in plain.items()
                  if isinstance(value, dict) and key != several}
-    for key, of_each in by_target.items():
+    for of_each in by_target.values():
         for name in of_each.values:
             reading.target(of_each, name, name)
     chosen, named = _chosen(reading, plain.get(several), by_target)

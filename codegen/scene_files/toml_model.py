@@ -52,10 +52,7 @@ def _body(name: str, table: Table, massless: list[str] | None) -> Body:
         if table.values:
             table.missing("mass", "the mass in kg")
         return Body(name)
-    if massless is None:
-        mass = table.positive("mass", Fraction(0))
-    else:
-        mass = table.nonnegative("mass")
+    mass = table.positive("mass", Fraction(0)) if massless is None else table.nonnegative("mass")
     inertia = Inertia(mass, table.numbers("com", (3,), _ZERO), _moments(table))
     if mass or any(inertia.moments):
         return Body(name, inertia)

@@ -117,7 +117,7 @@ def run(options: argparse.Namespace) -> int:
             print(f"coscrew: {note}", file=sys.stderr)
     recordings = [x.recording for x in outcomes]
     if options.output:
-        for path, recording in zip(_outputs(options.output), recordings):
+        for path, recording in zip(_outputs(options.output), recordings, strict=False):
             write.write(recording, path)
     if options.plot:
         from coscrew_codegen.simulate import plot  # imports Matplotlib

@@ -35,7 +35,7 @@ def plot(recordings: Sequence[Recording], path: Path) -> None:
 
 
 def _lines(axes: Axes, recordings: Sequence[Recording], columns: Sequence[Column]) -> None:
-    for recording, dash in zip(recordings, _DASHES):
+    for recording, dash in zip(recordings, _DASHES, strict=False):
         for i, column in enumerate(columns):
             values = np.ma.masked_invalid(recording.of(column.name))
             first = recording is recordings[0]

@@ -12,7 +12,7 @@ def provenance(system: System, plan: Plan, trajectory: Trajectory, compiled: str
     """(what, its value), as files carry them; `compiled` is the compiler and its flags."""
     how = (f"rtol {plan.rtol:g}, atol {plan.atol:g}" if plan.adaptive else _steps(plan))
     parameters = ", ".join(f"{name} = {value:g}" for (name, _), value in
-                           zip(system.functions.parameters, system.p))
+                           zip(system.functions.parameters, system.p, strict=True))
     told = (("scene", system.scene.name), ("scene sha256", content_hash(system.scene)),
             ("precision", system.precision.name), ("tier", PLAIN.name),
             ("integrator", f"{plan.integrator}, {how}"), ("compiler", compiled),

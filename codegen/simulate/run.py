@@ -8,6 +8,7 @@ are sampled through their interpolants; at the end they stop exactly.
 import time
 from collections.abc import Callable, Iterator
 from functools import partial
+from itertools import pairwise
 
 import numpy as np
 
@@ -41,13 +42,14 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
     if lacking := system.lacking(q, v):
         raise SimulateError(f"the start is not finite: {lacking}")
     try:
-        for q, v, steps, stopped in run(system, plan, times, q, v, watch):
+        for reached, velocity, steps, stopped in run(  # noqa: B007  steps are told at the end
+                system, plan, times, q, v, watch):
             if stopped:
                 break
             at = float(times[len(sampled)])
-            sampled.append((q, v))
+            sampled.append((reached, velocity))
             if watch:
-                watch(at, q, v)
+                watch(at, reached, velocity)
     except KeyboardInterrupt:
         stopped, interrupted = f"interrupted after t = {at:.9g} s", True
     seconds = time.perf_counter() - began
@@ -72,7 +74,7 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
     kept = system.kept(q, v) if integrator.keeps_momentum else None
     at_once = _KEPT if kept else _AT_ONCE
     with np.errstate(all="ignore"):
-        for start, end in zip(times, times[1:]):
+        for start, end in pairwise(times):
             count, h = plan.steps(end - start)
             before = q, v
             for i in range(0, count, at_once):

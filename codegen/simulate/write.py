@@ -64,7 +64,7 @@ def as_csv(recording: Recording, path: Path) -> None:
             file.write(f"# {what}: {' '.join(value.split())}\n")
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(("t [s]", *(f"{c.name} [{c.unit}]" for c in recording.columns)))
-        for t, row in zip(recording.t.tolist(), recording.values):
+        for t, row in zip(recording.t.tolist(), recording.values, strict=True):
             writer.writerow((t, *map(str, row)))  # shortest in the precision they are of
 
 
@@ -90,7 +90,7 @@ def as_parquet(recording: Recording, path: Path) -> None:
     told = json.dumps(dict(recording.provenance), ensure_ascii=False)
     schema = pyarrow.schema(
         [pyarrow.field(name, array.type, metadata={"unit": unit})
-         for (name, unit, _), array in zip(columns, arrays)], {"coscrew": told})
+         for (name, unit, _), array in zip(columns, arrays, strict=True)], {"coscrew": told})
     pyarrow.parquet.write_table(pyarrow.table(arrays, schema=schema), path)
 
 

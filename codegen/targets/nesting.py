@@ -1,8 +1,7 @@
-"""The nesting printer: a Program's instructions as assignments, those used once inside what uses
-them.
+"""The nesting printer: writes a Program as assignments; instructions used once are nested.
 
-For languages that round every operation once whatever stands around it, or that are told to;
-parentheses keep the Program's order.  Takes time in proportion to the Program's length.
+For languages that round every operation of an expression once; parentheses keep the Program's
+order.  Takes time proportional to the Program's length.
 """
 
 import re
@@ -23,13 +22,13 @@ from coscrew_codegen.program import (
 )
 
 CHOICE, COMPARISON, SUM, PRODUCT, SIGN, CALL = range(6)
-"""How tightly operations bind; the last: calls of functions, names."""
+"""Precedences; the last: of function calls and names."""
 
 
 @dataclass(frozen=True)
 class Language:
-    """How a language spells an instruction, a pattern and how tightly it binds; a constant; what is
-    not a number."""
+    """How a language writes an instruction, a pattern and its precedence; a constant; NaN; a
+    comment."""
 
     spelling: Callable[[Instruction], tuple[str, int]]
     constant: Callable[[Constant], str]
@@ -39,7 +38,7 @@ class Language:
 
 @dataclass(frozen=True)
 class Assignment:
-    """What a step that is not nested is: the step, and its expression."""
+    """An instruction that is not nested, and its expression."""
 
     step: Instruction
     expression: str
@@ -47,9 +46,10 @@ class Assignment:
 
 @dataclass
 class Nesting:
-    """The texts of a Program.  `access` writes how an input is read; `named` holds the instructions
-    that are assigned whether or not they are used once; `name = expression` is at most `width`
-    wide, the longest operands have names of their own before it is wider."""
+    """The text of a Program.
+
+    `access` returns the expression that reads an input; `named` says which instructions are
+    assigned even if they are used once; `name = expression` is at most `width` wide."""
 
     program: Program
     language: Language
@@ -57,11 +57,10 @@ class Nesting:
     width: int
     headings: Mapping[int, str] = field(default_factory=dict)
     named: Callable[[Instruction], bool] = lambda step: False
-    result_width: int = 0  # up to which a result need not be a name
 
     def __post_init__(self) -> None:
         self.assigned: list[Assignment | str] = []  # and headings
-        self._waiting: dict[str, tuple[Instruction, str, int]] = {}  # name → expression, binding
+        self._waiting: dict[str, tuple[Instruction, str, int]] = {}  # name → expression, precedence
         self._uses = Counter(x.name for x in self._operands() if isinstance(x, Ref))
         for number, step in enumerate(self.program.instructions):
             if number in self.headings:
@@ -81,25 +80,25 @@ class Nesting:
         yield from self.program.results
 
     def _take(self, step: Instruction) -> None:
-        """Keep the step's expression if it is used once, else assign it; operands nest while the
-        line is short enough, the longest get lines of their own first."""
+        """Keep the instruction's expression for its only use, or assign it.  Operands are nested
+        while the line is short enough; the longest are assigned first."""
         inner = [x.name for x in step.operands
                  if isinstance(x, Ref) and x.name in self._waiting]
-        expression, binding = self._expression(step)
+        expression, precedence = self._expression(step)
         while inner and len(step.name) + len(" = ") + len(expression) > self.width:
             longest = max(inner, key=lambda name: len(self._waiting[name][1]))
             inner.remove(longest)
             self._assign(*self._waiting.pop(longest)[:2])
-            expression, binding = self._expression(step)
+            expression, precedence = self._expression(step)
         for name in inner:
             del self._waiting[name]
         if self._uses[step.name] == 1 and not self.named(step):
-            self._waiting[step.name] = step, expression, binding
+            self._waiting[step.name] = step, expression, precedence
         else:
             self._assign(step, expression)
 
     def _heading(self, words: str) -> None:
-        """A comment, in place of one that nothing stands under."""
+        """A comment; it replaces one with nothing below it."""
         if self.assigned and isinstance(self.assigned[-1], str):
             self.assigned.pop()
         self.assigned.append(words)
@@ -109,20 +108,17 @@ class Nesting:
 
     def _result(self, operand: Operand) -> str:
         if isinstance(operand, Ref) and operand.name in self._waiting:
-            step, text, _ = self._waiting.pop(operand.name)
-            if len(text) <= self.result_width:
-                return text
-            self._assign(step, text)
+            self._assign(*self._waiting.pop(operand.name)[:2])
         return self._operand(operand, CHOICE)
 
     def _expression(self, step: Instruction) -> tuple[str, int]:
-        spelling, binding = self.language.spelling(step)
+        spelling, precedence = self.language.spelling(step)
         operands = [self._operand(x, n)
-                    for x, n in zip(step.operands, _needed(step, binding), strict=False)]
-        return spelling.format(*operands), binding
+                    for x, n in zip(step.operands, _needed(step, precedence), strict=False)]
+        return spelling.format(*operands), precedence
 
     def _operand(self, operand: Operand, needed: int) -> str:
-        """The operand's text, in parentheses where it binds less tightly than needed."""
+        """The operand's text, in parentheses if its precedence is below `needed`."""
         if isinstance(operand, Input):
             return self.access(operand)
         if isinstance(operand, Constant):
@@ -132,42 +128,43 @@ class Nesting:
             return self.language.not_a_number
         if operand.name not in self._waiting:
             return operand.name
-        _, text, binding = self._waiting[operand.name]
-        return text if binding >= needed else f"({text})"
+        _, text, precedence = self._waiting[operand.name]
+        return text if precedence >= needed else f"({text})"
 
 
-def _needed(step: Instruction, binding: int) -> Sequence[int]:
-    """How tightly the operands of a step must bind that binds so tightly itself."""
+def _needed(step: Instruction, precedence: int) -> Sequence[int]:
+    """The precedence that each operand of an instruction of this precedence needs."""
     if step.op is Op.MUL:
         return PRODUCT, PRODUCT + 1  # also within a call
-    if binding == CALL:
+    if precedence == CALL:
         return [CHOICE] * 4
     if step.op is Op.SELECT:
         return [COMPARISON] * 3
-    return [binding + 1] if step.op is Op.NEG else [binding, binding + 1]
+    return [precedence + 1] if step.op is Op.NEG else [precedence, precedence + 1]
 
 
 @dataclass(frozen=True)
 class Plan:
-    """A Program in which the steps that are assigned are known, and numbered without gaps."""
+    """Which instructions of a Program are assigned; those without names of their own are numbered
+    without gaps."""
 
     program: Program
     assigned: frozenset[str]
 
     def printed(self, language: Language, access: Callable[[Input], str],
                 headings: Mapping[int, str]) -> Nesting:
-        """Its texts: expressions are as long as they are."""
+        """Its text in a language, expressions of any length."""
         return Nesting(self.program, language, access, 1 << 30, headings,
                        lambda step: step.name in self.assigned)
 
 
-_NUMBERED = re.compile(r"(.+)_([0-9]+)")  # a step towards something, which has no name of its own
+_NUMBERED = re.compile(r"(.+)_([0-9]+)")  # an instruction without a name of its own
 
 
 def planned(program: Program, language: Language, access: Callable[[Input], str], width: int,
             named: Collection[str] = ()) -> Plan:
-    """The plan by which values with names and `named` ones are assigned, and steps that are used
-    several times; assignments are at most `width` wide in this language."""
+    """A plan that assigns what has a name of its own, is `named` or is used several times, and
+    keeps assignments at most `width` wide in this language."""
     found = Nesting(program, language, access, width, named=lambda step: (
         step.name in named or not _NUMBERED.fullmatch(step.name)))
     assigned = [x.step.name for x in found.assigned if isinstance(x, Assignment)]
@@ -176,8 +173,8 @@ def planned(program: Program, language: Language, access: Callable[[Input], str]
 
 
 def _numbered(program: Program, assigned: Sequence[str]) -> dict[str, str]:
-    """Names of all steps: numbers without gaps of those that are assigned, then of the others; none
-    of a result to which nothing else is a step."""
+    """New names by old: assigned instructions are numbered first, then the others; a result that
+    is the only one of its stem loses its number."""
     steps = [step.name for step in program.instructions]
     arguments = [a.name for a in (*program.inputs, *program.outputs)]
     taken = {*steps, *arguments, *(f"{x}o" for x in arguments)}
@@ -196,8 +193,8 @@ def _numbered(program: Program, assigned: Sequence[str]) -> dict[str, str]:
 
 
 def wrapped(text: str, width: int, indent: int) -> Iterator[str]:
-    """Rows of the text, the first at most `width` wide, the others, which will be indented, less:
-    broken where the fewest parentheses are open, as late as that allows."""
+    """Rows of the text: the first at most `width` wide, the others `indent` less.  Breaks outermost
+    operators first, as late as possible."""
     while len(text) > width:
         depth, best, least = 0, -1, len(text)
         for place, letter in enumerate(text[:width]):

@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -43,7 +44,7 @@ def test_output_that_cannot_be_written_is_told_in_a_line():
 
 def test_other_files_that_fail_are_named(monkeypatch, capsys):
     def fail(words: list[str]) -> int:
-        open("/nowhere/at/all")
+        Path("/nowhere/at/all").read_text()
         return 0
 
     monkeypatch.setattr("coscrew_codegen.__main__._run", fail)

@@ -3,6 +3,7 @@
 import math
 import subprocess
 from dataclasses import replace
+from itertools import pairwise
 from xml.etree import ElementTree
 
 import mpmath as mp
@@ -191,7 +192,7 @@ def test_errors_of_runs_have_the_integrators_order(costs, integrator, order):
     found = [(x.step, x.error) for x in costs.points
              if (x.integrator, x.precision) == (integrator, "double") and x.error > 1e-11]
     assert len(found) >= 2
-    slopes = [math.log(a[1] / b[1]) / math.log(a[0] / b[0]) for a, b in zip(found, found[1:])]
+    slopes = [math.log(a[1] / b[1]) / math.log(a[0] / b[0]) for a, b in pairwise(found)]
     assert slopes[-1] == pytest.approx(order, abs=0.2)
 
 

@@ -48,7 +48,7 @@ def columns(recording: Recording, stem: str, count: int) -> np.ndarray:
 
 def truth(recording: Recording) -> tuple[np.ndarray, np.ndarray]:
     states = [texts.pendulum(t) for t in recording.t]
-    return tuple(np.array([float(x) for x in column]) for column in zip(*states))
+    return tuple(np.array([float(x) for x in column]) for column in zip(*states, strict=True))
 
 
 @pytest.mark.parametrize("number, error", ((0, 1e-9), (1, 1e-4)))
@@ -126,7 +126,8 @@ def read_back(path: Path) -> tuple[list[str], np.ndarray, np.ndarray, dict[str, 
         return rows[0], numbers[:, 0], numbers[:, 1:], told
     if path.suffix == ".npz":
         with np.load(path, allow_pickle=False) as data:
-            names = [f"{x} [{unit}]" for x, unit in zip(data["columns"], data["units"])]
+            names = [f"{x} [{unit}]"
+                     for x, unit in zip(data["columns"], data["units"], strict=True)]
             return ["t [s]", *names], data["t"], data["values"], dict(data["provenance"].tolist())
     table = pyarrow.parquet.read_table(path)
     names = [f"{x.name} [{x.metadata[b'unit'].decode()}]" for x in table.schema]

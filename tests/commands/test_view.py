@@ -268,7 +268,8 @@ def test_the_energies_have_ticks(shown):
     for y, value in zip(levels, said, strict=True):
         assert y == pytest.approx(150 - 140 * (value - low) / (high - low), abs=1.5)
     scale = box["height"] / 160  # labels stand on their lines
-    for y, label in zip(levels, shown.find_elements(By.CSS_SELECTOR, "#energy-labels span")):
+    labels = shown.find_elements(By.CSS_SELECTOR, "#energy-labels span")
+    for y, label in zip(levels, labels, strict=True):
         below = label.rect["y"] + label.rect["height"]
         assert 0 <= box["y"] + y * scale - below < 6
     for label in shown.find_elements(By.CSS_SELECTOR, "#time-labels span"):

@@ -70,7 +70,8 @@ def test_float32_stays_float32_and_everything_else_becomes_float64(operation, na
 
     def result(*dtypes):
         arguments = inputs(operation, (4,))
-        return {r.dtype for r in tuple_of(call(*(a.astype(d) for a, d in zip(arguments, dtypes))))}
+        return {r.dtype for r in tuple_of(call(*(
+            a.astype(d) for a, d in zip(arguments, dtypes, strict=True))))}
 
     count = len(operation.inputs)
     assert result(*[np.float32] * count) == {np.dtype(np.float32)}

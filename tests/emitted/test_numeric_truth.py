@@ -169,7 +169,7 @@ def singular_at(k: int, M: np.ndarray) -> np.ndarray:
     found = M.copy()
     found[:k + 1, k + 1:] = found[k + 1:, :k + 1] = 0
     rest = [[Fraction(x) for x in row[:k + 1]] for row in found[:k + 1].tolist()]
-    for i in range(k):
+    for _ in range(k):
         rest = [[x - row[0] * y / rest[0][0] for x, y in zip(row[1:], rest[0][1:], strict=True)]
                 for row in rest[1:]]
     found[k, k] = float(Fraction(float(found[k, k])) - rest[0][0])

@@ -98,7 +98,8 @@ def test_formulas_shown_are_what_kernels_compute(operation):
     formulas = shown(operation)
     assert len(formulas) == len(operation.outputs)
     for formula, wanted in zip(formulas, results, strict=True):
-        found = [evaluated(x, values) for x in entries(re.split(r"=|\\leftarrow", formula, 1)[1])]
+        right = re.split(r"=|\\leftarrow", formula, maxsplit=1)[1]
+        found = [evaluated(x, values) for x in entries(right)]
         assert np.allclose(found, np.ravel(wanted), rtol=1e-13, atol=1e-13)
 
 

@@ -1,5 +1,3 @@
-from coscrew_codegen.targets import scene_c
-
 """The text of all emitted C rounds once a statement, so that compilers find nothing to fuse.
 
 Outside KSL_MUL there is no product of two numbers that could round; and between commas and
@@ -12,6 +10,7 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
+from coscrew_codegen.targets import scene_c
 from tests.support.compiled.c_harness import C_FOLDER
 from tests.support.scenes import scene_bits
 from tests.support.scenes.generated_scenes import BANNER, CASES

@@ -162,7 +162,7 @@ def _made(operation: Operation) -> str:
         kind = _kind(operation, a)
         made = (_of_angles(operation) if kind == "aaa" else
                 _MADE["mat3x3" if (a.quantity.name, kind) == ("mat3x3", "t") else kind])
-        lines.append("  { const double *p = all + %d; REAL *x = to + %d; %s }" % (p, x, made))
+        lines.append(f"  {{ const double *p = all + {p}; REAL *x = to + {x}; {made} }}")
         p, x = p + sum(_PARAMETERS[k] for k in kind), x + a.quantity.size
     return "\n".join(["static void made(const double *all, REAL *to) {", *lines, "}"])
 

@@ -93,8 +93,10 @@ def save(cases: Iterable[Case], folder: Path = FOLDER) -> None:
     """Write all files anew, each in one step, sorted as the table of operations is; cases that
     have the same inputs are kept once."""
     order = {op.name: number for number, op in enumerate(OPERATIONS)}
-    unique = {(c.operation.name, c.precision.name, c.inputs): c for c in reversed(tuple(cases))}
-    ordered = sorted(reversed(unique.values()),
+    unique: dict[tuple[object, ...], Case] = {}
+    for case in cases:
+        unique.setdefault((case.operation.name, case.precision.name, case.inputs), case)
+    ordered = sorted(unique.values(),
                      key=lambda c: (order[c.operation.name], -c.precision.bytes))
     for family in FAMILIES:
         lines = [case.line for case in ordered if case.operation.family == family]

@@ -183,7 +183,8 @@ def test_program_prints_sine_and_cosine_within_1_ulp(
         precision: Precision, printed: dict[tuple[str, str], list[str]]):
     number = np.dtype(precision.numpy_type).type
     with mpmath.workdps(50):
-        for text, truth in zip(printed[precision.name, "dc"], (mpmath.sin(0.5), mpmath.cos(0.5))):
+        truths = mpmath.sin(0.5), mpmath.cos(0.5)
+        for text, truth in zip(printed[precision.name, "dc"], truths, strict=True):
             assert abs(float.fromhex(text) - truth) <= float(np.spacing(number(truth))), text
 
 

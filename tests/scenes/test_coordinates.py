@@ -35,7 +35,8 @@ def test_rates_of_displacements_are_right_to_third_order(kind: Kind) -> None:
         u = f("chart_rate", v=v, phi=phi)
         here = f("integrated", q=q, phi=phi)
         ends = [[(b - a) / (2 * t) for a, b in zip(*(of(s) for s in (-t, t)), strict=True)]
-                for of in (lambda s: f("integrated", q=q, phi=[x + s * y for x, y in zip(phi, u)]),
+                for of in (lambda s: f("integrated", q=q, phi=[
+                               x + s * y for x, y in zip(phi, u, strict=True)]),
                            lambda s: f("integrated", q=here, phi=[s * y for y in v]))]
         return mpmath.norm([a - b for a, b in zip(*ends, strict=True)])
 

@@ -78,7 +78,8 @@ def test_a_payload_is_set_at_run_time(tmp_path, capsys):
         assert main(["simulate", str(FOLDER / "arm6.toml"), "--precision", "double", "--set",
                      f"payload.mass={mass}", "--output", str(path)]) == 0
         lines = [x for x in path.read_text().splitlines() if not x.startswith("#")]
-        angles[mass] = float(dict(zip(*csv.reader((lines[0], lines[-1]))))["q.elbow [rad]"])
+        last = dict(zip(*csv.reader((lines[0], lines[-1])), strict=True))
+        angles[mass] = float(last["q.elbow [rad]"])
     assert angles["0.5"] < angles["1.5"] < angles["4"]  # y points left: down is up
 
 

@@ -1,4 +1,4 @@
-"""Nested text says what its Program does: the same values, every product that a sum sees rounded."""
+"""Nested text computes what its Program says, every product that a sum sees rounded."""
 
 import random
 import re
@@ -43,8 +43,9 @@ def drawn(seed: int, steps: int = 300) -> Program:
     pool: list[Operand] = [Input(0, i) for i in range(5)]
     for n in range(steps):
         op = draw.choice(list(ARITHMETIC))
-        operands = [Constant(Fraction(draw.choice((-3, 2, 5, 7))), Fraction(1)) if draw.random() < .1
-                    else draw.choice(pool[-12:]) for _ in range(ARITHMETIC[op])]
+        number = Constant(Fraction(draw.choice((-3, 2, 5, 7))), Fraction(1))
+        operands = [number if draw.random() < .1 else draw.choice(pool[-12:])
+                    for _ in range(ARITHMETIC[op])]
         pool.append(w.do(f"value_{n}" if draw.random() < .9 else f"named{n}", op, *operands))
     return w.function("f", "numbers", (argument("y", 4),), pool[-4:]).program
 

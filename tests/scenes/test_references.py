@@ -126,11 +126,13 @@ def test_the_reference_bodies_obey_eulers_equations(case):
     """I ω' = I ω × ω, R' = R ω~, R(0) = 1, by differences of 60 digits."""
     mp.dps = 60
     body, h = rigid_body.solution(*case), mpf(10)**-15
-    assert all(abs(x - mpf(y)) < mpf(10)**-28 for x, y in zip(body.omega(mpf(0)), case[1]))
+    assert all(abs(x - mpf(y)) < mpf(10)**-28 for x, y in zip(body.omega(mpf(0)), case[1],
+                                                               strict=True))
     assert mp.norm(rigid_body.attitude(body, mpf(0)) - mp.eye(3)) < mpf(10)**-28
     for t in (mpf("0.3"), mpf("4")):
         w, I = body.omega(t), body.I
-        rate = [(x - y) / (2 * h) for x, y in zip(body.omega(t + h), body.omega(t - h))]
+        rate = [(x - y) / (2 * h)
+                for x, y in zip(body.omega(t + h), body.omega(t - h), strict=True)]
         for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
             assert abs(I[i] * rate[i] - (I[j] - I[k]) * w[j] * w[k]) < mpf(10)**-25 * max(I)
         R = rigid_body.attitude(body, t)
@@ -147,12 +149,14 @@ def test_the_reference_top_keeps_energy_momentum_and_spin():
     start = [mpf(x) for x in heavy_top.START]
     for t in heavy_top.TIMES:
         w, q = [known[f"v.j0.{i}", t] for i in range(3)], [known[f"q.j0.{i}", t] for i in range(4)]
-        energy = sum(i * x**2 for i, x in zip(J, w)) / 2 + weight * known["n.2", t]
-        assert abs(energy - sum(i * x**2 for i, x in zip(J, start)) / 2) < mpf(10)**-22
+        energy = sum(i * x**2 for i, x in zip(J, w, strict=True)) / 2 + weight * known["n.2", t]
+        begun = sum(i * x**2 for i, x in zip(J, start, strict=True)) / 2
+        assert abs(energy - begun) < mpf(10)**-22
         x, y, z, s = q
         up = [2 * (x * z - s * y), 2 * (y * z + s * x),
               s**2 - x**2 - y**2 + z**2]  # e_z in the body
-        assert abs(sum(i * x * n for i, x, n in zip(J, w, up)) - J[2] * start[2]) < mpf(10)**-24
+        about = sum(i * x * n for i, x, n in zip(J, w, up, strict=True))
+        assert abs(about - J[2] * start[2]) < mpf(10)**-24
         assert abs(w[1] - 150) < mpf(10)**-26
 
 
@@ -200,7 +204,7 @@ def test_free_bodies_keep_energy_and_angular_momentum(name, precision):
     moments, start = rigid_body.NUT if name == "wingnut" else rigid_body.TOP
     I, w = [Fraction(x) for x in moments], [Fraction(x) for x in start]
     speed = Fraction(rigid_body.NUT_VELOCITY) if name == "wingnut" else 0
-    energy = sum(i * x**2 for i, x in zip(I, w)) / 2 + Fraction("0.05") * speed**2 / 2
+    energy = sum(i * x**2 for i, x in zip(I, w, strict=True)) / 2 + Fraction("0.05") * speed**2 / 2
     wanted = [Figure("energy", t, repr(float(energy))) for t in rigid_body.TIMES]
     wanted += [Figure(f"momentum.{3 + i}", t, repr(float(I[i] * w[i])))
                for t in rigid_body.TIMES for i in range(3)]

@@ -119,7 +119,8 @@ def test_axes_are_normalised_and_snapped():
     assert rotations.unit((F("6e-17"), F(0), F("0.9999"))) == (0, 0, 1)
     assert rotations.unit((F(10)**-300, F(0), F(0))) == (1, 0, 0)
     axis = rotations.unit((F(1), F(2), F(2)))
-    assert all(abs(x - y) < F(1, 10**49) for x, y in zip(axis, (F(1, 3), F(2, 3), F(2, 3))))
+    assert all(abs(x - y) < F(1, 10**49)
+               for x, y in zip(axis, (F(1, 3), F(2, 3), F(2, 3)), strict=True))
     with pytest.raises(ValueError, match="zero"):
         rotations.unit((F(0),) * 3)
     with pytest.raises(ValueError, match="zero"):

@@ -163,7 +163,7 @@ def test_slider_is_right_in_rationals(scenes):
         wanted = ((TAU[0] + push - rub[0]) / M, (TAU[1] - 50 * Q[1] - rub[1]) / 2)
         terms = ((abs(TAU[0]) + abs(push) + abs(rub[0])) / M,
                  (abs(TAU[1]) + abs(50 * Q[1]) + abs(rub[1])) / 2)
-        for x, truth, size in zip(found, wanted, terms):
+        for x, truth, size in zip(found, wanted, terms, strict=True):
             assert abs(Fraction(float(x)) - truth) <= 7 * Fraction(1, 2**53) * size
 
 

@@ -81,7 +81,7 @@ def test_results_go_where_out_says(kernels: Kernels, precision: Precision, lead)
         for layout in (np.ascontiguousarray, np.asfortranarray, spread, swapped,
                        lambda x: x.astype(np.longdouble)):
             outs = tuple(layout(np.full(np.shape(x), 7, np.result_type(x))) for x in wanted)
-            outs = tuple(x.reshape(np.shape(y)) for x, y in zip(outs, wanted))
+            outs = tuple(x.reshape(np.shape(y)) for x, y in zip(outs, wanted, strict=True))
             found = tuple_of(function(*arguments, out=given_to(outs)))
             assert all(x is y for x, y in zip(found, outs, strict=True)), described.name
             assert same_bits(tuple(x.astype(precision.numpy_type) for x in outs),
@@ -99,7 +99,7 @@ def test_out_may_overlap_inputs(kernels: Kernels, precision: Precision, lead):
     for described, function, arguments in every(kernels, precision, lead):
         wanted = tuple_of(function(*arguments))
         names = [x for x, _ in described.inputs]
-        for number, (result, shape) in enumerate(described.outputs):
+        for number, (_, shape) in enumerate(described.outputs):
             for place, (name, taken) in enumerate(described.inputs):
                 if taken != shape or not shape:
                     continue

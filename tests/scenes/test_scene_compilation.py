@@ -143,8 +143,8 @@ def _calls(case, function: Signature, precision: Precision) -> str:
         return "  {\n" + "\n".join(f"    {line}" for line in (
             *lines, *(f"free({x});" for x, shape in function.inputs if shape))) + "\n  }"
     found = []
-    for into, (x, shape) in enumerate(function.inputs):
-        for output, (o, made) in enumerate(function.outputs):
+    for into, (_, shape) in enumerate(function.inputs):
+        for output in range(len(function.outputs)):
             if shape:
                 found += [_overlap(name, function, into, output, shift) for shift in (-1, 0, 1)]
     return "\n".join(found)

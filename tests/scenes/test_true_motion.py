@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
+from itertools import pairwise
 
 import mpmath
 import numpy as np
@@ -157,7 +158,7 @@ def test_a_tumbling_nut_turns_as_jacobis_functions_say():
                         Plan(times[-1], times[-1], NEW, h, 1, 1, tuple(times[:-1])))
         errors.append(max(abs(run.v[np.argmin(np.abs(run.t - at)), i] - value)
                           for at, i, value in wanted))
-    assert all(a / b > 3.8 for a, b in zip(errors, errors[1:])) and errors[-1] < 2e-3
+    assert all(a / b > 3.8 for a, b in pairwise(errors)) and errors[-1] < 2e-3
 
 
 def test_a_spring_turns_in_phase_space_and_keeps_its_energy():
@@ -230,7 +231,7 @@ def test_errors_are_of_second_order(name):
     its = load_scene(smooth()[name])
     right = ran(its, 0.8, integrator="radau").q[-1]
     errors = [np.max(np.abs(ran(its, 0.8, h).q[-1] - right)) for h in (2e-3, 1e-3, 5e-4)]
-    assert [math.log2(a / b) for a, b in zip(errors, errors[1:])] == pytest.approx([2, 2], abs=0.35)
+    assert [math.log2(a / b) for a, b in pairwise(errors)] == pytest.approx([2, 2], abs=0.35)
     assert errors[1] < 1e-3
 
 
