@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.program import Input, Operand, Program, by_component
 from coscrew_codegen.targets.c_nested import declarations, language
-from coscrew_codegen.targets.c_statements import WIDTH, Statements, comment_of
+from coscrew_codegen.targets.c_statements import WIDTH, Statements, broken, comment_of
 from coscrew_codegen.targets.nesting import Plan
 
 
@@ -68,7 +68,7 @@ class Body:
         working = DOUBLE if self.program.wide else self.precision
         statements = Statements(self.program, working, self.stored.access)
         texts = (statements.declared(steps, WIDTH - 2) for steps in by_component(self.program))
-        return ((text for text in texts if text),
+        return ((broken(text, WIDTH - 2) for text in texts if text),
                 [self._result(statements, x) for x in self.program.results])
 
     def _nested(self, plan: Plan) -> tuple[Iterator[str], list[str]]:

@@ -167,7 +167,8 @@ def planned(program: Program, language: Language, access: Callable[[Input], str]
     keeps assignments at most `width` wide in this language."""
     found = Nesting(program, language, access, width, named=lambda step: (
         step.name in named or not _NUMBERED.fullmatch(step.name)))
-    assigned = [x.step.name for x in found.assigned if isinstance(x, Assignment)]
+    chosen = {x.step.name for x in found.assigned if isinstance(x, Assignment)}
+    assigned = [step.name for step in program.instructions if step.name in chosen]
     names = _numbered(program, assigned)
     return Plan(renamed(program, names), frozenset(names[x] for x in assigned))
 
