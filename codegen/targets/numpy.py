@@ -4,10 +4,11 @@ NumPy rounds every operation once and never contracts, so that expressions can b
 """
 
 import textwrap
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.library import FamilyKernels, Kernels, Library
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import (
     Constant,
@@ -30,6 +31,7 @@ from coscrew_codegen.targets.nesting import (
     Language,
     Nesting,
 )
+from coscrew_codegen.tiers import TIERS, Tier
 
 # operation → (pattern, precedence)
 SPELLING = {
@@ -66,6 +68,29 @@ def function(operation: Operation, program: Program, precision: Precision) -> Py
 
 
 @dataclass(frozen=True)
+class Twins:
+    """A family's kernels in a tier and a precision; docstrings by their names."""
+
+    functions: tuple[PythonFunction, ...]
+    docstrings: Mapping[str, str]
+    imports: tuple[tuple[str, str], ...]  # module, names
+    wide: bool
+
+
+def twins(kernels: FamilyKernels) -> Mapping[tuple[str, str], Twins]:
+    """A family's kernels, by tier and precision, of those tiers that Python has."""
+    return {(tier.name, precision.name): _twins(kernels.of(tier, precision), precision)
+            for tier in TIERS if tier.in_python for precision in kernels.precisions}
+
+
+def _twins(kernels: Kernels, precision: Precision) -> Twins:
+    return Twins(tuple(function(op, program, precision) for op, program in kernels.items()),
+                 {op.name: docstring_of(op, program) for op, program in kernels.items()},
+                 imports(tuple(kernels.values()), precision),
+                 any(program.wide for program in kernels.values()))
+
+
+@dataclass(frozen=True)
 class Stub:
     """The typed signature of one operation, for .pyi files."""
 
@@ -76,13 +101,13 @@ class Stub:
     docstring: str
 
 
-def stub(operation: Operation, program: Program, scalar: str) -> Stub:
+def stub(operation: Operation, docstring: str, scalar: str) -> Stub:
     """The operation's typed signature, its results arrays of `scalar` (np.float64, …)."""
     arguments = ", ".join(f"{a.name}: ArrayLike" for a in operation.inputs)
     array, count = f"NDArray[{scalar}]", len(operation.outputs)
     result = array if count == 1 else f"tuple[{', '.join([array] * count)}]"
     out = array if count == 1 else f"tuple[{', '.join([f'{array} | None'] * count)}]"
-    return Stub(operation.name, arguments, out, result, _indented(docstring_of(operation, program)))
+    return Stub(operation.name, arguments, out, result, _indented(docstring))
 
 
 def docstring_of(operation: Operation, program: Program) -> str:
@@ -97,14 +122,14 @@ def docstring_of(operation: Operation, program: Program) -> str:
                      for row in textwrap.wrap(paragraph, WIDTH - 8) or [""])
 
 
-def imports(programs: tuple[Program, ...], precision: Precision) -> list[tuple[str, str]]:
+def imports(programs: tuple[Program, ...], precision: Precision) -> tuple[tuple[str, str], ...]:
     """(module, names) of the functions these programs call."""
     called: set[Op | str] = {op for program in programs for op in program.counts}
     called |= {kind for program in programs for kind in _types(program, precision)}
     found = [("numpy", NUMPY_NAMES | {kind: kind for kind in ("float32", "float64", "nan")}),
              ("coscrew._exact", _EXACT)]
-    return [(module, ", ".join(sorted(names[op] for op in called & set(names))))
-            for module, names in found if called & set(names)]
+    return tuple((module, ", ".join(sorted(names[op] for op in called & set(names))))
+                 for module, names in found if called & set(names))
 
 
 def _types(program: Program, precision: Precision) -> set[str]:
@@ -113,6 +138,12 @@ def _types(program: Program, precision: Precision) -> set[str]:
     choices = [step for step in program.instructions if step.op is Op.SELECT]
     return ({working.numpy_type for step in choices if _is_choice_of_constants(step)}
             | {"nan" for step in choices if NotANumber() in step.operands})
+
+
+def docstrings(library: Library, tier: Tier, precision: Precision) -> Mapping[str, str]:
+    """The docstrings of a tier's kernels, by name."""
+    return {name: text for made in library.made(twins).values()
+            for name, text in made[tier.name, precision.name].docstrings.items()}
 
 
 def _indented(docstring: str) -> str:
