@@ -20,7 +20,7 @@ class Input(NamedTuple):
     """Component `index` (row by row) of the input number `argument`."""
 
     argument: int
-    index: int
+    index: int  # type: ignore[assignment]  # of the component: nobody asks a tuple's index()
 
 
 @dataclass(frozen=True)
@@ -52,6 +52,11 @@ class NotANumber:
 
 
 Operand = Input | Constant | NotANumber | Ref
+
+
+def name_of(x: Operand) -> str:
+    """The name of the instruction whose result it is; empty for what no instruction computes."""
+    return x.name if isinstance(x, Ref) else ""
 
 
 @dataclass(frozen=True)
