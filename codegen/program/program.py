@@ -117,6 +117,16 @@ def without_dead_steps(program: Program) -> Program:
     return replace(program, instructions=tuple(reversed(kept)))
 
 
+def renamed(program: Program, names: Mapping[str, str]) -> Program:
+    """The program with other names of its instructions."""
+    def other(x: Operand) -> Operand:
+        return Ref(names[x.name]) if isinstance(x, Ref) else x
+
+    steps = tuple(replace(step, name=names[step.name], operands=tuple(map(other, step.operands)))
+                  for step in program.instructions)
+    return replace(program, instructions=steps, results=tuple(map(other, program.results)))
+
+
 def by_component(program: Program) -> Iterator[tuple[Instruction, ...]]:
     """Consecutive instructions of the same component, as groups: one line of text each."""
     for _, steps in groupby(program.instructions, key=lambda step: step.component):
