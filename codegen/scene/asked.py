@@ -100,7 +100,8 @@ def asked_for(scene: Scene) -> tuple[str, ...]:
 def resolved(scene: Scene, asked: Sequence[str]) -> set[str]:
     """The functions that these words select: names, DEFAULT, ALL; without words, DEFAULT.  Raises
     AskedError with the nearest name for an unknown word."""
-    known, found = names(scene), set()
+    known = names(scene)
+    found: set[str] = set()
     for word in asked or (DEFAULT,):
         if word in (DEFAULT, ALL):
             found.update(by_default(scene) if word == DEFAULT else known)

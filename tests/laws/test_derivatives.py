@@ -18,13 +18,14 @@ from mpmath import mpf
 
 from coscrew_codegen.exact import is_polynomial
 from coscrew_codegen.formats import DOUBLE
-from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Input, Instruction, Op, Program, Ref, differentiate
 from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.programs import program_of
 from coscrew_codegen.recording.differentiate import adjoint, tangent
 from coscrew_codegen.recording.recorder import array
 from coscrew_codegen.report.inputs import benign
+from tests.support.each import each_operation
 from tests.support.scenes.evaluation import MULTIPRECISE as FIFTY
 from tests.support.scenes.evaluation import Numbers, evaluator, rational
 
@@ -87,7 +88,7 @@ def close(a: object, b: object, numbers: Numbers) -> bool:
     return abs(a - b) <= CLOSE * (1 + abs(b))
 
 
-@pytest.mark.parametrize("operation", OPERATIONS, ids=lambda x: x.name)
+@each_operation
 def test_tangents_are_slopes(operation: Operation) -> None:
     program, numbers = program_of(operation), numbers_of(operation)
     f, along = evaluator(program, numbers), evaluator(tangent(program), numbers)
@@ -100,7 +101,7 @@ def test_tangents_are_slopes(operation: Operation) -> None:
             assert close(numbers.number(found[count + k]), wanted, numbers), (operation.name, k)
 
 
-@pytest.mark.parametrize("operation", OPERATIONS, ids=lambda x: x.name)
+@each_operation
 def test_adjoints_are_transposed_tangents(operation: Operation) -> None:
     """w·(J d) = (J^T w)·d, in at most MOST times the operations."""
     program, numbers = program_of(operation), numbers_of(operation)
