@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from tabulate import tabulate
 
-from coscrew_codegen.operations import family_title
+from coscrew_codegen.operations import family_named
 from coscrew_codegen.render import render
 from coscrew_codegen.report.overview import (
     first_layout,
@@ -28,7 +28,7 @@ def markdown(report: Report, figures: tuple[str, ...]) -> str:
     """The text of report.md; `figures` are the SVG files beside it."""
     layout = first_layout(report)
     names = dict.fromkeys(entry.family for entry in report.entries)
-    families = [{"name": name, "title": family_title(name),
+    families = [{"name": name, "title": family_named(name).title,
                  "table": _kernels([e for e in report.entries if e.family == name], layout)}
                 for name in names]
     return render("report/report.md", report=report, sentences=sentences(report), layout=layout,
@@ -38,7 +38,7 @@ def markdown(report: Report, figures: tuple[str, ...]) -> str:
 
 
 def _captioned(name: str) -> tuple[str, str]:
-    """A figure's file, and what it shows."""
+    """A figure's file and its caption."""
     kind, _, operation = name.removesuffix(".svg").partition("-")
     return name, {"headline": "What accuracy costs: time per element against worst error",
                   "pareto": f"Time against worst error of {operation}",
@@ -83,5 +83,5 @@ def _table(rows: Iterable[tuple[str | int, ...]], columns: tuple[str, ...]) -> s
 
 
 def _escaped(text: str) -> str:
-    """Text that Markdown shows as it is, on one line."""
+    """The text on one line, escaped for Markdown."""
     return re.sub(r"([\\`*_\[\]|~])", r"\\\1", html.escape(" ".join(text.split()), quote=False))
