@@ -8,22 +8,22 @@ Each stage is a function from one frozen value to the next; imports run one way,
     kernel, passes     Operation → let-bound SymPy, simplified
     schedule           Kernel → Program: the order of evaluation; programs: all the way
     recording/         arithmetic on Numbers → Program
-    program/           Programs: what is proved of them, how they fold; no SymPy
-    tiers/             Program → Program, more accurate, faster, or with its bound
-    library            what targets are given: every operation as every tier has it
+    program/           Programs: error bounds, constant folding, evaluation; no SymPy
+    tiers/             Program → Program: more accurate, faster, or with an error bound
+    library            what targets receive: every operation's Program in every tier
     formats            double and single precision
-    targets/           given Programs, its files: a Target each, found like effects
-    layout, emit       the files of all targets, gathered, and written or compared
-    command_line       the commands; __main__ is how they end
+    targets/           Programs → files: one Target per module, found like effects
+    layout, emit       gathers the files of all targets; writes or compares them
+    command_line       the commands; __main__ turns their end into an exit status
 
-Scenes take the operations' Programs from there on:
+Scenes build on the operations' Programs:
 
     scene_files/       TOML, URDF → Scene: a model and the effects it calls for
-    scene/             what a scene is: model, effects with their values, run; its checks
-    mechanics/         Scene → Programs of its functions, the operations' Programs replayed
-    effects/           one Effect each: what fills slots of the mechanics
-    scene_functions    what targets see of a scene
-    simulate/, cost/   compile, run, record, check; what effects and accuracy cost
+    scene/             what a scene is: model, effects and their parameters, run; its checks
+    mechanics/         Scene → Programs of its functions, by calling the operations' Programs
+    effects/           one Effect per module: the forces and inertias that act in a scene
+    scene_functions    what targets receive of a scene
+    simulate/, cost/   compile, run, record, check; the cost of effects and of accuracy
 """
 
 from typing import TYPE_CHECKING
@@ -40,7 +40,7 @@ def __dir__() -> list[str]:
 
 
 def __getattr__(name: str) -> object:
-    """`load_scene` is imported when it is used: to import this package costs nothing."""
+    """Import `load_scene` on first use, so that importing this package stays fast."""
     if name == "__version__":
         from coscrew_codegen.version import VERSION
         return VERSION

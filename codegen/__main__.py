@@ -1,7 +1,7 @@
 """`coscrew`, and `python -m coscrew_codegen`: how every command begins and ends.
 
-Imports what it runs only while it can tell an interrupt, since that takes most of a second; and
-only where all packages are there that the command needs."""
+The command is imported inside the block that catches an interrupt, since importing takes most of a
+second, and only after the packages that it needs have been found."""
 
 import os
 import sys
@@ -12,12 +12,12 @@ from coscrew_codegen.console import any_encoding
 from coscrew_codegen.extras import COMMANDS, lacking
 
 INTERRUPTED, CLOSED = 130, 141
-"""What shells say of programs that SIGINT and SIGPIPE end."""
+"""Exit statuses of programs ended by SIGINT and SIGPIPE, as shells report them."""
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line; returns the exit status: the command's, or 2 for an error, 130 for an
-    interrupt, 141 where who reads standard output stops doing so, as `head` does."""
+    interrupt, 141 if the reader of standard output closes it early, as `head` does."""
     words = sys.argv[1:] if arguments is None else arguments
     any_encoding(sys.stdout)
     any_encoding(sys.stderr)
@@ -40,8 +40,8 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _give_up_output() -> None:
-    """Or else Python writes the rest when it ends."""
-    with suppress(UnsupportedOperation):  # what stands in for standard output may be no file
+    """Redirect standard output to null: Python would try to write the rest when it exits."""
+    with suppress(UnsupportedOperation):  # standard output may have been replaced by no real file
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 

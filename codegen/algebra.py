@@ -99,8 +99,8 @@ def shifted(t: sp.Matrix) -> sp.Matrix:
 def inverse_operator(operator: Callable[[sp.Matrix], sp.Matrix], D: sp.Matrix) -> sp.Matrix:
     """operator(D)^-1 = operator(R^T) operator(-t), since operator(D) = operator(t) operator(R).
 
-    For [Ad] it is [[R^T, -R^T t~], [0, R^T]], for [Ad]* [[R^T, 0], [-R^T t~, R^T]]; what eq. (4)
-    and `product_CoAdinvc` of the page Coscrews print is not the inverse."""
+    For [Ad] it is [[R^T, -R^T t~], [0, R^T]], for [Ad]* [[R^T, 0], [-R^T t~, R^T]]; the matrices
+    printed in eq. (4) and `product_CoAdinvc` of the page Coscrews are not the inverses."""
     return operator(turned(rotation(D).T)) * operator(shifted(-translation(D)))
 
 
@@ -119,9 +119,9 @@ def left_derivative(operator: Callable[[sp.Matrix], sp.Matrix], s: sp.Matrix) ->
     """d/dτ operator(D(τ)) · operator(D)^-1 for the displacement D(τ) that moves with the screw s.
 
     D moves with s = (v; ω) when R' = ω~ R and t' = v + ω × t (v is the velocity of the body-fixed
-    point now at the origin). R is the rotation of a quaternion q, whose rate is q' = ½ (ω; 0) q; so
-    every entry of operator(D) is a polynomial N over n = |q|², of operator(D)^-1 K over n, and
-    (N' n - N n') K / n³ divides out: D no longer appears.
+    point now at the origin).  R is the rotation of a quaternion q, whose rate is q' = ½ (ω; 0) q.
+    Every entry of operator(D) is then a polynomial N over n = |q|², and every entry of
+    operator(D)^-1 a polynomial K over n.  (N' n - N n') K is divisible by n³, and D cancels.
     """
     v, w = lin(s), ang(s)
     q = sp.symbols("q_x q_y q_z q_w")
@@ -161,12 +161,12 @@ def _derivative_operator(operator: Callable[[sp.Matrix], sp.Matrix]) -> sp.Immut
 
 
 def ad(s: sp.Matrix) -> sp.Matrix:
-    """[ad](s) = [Ad]' [Ad]^-1, derived; comes out as [[ω~, v~], [0, ω~]].  (6) -> (6,6)."""
+    """[ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]], derived.  (6) -> (6,6)."""
     return _of_screw(_derivative_operator(Ad), s)
 
 
 def coad(s: sp.Matrix) -> sp.Matrix:
-    """[ad]*(s) = [Ad]*' [Ad]*^-1, derived; comes out as [[ω~, 0], [v~, ω~]].  (6) -> (6,6)."""
+    """[ad]*(s) = [Ad]*' [Ad]*^-1 = [[ω~, 0], [v~, ω~]], derived.  (6) -> (6,6)."""
     return _of_screw(_derivative_operator(CoAd), s)
 
 

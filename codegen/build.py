@@ -1,7 +1,7 @@
-"""What is installed, as it stands in the folders, and the flags the extension's promises need.
+"""Packages and extension modules for setuptools, and the compiler flags the extension needs.
 
-Runs inside setuptools, where neither SymPy nor this package is installed: it looks at what the
-generator has written, and lists nothing."""
+Runs while building, when neither SymPy nor this package is installed: it finds packages and sources
+in the folders that the generator has written."""
 
 import os
 from collections.abc import Iterable
@@ -12,26 +12,27 @@ from setuptools.command.build_ext import build_ext
 
 ROOTS = {"coscrew": "generated/python", "coscrew.c": "generated/c", "coscrew_codegen": "codegen",
          "coscrew_codegen.templates": "templates"}
-"""The folders that packages begin in; others lie below their parents'."""
+"""Root packages and their folders; subpackages lie in folders below."""
 _GUFUNC = "generated/gufunc"
 
 
 def packages(root: Path) -> list[str]:
-    """Every package: a root, and each folder below one that holds an __init__.py."""
+    """Every package: the roots, and each folder below them with an __init__.py."""
     found = {".".join((name, *init.parent.relative_to(root / folder).parts))
              for name, folder in ROOTS.items() for init in (root / folder).rglob("__init__.py")}
     return sorted(found)
 
 
 def extensions(root: Path) -> list[Extension]:
-    """An extension module for each folder of loops: coscrew._gufunc of plain kernels, and of each
-    tier coscrew.TIER._gufunc."""
+    """One extension module per folder of loops: coscrew._gufunc for plain kernels, and
+    coscrew.TIER._gufunc for each other tier."""
     return [_extension(root, module.parent) for module in sorted(
         (root / _GUFUNC).rglob("module.c"), key=lambda path: (len(path.parts), path))]
 
 
 def _extension(root: Path, folder: Path) -> Extension:
-    """Its sources include the headers beside them, and their kernels' in one file."""
+    """The extension module of a folder; its sources include the headers beside them and the tier's
+    header of all kernels."""
     tier = folder.relative_to(root / _GUFUNC).parts
     headers = [*folder.glob("*.h"), root / f"generated/c/{'_'.join(('coscrew', *tier))}.h"]
     return Extension(".".join(("coscrew", *tier, "_gufunc")), _relative(root, folder.glob("*.c")),
@@ -43,7 +44,7 @@ def _relative(root: Path, paths: Iterable[Path]) -> list[str]:
 
 
 class BuildExt(build_ext):
-    """Adds NumPy's headers, and flags that keep every operation's own rounding."""
+    """Adds NumPy's headers, and flags under which every operation is rounded on its own."""
 
     def build_extensions(self) -> None:
         import numpy

@@ -1,6 +1,6 @@
-"""The command line: `coscrew generate`, `simulate`, …: options, and what they call.
+"""The command line `coscrew generate`, `coscrew simulate`, …: parses options, runs the command.
 
-Only the command that is called is imported."""
+Only the command that runs is imported."""
 
 import argparse
 import sys
@@ -17,11 +17,11 @@ COMMANDS = {
     "schema": "coscrew_codegen.documentation.schema",
     "report": "coscrew_codegen.report.command",
     "cache": "coscrew_codegen.native.cache_command"}
-"""The module of each: it adds its options, and runs."""
+"""The module of each command, which adds its options and runs it."""
 
 
 def run(arguments: list[str] | None) -> int:
-    """Run the command line; returns the exit status: 0, or 1 out of date, 2 for an error."""
+    """Run the command line; returns the exit status: the command's, or 2 for an error."""
     words = sys.argv[1:] if arguments is None else arguments
     options = _parser(words[0] if words else "").parse_args(words)
     try:
@@ -32,7 +32,7 @@ def run(arguments: list[str] | None) -> int:
 
 
 def _parser(command: str = "") -> argparse.ArgumentParser:
-    """Of one command; of all where the word is none."""
+    """The parser of one command; of all commands if `command` is not one."""
     parser = argparse.ArgumentParser(
         prog="coscrew", description="Derives spatial algebra and emits C and Python kernels.")
     if command not in COMMANDS:

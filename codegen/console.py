@@ -1,4 +1,4 @@
-"""Text for terminals and pipes of any encoding: what theirs cannot say is written another way."""
+"""Output to terminals and pipes of any encoding: characters they lack are spelled in ASCII."""
 
 import codecs
 import sys
@@ -14,14 +14,14 @@ _SPELLED = {"·": "*", "×": "x", "−": "-", "–": "-", "—": "-", "…": "..
             "ε": "epsilon", "θ": "theta", "λ": "lambda", "μ": "mu", "µ": "u", "π": "pi",
             "ρ": "rho", "σ": "sigma", "τ": "tau", "φ": "phi", "ω": "omega", "Δ": "Delta",
             "Σ": "Sigma", "Ω": "Ohm"}
-"""Characters that messages and tables hold, in ASCII."""
+"""ASCII spellings of the characters used in messages and tables."""
 
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-")
 
 
 def any_encoding(stream: TextIO | None) -> None:
-    """Make writing to the stream never fail for a character: what its encoding lacks is spelled in
-    ASCII, as x^2 for x², or written as ?."""
+    """Make the stream accept every character: those that its encoding lacks are spelled in ASCII
+    (x^2 for x²) or replaced by ?."""
     if hasattr(stream, "reconfigure"):
         codecs.register_error("coscrew", _spelled)
         stream.reconfigure(errors="coscrew")
@@ -34,7 +34,7 @@ def _spelled(error: UnicodeError) -> tuple[str, int]:
 
 
 def _ascii(character: str) -> str:
-    """ASCII characters for one: ^2 for ², e for é; ? where there are none."""
+    """A character in ASCII: ^2 for ², e for é; ? if there is no spelling."""
     if character in _SPELLED:
         return _SPELLED[character]
     raised = character.translate(_SUPERSCRIPTS)
@@ -46,8 +46,9 @@ def _ascii(character: str) -> str:
 
 @contextmanager
 def doing(what: str) -> Iterator[Callable[[str], None]]:
-    """Says on standard error what goes on, "deriving …", while it does, if that is a terminal: a
-    line that is gone afterwards.  Gives what says something else instead."""
+    """While the block runs, show a line such as "deriving …" on standard error if it is a terminal.
+
+    Yields a function that changes the line; the line is erased at the end."""
     told = sys.stderr is not None and sys.stderr.isatty()
 
     def tell(words: str) -> None:

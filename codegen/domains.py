@@ -1,7 +1,7 @@
-"""Draws inputs from the domains of arguments: what the report, searches and tests measure on.
+"""Draws inputs from the domains of arguments, for the report, searches and tests.
 
-`ordinary` gives numbers about 1; `hard` what makes a domain hard, as functions of free parameters:
-whatever a search does to parameters, the inputs stay in the domain, rounded once.
+`ordinary` draws numbers about 1.  `hard` draws difficult inputs as functions of free parameters:
+whatever a search does to the parameters, the inputs stay in the domain, rounded once.
 """
 
 import functools
@@ -37,32 +37,32 @@ Rows = np.ndarray  # (n, columns)
 Generator = np.random.Generator
 Ordinary = Callable[[Generator, np.ndarray, int], Rows]
 PI = np.longdouble("3.14159265358979323846264338327950288")
-LEAST_TURN = 1e-30  # below it 60 digits do not tell a rotation's axis; it becomes zero
+LEAST_TURN = 1e-30  # below it 60 digits do not determine a rotation's axis; it becomes zero
 
 
 def ordinary(argument: Argument) -> Ordinary | None:
-    """What draws so many components for each of these angles; None where any numbers will do, or
-    numbers about 1 are in the domain."""
+    """The function that draws `size` components for each of some angles; None if normally
+    distributed numbers are in the domain."""
     if argument.domain == BODY:
         return _inertias if argument.quantity.name == "inertia" else _spatial_inertias
     return _ORDINARY.get(argument.domain)
 
 
 def holds_less(argument: Argument) -> bool:
-    """Whether what is drawn may be made smaller by any factor."""
+    """Whether values of the domain, scaled down by any factor, stay in it."""
     return argument.domain == HALF_TURN or ordinary(argument) is None
 
 
 @dataclass(frozen=True)
 class Free:
-    """Draws rows of parameters for a dtype; turns parameters into rows of input components."""
+    """Draws rows of free parameters for a dtype, and turns them into rows of input components."""
 
     draw: Callable[[Generator, int, np.dtype], Rows]
     inputs: Callable[[Rows], Rows]
 
 
 def hard(argument: Argument) -> Free:
-    """What draws from the argument's domain; any numbers where nothing makes the domain hard."""
+    """Difficult inputs of the argument's domain; any numbers if the domain has none."""
     if argument.domain in _OF_SCREWS and argument.quantity.name == "screw":
         return _OF_SCREWS[argument.domain]
     return _HARD.get(argument.domain) or anything(argument.quantity.size)
@@ -70,10 +70,10 @@ def hard(argument: Argument) -> Free:
 
 @functools.cache
 def anything(size: int) -> Free:
-    """Any numbers, so many."""
+    """Rows of `size` numbers without restriction."""
 
     def draw(rng: Generator, n: int, dtype: np.dtype) -> Rows:
-        """Ordinary; of sizes around one, which differ; of all sizes."""
+        """A third each: about 1; within 2^±60 of each other and not far from 1; of any size."""
         x = rng.standard_normal((n, size))
         reach = np.where(np.arange(n) % 3, np.where(np.arange(n) % 3 == 1, 30, 0),
                          np.finfo(dtype).maxexp - 20)[:, None]
@@ -89,13 +89,13 @@ def anything(size: int) -> Free:
 
 
 def _unit_vectors(numbers: Generator, angles: np.ndarray, size: int) -> np.ndarray:
-    """Of length 1."""
+    """Vectors of length 1."""
     axes = numbers.normal(size=(len(angles), size))
     return axes / np.linalg.norm(axes, axis=1, keepdims=True)
 
 
 def _rotations(numbers: Generator, angles: np.ndarray, _: int) -> np.ndarray:
-    """R = I + sin θ k~ + (1 - cos θ) k~², about random axes; row by row."""
+    """R = I + sin θ k~ + (1 - cos θ) k~² about random axes k, row by row."""
     x, y, z = _unit_vectors(numbers, angles, 3).T
     zero = np.zeros_like(x)
     k = np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)
@@ -110,7 +110,7 @@ def _displacements(numbers: Generator, angles: np.ndarray, _: int) -> np.ndarray
 
 
 def _quaternions(numbers: Generator, angles: np.ndarray, _: int) -> np.ndarray:
-    """(k sin θ/2; cos θ/2), about random axes."""
+    """(k sin θ/2; cos θ/2) about random axes k."""
     half = angles[:, None] / 2
     return np.hstack([np.sin(half) * _unit_vectors(numbers, angles, 3), np.cos(half)])
 
@@ -127,7 +127,8 @@ def _positive_definite(numbers: Generator, angles: np.ndarray, size: int) -> np.
 
 
 def _inertias(numbers: Generator, angles: np.ndarray, size: int) -> np.ndarray:
-    """Of the same bodies, moments about the centre of mass: I - (h·h 1 - h h^T) / m."""
+    """The bodies of `_spatial_inertias`, moments about the centre of mass: I - (h·h 1 - h h^T) / m.
+    """
     B = _spatial_inertias(numbers, angles, size)
     h = B[:, 1:4] / np.sqrt(B[:, :1])
     x, y, z = h.T
@@ -136,7 +137,7 @@ def _inertias(numbers: Generator, angles: np.ndarray, size: int) -> np.ndarray:
 
 
 def _spatial_inertias(numbers: Generator, angles: np.ndarray, _: int) -> np.ndarray:
-    """Σ m (1, r, r·r 1 - r r^T) of a few points: of bodies that can be."""
+    """Σ m (1, r, r·r 1 - r r^T) of six point masses, so that the body can exist."""
     shape = (len(angles), 6)
     m, (x, y, z) = 0.1 + numbers.random(shape), numbers.normal(size=(3, *shape))
     return np.stack([np.sum(m * part, axis=1) for part in (
@@ -144,19 +145,19 @@ def _spatial_inertias(numbers: Generator, angles: np.ndarray, _: int) -> np.ndar
 
 
 def _half_turns(numbers: Generator, angles: np.ndarray, size: int) -> np.ndarray:
-    """Normally distributed; what turns by more than π, by π."""
+    """Normally distributed; rotation vectors longer than π are shortened to π."""
     x = numbers.normal(size=(len(angles), size))
     x[:, -3:] = _within_pi(x[:, -3:])
     return x
 
 
 def _fractions(numbers: Generator, angles: np.ndarray, size: int) -> np.ndarray:
-    """Of the way from one to another."""
+    """Numbers in [0, 1)."""
     return numbers.random((len(angles), size))
 
 
 def _factors(numbers: Generator, angles: np.ndarray, size: int) -> np.ndarray:
-    """L + D - 1: ones and a lower triangle, and in place of the ones pivots about 1."""
+    """L + D - 1, row by row: a unit lower triangle L with pivots D about 1 on its diagonal."""
     n = math.isqrt(size)
     lower = np.tril(numbers.normal(size=(len(angles), n, n)), -1)
     pivots = np.exp2(numbers.normal(size=(len(angles), n, 1)))
@@ -175,11 +176,11 @@ _ORDINARY: dict[Domain, Ordinary] = {
     LDL_FACTOR: _factors}
 
 
-# Directions and angles, with what makes them hard.
+# Difficult directions and angles.
 
 
 def directions(rng: Generator, n: int) -> Rows:
-    """Unit vectors: a third anywhere, a third near a plane or an axis, a third in one."""
+    """Unit vectors: a third anywhere, a third near a coordinate plane or axis, a third in one."""
     x = rng.standard_normal((n, 3))
     near = np.exp2(-rng.uniform(0, 60, x.shape) * (rng.random(x.shape) < 0.6))
     inside = rng.random(x.shape) < 0.6
@@ -190,7 +191,7 @@ def directions(rng: Generator, n: int) -> Rows:
 
 
 def angles(rng: Generator, n: int) -> np.ndarray:
-    """Anywhere from 0 to π; tiny; just below π; around π/2 and around 2, where series end."""
+    """Angles from 0 to π; tiny ones; just below π; around π/4, π/2 and 2, where series end."""
     tiny, below = np.exp(rng.uniform(np.log(1e-30), 0, n)), np.exp2(rng.uniform(-56, 0, n))
     around = rng.choice([2.0, np.pi / 2, np.pi / 4], n) + below * rng.choice((-1, 1), n)
     kinds = np.array([rng.uniform(0, np.pi, n), tiny, np.pi - below, around])
@@ -202,7 +203,7 @@ def _turns(rng: Generator, n: int, dtype: np.dtype) -> Rows:
 
 
 def _large_turns(rng: Generator, n: int, dtype: np.dtype) -> Rows:
-    """A third beyond π, to 1e5, half of them next to a multiple of π/2."""
+    """Rotation vectors: a third from π to 5e4 long, half of those next to a multiple of π/2."""
     far = np.exp(rng.uniform(np.log(np.pi), np.log(5e4), n))
     near = np.rint(far / (np.pi / 2)) * (np.pi / 2) + np.exp2(-rng.uniform(0, 40, n))
     large = np.where(rng.random(n) < 0.5, far, near)
@@ -234,7 +235,7 @@ def _normalized(x: Rows) -> Rows:
 
 
 def _some_multiple(p: Rows) -> Rows:
-    """Of a unit quaternion, by 2^-20 to 2^20; the last parameter says which."""
+    """A unit quaternion times 2^p, -20 <= p <= 20 the last parameter."""
     return _normalized(p[:, :4]) * np.exp2(np.clip(p[:, 4:], -20, 20))
 
 

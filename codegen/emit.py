@@ -19,7 +19,7 @@ class EmitError(Told, OSError):
 
 
 def read(folder: Path, path: str) -> str | None:
-    """The text on disk, or None if there is none to read."""
+    """The text on disk, or None if it cannot be read."""
     try:
         return (folder / path).read_bytes().decode("utf-8", errors="replace")
     except OSError:
@@ -43,7 +43,7 @@ def differences(files: Files, folder: Path, stale: tuple[str, ...] = ()) -> list
 
 
 def stale_files(files: Files, folder: Path) -> tuple[str, ...]:
-    """Files that an earlier generator made and this one does not, in the folders it writes to."""
+    """Files that an earlier run made and this one does not, in the folders that it writes to."""
     owned = sorted({Path(path).parts[0] for path in files})
     endings = {Path(path).suffix for path in files}
     found = (p for name in owned for p in (folder / name).rglob("*")
@@ -54,7 +54,7 @@ def stale_files(files: Files, folder: Path) -> tuple[str, ...]:
 
 
 def refuse_others(files: Files, folder: Path) -> None:
-    """Raise EmitError if one of the files is there already and no generator made it."""
+    """Raise EmitError if one of the files exists already and was not generated."""
     for path in sorted(files):
         if (text := read(folder, path)) and MARK not in text[:200]:
             raise EmitError(f"{folder / path} is there already, and not made by coscrew generate; "

@@ -1,5 +1,5 @@
-"""Errors that the command line tells in one line: what came, and what was wanted."""
+"""Errors that the command line prints as one line: what came, and what was wanted."""
 
 
 class Told(Exception):
-    """An error of input, of files or of the machine; no defect of the program."""
+    """An error in the input, in files or of the machine: not a defect of the program."""

@@ -1,4 +1,4 @@
-"""What an operation's formula is on given inputs, exactly, and how far results are from it.
+"""The exact value of an operation's formula on given inputs, and the errors of results.
 
 Polynomial formulas are evaluated in rationals, all others in DIGITS decimal digits.  Knows formulas
 and formats; nothing of programs, tiers or languages.
@@ -24,17 +24,17 @@ CONDITION = {"double": mpq(9 * 10**14), "single": mpq(16 * 10**6)}
 DIGITS = 120
 
 _LEAST = {x.name: 2 * mpq(x.eta.numerator, x.eta.denominator)
-          for x in PRECISIONS}  # the subnormals' spacing
+          for x in PRECISIONS}  # spacing of subnormal numbers
 
 
 @dataclass(frozen=True)
 class Truth:
-    """The results of many rows of inputs, (rows, components), as pairs: x = near + rest · unit.
+    """The exact results x for many rows of inputs, (rows, components), as x = near + rest · unit.
 
-    `near` is x as the nearest double, `unit` what errors are counted in, `rest` what is missing, so
-    that differences are exact to a few 2^-53 of themselves.  Where the formula divides by zero,
-    `near` is NaN.  `terms` is S, the sum of the absolute values of the polynomial's terms; NaN
-    where the formula is no polynomial.  Where `overflows`, numbers on the way may be too large."""
+    `near` is the double nearest to x, `unit` the unit that errors are counted in, `rest` the
+    remainder: differences from x have a relative error of a few 2^-53.  Where the formula divides
+    by zero, `near` is NaN.  `terms` is S, the sum of the absolute values of the polynomial's terms;
+    NaN if the formula is not a polynomial.  `overflows`: intermediate results may overflow."""
 
     near: np.ndarray
     rest: np.ndarray
@@ -43,8 +43,8 @@ class Truth:
     overflows: np.ndarray
 
     def errors(self, results: np.ndarray) -> np.ndarray:
-        """|results - x| in units; infinite for what is not finite, NaN where that may be so, or
-        where there is no x."""
+        """|results - x| in units; infinite where the result is not finite, but NaN where it may
+        overflow or x does not exist."""
         with np.errstate(all="ignore"):
             errors = np.abs((results.astype(float) - self.near) / self.unit - self.rest)
         lost = np.where(self.overflows | np.isnan(self.near), np.nan, np.inf)
@@ -82,7 +82,7 @@ def exact_functions(operation: Operation) -> tuple[tuple[Callable, Callable], ..
         return over_one_denominator(expanded), over_one_denominator(absolute)
 
     def over_one_denominator(polynomial: sp.Expr) -> Callable:
-        """Printed as it is, 1/2 would be a float, and what it multiplies would be rounded."""
+        """Integer coefficients over one denominator: 1/2 would print as a float and be rounded."""
         numerator, denominator = sp.fraction(sp.together(polynomial))
         function = sp.lambdify(symbols, sp.expand(numerator), "math")
         return lambda *values: function(*values) / int(denominator)
@@ -91,7 +91,7 @@ def exact_functions(operation: Operation) -> tuple[tuple[Callable, Callable], ..
 
 
 def ulp(truth: mpq, precision: Precision) -> mpq:
-    """The spacing of the numbers around `truth`, of the binade it lies in."""
+    """The unit in the last place: the spacing of numbers in the binade of `truth`."""
     if not truth:
         return _LEAST[precision.name]
     top, bottom = abs(truth.numerator), truth.denominator
@@ -102,7 +102,7 @@ def ulp(truth: mpq, precision: Precision) -> mpq:
 
 
 def truth(operation: Operation, precision: Precision, rows: np.ndarray) -> Truth:
-    """The exact results for rows that hold all input components of a call each."""
+    """The exact results; each row holds all input components of one call."""
     evaluate, units_of = _evaluator(operation, precision), _units(operation, precision)
     found = [_values(evaluate, row) for row in rows.tolist()]
     shape = (len(found), len(formula(operation)))
@@ -133,8 +133,10 @@ def _nearest(x: mpq) -> float:
 
 def _sizes(operation: Operation, precision: Precision, rows: np.ndarray,
            near: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """S, and whether anything may overflow: S of the inputs, or of 1 where they are smaller; of no
-    polynomial, the largest component, exactly so where each has its own error."""
+    """(S, whether anything may overflow).
+
+    The second follows from S of the inputs, raised to 1 where they are smaller.  A formula that is
+    not a polynomial may overflow only if its largest component does."""
     most = float(np.finfo(precision.numpy_type).max)
     if not is_polynomial(operation):
         largest = np.abs(near).max(axis=1, keepdims=True, initial=0)
@@ -154,7 +156,7 @@ def _symbols(operation: Operation) -> list[sp.Symbol]:
 
 def _evaluator(operation: Operation,
                precision: Precision) -> Callable[[Sequence[float]], list[mpq]]:
-    """The components for one row; of no polynomial, rounded to DIGITS digits."""
+    """The function from a row to its components; rounded to DIGITS digits unless polynomial."""
     if is_polynomial(operation):
         functions = [exact for exact, _ in exact_functions(operation)]
 
@@ -187,7 +189,7 @@ def _multiprecise(operation: Operation) -> Callable[..., Sequence[mpmath.mpf]]:
 
 def _units(operation: Operation,
            precision: Precision) -> Callable[[Sequence[mpq]], list[mpq]]:
-    """What errors are counted in: ulp; in normwise operations u times the part's largest |x|."""
+    """The units of errors: one ulp; for normwise operations u times the part's largest |x|."""
     if not operation.normwise:
         return lambda values: [ulp(x, precision) for x in values]
     parts = _parts(operation)
@@ -204,7 +206,8 @@ def _units(operation: Operation,
 
 
 def _parts(operation: Operation) -> list[tuple[str, str]]:
-    """What each component is measured with: the whole output where that is named, else the part."""
+    """For each component what its error is relative to: the whole output if a bound names it, else
+    its part."""
     named = {bound.part for bound in operation.normwise}
     return [(a.name, "" if a.name in named else a.quantity.parts[a.quantity.place(*at)[0]].name)
             for a in operation.outputs for at in a.quantity.indices]

@@ -1,4 +1,4 @@
-"""Which packages beside NumPy a command needs, and the extra that installs them."""
+"""The packages that a command needs besides NumPy, and the extra that installs them."""
 
 from importlib.util import find_spec
 
@@ -6,7 +6,7 @@ GENERATOR = ("sympy", "jinja2", "tqdm", "mpmath", "defusedxml")
 EXTRAS = {"codegen": GENERATOR,
           "simulate": (*GENERATOR, "scipy", "matplotlib", "tabulate"),
           "report": (*GENERATOR, "gmpy2", "matplotlib", "tabulate")}
-"""Modules by extra; pyarrow, of `simulate`, is needed for .parquet files only."""
+"""Modules by extra; `simulate` also installs pyarrow, which only .parquet files need."""
 
 COMMANDS = {"generate": "codegen", "effects": "codegen", "schema": "codegen",
             "simulate": "simulate", "check": "simulate", "cache": "simulate", "cost": "simulate",
@@ -15,8 +15,8 @@ COMMANDS = {"generate": "codegen", "effects": "codegen", "schema": "codegen",
 
 
 def lacking(what: str, extra: str) -> str | None:
-    """The sentence to say if packages of an extra are not installed: "simulate needs scipy; run
-    `pip install "coscrew[simulate]"`"; None if all are."""
+    """The message if packages of an extra are not installed, else None: "simulate needs scipy; run
+    `pip install "coscrew[simulate]"`"."""
     missing = [name for name in EXTRAS[extra] if not _installed(name)]
     if not missing:
         return None

@@ -1,4 +1,4 @@
-"""The two precisions, the only place that knows them: digits, limits, names in languages."""
+"""The two precisions: digits, limits, names in each language.  No other module knows these."""
 
 from collections.abc import Collection
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ class Format:
     """A binary floating-point format."""
 
     digits: int  # significant bits
-    least_exponent: int  # of the least normal number
+    least_exponent: int  # exponent of the least normal number
 
     @property
     def u(self) -> Fraction:
@@ -25,18 +25,18 @@ class Format:
 
     @property
     def eta(self) -> Fraction:
-        """Half the least subnormal number: what underflow loses, at most."""
+        """Half the least subnormal number: the largest error by underflow."""
         return self.smallest_normal * self.u
 
     @property
     def smallest_normal(self) -> Fraction:
-        """The least number with all digits."""
+        """The least positive number with all digits."""
         return Fraction(2)**self.least_exponent
 
     def rounded_up(self, x: Fraction) -> Fraction:
-        """The least number with this many digits, of any exponent, that is not below x >= 0."""
+        """x >= 0 rounded up to this many digits, with no limit to the exponent."""
         exponent = x.numerator.bit_length() - x.denominator.bit_length() - self.digits - 1
-        unit = Fraction(2)**exponent  # too small by 1 bit, or 2
+        unit = Fraction(2)**exponent  # too small by 1 or 2 bits
         while x / unit > 2**self.digits:
             unit *= 2
         return ceil(x / unit) * unit
@@ -44,31 +44,31 @@ class Format:
 
 @dataclass(frozen=True)
 class Precision(Format):
-    """A format that languages have, and what they call it."""
+    """A floating-point format and its names in each language."""
 
     name: str  # double, single
     c_type: str
-    suffix: str  # of C types, functions and literals
+    suffix: str  # "f" or "": ends the names of C types and functions, and C literals
     numpy_type: str
-    buffer_format: str  # as Python's buffer protocol writes it
+    buffer_format: str  # in Python's buffer protocol
     bytes: int
 
     def value(self, constant: Constant) -> Fraction:
-        """The constant's exact value in this precision, before rounding."""
+        """The constant's value for this precision, exact and not yet rounded."""
         return {"double": constant.double, "single": constant.single}[self.name]
 
     def limit(self, name: str) -> Fraction:
-        """A limit as NumPy calls it: max, smallest_normal, smallest_subnormal."""
+        """A limit by NumPy's name: max, smallest_normal, smallest_subnormal."""
         return Fraction(float(getattr(np.finfo(self.numpy_type), name)))
 
     def literal(self, constant: Constant) -> str:
         """The shortest decimal that rounds to the constant in this precision.
 
-        Raises ValueError for a constant that would become infinite or, not being it, zero."""
+        Raises ValueError for a constant that overflows, or a nonzero one that underflows to 0."""
         return _literal(self, self.value(constant))
 
     def rounded(self, value: Fraction) -> np.floating:
-        """The number of this precision nearest to `value`; of two, the even one."""
+        """`value` rounded to nearest, ties to even."""
         number = getattr(np, self.numpy_type)
         near = number(value.numerator / value.denominator)
         with np.errstate(over="ignore"):

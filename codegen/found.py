@@ -1,7 +1,7 @@
-"""What is found, not listed: a file put into a folder belongs to it, one taken away is gone.
+"""Finds effects, tiers, targets and integrators: adding or deleting a file adds or removes one.
 
-Effects, tiers, targets: each is a module that holds it under one name.  Modules of the folder that
-have no such name help the others."""
+Each is a module of its package and assigns the object to an agreed name, such as `EFFECT`.  Modules
+without that name are helpers of the others."""
 
 from collections.abc import Iterable
 from importlib import import_module
@@ -10,7 +10,7 @@ from typing import Protocol, TypeVar
 
 
 class Named(Protocol):
-    """What is found describes itself, by a name that nothing else in its folder has."""
+    """An object with a name that is unique in its package."""
 
     @property
     def name(self) -> str: ...
@@ -21,9 +21,9 @@ Found = TypeVar("Found", bound=Named)
 
 def found(package: str, path: Iterable[str], attribute: str, kind: type[Found]
           ) -> tuple[Found, ...]:
-    """What the modules of a package call `attribute`, by the modules' names.
+    """The objects called `attribute` in the modules of a package, in the order of module names.
 
-    Raises TypeError for what is of another kind, ValueError for two of one name."""
+    Raises TypeError for an object of another kind, ValueError for two of the same name."""
     owners: dict[str, str] = {}
     things: list[Found] = []
     for module in sorted(x.name for x in iter_modules(path)):

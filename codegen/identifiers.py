@@ -5,9 +5,9 @@ from collections.abc import Sequence
 
 
 def identifiers(names: Sequence[str]) -> tuple[str, ...]:
-    """One identifier a name, in order, all different: other characters become underscores.
+    """One identifier per name, in order, all different; other characters become underscores.
 
-    None is another with an f behind it, which in C stands for single precision."""
+    No identifier is another one followed by f: in C that suffix means single precision."""
     found: list[str] = []
     for name in names:
         stem = re.sub(r"_{2,}", "_", re.sub(r"[^A-Za-z0-9_]", "_", name)).strip("_") or "x"

@@ -1,7 +1,7 @@
 """What an integrator is: a name, an order, and its scheme as data.
 
-A scheme is a Tableau (explicit Runge–Kutta methods), a Composition of drifts and kicks, or Adaptive
-(SciPy's).  Knows no dynamics and no language: `mechanics/steps.py` makes steps of schemes.
+A scheme is a Tableau (explicit Runge–Kutta), a Composition of drifts and kicks, or Adaptive (a
+solver of SciPy).  Knows no dynamics and no language: `mechanics/steps.py` turns schemes into steps.
 """
 
 from collections.abc import Sequence
@@ -20,9 +20,9 @@ class Tableau:
 
     k_i = f(t + c_i h, y + h Σ_j a_ij k_j),   y' = y + h Σ_i b_i k_i,   c_i = Σ_j a_ij.
 
-    `a` has the rows of all stages but the first, which has none.  The state is y = (φ, v): φ moves
-    q by q ⊕ φ.  Raises ValueError for a tableau that is not explicit, or whose b does not add up
-    to 1."""
+    `a` has a row for every stage but the first.  The state is y = (φ, v), where the positions are
+    q ⊕ φ.  Raises ValueError for a tableau that is not explicit, or whose b does not add up to 1.
+    """
 
     a: tuple[Row, ...]
     b: Row
@@ -38,26 +38,26 @@ class Tableau:
 
     @cached_property
     def c(self) -> Row:
-        """When each stage is, in steps; the first at 0."""
+        """The time of each stage as a fraction of the step; 0 for the first."""
         return (Fraction(0), *(sum(row, Fraction(0)) for row in self.a))
 
 
 def tableau(*rows: str) -> Tableau:
-    """The Tableau of these rows of fractions, b last: tableau("1/2", "0 1") is the midpoint's."""
+    """A Tableau from rows of fractions, b last: tableau("1/2", "0 1") is the midpoint method."""
     *a, b = (tuple(map(Fraction, row.split())) for row in rows)
     return Tableau(tuple(a), b)
 
 
 @dataclass(frozen=True)
 class Drift:
-    """q = q ⊕ part h v, and time goes on by part h."""
+    """q = q ⊕ part h v, t = t + part h."""
 
     part: Fraction = ONE
 
 
 @dataclass(frozen=True)
 class Kick:
-    """v = v + part h a, where a comes from the function `by` of the scene; tau is 0."""
+    """v = v + part h a, with the acceleration a from the scene's function `by` at tau = 0."""
 
     by: str = "forward_dynamics"
     part: Fraction = ONE
@@ -65,14 +65,14 @@ class Kick:
 
 @dataclass(frozen=True)
 class Composition:
-    """Drifts and kicks, each from where the one before left t, q and v.
+    """Drifts and kicks in order, each from the t, q and v that the one before has reached.
 
     Raises ValueError unless both the drifts and the kicks add up to one step."""
 
     stages: tuple[Drift | Kick, ...]
-    splits: bool = False  # takes a step in which limits close in parts
-    keeps_momentum: bool = False  # of what floats free, but for gravity, to rounding
-    damps_bounces: bool = False  # what meets a stiff limit loses its speed
+    splits: bool = False  # a step in which a limit is hit is taken in several parts
+    keeps_momentum: bool = False  # of a floating base without gravity, except for rounding
+    damps_bounces: bool = False  # a joint that hits a stiff limit loses its speed
 
     def __post_init__(self) -> None:
         for kind in (Drift, Kick):
@@ -87,7 +87,7 @@ class Adaptive:
     """SciPy's solver of this name, which chooses its steps by tolerances."""
 
     solver: str
-    implicit: bool = False  # asks for the Jacobian of the rates
+    implicit: bool = False  # needs the Jacobian of the rates
 
 
 Scheme = Tableau | Composition | Adaptive
@@ -95,37 +95,37 @@ Scheme = Tableau | Composition | Adaptive
 
 @dataclass(frozen=True)
 class Integrator:
-    """One of them."""
+    """An integrator of scenes."""
 
-    name: str  # as scenes and commands call it
+    name: str  # in scenes and commands
     order: int
-    good_for: str  # and what not
+    good_for: str  # and what it is not good for
     scheme: Scheme
-    equation: str = ""  # of a step that is emitted
+    equation: str = ""  # of its step, if it is emitted
 
     @property
     def emitted(self) -> bool:
-        """Whether its steps are functions of a scene; else SciPy's."""
+        """Whether its step is emitted as a function of the scene; if not, SciPy takes the steps."""
         return not isinstance(self.scheme, Adaptive)
 
     @property
     def step_name(self) -> str:
-        """The step's function; "" of those that are not emitted."""
+        """The name of its step function; "" if that is not emitted."""
         return f"step_{self.name.replace('-', '_')}" if self.emitted else ""
 
     @property
     def splits(self) -> bool:
-        """Whether it takes steps in which limits close in parts."""
+        """Whether a step in which a limit is hit is taken in several parts."""
         return isinstance(self.scheme, Composition) and self.scheme.splits
 
     @property
     def keeps_momentum(self) -> bool:
-        """Whether it keeps the momentum of what floats free."""
+        """Whether it keeps the momentum of a floating base."""
         return isinstance(self.scheme, Composition) and self.scheme.keeps_momentum
 
     @property
     def damps_bounces(self) -> bool:
-        """Whether what meets a stiff limit loses its speed."""
+        """Whether a joint that hits a stiff limit loses its speed."""
         return isinstance(self.scheme, Composition) and self.scheme.damps_bounces
 
 

@@ -1,6 +1,6 @@
 """Kernel: an operation as named let-bound assignments with SymPy right-hand sides.
 
-Says what is computed through which intermediate results; knows nothing of rounding or text.
+Says which intermediate results lead to the outputs; knows nothing of rounding or text.
 """
 
 from dataclasses import dataclass

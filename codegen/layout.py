@@ -1,4 +1,4 @@
-"""Gathers the files that targets make, of the library or of a scene."""
+"""Gathers the files of all targets, for the library or for a scene."""
 
 from collections.abc import Iterable
 
@@ -23,15 +23,15 @@ def generated_files(selection: Selection, programs: Programs) -> Files:
 
 
 def scene_files(functions: SceneFunctions, command: str = "") -> Files:
-    """Every file of a scene, by its path in the output folder; `command` makes them, as their
-    first lines say.  Raises ValueError for a name that a file cannot bear."""
+    """Every file of a scene, by its path in the output folder; their first lines name `command` as
+    what makes them.  Raises ValueError for names that cannot be used in C or Python."""
     banner = banner_of(functions.name, command)
     return _gathered((target.name, target.scene(functions, banner)) for target in targets()
                      if target.asked and target.scene)
 
 
 def _gathered(made: Iterable[tuple[str, Files]]) -> Files:
-    """All files; no two targets make the same one."""
+    """All files.  Raises ValueError if two targets make the same one."""
     files: Files = {}
     makers: dict[str, str] = {}
     for name, more in made:

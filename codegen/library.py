@@ -1,4 +1,4 @@
-"""What targets are given of the library: its operations with their Programs."""
+"""What targets receive of the library: its operations with their Programs."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -12,10 +12,10 @@ from coscrew_codegen.tiers import Tier
 
 @dataclass(frozen=True, eq=False)
 class Library:
-    """The operations that are asked for, each as every tier has it, in every precision.
+    """The selected operations, in every tier and every selected precision.
 
-    `plain` holds the plain programs by the operations' names; `banner` is the first line of every
-    file, as a comment's text."""
+    `plain` maps operation names to plain programs; `banner` is the text of the comment on the first
+    line of every file."""
 
     operations: tuple[Operation, ...]
     plain: Mapping[str, Program]
@@ -24,21 +24,21 @@ class Library:
     languages: tuple[str, ...]
     banner: str
 
-    @cache  # noqa: B019  every target asks again; libraries live as long as the process
+    @cache  # noqa: B019  called by every target; libraries live as long as the process
     def kernels(self, tier: Tier, precision: Precision) -> Mapping[Operation, Program]:
-        """The operations that have the tier, as it has them, with their programs."""
+        """The tier's operations with their programs; without those that the tier cannot take."""
         return {tier.operation(op): tier.program(self.plain[op.name], precision)
                 for op in self.operations if tier.has(self.plain[op.name])}
 
     def by_family(self, tier: Tier, precision: Precision
                   ) -> Mapping[str, Mapping[Operation, Program]]:
-        """These, family by family; no family is empty."""
+        """`kernels` by family; families without any are left out."""
         found: dict[str, dict[Operation, Program]] = {family: {} for family in self.families}
         for operation, program in self.kernels(tier, precision).items():
             found[operation.family][operation] = program
         return {family: kernels for family, kernels in found.items() if kernels}
 
     def documented(self, tier: Tier) -> Mapping[Operation, Program]:
-        """The kernels that documentation describes: the first precision's, which is double's where
-        there are both."""
+        """The kernels that the documentation describes: those of the first precision, which is
+        double if both are selected."""
         return self.kernels(tier, self.precisions[0])

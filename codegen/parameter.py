@@ -1,4 +1,4 @@
-"""Numbers of scenes that stay arguments of the kernels."""
+"""Run-time parameters: numbers of a scene that stay arguments of its functions."""
 
 from dataclasses import dataclass
 from fractions import Fraction
@@ -6,11 +6,11 @@ from fractions import Fraction
 
 @dataclass(frozen=True)
 class Parameter:
-    """A number that stays an argument of the kernels: element `index` of their argument p."""
+    """A number of a scene that can be changed at run time: element `index` of the argument p."""
 
     name: str  # as in a scene's `runtime`: tool.mass
     index: int
-    value: Fraction  # where nothing else is given
+    value: Fraction  # the default
 
 
 Scalar = Fraction | Parameter

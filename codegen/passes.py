@@ -1,7 +1,7 @@
 """Simplifications Kernel → Kernel, applied in order by `simplified`.
 
-They remove work without changing what is computed: what is constant or merely a renamed symbol is
-folded into its uses, what is bound twice is bound once, what nothing uses is dropped.
+They remove work without changing the results: bindings to constants and to other symbols are
+substituted where they are used, equal bindings are merged, unused ones are dropped.
 """
 
 from collections.abc import Callable
@@ -13,7 +13,7 @@ from coscrew_codegen.kernel import Binding, Kernel
 
 
 def _substituting(kernel: Kernel, replaces: Callable[[Binding], sp.Expr | None]) -> Kernel:
-    """Drop each binding for which `replaces` gives an expression, and use that instead."""
+    """Drop each binding for which `replaces` gives an expression, and substitute that."""
     known: dict[sp.Symbol, sp.Expr] = {}
     kept: list[Binding] = []
     for binding in kernel.bindings:

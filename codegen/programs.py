@@ -1,4 +1,4 @@
-"""From operations to their plain Programs."""
+"""The plain Programs of operations."""
 
 from functools import cache
 

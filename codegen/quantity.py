@@ -11,14 +11,16 @@ from functools import cached_property
 from math import prod
 from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:  # imported where it is used: what only knows shapes starts without
+if TYPE_CHECKING:  # imported on first use: modules that need only shapes start without SymPy
     import sympy as sp
 
 
 @dataclass(frozen=True)
 class Domain:
-    """What an input may be; `words` say it of {x}.  A bound that was searched, and not proved, is
-    said to hold there, unless the domain restricts nothing.  `domains.py` draws from it."""
+    """The set of values an input may take; `words` describe it for the name {x}.
+
+    Statements of bounds found by search name the domain if it `restricts` anything.  `domains.py`
+    draws inputs from it."""
 
     name: str
     words: str
@@ -42,7 +44,7 @@ REGULAR, SYMMETRIC = Domain("regular", "det {x} not 0"), Domain("symmetric", "{x
 POSITIVE_DEFINITE = Domain("positive definite", "{x} symmetric, positive definite")
 LDL_FACTOR = Domain("LDL factor", "{x} the L and D of an LDL^T, D > 0")
 MASS, BODY = Domain("mass", "{x} >= 0"), Domain("body", "{x} of a body that can be")
-"""ROTATION, DISPLACEMENT, UNIT_VECTOR, UNIT_QUATERNION: but for one rounding of each component.
+"""ROTATION, DISPLACEMENT, UNIT_VECTOR, UNIT_QUATERNION: up to one rounding of each component.
 TURN, HALF_TURN: the angle of a rotation vector, or of a screw's angular part."""
 
 
@@ -62,8 +64,8 @@ class Quantity:
     name: str
     shape: tuple[int, ...]
     parts: tuple[Part, ...]
-    words: str  # what it is, with units, as documentation prints it
-    domain: Domain | None = None  # what inputs of this kind are; None: each of them says so
+    words: str  # description with units, for the documentation
+    domain: Domain | None = None  # of inputs of this kind; None: every input names its own
 
     @property
     def size(self) -> int:
@@ -87,7 +89,7 @@ class Quantity:
         return f"({','.join(map(str, self.shape))})"
 
     def place(self, row: int, column: int) -> tuple[int, int]:
-        """(number of the part, index inside the part, row by row) of a component."""
+        """(number of its part, its index in the part, row by row) of a component."""
         for number, part in enumerate(self.parts):
             if row in part.rows and column in part.columns:
                 inner = (row - part.rows.start) * len(part.columns) + column - part.columns.start
@@ -138,8 +140,8 @@ QUANTITIES = (SCALAR, DC, VEC3, VEC4, MAT3X3, MAT4X4, SE3, SCREW, COSCREW, ANGUL
 
 @dataclass(frozen=True)
 class Argument:
-    """A named input or output of an operation.  Inputs have a domain: their own or that of all
-    quantities of their kind; `Operation` refuses those that have none."""
+    """A named input or output of an operation.  An input has a domain, its own or its quantity's;
+    `Operation` refuses inputs without."""
 
     name: str
     quantity: Quantity
@@ -147,7 +149,7 @@ class Argument:
 
     @property
     def domain(self) -> Domain:
-        """What it may be, if it is an input."""
+        """The values it may take, if it is an input."""
         return self.own_domain or self.quantity.domain or ANY
 
     @property
@@ -156,7 +158,7 @@ class Argument:
 
     @property
     def domain_in_words(self) -> str:
-        """'|v| <= π'."""
+        """The domain in terms of the argument's name: '|v| <= π'."""
         angular = any(part.name == "ang" for part in self.quantity.parts)
         return self.domain.words.format(x=f"ω of {self.name}" if angular else self.name)
 
@@ -183,7 +185,7 @@ class Argument:
 
 
 def in_words(arguments: tuple[Argument, ...]) -> str:
-    """'D: displacement …; ci, co: coscrew …': what the arguments are, with units."""
+    """The arguments with their meanings and units: 'D: displacement …; ci, co: coscrew …'."""
     names: dict[str, list[str]] = {}
     for argument in arguments:
         names.setdefault(argument.quantity.words, []).append(argument.name)

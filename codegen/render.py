@@ -1,4 +1,4 @@
-"""Renders the templates; they stand beside this package and hold file shapes only."""
+"""Renders the templates, which hold file shapes only and lie beside this package."""
 
 from functools import cache
 from importlib.resources import files
@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from coscrew_codegen.version import VERSION
 
-if TYPE_CHECKING:  # imported where it is used: what is cached is rendered no more
+if TYPE_CHECKING:  # imported on first use: scenes found in the cache need no rendering
     import jinja2
 
 
@@ -14,8 +14,8 @@ _BANNER = "{{ banner }}"
 
 LICENSE = ("SPDX-License-Identifier: MIT",
            f"coscrew {VERSION}.  Copyright (c) 2026 The coscrew authors.")
-"""Lines 2 and 3 of every generated file.  What is generated for a user's scene holds coscrew's
-code, and so bears its license; numbers and names in it are the scene's."""
+"""Lines 2 and 3 of every generated file.  Code generated for a user's scene contains coscrew's code
+and so carries its license; the numbers and names in it belong to the scene."""
 
 
 @cache
@@ -31,7 +31,7 @@ def _environment() -> "jinja2.Environment":
 
 @cache
 def _between_lines(template: str) -> str:
-    """What stands between two lines of comments, as the template comments its banner's."""
+    """The text between two comment lines, in the comment syntax of the template's banner line."""
     text, _, _ = _environment().loader.get_source(_environment(), f"{template}.jinja")
     line = next(line for line in text.splitlines() if _BANNER in line)
     before, after = line.split(_BANNER)
@@ -41,7 +41,7 @@ def _between_lines(template: str) -> str:
 def render(template: str, **holes: object) -> str:
     """The text of `template` with its holes filled; an unfilled hole is an error.
 
-    The hole `banner`, a file's first line, brings the lines of LICENSE with it."""
+    The hole `banner`, a file's first line, is followed by the lines of LICENSE."""
     if "banner" in holes:
         holes["banner"] = _between_lines(template).join((str(holes["banner"]), *LICENSE))
     text = _environment().get_template(f"{template}.jinja").render(**holes)

@@ -1,4 +1,4 @@
-"""What the derivation of a scene hands to the targets: its functions as Programs."""
+"""What targets receive of a scene: its functions as Programs."""
 
 from dataclasses import dataclass
 
@@ -10,7 +10,7 @@ Arrays = tuple[tuple[str, tuple[int, ...]], ...]
 
 @dataclass(frozen=True)
 class Coordinate:
-    """A joint's places in q and v."""
+    """The entries of q and v that belong to a joint."""
 
     joint: str
     kind: str  # revolute, prismatic, spherical, free
@@ -22,14 +22,14 @@ class Coordinate:
 class Function:
     """A function of a scene.
 
-    The program's inputs are, of those it has, in this order: t, h (scalars), p (parameters), q, v,
-    then a, tau, phi or others; its outputs follow in C and are returned in Python.  `headings` are
-    (index of an instruction, words that stand above it): sections per body.  `internal` ones serve
-    the steps alone and are not declared in the header.
+    The program's inputs come in this order, as far as it has them: t, h (scalars), p (parameters),
+    q, v, then a, tau, phi or others; in C its outputs follow, in Python they are returned.
+    `headings` are pairs (index of an instruction, comment above it), one section per body.  An
+    `internal` function is called by steps only and is not declared in the header.
     """
 
     name: str  # inverse_dynamics, jacobian_hand
-    words: str  # its equation, and what the output is, with units
+    words: str  # its equation, and its outputs with units
     program: Program
     headings: tuple[tuple[int, str], ...] = ()
     internal: bool = False
@@ -41,8 +41,9 @@ class Function:
 
 @dataclass(frozen=True)
 class Call:
-    """results = function(inputs): the variables `results` take its outputs, in order.  An input is
-    the variable of its own name, or the one that `given` names beside it."""
+    """results = function(inputs): its outputs are assigned to the variables `results`, in order.
+
+    An input is the variable of the same name, unless `given` pairs it with another variable."""
 
     function: str
     results: tuple[str, ...]
@@ -51,26 +52,26 @@ class Call:
 
 @dataclass(frozen=True)
 class Split:
-    """`calls` once with `part` = h; where the result of `test` is not zero as often, and with that
-    part of h, as the results of `parts` say.
+    """`calls` once over the whole step h or, if the result of `test` is not zero, once for each
+    part of it; `parts` returns their number and their length, the variable `part`.
 
-    States are independent of each other: with many at once each takes as many parts as it needs."""
+    With many states at once each takes the number of parts that it needs."""
 
-    test: Call  # its result: a number
-    parts: Call  # its results: how many, and how long each is
+    test: Call  # returns a number
+    parts: Call  # returns the number of parts and the length of each
     calls: tuple[Call, ...]
-    moved: tuple[str, ...]  # variables that go on from one part to the next: t, q, v
+    moved: tuple[str, ...]  # variables that each part updates for the next: t, q, v
 
 
 @dataclass(frozen=True)
 class Step:
-    """What an integrator does in a step: calls, in order, after which q and v have moved.
+    """One step of an integrator: calls in order that take q and v to the end of the step.
 
-    Inputs are t, h, p, q and v; the variables `zeros` are vectors of zeros.  Nothing is computed
-    but by the functions called."""
+    Inputs are t, h, p, q and v; the variables `zeros` are vectors of zeros.  All arithmetic is in
+    the functions called."""
 
-    integrator: str  # as scenes and commands call it: semi-implicit-euler
-    name: str  # of its function: step_semi_implicit_euler
+    integrator: str  # its name in scenes and commands: semi-implicit-euler
+    name: str  # its function's: step_semi_implicit_euler
     words: str  # its equation
     body: tuple[Call | Split, ...]
     zeros: tuple[str, ...] = ()
@@ -84,14 +85,14 @@ class Step:
 
 @dataclass(frozen=True)
 class Signature:
-    """What a function takes and returns: names, shapes; those of `moved` are changed in place."""
+    """A function's inputs and outputs: names and shapes.  If `moved`, q and v change in place."""
 
     name: str
     inputs: Arrays
     outputs: Arrays
     words: tuple[str, ...]
     moved: bool = False
-    computes: bool = True  # and does not only hand on inputs and constants
+    computes: bool = True  # False if it only returns inputs and constants
 
     @property
     def read(self) -> Arrays:
@@ -101,7 +102,8 @@ class Signature:
 
 @dataclass(frozen=True)
 class SceneInterface:
-    """A scene as those see it who call its functions: sizes, names and places; no Programs."""
+    """What callers of a scene's functions need: sizes, names and entries of q and v; no Programs.
+    """
 
     name: str
     nq: int
@@ -112,24 +114,24 @@ class SceneInterface:
     neutral: tuple[float, ...]
     precisions: tuple[str, ...]
     timed: bool
-    signatures: tuple[Signature, ...]  # the public functions, steps behind the others
+    signatures: tuple[Signature, ...]  # the public functions, steps last
 
 
 @dataclass(frozen=True)
 class SceneFunctions:
-    """A scene as its targets see it."""
+    """What targets receive of a scene."""
 
     name: str
     nq: int
     nv: int
     coordinates: tuple[Coordinate, ...]
-    bodies: tuple[str, ...]  # as body_poses orders them
+    bodies: tuple[str, ...]  # in the order of body_poses
     parameters: tuple[tuple[str, float], ...]  # names of the elements of p, and their values
-    neutral: tuple[float, ...]  # q where every joint is at rest in its placement
+    neutral: tuple[float, ...]  # the q at which every joint's displacement is the identity
     functions: tuple[Function, ...]
     steps: tuple[Step, ...] = ()  # of each integrator
     precisions: tuple[str, ...] = ("double", "single")  # those it is emitted in
-    timed: bool = False  # whether what acts depends on time
+    timed: bool = False  # whether forces depend on time
 
     def named(self, name: str) -> Function:
         """The function of this name; a ValueError if there is none."""

@@ -3,10 +3,10 @@
 The order is decided here, never by a printer or by SymPy:
 
 - A sum is a sum of items.  Two terms of opposite sign that are each other's mirror image form an
-  item, so that an antisymmetric product of equal arguments is exactly zero: [ad](a) a is evaluated
+  item, so that an antisymmetric product of equal arguments is exactly zero: [ad](a) b is evaluated
   as (a1 b5 - a5 b1) + (a4 b2 - a2 b4).  The remaining terms form one item for each pair of parts
-  they multiply (the rows of R by f, say), summed by index.  Items are added in the order of their
-  first terms, a positive one leading.
+  that they multiply (the rows of R by f, say), summed by index.  Items are added in the order of
+  their first terms, the first positive one leading.
 - The factors of a product are multiplied in the order inputs, then lets, by index.
 """
 
@@ -48,7 +48,7 @@ def plain(kernel: Kernel) -> Program:
 
 @dataclass(frozen=True, order=True)
 class Position:
-    """Where a symbol stands: its argument or let, the part in it, the index in the part."""
+    """Where a symbol belongs: its argument or let, the part of that, the index in the part."""
 
     source: int
     part: int
@@ -62,7 +62,7 @@ class Term:
     negative: bool
     coefficient: sp.Rational
     factors: tuple[sp.Expr, ...]
-    places: tuple[Position, ...]  # of the factors; sorts and groups terms
+    places: tuple[Position, ...]  # of the factors; terms are sorted and grouped by them
 
     @property
     def parts(self) -> tuple[tuple[int, int], ...]:
@@ -80,7 +80,7 @@ class Item:
         return all(term.negative for term in self.terms)
 
 
-_LAST = Position(1 << 30, 0, 0)  # factors that are no symbols sort behind all symbols
+_LAST = Position(1 << 30, 0, 0)  # factors that are not symbols sort after all symbols
 
 
 class _Scheduler:
@@ -105,12 +105,12 @@ class _Scheduler:
         self._temporaries = 0
 
     def bind(self, symbol: sp.Symbol, operand: Operand) -> None:
-        """What later expressions get for `symbol`."""
+        """Let `symbol` stand for `operand` in later expressions."""
         self._operands[symbol] = operand
 
     def evaluate(self, expression: sp.Expr, component: str) -> Operand:
-        """The operand that holds `expression`; the last instruction is named after `component`,
-        those before it get a letter behind that name."""
+        """The operand that holds `expression`.  The last instruction is named after `component`,
+        the earlier ones by that name and a letter."""
         self._component = f"{component}_new" if component in self._inputs else component
         self._temporaries = 0
         return self._lower(expression, self._component)
@@ -170,7 +170,7 @@ class _Scheduler:
         return self._issue(Op.NEG, (total,), name) if negative else total
 
     def _item(self, item: Item, name: str) -> Operand:
-        """The item's value, without its sign where all its terms are negative."""
+        """The item's value, or its negative if all its terms are negative."""
         return self._signed_sum([(term.negative, partial(self._unsigned, term))
                                  for term in item.terms], name)
 
@@ -248,7 +248,8 @@ def _constant(value: sp.Rational) -> Constant:
 
 
 def _items(terms: list[Term]) -> list[Item]:
-    """Mirrored pairs, and what remains grouped by the parts it multiplies, by first terms."""
+    """Mirrored pairs, and the other terms grouped by the parts they multiply; in the order of their
+    first terms."""
     waiting = list(terms)
     items: list[Item] = []
     while waiting:
@@ -268,7 +269,8 @@ def _items(terms: list[Term]) -> list[Item]:
 
 
 def _mirror_image(term: Term, others: list[Term]) -> Term | None:
-    """x_i y_j ↔ x_j y_i of opposite sign; places swapped as a whole, else indices only."""
+    """The term's mirror image among the others: x_j y_i for x_i y_j, of opposite sign.  Prefers one
+    with the whole places swapped to one with the indices swapped."""
     if len(term.places) != 2:
         return None
     x, y = term.places

@@ -12,7 +12,7 @@ LANGUAGES = languages()
 
 
 class SelectionError(Told, ValueError):
-    """A name that means nothing here; the message gives the nearest that does."""
+    """An unknown name; the message gives the nearest known one."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class Selection:
 
 
 def select(families: list[str], precision: str, language: str | None) -> Selection:
-    """The selection these names stand for.  Raises SelectionError for an unknown one."""
+    """The Selection of these names.  Raises SelectionError for an unknown one."""
     for family in families:
         _known("family", family, FAMILIES)
     _known("precision", precision, ("double", "single", "both"))
@@ -61,7 +61,8 @@ def select(families: list[str], precision: str, language: str | None) -> Selecti
 
 
 def operations_named(names: list[str]) -> tuple[Operation, ...]:
-    """The operations of these names, in the table's order; of none, all.  Raises SelectionError."""
+    """The operations of these names, in the table's order; all if there are no names.  Raises
+    SelectionError for an unknown one."""
     known = [operation.name for operation in OPERATIONS]
     for name in names:
         if name not in known:

@@ -1,6 +1,6 @@
 """The functions of `operations/special.py` in mpmath's precision: name in formulas → function.
 
-Formulas ask for the components of a result one by one; what they share is computed once.
+Formulas use the components of a result one by one; `_once` computes the whole result once.
 """
 
 from collections.abc import Callable
@@ -15,7 +15,7 @@ Number = mpmath.mpf
 
 
 def _once(function: Callable) -> Callable:
-    """The function, its last results kept: one row's components are asked for after one another."""
+    """The function with its last results cached: the components of a row are used in turn."""
     @lru_cache(maxsize=64)
     def kept(precision: int, *numbers: Number) -> object:
         return function(*numbers)
@@ -25,8 +25,8 @@ def _once(function: Callable) -> Callable:
 
 @_once
 def g(k: Number, x: Number) -> Number:
-    """Σ (-x)^j / (2j + k)!, with as many more digits as its alternating terms cost; for a large x
-    by g(k + 2) = (1/k! - g(k)) / x from cos and sin, which loses none."""
+    """Σ (-x)^j / (2j + k)!, with extra digits for the cancellation of its alternating terms; for a
+    large x by g(k + 2) = (1/k! - g(k)) / x from cos and sin, which loses no digits."""
     if x > 10**4:
         root, k = mpmath.sqrt(x), int(k)
         found = mpmath.sin(root) / root if k % 2 else mpmath.cos(root)
@@ -92,7 +92,9 @@ def _of_matrix(*R: Number) -> matrix:
 
 
 def quaternion_of(i: Number, *R: Number) -> Number:
-    """Of the rotation nearest to R.  Source: I. Y. Bar-Itzhack, J. Guidance 23 (2000) 1085."""
+    """Component i of the quaternion of the rotation nearest to R.
+
+    Source: I. Y. Bar-Itzhack, J. Guidance 23 (2000) 1085."""
     return _of_matrix(*R)[int(i)]
 
 
@@ -102,7 +104,7 @@ def _vector(*q: Number) -> matrix:
 
 
 def quaternion_log(i: Number, *q: Number) -> Number:
-    """2 atan2(|v|, |w|) ±v / |v|."""
+    """Component i of 2 atan2(|v|, |w|) ±v / |v|."""
     return _vector(*q)[int(i)]
 
 
@@ -115,7 +117,7 @@ def _slerp(*numbers: Number) -> matrix:
 
 
 def slerp(i: Number, *numbers: Number) -> Number:
-    """p (p* q)^k."""
+    """Component i of p (p* q)^k."""
     return _slerp(*numbers)[int(i)]
 
 
@@ -128,7 +130,7 @@ def _interpolated(*numbers: Number) -> tuple[matrix, matrix]:
 
 
 def interpolated(row: Number, column: Number, *numbers: Number) -> Number:
-    """D1 exp(k log(D1^-1 D2))."""
+    """An entry of D1 exp(k log(D1^-1 D2))."""
     R, t = _interpolated(*numbers)
     return R[int(row), int(column)] if column < 3 else t[int(row)]
 
@@ -153,7 +155,7 @@ def _symmetric(*lower_triangle: Number) -> Rows:
 
 @lru_cache(maxsize=64)
 def _determinant(A: Rows) -> mpq:
-    """By elimination, with rows exchanged where a pivot is zero."""
+    """det A by elimination; rows are exchanged where a pivot is zero."""
     rest, product = [list(row) for row in A], mpq(1)
     while rest:
         place = next((i for i, row in enumerate(rest) if row[0]), None)
@@ -171,8 +173,10 @@ def _leading(A: Rows, n: int) -> mpq:
 
 
 def factor(i: Number, j: Number, *lower_triangle: Number) -> Number:
-    """Quotients of minors: d_j of successive leading ones; l_ij of the leading one with row i in
-    place of row j to that itself."""
+    """Entry (i, j) of L, or of D on the diagonal, as a quotient of minors.
+
+    d_j is the leading minor of order j + 1 over that of order j; l_ij the leading minor of order
+    j + 1 with row i in place of row j over that minor itself."""
     return _number(_entry(_symmetric(*lower_triangle), int(i), int(j)))
 
 
@@ -196,7 +200,7 @@ def solution(i: Number, *numbers: Number) -> Number:
 
 
 def inverse(i: Number, j: Number, *R: Number) -> Number:
-    """The quotient of a cofactor and the determinant."""
+    """Entry (i, j) of R^-1: a cofactor over the determinant."""
     rows = tuple(tuple(map(rational, R[n:n + 3])) for n in (0, 3, 6))
     minor = tuple(tuple(x for m, x in enumerate(row) if m != int(i))
                   for n, row in enumerate(rows) if n != int(j))
@@ -214,7 +218,8 @@ def _orthonormal_rows(*R: Number) -> matrix:
 
 
 def orthonormal_rows(i: Number, j: Number, *R: Number) -> Number:
-    """Each row less its projections on those before it, over its length."""
+    """Entry (i, j) of the Gram–Schmidt rows: each less its projections on earlier ones, over its
+    length."""
     return _orthonormal_rows(*R)[int(i), int(j)]
 
 
@@ -231,12 +236,13 @@ def _jacobi(*numbers: Number) -> tuple[matrix, matrix]:
 
 
 def jacobi(k: Number, i: Number, j: Number, *numbers: Number) -> Number:
-    """Of J^T A J and V J, J turning by half the angle of (A_yy - A_xx, 2 A_xy), at most π/4."""
+    """An entry of J^T A J (k = 0) or V J (k = 1); J rotates by half the angle of the vector
+    (A_yy - A_xx, 2 A_xy), by at most π/4, and permutes the axes."""
     return _jacobi(*numbers)[int(k)][int(i), int(j)]
 
 
 def rational(x: Number) -> mpq:
-    """The number itself: mpmath's numbers are binary fractions."""
+    """x as a rational, exactly: mpmath's numbers are binary fractions."""
     return mpq(*mpmath.libmp.to_rational(x._mpf_))
 
 

@@ -1,6 +1,6 @@
-"""The integrators, a file each: the only list, which commands, scenes, documents and tests ask.
+"""The integrators, one per module: the list that commands, scenes, documentation and tests use.
 
-A file put here is an integrator of every scene, in all languages and precisions.
+A module put here adds an integrator to every scene, in all languages and precisions.
 """
 
 from coscrew_codegen.found import found
@@ -10,7 +10,7 @@ DEFAULT = "leapfrog"
 
 
 def _place(integrator: Integrator) -> tuple[bool, bool, int, str]:
-    """The default first, then those that are emitted, then SciPy's; by order."""
+    """Sort key: the default first, then emitted ones, then SciPy's; each group by order."""
     return integrator.name != DEFAULT, not integrator.emitted, integrator.order, integrator.name
 
 
@@ -27,5 +27,5 @@ def named(name: str) -> Integrator:
 
 
 def in_words() -> str:
-    """All, with what they are good for, in one paragraph."""
+    """All integrators and what they are good for, in one paragraph."""
     return "; ".join(f"{x.name}, of order {x.order}: {x.good_for}" for x in INTEGRATORS)

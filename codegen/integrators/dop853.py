@@ -1,4 +1,4 @@
-"""Dormand and Prince's method of order 8, of SciPy."""
+"""SciPy's DOP853: Dormand and Prince's method of order 8."""
 
 from coscrew_codegen.integrator import Adaptive, Integrator
 

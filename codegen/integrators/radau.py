@@ -1,4 +1,4 @@
-"""Radau's method of order 5, of SciPy."""
+"""SciPy's Radau method of order 5."""
 
 from coscrew_codegen.integrator import Adaptive, Integrator
 

@@ -1,4 +1,4 @@
-"""The semi-implicit Euler method: a kick, then a drift with the new speeds."""
+"""The semi-implicit Euler method: a kick, then a drift with the new velocities."""
 
 from coscrew_codegen.integrator import Composition, Drift, Integrator, Kick
 

@@ -1,5 +1,7 @@
 """Displacements D = [R | t]."""
 
+from functools import partial
+
 import sympy as sp
 
 from coscrew_codegen.algebra import I3, displacement, homogeneous, inverse, rotation, translation
@@ -19,11 +21,7 @@ FAMILY = "SE3"
 _D, _self, _Do = (Argument(name, SE3) for name in ("D", "self", "Do"))
 _R, _t = Argument("R", MAT3X3, ROTATION), Argument("t", VEC3, ANY)
 _M = Argument("M", MAT4X4)
-
-
-def _op(name, statement, inputs, outputs, formula, by_value=False):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, by_value=by_value)
-
+_op = partial(Operation, FAMILY)
 
 OPERATIONS = (
     _op("SE3_fromRt", "D = [R | t]", (_R, _t), (_D,), displacement, by_value=True),

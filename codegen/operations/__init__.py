@@ -1,4 +1,4 @@
-"""The table of operations, family by family.  Everything else iterates over it."""
+"""The table of operations, family by family; everything generated is made from it."""
 
 from coscrew_codegen.operations import (
     SE3,
@@ -40,7 +40,7 @@ if len(set(_names)) < len(_names):
 def family_title(family: str) -> str:
     """The first line of the family's documentation."""
     module = next(module for module in _MODULES if family == module.FAMILY)
-    return module.__doc__.splitlines()[0]
+    return str(module.__doc__).splitlines()[0]
 
 
 __all__ = ["FAMILIES", "NORM_THRESHOLD", "OPERATIONS", "PER_PRECISION", "Operation", "components",

@@ -1,5 +1,7 @@
 """Coscrews: wrenches and momenta, c = (f; τ)."""
 
+from collections.abc import Callable
+
 import sympy as sp
 
 from coscrew_codegen.algebra import (
@@ -15,6 +17,7 @@ from coscrew_codegen.algebra import (
     turned,
     working_projector,
 )
+from coscrew_codegen.operations.norm import Let
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.operations.spatial import JOINTS, Space, space_operations
 from coscrew_codegen.quantity import ANGULAR_FIRST, COSCREW, MAT6X6, SCALAR, SCREW, SE3, Argument
@@ -28,10 +31,10 @@ _D, _M = Argument("D", SE3), Argument("M", MAT6X6)
 _x, _power = Argument("x", ANGULAR_FIRST), Argument("power", SCALAR)
 
 
-def _projected(joint: int, words: str, projector) -> Operation:
+def _projected(joint: int, words: str, projector: Callable[[int], sp.Matrix]) -> Operation:
     P = projector(joint)
 
-    def derivation(let, D, c):
+    def derivation(let: Let, D: sp.Matrix, c: sp.Matrix) -> sp.Matrix:
         moved = let("w", CoAd(turned(rotation(D))) * P * c)
         return CoAd(shifted(translation(D))) * moved
 

@@ -15,13 +15,13 @@ from coscrew_codegen.quantity import (
 _A, _V = Argument("A", MAT3X3, SYMMETRIC), Argument("V", MAT3X3, ROTATION)
 
 BACKWARD = 28
-"""In u: what a step changes of V A V^T at most, as a part of its largest entry."""
+"""In u: the largest change of V A V^T by one rotation, relative to its largest entry."""
 
 
 def _rotation(let: Let, A: sp.Matrix) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """Tangent, sine and cosine of the smaller angle that makes A_xy zero: with θ = cot 2φ,
-    t = sign θ / (|θ| + sqrt(θ² + 1)).  No square is of A's own size, so that none over- or
-    underflows; where θ² does, t is as good as zero."""
+    """Tangent t, sine and cosine of the smaller angle φ that makes A_xy zero: with θ = cot 2φ,
+    t = sign θ / (|θ| + sqrt(θ² + 1)).  No entry of A is squared, so that A may be large or small;
+    where θ² overflows, t is practically zero."""
     twice = let("twice", 2 * A[1, 0])
     theta = let("theta", let("apart", A[1, 1] - A[0, 0]) / let("divisor", nonzero(twice)))
     size = let("size", let("magnitude", sp.Abs(theta)) + sp.sqrt(theta**2 + 1))
@@ -38,7 +38,7 @@ def _turned(let: Let, name: str, p: sp.Matrix, q: sp.Matrix, s: sp.Expr,
 
 
 def step(let: Let, A: sp.Matrix, V: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
-    """J^T A J and V J, J turning in the plane xy; then y, z, x become x, y, z."""
+    """J^T A J and V J, J a rotation in the xy plane; then y, z, x are renamed x, y, z."""
     p, q, r = 0, 1, 2
     t, s, c = _rotation(let, A)
     change = let("change", t * A[q, p])
@@ -53,12 +53,12 @@ def step(let: Let, A: sp.Matrix, V: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
 
 
 OPERATIONS = (
-    Operation("mat3x3_jacobi", "mat3x3", "A = J^T A J, V = V J: Jacobi's rotation J in the plane "
-              "xy, by the smaller angle that makes A_xy zero; then y, z, x become x, y, z.  A "
-              "symmetric, its lower triangle is read.  From V = I, steps end in "
-              "A = diag(eigenvalues), with V A V^T the same throughout", (_A, _V), (_A, _V),
+    Operation("mat3x3", "mat3x3_jacobi", "A = J^T A J, V = V J: Jacobi's rotation J in the xy "
+              "plane, by the smaller angle that makes A_xy zero; then y, z, x become x, y, z.  A "
+              "is symmetric, only its lower triangle is read.  Repeated from V = I, it converges "
+              "to A = diag(eigenvalues); V A V^T does not change", (_A, _V), (_A, _V),
               lambda A, V: tuple(sp.Matrix(3, 3, lambda i, j, k=k: special.jacobi(k, i, j, *A, *V))
                                  for k in range(2)), step,
-              rounding=f"|V A V^T - the same before| <= {BACKWARD} u max |A| for orthonormal V; "
+              rounding=f"V A V^T changes by at most {BACKWARD} u max |A| for orthonormal V; "
               "searched, not proved."),
 )

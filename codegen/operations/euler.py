@@ -1,8 +1,10 @@
-"""Euler angles: R = R_i(a) R_j(b) R_k(c), each turn about an axis of the body as it then stands.
+"""Euler angles: R = R_i(a) R_j(b) R_k(c), each rotation about a current axis of the body.
 
-Two sequences are enough: x y z, and x y x.  In axes named i, j and the third, every sequence is one
-of them; where i, j and the third are left-handed, with all angles reversed.
+Two sequences are enough: x y z, and x y x.  Every other sequence i, j, k follows from one of them
+by renaming axes; all angles change their signs if the renamed axes are left-handed.
 """
+
+from collections.abc import Callable
 
 import sympy as sp
 
@@ -20,7 +22,7 @@ from coscrew_codegen.quantity import (
 _R, _angles = Argument("R", MAT3X3, ROTATION), Argument("angles", VEC3, ANGLES)
 
 BACKWARD = 12
-"""In u: how far the rotation by the angles is from R at most, entry by entry; searched."""
+"""In u: the largest difference of an entry between R and the rotation by the angles; searched."""
 
 
 def _turn(axis: int, angle: sp.Expr) -> sp.Matrix:
@@ -41,10 +43,12 @@ def _bound_matrix(axes: tuple[int, int, int], let: Let, angles: sp.Matrix) -> sp
 
 def _angles_of(let: Let, R: sp.Matrix, y: sp.Expr, x: sp.Expr, middle: tuple[sp.Expr, sp.Expr],
                column: tuple[sp.Matrix, sp.Matrix]) -> sp.Matrix:
-    """The third angle is that of (x, y); undone, it leaves turns by the first two, whose second
-    column is (0, cos a, sin a): with `column` = (p, q), that is p times the third's cosine less q
-    times its sine.  So whatever the third is, the three belong together, in gimbal lock too, where
-    x = y = 0 and it is 0."""
+    """(a, b, c) of R = R_i(a) R_j(b) R_k(c), with c = atan2(y, x), or 0 in gimbal lock, where
+    x = y = 0.
+
+    Without its third rotation, R has the second column (0, cos a, sin a) = p cos c - q sin c, with
+    `column` = (p, q).  a is computed from c, so that the angles fit together even in gimbal lock.
+    `middle` = (numerator, denominator) of tan b; None stands for |(x, y)|."""
     n = let("n", l2(sp.Matrix([x, y])))
     locked = sp.Eq(n, 0)
     divisor = let("divisor", nonzero(n))
@@ -66,18 +70,19 @@ def _of_xyx(let: Let, R: sp.Matrix) -> sp.Matrix:
     return _angles_of(let, R, R[0, 1], R[0, 2], (None, R[0, 0]), (R[:, 1], R[:, 2]))
 
 
-def _pair(name: str, axes: tuple[int, int, int], derivation, middle: str) -> tuple[Operation, ...]:
+def _pair(name: str, axes: tuple[int, int, int], derivation: Callable[[Let, sp.Matrix], sp.Matrix],
+          middle: str) -> tuple[Operation, ...]:
     i, j, k = ("xyz"[axis] for axis in axes)
     turns = f"R_{i}(a) R_{j}(b) R_{k}(c), angles = (a, b, c)"
     return (
-        Operation(f"mat3x3_from_euler_{name}", "mat3x3", f"R = {turns}", (_angles,), (_R,),
+        Operation("mat3x3", f"mat3x3_from_euler_{name}", f"R = {turns}", (_angles,), (_R,),
                   lambda angles: _matrix(axes, angles),
                   lambda let, angles: _bound_matrix(axes, let, angles)),
-        Operation(f"euler_{name}_from_mat3x3", "mat3x3",
+        Operation("mat3x3", f"euler_{name}_from_mat3x3",
                   f"angles of the rotation R = {turns}; a, c in [-π, π], {middle}; c = 0 in gimbal "
                   "lock", (_R,), (_angles,), lambda R: derivation(unnamed, R), derivation,
-                  rounding=f"The rotation by these angles is R but for {BACKWARD} u in each entry, "
-                  "near gimbal lock too; searched, not proved."),
+                  rounding=f"The rotation by these angles differs from R by at most {BACKWARD} u "
+                  "in each entry, near gimbal lock too; searched, not proved."),
     )
 
 

@@ -1,7 +1,7 @@
 """Exponentials and logarithms of rotations and displacements, their Jacobians, interpolation.
 
-A rotation vector v = θ a turns by the angle θ about the unit axis a; exp s of a screw s = (v; ω) is
-the displacement by the motion s in unit time.
+A rotation vector v = θ a rotates by the angle θ about the unit axis a; exp s of a screw s = (v; ω)
+is the displacement by a motion with the twist s for unit time.
 """
 
 from functools import partial
@@ -56,12 +56,7 @@ _s, _small_s = Argument("s", SCREW, TURN), Argument("s", SCREW, HALF_TURN)
 _so = Argument("so", SCREW)
 _Do, _M = Argument("Do", SE3), Argument("M", MAT6X6)
 _angle, _k = Argument("angle", SCALAR, ANGLE), Argument("k", SCALAR, FRACTION)
-
-
-def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=(), family=FAMILY,
-        rounding=""):
-    return Operation(name, family, statement, inputs, outputs, formula, derivation,
-                     normwise=normwise, rounding=rounding)
+_op = partial(Operation, FAMILY)
 
 
 # Rotations.  `sign` is 1 for left Jacobians, -1 for right ones: J_r(v) = J_l(-v).
@@ -120,32 +115,33 @@ def _newton(let: Let, R: sp.Matrix) -> sp.Matrix:
     return R + R * sp.Matrix([[x, xy, xz], [xy, y, yz], [xz, yz, z]])
 
 
-_NEWTON = "the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2"
+_NEWTON = "R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2"
 
 _ROTATIONS = (
     _op("SO3_exp", "R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|", (_v,), (_R,),
         _exp, _bound_exp, (Normwise("R", 6, per_angle=200),)),
-    _op("SO3_log", "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by "
-        "as much as R", (_R,), (_vo,), _log_of,
+    _op("SO3_log", "vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect "
+        "carries over to vo", (_R,), (_vo,), _log_of,
         lambda let, R: _log(let, R)[0], (Normwise("vo", 7),)),
     *(_op(f"SO3_{side}Jacobian", f"R = J_{side[0]}(v) = I {'+-'[sign < 0]} (1 - cos θ)/θ^2 v~ + "
           "(θ - sin θ)/θ^3 v~^2, θ = |v|", (_v,), (_R,), partial(_jacobian, sign),
           partial(_bound_jacobian, sign), (Normwise("R", 7, per_angle=200),))
       for side, sign in (("left", 1), ("right", -1))),
     *(_op(f"SO3_{side}JacobianInverse", f"R = J_{side[0]}(v)^-1 = I {'-+'[sign < 0]} v~/2 + "
-          "(1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π but 0",
+          "(1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π except 0",
           (_small_v,), (_R,), partial(_jacobian_inverse, sign),
           partial(_bound_jacobian_inverse, sign), (Normwise("R", 6),))
       for side, sign in (("left", 1), ("right", -1))),
-    _op("mat3x3_from_axis_angle",
-        "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with "
-        "another R is no rotation",
-        (_axis, _angle), (_R,), lambda a, t: _matrix(a, sp.sin(t), 1 - sp.cos(t)), _bound_turn,
-        (Normwise("R", 9),), "mat3x3"),
-    _op("axis_angle_from_mat3x3", f"angle and axis of the rotation R; {PRINCIPAL}", (_R,),
-        (_angle, _axis_out), lambda R: axis_and_angle(_log_of(R)),
-        lambda let, R: axis_angle(let, quaternion_of(let, R)),
-        (Normwise("angle", 8), Normwise("axis", 5)), "mat3x3"),
+    Operation("mat3x3", "mat3x3_from_axis_angle",
+              "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; "
+              "otherwise R is not a rotation",
+              (_axis, _angle), (_R,), lambda a, t: _matrix(a, sp.sin(t), 1 - sp.cos(t)),
+              _bound_turn, (Normwise("R", 9),)),
+    Operation("mat3x3", "axis_angle_from_mat3x3",
+              f"angle and axis of the rotation R; {PRINCIPAL}", (_R,),
+              (_angle, _axis_out), lambda R: axis_and_angle(_log_of(R)),
+              lambda let, R: axis_angle(let, quaternion_of(let, R)),
+              (Normwise("angle", 8), Normwise("axis", 5))),
     _op("mat3x3_orthonormalize", f"self = {_NEWTON}", (_self,), (_self,),
         lambda R: _newton(unnamed, R), _newton),
     _op("mat3x3_orthonormalized", f"Ro = {_NEWTON}", (_near,), (_Ro,),
@@ -185,9 +181,11 @@ def _bound_screw_of(let: Let, D: sp.Matrix) -> sp.Matrix:
 
 def _rate(let: Let, s: sp.Matrix, alpha: sp.Expr, alpha_rate: sp.Expr, beta: sp.Expr,
           beta_rate: sp.Expr) -> sp.Matrix:
-    """The rate of I + α ω~ + β ω~² where v is that of ω, and with d = v·ω those of α and β are
-    these times d: α v~ + α' d ω~ + β (v ω^T + ω v^T - 2 d I) + β' d ω~².  Since ad(s) is ω~ + ε v~
-    with ε² = 0, it is what couples v to ω in any power series of ad(s)."""
+    """The rate of I + α ω~ + β ω~² for ω' = v, with d = v·ω and the rates α' d of α, β' d of β:
+    α v~ + α' d ω~ + β (v ω^T + ω v^T - 2 d I) + β' d ω~².
+
+    Since ad(s) is ω~ + ε v~ with ε² = 0, it is the upper right block of the same series in ad(s).
+    """
     v, w = lin(s), ang(s)
     d = let("vw", v.dot(w))
     turn, bend = let("turn", alpha_rate * d), let("bend", -beta_rate * d)
@@ -205,7 +203,7 @@ def _motion_jacobian(sign: int, s: sp.Matrix) -> sp.Matrix:
 
 
 def _coupling(s: sp.Matrix) -> sp.Matrix:
-    """Of J_l(s): the rate of J_l(ω)."""
+    """The upper right block of J_l(s): the rate of J_l(ω) for ω' = v."""
     g2, g3, g4, g5 = (g(k, ang(s).dot(ang(s))) for k in (2, 3, 4, 5))
     return _rate(unnamed, s, g2, 2 * g4 - g3, g3, 3 * g5 - g4)
 
@@ -224,7 +222,8 @@ def _motion_jacobian_inverse(sign: int, s: sp.Matrix) -> sp.Matrix:
 
 
 def _bound_motion_jacobian_inverse(sign: int, let: Let, s: sp.Matrix) -> sp.Matrix:
-    """The rate of J^-1 instead of -J^-1 Q J^-1: no products of blocks."""
+    """Its upper right block is the rate of J^-1, which needs no products of blocks as
+    -J^-1 Q J^-1 does."""
     angle, half = Angle.of(let, ang(s)), sp.Rational(1, 2)
     b_, across = angle.b()
     J = let("J", rodrigues(let, ang(s), -sign * half, b_, across))
@@ -245,32 +244,32 @@ def _bound_interpolated(let: Let, D1: sp.Matrix, D2: sp.Matrix, k: sp.Expr) -> s
 
 
 FAR = ("2e306", "5e36")  # double, single
-"""1/64 of the largest number, 1/17 being needed: interpolation takes the screw by 2 |t| in length
-to π/2 times that, and of it the moment about the axis, by up to π."""
+"""1/64 of the largest number; 1/17 would do.  Interpolation: the translation between both is up to
+2 |t|, its screw π/2 times that, and the moment about the axis up to π times that."""
 _FAR = f"is above {FAR[0]}, in single precision {FAR[1]}"
-_OF_VELOCITY = f"Sums on the way may overflow where |v| {_FAR}."
+_OF_VELOCITY = f"Intermediate sums may overflow where |v| {_FAR}."
 
 _DISPLACEMENTS = (
     _op("SE3_exp", "D = exp s = [exp ω~ | J_l(ω) v]", (_s,), (_D,), _move, _bound_move,
         (Normwise("R", 6, per_angle=200), Normwise("t", 14, ("s.lin",), 200)),
-        rounding=f"Sums on the way may overflow where |v|, or |ω| |v|, {_FAR}."),
+        rounding=f"Intermediate sums may overflow where |v|, or |ω| |v|, {_FAR}."),
     _op("SE3_log", "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R", (_D,), (_so,),
         _screw_of, _bound_screw_of, (Normwise("lin", 18), Normwise("ang", 8)),
-        rounding=f"Sums on the way may overflow where |t| {_FAR}."),
+        rounding=f"Intermediate sums may overflow where |t| {_FAR}."),
     *(_op(f"SE3_{side}Jacobian", f"M = J_{side[0]}(s) = Σ ({'-' * (sign < 0)}[ad](s))^k / (k+1)!",
           (_small_s,), (_M,), partial(_motion_jacobian, sign),
           partial(_bound_motion_jacobian, sign),
           (Normwise("M", 20),), rounding=_OF_VELOCITY)
       for side, sign in (("left", 1), ("right", -1))),
     *(_op(f"SE3_{side}JacobianInverse", f"M = J_{side[0]}(s)^-1; singular where |ω| is a multiple "
-          "of 2π but 0", (_small_s,), (_M,), partial(_motion_jacobian_inverse, sign),
+          "of 2π except 0", (_small_s,), (_M,), partial(_motion_jacobian_inverse, sign),
           partial(_bound_motion_jacobian_inverse, sign), (Normwise("M", 14),),
           rounding=_OF_VELOCITY)
       for side, sign in (("left", 1), ("right", -1))),
     _op("SE3_interpolated", "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 "
         "at k = 1", (_D1, _D2, _k), (_Do,), _interpolated, _bound_interpolated,
         (Normwise("R", 22), Normwise("t", 60, ("D1.t", "D2.t"))),
-        rounding=f"Sums on the way may overflow where |t| of D1 or D2 {_FAR}."),
+        rounding=f"Intermediate sums may overflow where |t| of D1 or D2 {_FAR}."),
 )
 
 OPERATIONS = (*_ROTATIONS, *_DISPLACEMENTS)

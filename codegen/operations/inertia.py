@@ -1,10 +1,11 @@
 """Inertias of rigid bodies: mass, mass times centre of mass, moments about the centre of mass.
 
-The ten numbers and the names are KSL's.  Moments are those about the centre of mass, along the axes
-of the frame: moving a body changes its first moment mt alone.  Joined bodies do not add up in these
-numbers; in those of spatial inertias they do.
+The ten numbers and their names are KSL's.  The moments are about the centre of mass, along the axes
+of the frame: translating a body changes only its first moment mt.  These numbers do not add up when
+bodies are joined; those of spatial inertias do.
 """
 
+from collections.abc import Callable
 from functools import partial
 
 import sympy as sp
@@ -36,15 +37,11 @@ _NUMBERS = tuple(Argument(name, SCALAR, ANY)
                  for name in ("Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Izx"))
 
 PLACES = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
-"""Of the six moments, in their order."""
+"""(row, column) of the six moments, in their order."""
 
 MERGED = 18
-"""In u: what a component of joined bodies is off by at most, counted along its roundings."""
-
-
-def _op(name, statement, inputs, outputs, formula, derivation=None, by_value=False, rounding=""):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation,
-                     by_value=by_value, rounding=rounding)
+"""In u: the error bound of a component of joined bodies, from a count of its roundings."""
+_op = partial(Operation, FAMILY)
 
 
 def first(J: sp.Matrix) -> sp.Matrix:
@@ -53,22 +50,22 @@ def first(J: sp.Matrix) -> sp.Matrix:
 
 
 def second(J: sp.Matrix) -> sp.Matrix:
-    """The moments as a matrix."""
+    """The moments as a symmetric matrix."""
     xx, yy, zz, xy, yz, zx = J[4:, :]
     return sp.Matrix([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]])
 
 
 def inertia(m: sp.Expr, mt: sp.Matrix, moments: sp.Matrix) -> sp.Matrix:
-    """The ten numbers."""
+    """The ten numbers (m; mt; moments)."""
     return sp.Matrix([m, *mt, *(moments[i, j] for i, j in PLACES)])
 
 
 def of_point(let: Let, p: sp.Matrix, x: sp.Matrix) -> sp.Matrix:
-    """x·p 1 - x p^T, the moments of a point mass at x, p = m x."""
+    """x·p 1 - x p^T with p = m x: the moments of a point mass at x."""
     squares = let("squares", sp.Matrix([p[i] * x[i] for i in range(3)]))
-    own = squares[1] + squares[2], squares[0] + squares[2], squares[0] + squares[1]
+    xx, yy, zz = squares[1] + squares[2], squares[0] + squares[2], squares[0] + squares[1]
     xy, yz, zx = (-p[i] * x[j] for i, j in PLACES[3:])
-    return sp.Matrix([[own[0], xy, zx], [xy, own[1], yz], [zx, yz, own[2]]])
+    return sp.Matrix([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]])
 
 
 def _made(m: sp.Expr, t: sp.Matrix, *moments: sp.Expr) -> sp.Matrix:
@@ -90,18 +87,19 @@ def _transformed(let: Let, J: sp.Matrix, D: sp.Matrix) -> sp.Matrix:
 
 def _merged(let: Let, Ji: sp.Matrix, t_ic: sp.Matrix, Jj: sp.Matrix, t_jc: sp.Matrix,
             D: sp.Matrix) -> sp.Matrix:
-    """m = m_i + m_j, mt = mt_i + m_j c, I = I_i + R I_j R^T + μ (d·d 1 - d d^T): c is the second
-    centre of mass, d the way to it from the first, and μ = m_i m_j / m."""
+    """m = m_i + m_j, mt = mt_i + m_j c, I = I_i + R I_j R^T + μ (d·d 1 - d d^T), where c is the
+    second centre of mass, d the vector to it from the first, and μ = m_i m_j / m."""
     R, m = rotation(D), let("m", Ji[0] + Jj[0])
     c = let("c", R * t_jc + translation(D))
     d = let("d", c - t_ic)
     reduced = let("reduced", Ji[0] * let("part", Jj[0] / m))
-    apart = of_point(let, let("p", reduced * d), d)
-    turned = let("RI", R * second(Jj)) * R.T
-    return inertia(m, first(Ji) + Jj[0] * c, second(Ji) + turned + apart)
+    parallel_axis = of_point(let, let("p", reduced * d), d)
+    rotated = let("RI", R * second(Jj)) * R.T
+    return inertia(m, first(Ji) + Jj[0] * c, second(Ji) + rotated + parallel_axis)
 
 
-def _in_place_too(verb: str, statement: str, by: Argument, formula, derivation=None):
+def _in_place_too(verb: str, statement: str, by: Argument, formula: Callable[..., sp.Matrix],
+                  derivation: Callable[..., sp.Matrix] | None = None) -> tuple[Operation, ...]:
     """inertia_rotated(Ji, R, Jo) and inertia_rotate(self, R)."""
     past = f"{verb}{'d' if verb.endswith('e') else 'ed'}"
     return (_op(f"inertia_{past}", f"Jo = {statement.format('Ji')}", (_Ji, by), (_Jo,), formula,
@@ -115,16 +113,17 @@ OPERATIONS = (
         "entries of the moments' matrix about it in kg m^2, Ixy = -∫ x y dm",
         (_m, _t, *_NUMBERS), (_J,), _made, by_value=True),
     *(op for op in linear_space(FAMILY, INERTIA, "J") if op.name == "inertia_copy"),
-    *_in_place_too("rotate", "{} turned by R: m, R mt, R I R^T", _R, partial(_rotated, unnamed),
+    *_in_place_too("rotate", "{} rotated by R: m, R mt, R I R^T", _R, partial(_rotated, unnamed),
                    _rotated),
-    *_in_place_too("translate", "{} moved by t: m, mt + m t, I", _t, _translated),
-    *_in_place_too("transform", "{} moved by D = [R | t]: m, R mt + m t, R I R^T", _D,
+    *_in_place_too("translate", "{} translated by t: m, mt + m t, I", _t, _translated),
+    *_in_place_too("transform", "{} displaced by D = [R | t]: m, R mt + m t, R I R^T", _D,
                    partial(_transformed, unnamed), _transformed),
-    _op("inertia_merge", "Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: "
+    _op("inertia_merge", "Ji = the inertia of two joined bodies: Ji, and Jj displaced by "
+        "D_ij = [R | t]: "
         "m_i + m_j, mt_i + m_j c, I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with "
-        "c = R t_jc + t, d = c - t_ic; t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of "
+        "c = R t_jc + t, d = c - t_ic; t_ic = mt_i / m_i and t_jc = mt_j / m_j are the centres of "
         "mass, each in its own frame; NaN where m_i + m_j = 0",
         (_Ji, _t_ic, _Jj, _t_jc, _D_ij), (_Ji,), partial(_merged, unnamed), _merged,
-        rounding=f"Error <= {MERGED} u times the sum of the sizes of all terms, for masses that "
-        "are not negative, barring over- and underflow."),
+        rounding=f"Error <= {MERGED} u times the sum of the absolute values of all terms, for "
+        "masses that are not negative, barring over- and underflow."),
 )

@@ -1,4 +1,6 @@
-"""The operations every linear space has: copy, scale, negate, add, subtract, a x + y."""
+"""The operations of every linear space: copy, scale, negate, add, subtract, a x + y."""
+
+from functools import partial
 
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import (
@@ -17,9 +19,7 @@ def linear_space(family: str, kind: Quantity, letter: str) -> tuple[Operation, .
     pair = letter * 2
     out, oi = o.name, i.name
 
-    def op(name, statement, inputs, outputs, formula):
-        return Operation(name, family, statement, inputs, outputs, formula)
-
+    op = partial(Operation, family)
     return (
         op(f"{kind.name}_copy", f"{out} = {oi}", (i,), (o,), lambda x: x),
         op(f"{kind.name}_scale", "self = a self", (self, a), (self,), lambda x, a: a * x),

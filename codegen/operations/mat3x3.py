@@ -1,5 +1,7 @@
 """3×3 matrices: rotations, and matrices in general."""
 
+from functools import partial
+
 import sympy as sp
 
 from coscrew_codegen.algebra import I3, skew
@@ -44,11 +46,7 @@ _axis, _regular = Argument("axis", VEC3, UNIT_VECTOR), Argument("R", MAT3X3, REG
 _x, _y, _z = (Argument(name, VEC3, ANY) for name in "xyz")
 _w, _dw = Argument("w", VEC3, ANY), Argument("dw", VEC3, ANY)
 _det = Argument("det", SCALAR)
-
-
-def _op(name, statement, inputs, outputs, formula, derivation=None, order=(), rounding=""):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation, order,
-                     rounding=rounding)
+_op = partial(Operation, FAMILY)
 
 
 def _entries(function: type[sp.Function], R: sp.Matrix) -> sp.Matrix:
@@ -74,16 +72,18 @@ def products_of(let: Let, w: sp.Matrix) -> sp.Matrix:
 
 
 def acceleration_tensor(ww: sp.Matrix, dw: sp.Matrix) -> sp.Matrix:
-    """ω'~ + ω~ ω~, of which the six products of ω with itself are given."""
+    """ω'~ + ω~ ω~, from the six products of ω with itself."""
     xx, yy, zz, xy, xz, yz = ww
     return sp.Matrix([[-(yy + zz), xy, xz], [xy, -(xx + zz), yz], [xz, yz, -(xx + yy)]]) + skew(dw)
 
 
 def _inverse(let: Let, R: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
-    """det R and adj R / det R, from A = s R, s a power of two such that A's largest entry, a, is
-    between 1 and 2^40 (double 2^300).  What det A is off by is less than 4 u times the sum of its
-    terms' sizes; below twice that nothing tells it from zero.  Underflow adds 2^-147 a^3 (2^-1072
-    a^3) at most, far below u det A where that is not below 2^-96 a^3 (2^-760 a^3)."""
+    """det R and adj R / det R, from A = s R, where s is a power of two such that the largest entry
+    a of A is between 1 and 2^40 (double 2^300).
+
+    The error of det A is below 4 u times the sum of the absolute values of its terms; a det A below
+    twice that may be zero.  Underflow adds at most 2^-147 a^3 (2^-1072 a^3), far less than u det A
+    unless det A is below 2^-96 a^3 (2^-760 a^3)."""
     largest = largest_size(let, "R", tuple(R))
     s = stepwise_power(let, "s", largest)
     A = let("A", R.applyfunc(lambda x: scaled(x, s)))
@@ -104,8 +104,8 @@ def _inverse(let: Let, R: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
 
 
 def _unscaled(let: Let, det: sp.Expr, largest: sp.Expr) -> sp.Expr:
-    """det / s^3, s the power of two for this largest entry; infinite, if at all, in the last step.
-    Of matrices with s below 1 / step it is infinite whenever they are regular."""
+    """det / s^3, s the power of two for this largest entry.  Only the last product may overflow.
+    Regular matrices with s below 1 / step have an infinite determinant."""
     first, second, third = STEPS
     infinite = sp.Piecewise((-third, det < 0), (third, True))
     once = let("once", scaled(let("start", sp.Piecewise((det, largest < second), (infinite, True))),
@@ -120,8 +120,8 @@ def _where(let: Let, name: str, condition: sp.Basic, power: sp.Expr) -> sp.Expr:
 
 
 def _orthonormal_rows(let: Let, R: sp.Matrix) -> sp.Matrix:
-    """Gram and Schmidt's, what is left of the second row taken twice, so that it is perpendicular
-    to rounding; the third row is that perpendicular to both on the side of R's."""
+    """Gram–Schmidt.  The first row's component is removed from the second row twice, so that they
+    are perpendicular to rounding; the third is the normal to both on the side of R's third row."""
     first, second = (let(name, safe_normalized(prefixed(let, name), R[i, :].T, R[i, :].T))
                      for i, name in enumerate(("q0", "u1")))
     once = let("once", second - let("along", first.dot(second)) * first)
@@ -139,13 +139,12 @@ def _orthonormal_rows(let: Let, R: sp.Matrix) -> sp.Matrix:
     return rows.applyfunc(lambda x: sp.Piecewise((sp.nan, dependent), (x, True)))
 
 
-_GRAM_SCHMIDT = ("orthonormal rows by Gram and Schmidt: the first keeps its direction, the second "
-                 "its side of it, the third its side of both; NaN where rows depend on each other "
-                 "to rounding")
+_GRAM_SCHMIDT = ("orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays"
+                 " on its side of the first, the third on its side of both; NaN where the rows are "
+                 "linearly dependent to rounding")
 ORTHONORMAL = 8
-"""In u: how far products of rows, and their squares, are from 0 and 1 at most; searched."""
-_ROWS = (f"Rows are perpendicular, and of length 1, but for {ORTHONORMAL} u; searched, not "
-         "proved.")
+"""In u: the largest difference of R R^T from I, entry by entry; searched."""
+_ROWS = f"|R R^T - I|_ij <= {ORTHONORMAL} u for the result R; searched, not proved."
 
 
 OPERATIONS = (
@@ -155,7 +154,7 @@ OPERATIONS = (
         lambda x, y, z: sp.Matrix.hstack(x, y, z), order=("R", "x", "y", "z")),
     _op("skew", "Ro = v~, the matrix with v~ y = v × y", (_v,), (_Ro,), skew),
     _op("acceleration_tensor", "Ro = w'~ + w~ w~ of a body with angular velocity w and angular "
-        "acceleration w' = dw: its point x is accelerated by Ro x beyond its origin",
+        "acceleration w' = dw: the acceleration of its point x, less that of its origin, is Ro x",
         (_w, _dw), (_Ro,), lambda w, dw: skew(dw) + skew(w)**2,
         lambda let, w, dw: acceleration_tensor(products_of(let, w), dw)),
     _op("mat3x3_transpose", "self = self^T, the inverse of a rotation", (_self,), (_self,),
@@ -164,19 +163,19 @@ OPERATIONS = (
     _op("mat3x3_determinant", "det R", (_R,), (_det,), lambda R: R.det(),
         lambda let, R: R[:, 0].dot(let("n", R[:, 1].cross(R[:, 2])))),
     _op("mat3x3_inverse", "Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where "
-        "it under- or overflows; 0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p "
-        "+ 1e-29 m^3 (double 1e-229 m^3), p the sum of its terms' sizes, m that of the largest "
-        "entry", (_regular,),
+        "it under- or overflows.  Returns 0, with Ro = NaN, where R may be singular: |det R| <= "
+        "8 u p + 1e-29 m^3 (double 1e-229 m^3), p the sum of the |terms| of det R, m the largest "
+        "|entry|", (_regular,),
         (_det, _Ro), lambda R: (R.det(), _entries(special.inverse, R)), _inverse,
-        rounding="Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the "
-        "sum of the sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that is "
-        "more; barring over- and underflow of Ro_ij itself."),
+        rounding="Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the sum of "
+        "the |terms| of the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring "
+        "over- and underflow of Ro_ij itself."),
     _op("mat3x3_normalize", f"self = {_GRAM_SCHMIDT}", (_own_near,), (_own_near,),
         lambda R: _entries(special.orthonormal_rows, R), _orthonormal_rows, rounding=_ROWS),
     _op("mat3x3_normalized", f"Ro = {_GRAM_SCHMIDT}", (_near,), (_Ro,),
         lambda R: _entries(special.orthonormal_rows, R), _orthonormal_rows, rounding=_ROWS),
     _op("mat3x3_setFromAxisDC", "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 "
-        "(else R is no rotation), dc = (sin θ, cos θ)", (_axis, _dc), (_R,), _about, _bound_about,
-        ("R", "axis", "dc")),
+        "(else R is not a rotation), dc = (sin θ, cos θ)", (_axis, _dc), (_R,), _about,
+        _bound_about, order=("R", "axis", "dc")),
     *euler.OPERATIONS, *eigen.OPERATIONS,
 )

@@ -1,5 +1,7 @@
 """4×4 matrices: displacements [[R, t], [0, 1]] and other maps of homogeneous coordinates."""
 
+from functools import partial
+
 import sympy as sp
 
 from coscrew_codegen.algebra import displacement, homogeneous
@@ -18,11 +20,7 @@ FAMILY = "mat4x4"
 
 _M, _self = Argument("M", MAT4X4, ANY), Argument("self", MAT4X4, ANY)
 _D, _R, _t = Argument("D", SE3), Argument("R", MAT3X3, ROTATION), Argument("t", VEC3, ANY)
-
-
-def _op(name, statement, inputs, outputs, formula, by_value=False):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, by_value=by_value)
-
+_op = partial(Operation, FAMILY)
 
 OPERATIONS = (
     _op("mat4x4_fromSE3", "M = [[R, t], [0, 1]] of D = [R | t]", (_D,), (_M,), homogeneous,

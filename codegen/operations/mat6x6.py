@@ -1,5 +1,4 @@
-"""6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them, and symmetric
-ones from screws to coscrews: articulated inertias."""
+"""6×6 operators on screws and coscrews: [Ad], [Ad]*, [ad], [ad]*, and articulated inertias."""
 
 from collections.abc import Callable
 
@@ -23,14 +22,14 @@ def _symmetric(M: sp.Matrix) -> sp.Matrix:
 
 
 def _bound(let: Let, name: str, S: sp.Matrix) -> sp.Matrix:
-    """S, symmetric, each entry bound once."""
+    """The symmetric matrix S with each entry bound once."""
     places = [(i, j) for i in range(S.rows) for j in range(i + 1)]
     x = let(name, sp.Matrix([S[place] for place in places]))
     return sp.Matrix(*S.shape, lambda i, j: x[places.index((max(i, j), min(i, j)))])
 
 
 def _rotated(let: Let, R: sp.Matrix, M: sp.Matrix) -> sp.Matrix:
-    """Of M = [[M, H^T], [H, I]]: R M R^T, R H R^T, R I R^T."""
+    """[[R M R^T, R H^T R^T], [R H R^T, R I R^T]] for [[M, H^T], [H, I]]."""
     M = _symmetric(M)
     linear = _bound(let, "linear", let("RM", R * M[:3, :3]) * R.T)
     H = let("coupling", let("RH", R * M[3:, :3]) * R.T)
@@ -38,7 +37,7 @@ def _rotated(let: Let, R: sp.Matrix, M: sp.Matrix) -> sp.Matrix:
 
 
 def _shifted(let: Let, t: sp.Matrix, M: sp.Matrix) -> sp.Matrix:
-    """Of M = [[M, H^T], [H, I]]: G = H + t~ M and I + t~ H^T - G t~, H^T's t~ its transpose."""
+    """[[M, G^T], [G, I + t~ H^T - G t~]] with G = H + t~ M, for [[M, H^T], [H, I]]."""
     M, t = _symmetric(M), skew(t)
     linear, H = M[:3, :3], M[3:, :3]
     G = let("G", H + t * linear)
@@ -49,16 +48,16 @@ def _moved(name: str, of: Argument, displacement: Callable[[sp.Matrix], sp.Matri
            derivation: Callable[..., sp.Matrix]) -> Operation:
     x = of.name
     return Operation(
-        f"mat6x6_{name}", FAMILY, f"Mo = [Ad]*({x}) M [Ad]^-1({x}), M symmetric, of which the "
-        f"lower triangle is read: the articulated inertia M {name} by {x}",
+        FAMILY, f"mat6x6_{name}", f"Mo = [Ad]*({x}) M [Ad]^-1({x}), the articulated inertia M "
+        f"{name} by {x}; M is symmetric, only its lower triangle is read",
         (of, _articulated), (_Mo,),
         lambda x, M: CoAd(displacement(x)) * _symmetric(M) * CoAd(displacement(x)).T, derivation)
 
 
 OPERATIONS = (
-    Operation("mat6x6_copy", FAMILY, "Mo = M", (_M,), (_Mo,), lambda M: M),
-    Operation("mat6x6_setIdentity", FAMILY, "self = I", (_self,), (_self,), lambda M: sp.eye(6)),
-    Operation("mat6x6_transposed", FAMILY, "Mo = M^T", (_M,), (_Mo,), lambda M: M.T),
+    Operation(FAMILY, "mat6x6_copy", "Mo = M", (_M,), (_Mo,), lambda M: M),
+    Operation(FAMILY, "mat6x6_setIdentity", "self = I", (_self,), (_self,), lambda M: sp.eye(6)),
+    Operation(FAMILY, "mat6x6_transposed", "Mo = M^T", (_M,), (_Mo,), lambda M: M.T),
     _moved("rotated", _R, turned, _rotated),
     _moved("shifted", _t, shifted, _shifted),
 )

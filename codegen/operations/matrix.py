@@ -5,6 +5,10 @@ dc = (sin θ, cos θ); `tx ty tz` a translation along an axis; `inv` behind a fa
 inverse of a vector is its negative).
 """
 
+from functools import partial
+
+import sympy as sp
+
 from coscrew_codegen.algebra import (
     compose,
     displacement,
@@ -16,6 +20,7 @@ from coscrew_codegen.algebra import (
     turned,
     unit,
 )
+from coscrew_codegen.operations.norm import Let
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import (
     ANY,
@@ -34,11 +39,7 @@ _R, _R1, _R2, _Ro = (Argument(name, MAT3X3, ROTATION) for name in ("R", "R1", "R
 _D, _D1, _D2, _Do = (Argument(name, SE3) for name in ("D", "D1", "D2", "Do"))
 _v, _t, _vo = (Argument(name, VEC3, ANY) for name in ("v", "t", "vo"))
 _k, _dc = Argument("k", SCALAR, ANY), Argument("dc", DC)
-
-
-def _op(name, statement, inputs, outputs, formula, derivation=None):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation)
-
+_op = partial(Operation, FAMILY)
 
 _VECTORS = (
     _op("product_drv", "vo = R v", (_R, _v), (_vo,), lambda R, v: R * v),
@@ -59,12 +60,12 @@ _ROTATIONS = (
 )
 
 
-def _d_dinv(let, D1, D2):
+def _d_dinv(let: Let, D1: sp.Matrix, D2: sp.Matrix) -> sp.Matrix:
     R = let("R", rotation(D1) * rotation(D2).T)
     return displacement(R, translation(D1) - R * translation(D2))
 
 
-def _dinv_d(let, D1, D2):
+def _dinv_d(let: Let, D1: sp.Matrix, D2: sp.Matrix) -> sp.Matrix:
     Rt = rotation(D1).T
     return displacement(Rt * rotation(D2), Rt * let("p", translation(D2) - translation(D1)))
 
@@ -93,10 +94,10 @@ def _about_axis(axis: int, inverted: bool) -> tuple[Operation, ...]:
     letter, suffix, sign = "xyz"[axis], "inv" if inverted else "", -1 if inverted else 1
     turn, step = (f"R_{letter}(-θ)", "-k") if inverted else (f"R_{letter}(θ)", "k")
 
-    def about(dc):
+    def about(dc: sp.Matrix) -> sp.Matrix:
         return rotation_about(axis, sign * dc[0], dc[1])
 
-    def along(k):
+    def along(k: sp.Expr) -> sp.Matrix:
         return sign * k * unit(axis)
 
     return (

@@ -1,8 +1,8 @@
 """Norms and divisions by them, safe over the whole range of exponents.
 
-Numbers are first multiplied by a power of two, which rounds nothing, such that squares neither
-over- nor underflow; so a norm overflows only where it is itself too large, and loses digits only
-where it is itself subnormal.
+Numbers are first multiplied by a power of two, exactly, so that squares neither overflow nor
+underflow.  Thus a norm overflows only if it is itself too large, and loses digits only if it is
+itself subnormal.
 """
 
 from collections.abc import Callable, Sequence
@@ -65,8 +65,8 @@ def largest_size(let: Let, name: str, x: Sequence[sp.Expr]) -> sp.Expr:
 
 
 def power_of_two(let: Let, name: str, x: Sequence[sp.Expr], reduced: bool = False) -> sp.Expr:
-    """A power of two s such that s x is of the size that norms and quotients by them want; s >= 1
-    of what is `reduced` already."""
+    """A power of two s such that s x suits norms and quotients by them (MODEST, LARGE); s >= 1 if
+    x is `reduced` already."""
     largest = largest_size(let, name, x)
     large = () if reduced else ((REDUCING, largest > LARGE),)
     return let(name, sp.Piecewise((RAISING, largest < TINY), (ENLARGING, largest < MODEST), *large,
@@ -84,7 +84,7 @@ def stepwise_power(let: Let, name: str, largest: sp.Expr) -> sp.Expr:
 
 
 def inverse_power(let: Let, name: str, s: sp.Expr, reduced: bool = False) -> sp.Expr:
-    """1 / s of the power of two s."""
+    """1 / s for a power of two s."""
     large = () if reduced else ((1 / REDUCING, s < 1),)
     return let(name, sp.Piecewise((1 / RAISING, s > ENLARGING), (1 / ENLARGING, s > 1), *large,
                                   (sp.Integer(1), True)))
@@ -97,16 +97,17 @@ def moderate(let: Let, name: str, x: sp.Matrix) -> sp.Matrix:
 
 
 def safe_norm(let: Let, x: sp.Matrix, reduced: bool = False) -> sp.Expr:
-    """|x|, rounded as if nothing over- or underflowed on the way."""
+    """|x|, without overflow or underflow of intermediate results."""
     s = power_of_two(let, "s", tuple(x), reduced)
     y = let("y", x.applyfunc(lambda component: scaled(component, s)))
     return scaled(let("n", l2(y)), inverse_power(let, "r", s, reduced))
 
 
 def safe_normalized(let: Let, x: sp.Matrix, part: sp.Matrix) -> sp.Matrix:
-    """x / |part|, the zero part's x unchanged.  Small components are enlarged before the division
-    and reduced after it, others the other way round, so that no component loses digits the result
-    has, and none overflows on the way."""
+    """x / |part|; x if the part is zero.
+
+    Small components are scaled up before the division and down after it, others down before and up
+    after, so that no intermediate result overflows or has fewer digits than the result."""
     s = power_of_two(let, "s", tuple(part))
     y = let("y", part.applyfunc(lambda component: scaled(component, s)))
     up = let("up", sp.Piecewise((s, s > 1), (sp.Integer(1), True)))
@@ -114,7 +115,7 @@ def safe_normalized(let: Let, x: sp.Matrix, part: sp.Matrix) -> sp.Matrix:
     n = let("n", l2(y))
     divisor = let("divisor", sp.Piecewise((up, sp.Eq(n, 0)), (n, True)))
     before, after = sp.Matrix([up] * len(x)), sp.Matrix([down] * len(x))
-    if x != part:  # within the part, all are small where it is enlarged
+    if x != part:  # components of the part are all small where it is scaled up
         sizes = let("size", x.applyfunc(sp.Abs))
         before = let("before", sizes.applyfunc(
             lambda size: sp.Piecewise((up, size < MODEST), (down, True))))
@@ -125,7 +126,7 @@ def safe_normalized(let: Let, x: sp.Matrix, part: sp.Matrix) -> sp.Matrix:
 
 
 def prefixed(let: Let, prefix: str) -> Let:
-    """`let` with a prefix to every name, for formulas that occur twice in a kernel."""
+    """`let` with a prefix to every name, for formulas used twice in a kernel."""
     return lambda name, value: let(f"{prefix}_{name}", value)
 
 

@@ -1,40 +1,41 @@
-"""What an operation is: one entry of the table everything else iterates over."""
+"""What an operation is: one entry of the table that everything is generated from."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import sympy as sp
 
 from coscrew_codegen.quantity import Argument
 
-Value = sp.Matrix | sp.Expr
+Value: TypeAlias = sp.Matrix | sp.Expr
 
-# Below it every component counts as zero when a norm chooses between linear and angular part.
+# A part whose components are all below it counts as zero when a norm chooses between the parts.
 NORM_THRESHOLD = sp.Symbol("norm_threshold", positive=True)
 
-# Powers of two bring vectors' largest component between MODEST and LARGE: squares do not overflow,
-# and what is divided by the vector's length has all its digits wherever the quotient has.  Only
-# where all is below TINY times 2^-498 (single 2^-57) it stays smaller; then components are
-# multiples of one number that is not.
+# A power of two brings a vector's largest component between MODEST and LARGE.  Then squares do not
+# overflow, and no component has fewer digits than its quotient by the length.  The component stays
+# smaller only below TINY times 2^-498 (single 2^-57), where it is a multiple of the least subnormal
+# number.
 TINY, MODEST, LARGE = sp.symbols("tiny modest large", positive=True)
 ENLARGING, RAISING, REDUCING = sp.symbols("enlarging raising reducing", positive=True)
 
-# Of numbers s and x with |x| <= s, (x + GRID s) - GRID s is x rounded so that squares of such
-# numbers, and sums of three, are exact.
+# (x + GRID s) - GRID s, for |x| <= s, is x rounded to so few digits that squares of such numbers,
+# and sums of three squares, are exact.
 GRID = sp.Symbol("grid", positive=True)
 
-# 1 - 50 u: A whose diagonal entries, times this, leave it positive definite is regular to rounding.
+# 1 - 50 u: A is regular to rounding if it is positive definite with its diagonal times this.
 REGULAR = sp.Symbol("regular", positive=True)
 
-# 16 u: vectors of length 1 that leave less than this beside others depend on them to rounding.
+# 16 u: a unit vector that is closer than this to the span of others is dependent to rounding.
 DEPENDENT = sp.Symbol("dependent", positive=True)
 
-# 8 u, and the part of the largest entry's third power that no underflow spoils: what a determinant
-# is held to.
+# A determinant counts as zero below INDISTINCT (8 u) times the sum of its |terms|, plus SPOILED
+# times the cube of the largest entry, which exceeds all errors by underflow.
 INDISTINCT, SPOILED = sp.symbols("indistinct spoiled", positive=True)
 
-# Steps between powers of two that bring a matrix' largest entry between 1 and the first, so that
-# products of three entries do not overflow, and underflow only where they do not matter.
+# Powers of two by which a matrix is scaled, such that its largest entry is between 1 and the first
+# of them: products of three entries do not overflow, and underflow only where they are negligible.
 STEPS = sp.symbols("step step2 step3", positive=True)
 
 PER_PRECISION: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {
@@ -57,25 +58,26 @@ PER_PRECISION: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {
 
 
 class scaled(sp.Function):
-    """scaled(x, s) = x s, where s is a power of two: a product that rounds nothing unless the
-    result over- or underflows."""
+    """scaled(x, s) = x s for a power of two s: exact unless the result over- or underflows."""
 
     nargs = 2
 
 
 @dataclass(frozen=True)
 class Normwise:
-    """Each component of `part` of the result, or of the output of that name, is off by at most
-    (k + θ / `per_angle`) u of the largest of them, or of the inputs' parts `beside` them, where
-    that is larger; θ the angle of the input turned by.  Found by search, not proved."""
+    """|error| <= (k + θ / per_angle) u M for each component of `part`, a part of the result or an
+    output.  Found by search, not proved.
+
+    M is the largest |component| of that part, or of the inputs' parts `beside` if that is larger;
+    θ is the angle of the input's rotation vector."""
 
     part: str
     k: int
     beside: tuple[str, ...] = ()  # "s.lin": argument and part
-    per_angle: int = 0  # 0: whatever the angle
+    per_angle: int = 0  # 0: the bound does not depend on the angle
 
     def k_at(self, angle: float) -> float:
-        """k, with what the angle adds."""
+        """k + θ / per_angle."""
         return self.k + angle / self.per_angle if self.per_angle else self.k
 
     @property
@@ -89,34 +91,34 @@ class Normwise:
 class Operation:
     """A pure function from inputs to outputs.
 
-    `formula` says what the outputs are, as plain mathematics.  `derivation`, where given, says the
-    same through intermediate results bound by its first argument, `let(name, value)`, so that a
-    product of operators costs a product of sparse operators.  Both take the inputs' values and
-    return one value per output (a tuple when there are several).
+    `formula` defines the outputs in plain mathematics.  `derivation`, if given, computes the same
+    through intermediate results, which it binds by its first argument, `let(name, value)`; so a
+    product of operators costs no more than products of sparse operators.  Both take the inputs'
+    values and return one value per output (a tuple if there are several).
 
-    An output that carries an input's name is updated in place in C.  `order` is the order of C
-    parameters where it is not inputs, then outputs.
+    An output with the name of an input is updated in place in C.  `order` is the order of C
+    parameters, if it is not inputs, then outputs.
     """
 
-    name: str
     family: str
+    name: str
     statement: str
     inputs: tuple[Argument, ...]
     outputs: tuple[Argument, ...]
     formula: Callable[..., Value | tuple[Value, ...]]
     derivation: Callable[..., Value | tuple[Value, ...]] | None = None
+    normwise: tuple[Normwise, ...] = ()
     order: tuple[str, ...] = ()
     by_value: bool = False  # in C, arguments and result are passed by value
-    remark: str = ""  # what unfused arithmetic makes true besides
-    normwise: tuple[Normwise, ...] = ()
-    rounding: str = ""  # what else bounds the errors, in words
+    remark: str = ""  # a further property of the tiers without fused operations
+    rounding: str = ""  # further error bounds, in words
 
     def __post_init__(self) -> None:
         for a in self.inputs:
             if not a.says_its_domain:
                 raise ValueError(
-                    f"operation {self.name}: {a.name}, a {a.quantity.name}, says no domain; give "
-                    "Argument one of quantity.py's, ANY if any numbers will do")
+                    f"operation {self.name}: {a.name}, a {a.quantity.name}, has no domain; give "
+                    "Argument one of quantity.py's, or ANY for all numbers")
 
     @property
     def signature(self) -> str:
@@ -126,14 +128,14 @@ class Operation:
 
     @property
     def tested_bounds(self) -> str:
-        """`normwise` in words, with what inputs it is for, and what else there is, if anything."""
+        """The bounds in words: `normwise` with the inputs that it holds for, and `rounding`."""
         if not self.normwise:
             return self.rounding
         parts = ", ".join(bound.in_words for bound in self.normwise)
         beside = [name for bound in self.normwise for name in bound.beside]
         also = f", or of {' or '.join(beside)} if that is larger" if beside else ""
         where = [a.domain_in_words for a in self.inputs if a.domain.restricts]
-        given = f" for {' and '.join(where)}" if where else ""
+        given = f"{',' if also else ''} for {' and '.join(where)}" if where else ""
         besides = f"  {self.rounding}" if self.rounding else ""
         return (f"Error <= {parts} of its largest component{also}{given}; searched, not proved."
                 f"{besides}")

@@ -1,7 +1,9 @@
 """Quaternions q = (v; w), the scalar last: products, rotations, conversions, interpolation.
 
-Those of norm 1 are rotations, q and -q the same one.
+Unit quaternions are rotations; q and -q are the same rotation.
 """
+
+from functools import partial
 
 import sympy as sp
 
@@ -64,12 +66,8 @@ _k = Argument("k", SCALAR, FRACTION)
 _R, _R_out = Argument("R", MAT3X3, ROTATION), Argument("R", MAT3X3)
 _ordinary = Argument("q", QUATERNION, ORDINARY)
 
-PRINCIPAL = "0 <= angle <= π; the axis is (1, 0, 0) where nothing turns"
-
-
-def _op(name, statement, inputs, outputs, formula, derivation=None, normwise=()):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation,
-                     normwise=normwise)
+PRINCIPAL = "0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0"
+_op = partial(Operation, FAMILY)
 
 
 def _normalized(q: sp.Matrix) -> sp.Matrix:
@@ -106,8 +104,8 @@ _PRODUCTS = (
 
 
 def _matrix_of(let: Let, q: sp.Matrix) -> sp.Matrix:
-    """Of the squares a, b, c, d both the diagonal's entries and q·q are made: where an entry is
-    near 1, their roundings cancel."""
+    """The diagonal's entries and q·q are computed from the same squares a, b, c, d, so that their
+    rounding errors cancel where an entry is near 1."""
     x, y, z, w = q
     a, b, c, d = let("squares", sp.Matrix([w * w, x * x, y * y, z * z]))
     pairs = let("pairs", sp.Matrix([a + b, c + d, a + c, b + d, a + d, b + c]))
@@ -130,8 +128,10 @@ def _of_axis_angle(let: Let, axis: sp.Matrix, angle: sp.Expr) -> sp.Matrix:
 
 
 def axis_angle(let: Let, q: sp.Matrix, reduced: bool = False) -> tuple[sp.Expr, sp.Matrix]:
-    """2 atan2(|v|, w), v / |v| of any multiple of a quaternion.  What is divided is v and |v| times
-    a power of two: a subnormal |v| has too few digits for a direction."""
+    """(2 atan2(|v|, w), v / |v|) of any positive multiple of a quaternion.
+
+    v and |v| are scaled by a power of two before the division: a subnormal |v| has too few digits
+    for a direction."""
     q = upper(let, q)
     of_v, w = prefixed(let, "v"), scalar_part(q)
     s = power_of_two(of_v, "s", tuple(vector_part(q)), reduced)
@@ -143,7 +143,7 @@ def axis_angle(let: Let, q: sp.Matrix, reduced: bool = False) -> tuple[sp.Expr, 
 
 
 def axis_and_angle(v: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
-    """|v|, v / |v| of a rotation vector; 0, (1, 0, 0) of zero."""
+    """(|v|, v / |v|) of a rotation vector; (0, (1, 0, 0)) for zero."""
     angle, still = l2(v), sp.Eq(l2(v), 0)
     return angle, sp.Matrix([sp.Piecewise((int(i == 0), still), (x / angle, True))
                              for i, x in enumerate(v)])
@@ -166,11 +166,11 @@ def _slerp(let: Let, q1: sp.Matrix, q2: sp.Matrix, k: sp.Expr) -> sp.Matrix:
 
 
 _CONVERSIONS = (
-    _op("mat3x3_from_quaternion", "R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square "
+    _op("mat3x3_from_quaternion", "R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square "
         "neither over- nor underflows", (_ordinary,), (_R_out,),
         lambda q: _matrix_of(unnamed, q), _matrix_of, (Normwise("R", 8),)),
-    _op("quaternion_from_mat3x3", "qo with R(qo) = R and w >= 0; of an R that is not quite a "
-        "rotation, off by as much as R", (_R,), (_qo,),
+    _op("quaternion_from_mat3x3", "qo with R(qo) = R and w >= 0; if R is not quite a rotation, its "
+        "defect carries over to qo", (_R,), (_qo,),
         lambda R: vector(special.quaternion_of, 4, *R), _of_matrix, (Normwise("qo", 6),)),
     _op("quaternion_from_axis_angle", "qo = (axis sin angle/2; cos angle/2); axis of length 1: "
         "with another |qo| is not 1, and its rotation is by another angle",

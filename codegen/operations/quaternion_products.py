@@ -1,10 +1,11 @@
-"""Products of quaternions, of single-axis turns and of vectors with them, and rates.
+"""Products of quaternions with quaternions, rotations about an axis and vectors; and rates.
 
-Names are KSL's: `conj` behind a factor conjugates it; `qx`, `qy`, `qz` is the turn about an axis
-whose half angle has dci = (sine, cosine); `v` is the quaternion (v; 0).
+Names are KSL's: `conj` after a factor conjugates it; `qx`, `qy`, `qz` is the rotation about an axis
+with dci = (sine, cosine) of half its angle; `v` is the quaternion (v; 0).
 """
 
 from collections.abc import Callable, Iterator
+from functools import partial
 
 import sympy as sp
 
@@ -27,12 +28,9 @@ _q1, _q2, _qi, _qo, _dqo = (Argument(name, QUATERNION)
 _dc = Argument("dci", DC)
 _vi, _w, _dpi = (Argument(name, VEC3, ANY) for name in ("vi", "w", "dpi"))
 
-# name, in words, argument, as a quaternion
+# name in operations, text in equations, argument, conversion to a quaternion
 Factor = tuple[str, str, Argument, Callable[[sp.Matrix], sp.Matrix]]
-
-
-def _op(name, statement, inputs, outputs, formula):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula)
+_op = partial(Operation, FAMILY)
 
 
 def _pure(v: sp.Matrix) -> sp.Matrix:
@@ -91,12 +89,12 @@ def _rate(w: sp.Matrix, q: sp.Matrix) -> sp.Matrix:
 PRODUCTS = (
     *_every_conjugation(_given(_q1), _given(_q2)), *_about_axes(), *_with_vectors(),
     _op("dot_qq", "q1i·q2i", (_q1, _q2), (Argument("dot", SCALAR),), lambda p, q: p.dot(q)),
-    _op("add_dpiToq", "qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the "
-        "turned frame, to first order; not normalized", (_dpi, _qi), (_qi,),
+    _op("add_dpiToq", "qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the "
+        "rotated frame, to first order; not normalized", (_dpi, _qi), (_qi,),
         lambda dpi, q: q + _increment(q, dpi)),
     _op("subtract_dpiFromq", "qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order",
         (_dpi, _qi), (_qi,), lambda dpi, q: q - _increment(q, dpi)),
     _op("omega_to_dquaternion", "dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the "
-        "angular velocity w in the reference frame, rad/s, and what draws its norm to 1",
+        "angular velocity w in the reference frame, rad/s, and a term that draws its norm to 1",
         (_w, _qi), (_dqo,), _rate),
 )

@@ -1,4 +1,6 @@
-"""Rotations as matrices, quaternions and rotation vectors: what kernels about them are made of."""
+"""Rotations as matrices, quaternions and rotation vectors: building blocks of operations."""
+
+from collections.abc import Sequence
 
 import sympy as sp
 
@@ -9,10 +11,10 @@ from coscrew_codegen.operations.series import Angle, far, taylor
 
 def rodrigues(let: Let, v: sp.Matrix, alpha: sp.Expr, beta: sp.Expr,
               across: sp.Expr | None = None) -> sp.Matrix:
-    """I + α v~ + β v~².  What is symmetric in it is computed once.
+    """I + α v~ + β v~², with the symmetric part computed once.
 
-    `across`, where given, is 1 - β v·v: then each diagonal entry is 1 - β (v_j² + v_k²) or
-    across + β v_i², whichever subtracts or adds less."""
+    `across`, if given, is 1 - β v·v; then each diagonal entry is the one of 1 - β (v_j² + v_k²) and
+    across + β v_i² that adds or subtracts less."""
     x, y, z = let("beta_v", beta * v)
     xx, yy, zz, xy, xz, yz = let("m", sp.Matrix(
         [x * v[0], y * v[1], z * v[2], x * v[1], x * v[2], y * v[2]]))
@@ -51,17 +53,18 @@ def conjugate(q: sp.Matrix) -> sp.Matrix:
 
 
 def quaternion_of(let: Let, R: sp.Matrix) -> sp.Matrix:
-    """A positive multiple of the quaternion of R: a column of 4 q q^T whose diagonal entry is at
+    """A positive multiple of the quaternion of R: the column of 4 q q^T with a diagonal entry of at
     least 1, so that nothing cancels."""
     a, b, c = R[0, 0], R[1, 1], R[2, 2]
     p = let("p", sp.Matrix([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]))
     s = let("s", sp.Matrix([R[2, 1] + R[1, 2], R[0, 2] + R[2, 0], R[1, 0] + R[0, 1]]))
     first, less = let("first", sp.Matrix([1 + a, 1 - a])), let("others", sp.Matrix([b + c, b - c]))
-    # 1 + a + b + c, 1 + a - b - c, …: paired, so that the one that is 1 or more is off by 3 u of 1.
+    # 1 + a + b + c, 1 + a - b - c, …: paired, so that an entry of 1 or more has an error of 3 u.
     w, x, y, z = let("d", sp.Matrix([first[0] + less[0], first[0] - less[0],
                                      first[1] + less[1], first[1] - less[1]]))
 
-    def choice(name, test, first, second):
+    def choice(name: str, test: sp.Basic, first: Sequence[sp.Expr],
+               second: Sequence[sp.Expr]) -> sp.Matrix:
         return let(name, sp.Matrix([sp.Piecewise((one, test), (other, True))
                                     for one, other in zip(first, second, strict=True)]))
 
@@ -76,14 +79,14 @@ def upper(let: Let, q: sp.Matrix) -> sp.Matrix:
 
 
 def half_angle(let: Let, q: sp.Matrix, reduced: bool = False) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """θ/2 = atan2(|v|, w), in [0, π/2]; |v|; and |v|, or 1 where it is zero, to divide by."""
+    """θ/2 = atan2(|v|, w), in [0, π/2]; |v|; and as a divisor |v|, or 1 if that is zero."""
     n = let("n", safe_norm(prefixed(let, "v"), vector_part(q), reduced))
     return let("half", sp.atan2(n, scalar_part(q))), n, let("divisor", nonzero(n))
 
 
 def rotation_vector(let: Let, q: sp.Matrix,
                     reduced: bool = False) -> tuple[sp.Matrix, Angle]:
-    """θ v / |v|, and θ, of any positive multiple of a quaternion with w >= 0."""
+    """θ v / |v| and θ, of any positive multiple of a unit quaternion with w >= 0."""
     half, n, divisor = half_angle(let, q, reduced)
     theta = let("theta", 2 * half)
     k = let("k", theta / divisor)

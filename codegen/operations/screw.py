@@ -3,6 +3,7 @@
 import sympy as sp
 
 from coscrew_codegen.algebra import Ad, ad, ang, lin, rotation, stack, translation
+from coscrew_codegen.operations.norm import Let
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.operations.spatial import Space, space_operations
 from coscrew_codegen.quantity import (
@@ -25,7 +26,7 @@ _c, _D, _axis = Argument("c", COSCREW), Argument("D", SE3), Argument("axis", VEC
 _power, _M = Argument("power", SCALAR), Argument("M", MAT6X6)
 
 
-def _about(let, D, axis):
+def _about(let: Let, D: sp.Matrix, axis: sp.Matrix) -> sp.Matrix:
     a = let("a", rotation(D) * axis)
     return stack(translation(D).cross(a), a)
 
@@ -33,7 +34,7 @@ def _about(let, D, axis):
 OPERATIONS = (
     *space_operations(_SPACE),
     _SPACE.op("dot_cs", "power = f·v + τ·ω, in W", (_c, _s), (_power,), lambda c, s: c.dot(s)),
-    Operation("cross_ss", FAMILY, "so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2)", (_s1, _s2), (_so,),
+    Operation(FAMILY, "cross_ss", "so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2)", (_s1, _s2), (_so,),
               lambda s1, s2: ad(s1) * s2,
               remark="Exactly zero for s1 = s2, unless products overflow."),
     _SPACE.op("cross_sst", "so = (ω1×v2 ; 0)", (_s1, _s2), (_so,),

@@ -1,11 +1,11 @@
-"""Functions of an angle's square that closed forms lose digits of, bound where a kernel needs them.
+"""Functions of an angle's square whose closed forms lose digits at small angles.
 
     g(k, θ²) = Σ (-θ²)^j / (2j + k)!      b(θ²) = (1 - θ/2 cot θ/2) / θ²
 
 g(1) = sin θ / θ, g(2) = (1 - cos θ) / θ², g(3) = (θ - sin θ) / θ³; g(k + 2) = (1/k! - g(k)) / θ².
-Up to θ = 1 (g(1), g(2)) or 2 they are their series, beyond it closed forms in sin θ and
-cos θ, which are called only there.  Where v is the rate of ω, that of g(k, ω·ω) is
-2 g'(k) v·ω, and so for b.
+They are computed by series up to θ = 1 (g(1), g(2)) or 2, beyond that by closed forms in sin θ and
+cos θ, which are evaluated only there.  If ω has the rate v, then g(k, ω·ω) has the rate
+2 g'(k) v·ω; likewise b.
 """
 
 from dataclasses import dataclass
@@ -15,16 +15,16 @@ import sympy as sp
 from coscrew_codegen.operations.norm import Let
 from coscrew_codegen.operations.operation import GRID
 
-_NEAR = sp.Integer(1)  # θ² where the series of g(1), g(2) end, of which closed forms lose no digit
-_MIDDLE = sp.Integer(4)  # θ² where the others end
-_LATE = sp.Integer(9)  # θ² where those of 2 g'(2), 2 g'(3) end, whose closed forms cancel most
-_CORRECTED = sp.Rational(1, 2**7)  # of an angle's error, that it be corrected to first order
-_TAYLOR_TERMS, _BERNOULLI_TERMS = 13, 17  # what is left out is below u / 4 there, in double
+_NEAR = sp.Integer(1)  # θ² up to which g(1), g(2) are series; beyond, closed forms lose no digits
+_MIDDLE = sp.Integer(4)  # θ² up to which the other functions are series
+_LATE = sp.Integer(9)  # θ² up to which 2 g'(2), 2 g'(3) are: their closed forms cancel most
+_CORRECTED = sp.Rational(1, 2**7)  # errors of angles below it are corrected, to first order
+_TAYLOR_TERMS, _BERNOULLI_TERMS = 13, 17  # truncation error below u / 4 there, in double
 
 
 @dataclass(frozen=True)
 class Angle:
-    """θ, θ², and where θ > 1 what the closed forms need of it; smaller, they are any numbers."""
+    """θ, θ², and sin θ, cos θ and cot θ/2 for the closed forms; meaningless unless θ > 1."""
 
     let: Let
     square: sp.Expr
@@ -35,10 +35,12 @@ class Angle:
 
     @classmethod
     def of(cls, let: Let, vector: sp.Matrix) -> "Angle":
-        """The angle of a rotation vector.  θ² is rounded about once: the squares of the components'
-        leading digits add up exactly.  θ = sqrt(θ²) is off by half an ulp, as much as 2 u of sin θ
-        near π; the residual |v|² - θ² makes up for it, while θ u < 2^-7.  A larger angle is off by
-        2 u of itself."""
+        """The angle θ = |v| of a rotation vector v.
+
+        θ² has about one rounding error: the squares of the components' leading digits add up
+        exactly.  θ = sqrt(θ²) has an error of half an ulp, which near π is 2 u in sin θ; it is
+        corrected by the residual |v|² - θ² while θ u < 2^-7.  The error of larger angles is 2 u θ.
+        """
         sizes = let("size", vector.applyfunc(sp.Abs))
         grid = let("grid", GRID * let("sizes", sizes[0] + sizes[1] + sizes[2]))
         shifted = let("shifted", vector.applyfunc(lambda x: x + grid))
@@ -59,13 +61,13 @@ class Angle:
 
     @classmethod
     def known(cls, let: Let, theta: sp.Expr, sine: sp.Expr, cosine: sp.Expr) -> "Angle":
-        """A given angle and any common multiple of sin θ/2, cos θ/2; for b alone."""
+        """From a known angle and any common multiple of sin θ/2 and cos θ/2; serves only b."""
         x = let("x", theta**2)
         divisor = let("far_sine", far(x, sine, sp.Integer(1)))
         return cls(let, x, theta, sine, cosine, let("cotangent", cosine / divisor))
 
     def g(self, *orders: int) -> tuple[sp.Expr, ...]:
-        """g(k, θ²) for these k, in rising order; g(0) = cos θ needs g(2) besides."""
+        """g(k, θ²) for these k in ascending order; g(0) = cos θ only together with g(2)."""
         let, x = self.let, self.square
         far_x, middle_x = let("far_x", far(x, x, _NEAR)), let("middle_x", beyond(x, x, _MIDDLE))
         closed = {1: let("closed1", self.sine / self.angle),
@@ -109,7 +111,7 @@ class Angle:
 
 
 def _half_cotangent(let: Let, sine: sp.Expr, cosine: sp.Expr) -> sp.Expr:
-    """cot θ/2 = sin θ / (1 - cos θ) = (1 + cos θ) / sin θ, whichever adds numbers of one sign."""
+    """cot θ/2 = sin θ / (1 - cos θ) = (1 + cos θ) / sin θ, whichever has no cancellation."""
     obtuse = cosine < 0
     above = let("above", sp.Piecewise((sine, obtuse), (1 + cosine, True)))
     below = let("below", sp.Piecewise((1 - cosine, obtuse), (sine, True)))
@@ -117,22 +119,22 @@ def _half_cotangent(let: Let, sine: sp.Expr, cosine: sp.Expr) -> sp.Expr:
 
 
 def far(x: sp.Expr, value: sp.Expr, near: sp.Expr) -> sp.Piecewise:
-    """`near` where the series of g(1) and g(2) serve, `value` beyond."""
+    """`near` where g(1) and g(2) are series, else `value`."""
     return sp.Piecewise((near, x < _NEAR), (value, True))
 
 
 def beyond(x: sp.Expr, value: sp.Expr, near: sp.Expr) -> sp.Piecewise:
-    """`near` where the other series serve, `value` beyond."""
+    """`near` where the other functions are series, else `value`."""
     return sp.Piecewise((near, x < _MIDDLE), (value, True))
 
 
 def taylor(k: int, x: sp.Expr) -> sp.Expr:
-    """g(k, x) where the series serve."""
+    """The series of g(k, x)."""
     return horner([sp.Rational((-1)**j, sp.factorial(2 * j + k)) for j in range(_TAYLOR_TERMS)], x)
 
 
 def _taylor_rate(k: int, x: sp.Expr) -> sp.Expr:
-    """2 g'(k, x) where the series serve."""
+    """The series of 2 g'(k, x)."""
     return horner([2 * (j + 1) * sp.Rational((-1)**(j + 1), sp.factorial(2 * j + 2 + k))
                    for j in range(_TAYLOR_TERMS)], x)
 

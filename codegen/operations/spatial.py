@@ -1,12 +1,12 @@
-"""What screws and coscrews share: each is transformed by an operator of displacements.
+"""Operations that screws and coscrews have in common, written once for both.
 
-Screws are transformed by [Ad], coscrews by [Ad]*; everything below is written once for both.
-`…inv` behind the letter transforms the inverse of the quantity, its negative; `inv` before it
-applies the inverse transform.
+Screws are transformed by [Ad], coscrews by [Ad]*.  In names, `inv` after the letter transforms the
+inverse of the quantity, its negative; `inv` before it applies the inverse transform.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import sympy as sp
 
@@ -22,6 +22,7 @@ from coscrew_codegen.algebra import (
 )
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import (
+    Let,
     chosen_part,
     divided,
     leading_part,
@@ -48,15 +49,15 @@ JOINTS = ("tx", "ty", "tz", "rx", "ry", "rz")
 
 @dataclass(frozen=True)
 class Space:
-    """Screws or coscrews: the quantity, its letter, its operator, the part its norm looks at."""
+    """Screws or coscrews: the quantity, its letter, its operator, the part that its norm uses."""
 
     kind: Quantity
     letter: str
     operator: Callable[[sp.Matrix], sp.Matrix]
-    operator_name: str  # as function names write it: Ad, CoAd
-    operator_words: str  # as equations write it: [Ad], [Ad]*
-    norm_first: Callable[[sp.Matrix], sp.Matrix]  # this part's norm, unless it is about zero:
-    norm_second: Callable[[sp.Matrix], sp.Matrix]  # then this one's
+    operator_name: str  # in names of functions: Ad, CoAd
+    operator_words: str  # in equations: [Ad], [Ad]*
+    norm_first: Callable[[sp.Matrix], sp.Matrix]  # the norm is this part's, unless it is about 0:
+    norm_second: Callable[[sp.Matrix], sp.Matrix]  # then this part's
     norm_words: str
 
     @property
@@ -66,12 +67,14 @@ class Space:
     def argument(self, suffix: str) -> Argument:
         return Argument(f"{self.letter}{suffix}", self.kind)
 
-    def op(self, name, statement, inputs, outputs, formula, derivation=None) -> Operation:
-        return Operation(name, self.family, statement, inputs, outputs, formula, derivation)
+    @property
+    def op(self) -> Callable[..., Operation]:
+        """An operation of the family."""
+        return partial(Operation, self.family)
 
 
 def space_operations(space: Space) -> tuple[Operation, ...]:
-    """All operations screws and coscrews have in common."""
+    """All operations that screws and coscrews have in common."""
     return (*linear_space(space.family, space.kind, space.letter), *_norms(space), *_parts(space),
             *_transforms(space), *_joint_columns(space), *_operator_matrix(space))
 
@@ -80,16 +83,16 @@ def _norms(space: Space) -> tuple[Operation, ...]:
     kind, xi, xo = space.kind.name, space.argument("i"), space.argument("o")
     self, norm = Argument("self", space.kind), Argument("norm", SCALAR)
 
-    def norm_of(x):
+    def norm_of(x: sp.Matrix) -> sp.Expr:
         return sp.sqrt(leading_part(space.norm_first(x), space.norm_second(x)))
 
-    def bound_norm(let, x):
+    def bound_norm(let: Let, x: sp.Matrix) -> sp.Expr:
         return safe_norm(let, chosen_part(let, space.norm_first(x), space.norm_second(x)))
 
-    def normalized(x):
+    def normalized(x: sp.Matrix) -> sp.Matrix:
         return divided(x, nonzero(norm_of(x)))
 
-    def bound_normalized(let, x):
+    def bound_normalized(let: Let, x: sp.Matrix) -> sp.Matrix:
         part = chosen_part(let, space.norm_first(x), space.norm_second(x))
         return safe_normalized(let, x, part)
 
@@ -128,13 +131,14 @@ def _transforms(space: Space) -> tuple[Operation, ...]:
     D = Argument("D", SE3)
     i, o = xi.name, xo.name
 
-    def by_displacement(let, D, x):
+    def by_displacement(let: Let, D: sp.Matrix, x: sp.Matrix) -> sp.Matrix:
         return operator(shifted(translation(D))) * let("w", operator(turned(rotation(D))) * x)
 
-    def by_inverse(let, D, x):
+    def by_inverse(let: Let, D: sp.Matrix, x: sp.Matrix) -> sp.Matrix:
         return operator(turned(rotation(D).T)) * let("w", operator(shifted(-translation(D))) * x)
 
-    def op(suffix, equation, argument, formula, derivation=None):
+    def op(suffix: str, equation: str, argument: Argument, formula: Callable[..., sp.Matrix],
+           derivation: Callable[..., sp.Matrix] | None = None) -> Operation:
         return space.op(f"product_{space.operator_name}{suffix}", f"{o} = {equation}",
                         (argument, xi), (xo,), formula, derivation)
 

@@ -1,8 +1,10 @@
 """Spatial inertias of rigid bodies: mass, first moment, second moments about the origin.
 
-In these ten numbers an inertia is linear: inertias of joined bodies add up, momentum is their
-product with a screw.  As an operator [[m 1, -h~], [h~, I]] it maps screws to coscrews (momenta).
+These ten numbers are linear: those of joined bodies add up, and momentum is linear in them.  As an
+operator [[m 1, -h~], [h~, I]] a spatial inertia maps screws to coscrews (momenta).
 """
+
+from functools import partial
 
 import sympy as sp
 
@@ -43,11 +45,7 @@ _vo, _Ro, _Mo = Argument("vo", VEC3), Argument("Ro", MAT3X3), Argument("Mo", MAT
 
 _CYCLES = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
 _UPPER = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
-
-
-def _op(name, statement, inputs, outputs, formula, derivation=None, rounding=""):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation,
-                     rounding=rounding)
+_op = partial(Operation, FAMILY)
 
 
 def _first(B: sp.Matrix) -> sp.Matrix:
@@ -82,8 +80,9 @@ def _energy_of(let: Let, B: sp.Matrix, s: sp.Matrix) -> sp.Expr:
 
 
 def _net_wrench(let: Let, B: sp.Matrix, w: sp.Matrix, ds: sp.Matrix) -> sp.Matrix:
-    """(m a + U h; h × a + N), U = ω'~ + ω~ ω~.  N = I ω' + ω × I ω takes 15 products instead of 24
-    with the entries of U and of ω ω^T, which no other component needs to have formed again:
+    """(m a + U h; h × a + N) with U = ω'~ + ω~ ω~.
+
+    N = I ω' + ω × I ω takes 15 products instead of 24, since it reuses entries of U and ω ω^T:
     N_x = I_xx ω'_x + (I_zz - I_yy) ω_y ω_z + I_yz (ω_y² - ω_z²) - I_xy U_zx + I_xz U_yx."""
     h, a, dw, I = _first(B), lin(ds), ang(ds), _second(B)
     xx, yy, zz, xy, xz, yz = ww = products_of(let, w)
@@ -98,12 +97,12 @@ def _net_wrench(let: Let, B: sp.Matrix, w: sp.Matrix, ds: sp.Matrix) -> sp.Matri
 
 
 def _wrench_formula(B: sp.Matrix, w: sp.Matrix, ds: sp.Matrix) -> sp.Matrix:
-    """B s' and what turning takes."""
+    """B s' + (ω × (ω × h); ω × I ω)."""
     return _momentum(B, ds) + stack(w.cross(w.cross(_first(B))), w.cross(_second(B) * w))
 
 
 def _from_com(let: Let, m: sp.Expr, com: sp.Matrix, Ic: sp.Matrix) -> sp.Matrix:
-    """h = m c, I = Ic - m c~ c~; of Ic the upper triangle."""
+    """h = m c, I = Ic - m c~ c~; only the upper triangle of Ic is read."""
     h = let("h", m * com)
     squares = let("squares", sp.Matrix([h[i] * com[i] for i in range(3)]))
     own = squares[1] + squares[2], squares[0] + squares[2], squares[0] + squares[1]
@@ -160,7 +159,7 @@ def _to_inertia(let: Let, B: sp.Matrix) -> sp.Matrix:
 
 
 def _sigma(let: Let, B: sp.Matrix) -> sp.Matrix:
-    """The diagonal of Σ = tr(I)/2 1 - I = ∫ x x^T dm, whose other entries are those of -I."""
+    """The diagonal of Σ = ∫ x x^T dm = tr(I)/2 1 - I; its other entries are those of -I."""
     second = _second(B)
     trace = let("trace", let("twice_trace", second.trace()) / 2)
     return let("sigma", sp.Matrix([trace - second[i, i] for i in range(3)]))
@@ -182,23 +181,23 @@ def _consistency(let: Let, B: sp.Matrix) -> sp.Expr:
 
 
 CONVERTED = 4
-"""In u: what a converted moment is off by at most, counted along its roundings."""
+"""In u: the error bound of a converted moment, from a count of its roundings."""
 
-_CONVERTED = (f"Error of a moment <= {CONVERTED} u times the sum of the sizes of its terms, "
-              "barring over- and underflow.")
+_CONVERTED = (f"Error of a moment <= {CONVERTED} u times the sum of its |terms|, barring over- and "
+              "underflow.")
 
 
 OPERATIONS = (
     *(op for op in linear_space(FAMILY, SPATIAL_INERTIA, "B")
       if op.name in ("spatial_inertia_copy", "spatial_inertia_scale", "add_BB", "subtract_BB")),
     _op("spatial_inertia_from_com", "Bo: mass m, centre of mass com, second moments Ic about it "
-        "(kg m^2; of the symmetric matrix the upper triangle): h = m com, I = Ic - m com~ com~",
+        "(kg m^2; only the upper triangle is read): h = m com, I = Ic - m com~ com~",
         (_m, _com, _Ic), (_Bo,), lambda *x: _from_com(unnamed, *x), _from_com),
-    _op("spatial_inertia_from_inertia", "Bo: of the inertia J, whose moments are about the centre "
-        "of mass: m, mt, I - mt~ mt~ / m; not a number where m = 0", (_J,), (_Bo,),
+    _op("spatial_inertia_from_inertia", "Bo = (m, mt, I - mt~ mt~ / m) from the inertia J, whose "
+        "moments are about the centre of mass; NaN where m = 0", (_J,), (_Bo,),
         lambda J: _of_inertia(unnamed, J), _of_inertia, rounding=_CONVERTED),
-    _op("inertia_from_spatial_inertia", "Jo: of the spatial inertia B, with moments about the "
-        "centre of mass: m, h, I + h~ h~ / m; not a number where m = 0", (_B,), (_Jo,),
+    _op("inertia_from_spatial_inertia", "Jo = (m, h, I + h~ h~ / m) from the spatial inertia B, "
+        "with moments about the centre of mass; NaN where m = 0", (_B,), (_Jo,),
         lambda B: _to_inertia(unnamed, B), _to_inertia, rounding=_CONVERTED),
     _op("spatial_inertia_com", "vo = h / m, the centre of mass in m", (_B,), (_vo,),
         lambda B: _first(B) / B[0],
@@ -210,17 +209,17 @@ OPERATIONS = (
         "with s", (_B, _s), (_co,), _momentum),
     _op("spatial_inertia_energy", "s·B s / 2, the kinetic energy in J of a body that moves with s",
         (_B, _s), (_energy,), lambda B, s: s.dot(_momentum(B, s)) / 2, _energy_of),
-    _op("spatial_inertia_net_wrench", "co = B ds + (w × (w × h); w × I w): the wrench about the "
-        "origin that a body takes to move with angular velocity w and acceleration ds = (a; w'), a "
-        "that of the point now at the origin; a less that of gravity: the wrench beside gravity's",
+    _op("spatial_inertia_net_wrench", "co = B ds + (w × (w × h); w × I w): the net wrench, about "
+        "the origin, of a body with angular velocity w and acceleration ds = (a; w'), where a is "
+        "that of the point now at the origin; if a is less gravity's, so is the wrench",
         (_B, _w, _ds), (_co,), _wrench_formula, _net_wrench),
-    _op("spatial_inertia_shifted", "Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~",
+    _op("spatial_inertia_shifted", "Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~",
         (_t, _B), (_Bo,), lambda t, B: _shifted(unnamed, t, B), _shifted),
-    _op("spatial_inertia_transformed", "Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D "
-        "takes its own to",
+    _op("spatial_inertia_transformed", "Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in "
+        "the reference frame",
         (_D, _B), (_Bo,), lambda D, B: _transformed(unnamed, D, B), _transformed),
     _op("spatial_inertia_consistency", "the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each "
-        "as a part of its diagonal entry: positive exactly if a body of positive density has this "
+        "divided by its diagonal entry: positive exactly if a body of positive density has this "
         "inertia", (_B,), (_pivot,),
         lambda B: smallest_pivot(*lower_triangle(_pseudo_inertia(unnamed, B))), _consistency),
 )

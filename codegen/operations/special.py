@@ -1,4 +1,4 @@
-"""Functions that formulas are written in where mathematics has no polynomial or closed form.
+"""Functions for formulas that have no polynomial or simple closed form.
 
 `codegen/special.py` evaluates them to any number of digits.
 """
@@ -15,11 +15,12 @@ class b(sp.Function):
 
 
 class quaternion_of(sp.Function):
-    """quaternion_of(i, R00, R01, …): component i of the nearest rotation's quaternion, w >= 0."""
+    """quaternion_of(i, R00, R01, …): component i of the quaternion, w >= 0, of the rotation nearest
+    to R."""
 
 
 class quaternion_log(sp.Function):
-    """quaternion_log(i, x, y, z, w): component i of a quaternion multiple's rotation vector."""
+    """quaternion_log(i, x, y, z, w): component i of the rotation vector of q / |q|."""
 
 
 class slerp(sp.Function):
@@ -31,7 +32,7 @@ class interpolated(sp.Function):
 
 
 class factor(sp.Function):
-    """factor(i, j, a00, a10, a11, …): entry of L, on the diagonal of D, of A = L D L^T."""
+    """factor(i, j, a00, a10, a11, …): entry of L, or of D if i = j, in A = L D L^T."""
 
 
 class smallest_pivot(sp.Function):
@@ -47,11 +48,11 @@ class inverse(sp.Function):
 
 
 class orthonormal_rows(sp.Function):
-    """orthonormal_rows(i, j, R00, R01, …): entry of Gram and Schmidt's rows of R, in order."""
+    """orthonormal_rows(i, j, R00, R01, …): entry of R after Gram–Schmidt on its rows, in order."""
 
 
 class jacobi(sp.Function):
-    """jacobi(k, i, j, A…, V…): entry of A, or of V (k = 0, 1), after one cycle of rotations."""
+    """jacobi(k, i, j, A…, V…): entry of A (k = 0) or V (k = 1) after one Jacobi rotation."""
 
 
 def vector(function: type[sp.Function], size: int, *arguments: sp.Expr) -> sp.Matrix:

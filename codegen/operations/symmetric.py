@@ -1,9 +1,10 @@
 """Symmetric positive definite 3×3 and 6×6 matrices: A = L D L^T, solutions of A x = b.
 
-Of A the lower triangle is read.  A pivot is given as a part of its diagonal entry: 1 in a diagonal
-matrix, small in a nearly singular one, zero or negative if A is not positive definite.
+Only the lower triangle of A is read.  Pivots are returned divided by their diagonal entries: 1 for
+a diagonal matrix, small for a nearly singular one, zero or negative if A is not positive definite.
 """
 
+from collections.abc import Sequence
 from functools import partial
 
 import sympy as sp
@@ -34,8 +35,8 @@ def lower_triangle(A: sp.Matrix) -> list[sp.Expr]:
 
 
 def factored(let: Let, A: sp.Matrix) -> tuple[sp.Matrix, list[sp.Expr]]:
-    """Unit lower triangular L and the diagonal of D.  Where a pivot is not positive, 1 divides in
-    its place: what follows from it means nothing."""
+    """Unit lower triangular L and the diagonal of D.  A pivot that is not positive is replaced by 1
+    as a divisor; the results that follow are meaningless."""
     n, D = A.rows, []
     L, U = sp.eye(n), sp.zeros(n, n)  # U = L D
     for j in range(n):
@@ -51,7 +52,7 @@ def factored(let: Let, A: sp.Matrix) -> tuple[sp.Matrix, list[sp.Expr]]:
 
 
 def bound_smallest_pivot(let: Let, A: sp.Matrix, D: list[sp.Expr]) -> sp.Expr:
-    """min d_i / a_ii; a diagonal entry that is not positive stands for itself."""
+    """min d_i / a_ii, where a diagonal entry a_ii that is not positive replaces the quotient."""
     smallest = None
     for i, d in enumerate(D):
         positive = A[i, i] > 0
@@ -75,12 +76,14 @@ def substituted(let: Let, L: sp.Matrix, D: list[sp.Expr], b: sp.Matrix) -> sp.Ma
 
 
 def _is_regular(let: Let, A: sp.Matrix) -> sp.Basic:
-    """Whether A - 50 u diag A has positive pivots.  Rounding changes a factored matrix by less than
-    (min(i, j) + 2) u sqrt(a_ii a_jj) in row i, column j, counted from 0, so, its diagonal scaled to
-    1, by less than 25 u in all directions together: with positive pivots A has no eigenvalue below
-    25 u, so that its own are positive, too; without them it has one below 75 u.  A threshold of A's
-    own smallest pivot would have to be above what rounding makes of a zero there: a thousand u, for
-    some 6×6 matrices."""
+    """Whether A - 50 u diag A has positive pivots.
+
+    The factorization is exact for a matrix that differs from A by less than
+    (min(i, j) + 2) u sqrt(a_ii a_jj) in row i, column j, counted from 0: with the diagonal scaled
+    to 1, by less than 25 u in the 2-norm.  So if the pivots are positive, A has no eigenvalue below
+    25 u and its own pivots are positive; if not, A has an eigenvalue below 75 u.  A threshold for
+    the smallest pivot of A itself would have to exceed the rounding error of a zero pivot, which is
+    a thousand u for some 6×6 matrices."""
     less = let("less", sp.Matrix([REGULAR * A[i, i] for i in range(A.rows)]))
     diminished = sp.Matrix(*A.shape, lambda i, j: less[i] if i == j else A[i, j])
     _, D = factored(prefixed(let, "less"), diminished)
@@ -110,48 +113,48 @@ def _operations(matrix: Quantity, right: Quantity, left: Quantity) -> tuple[Oper
     b, x = Argument("b", right, ANY), Argument("x", left)
     pivot = Argument("pivot", SCALAR)
 
-    def entry(i, j, triangle):
+    def entry(i: int, j: int, triangle: Sequence[sp.Expr]) -> sp.Expr:
         return factor(i, j, *triangle) if j <= i else sp.Integer(0)
 
-    def ldl(A):
+    def ldl(A: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
         triangle = lower_triangle(A)
         return smallest_pivot(*triangle), sp.Matrix(n, n, lambda i, j: entry(i, j, triangle))
 
-    def bound_ldl(let, A):
+    def bound_ldl(let: Let, A: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
         L, D = factored(let, A)
         return bound_smallest_pivot(let, A, D), L - sp.eye(n) + sp.diag(*D)
 
-    def solved(A, b):
+    def solved(A: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
         triangle = lower_triangle(A)
         return smallest_pivot(*triangle), vector(solution, n, *b, *triangle)
 
-    def by_factor(let, L, b):
+    def by_factor(let: Let, L: sp.Matrix, b: sp.Matrix) -> sp.Matrix:
         unit = sp.Matrix(n, n, lambda i, j: 1 if i == j else L[i, j] if j < i else 0)
         return substituted(let, unit, [L[i, i] for i in range(n)], b)
 
-    op = partial(Operation, family=FAMILY)
+    op = partial(Operation, FAMILY)
     return (
-        op(name=f"{matrix.name}_ldl", statement="L, D with L D L^T = A, of which the lower "
-           "triangle is read: unit lower triangular L, D on its diagonal; returns the smallest "
-           "pivot d_i / a_ii: where it is not positive, A is not positive definite, and L means "
-           "nothing", inputs=(A,), outputs=(pivot, L),
+        op(name=f"{matrix.name}_ldl", statement="L, D with L D L^T = A: unit lower triangular L, "
+           "with D on its diagonal; only the lower triangle of A is read.  Returns the smallest "
+           "pivot d_i / a_ii: if it is not positive, A is not positive definite, and L is "
+           "meaningless", inputs=(A,), outputs=(pivot, L),
            formula=ldl, derivation=bound_ldl,
            rounding=f"|L D L^T - A|_ij <= {FACTOR[n]} u sqrt(a_ii a_jj) where the pivot is "
            "positive, barring over- and underflow."),
         op(name=f"{matrix.name}_ldl_solve", statement=f"x = A^-1 b, L of {matrix.name}_ldl with a "
            "positive pivot", inputs=(L, b), outputs=(x,), formula=partial(by_factor, unnamed),
            derivation=by_factor, rounding=_backward("of A = L D L^T")),
-        op(name=f"{matrix.name}_solve", statement="x = A^-1 b with one step of refinement, A "
-           "symmetric, its lower triangle is read; returns the smallest pivot d_i / a_ii: where A "
-           "is singular to rounding or indefinite (A - 50 u diag A is not positive definite), it "
-           "is not positive, and x not a number",
+        op(name=f"{matrix.name}_solve", statement="x = A^-1 b with one step of refinement; A is "
+           "symmetric, only its lower triangle is read.  Returns the smallest pivot d_i / a_ii: it "
+           "is not positive, and x is NaN, if A is singular to rounding or indefinite "
+           "(A - 50 u diag A is not positive definite)",
            inputs=(A, b), outputs=(pivot, x), formula=solved, derivation=_solve,
            rounding=_backward("of A")),
     )
 
 
-# In u: by the number of rows, what a factor is off at most, counted along its roundings; and what
-# residuals of solutions were at most, and half as much again.
+# In u: the error bound of a factorization by the number of rows, from a count of roundings; and 1.5
+# times the largest measured residual of solutions.
 FACTOR, BACKWARD = {3: 4, 6: 7}, 4
 
 

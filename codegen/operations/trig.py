@@ -15,6 +15,6 @@ FAMILY = "trig"
 _theta, _dc = Argument("theta", SCALAR, ANY), Argument("dc", DC)
 
 OPERATIONS = (
-    Operation("dc", FAMILY, "dc = (sin θ, cos θ), θ in rad; accurate as the platform's sin and cos",
+    Operation(FAMILY, "dc", "dc = (sin θ, cos θ), θ in rad; accurate as the platform's sin and cos",
               (_theta,), (_dc,), lambda theta: sp.Matrix([sp.sin(theta), sp.cos(theta)])),
 )

@@ -1,10 +1,13 @@
 """Vectors of three components."""
 
+from functools import partial
+
 import sympy as sp
 
 from coscrew_codegen.algebra import unit
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import (
+    Let,
     divided,
     l2,
     moderate,
@@ -26,21 +29,17 @@ _v, _self, _vo = (Argument(name, VEC3, ANY) for name in ("v", "self", "vo"))
 _v1, _v2 = Argument("v1", VEC3, ANY), Argument("v2", VEC3, ANY)
 _k = Argument("k", SCALAR, ANY)
 _norm, _dot, _angle = (Argument(name, SCALAR) for name in ("norm", "dot", "angle"))
+_op = partial(Operation, FAMILY)
 
 
-def _normalized(let, v):
+def _normalized(let: Let, v: sp.Matrix) -> sp.Matrix:
     return safe_normalized(let, v, v)
 
 
-def _angle_between(let, a, b):
-    """Of both vectors times powers of two, which changes no angle."""
+def _angle_between(let: Let, a: sp.Matrix, b: sp.Matrix) -> sp.Expr:
+    """The angle between both vectors, scaled by powers of two, which does not change it."""
     a, b = moderate(let, "s1", a), moderate(let, "s2", b)
     return sp.atan2(let("cross", safe_norm(let, let("c", a.cross(b)))), let("dot_", a.dot(b)))
-
-
-def _op(name, statement, inputs, outputs, formula, derivation=None, order=()):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation, order)
-
 
 _PRODUCTS = (
     _op("vec3_scaled", "vo = k v", (_v, _k), (_vo,), lambda v, k: k * v),
@@ -55,7 +54,7 @@ _PRODUCTS = (
     _op("dot_vv", "v1·v2", (_v1, _v2), (_dot,), lambda v1, v2: v1.dot(v2)),
     _op("product_avinv", "vo = k (-v)", (_k, _v), (_vo,), lambda k, v: -k * v),
     _op("product_ainvv", "vo = v / k", (_k, _v), (_vo,), lambda k, v: v / k),
-    Operation("cross_vv", FAMILY, "vo = v1 × v2", (_v1, _v2), (_vo,),
+    _op("cross_vv", "vo = v1 × v2", (_v1, _v2), (_vo,),
               lambda v1, v2: v1.cross(v2),
               remark="Exactly zero for v1 = v2, unless products overflow."),
     _op("cross_vvinv", "vo = v1 × (-v2)", (_v1, _v2), (_vo,), lambda v1, v2: v1.cross(-v2)),

@@ -1,7 +1,11 @@
-"""Vectors of four components: of three dimensions, with a homogeneous coordinate behind them."""
+"""Vectors of four components: three dimensions and a homogeneous coordinate."""
+
+from functools import partial
+
+import sympy as sp
 
 from coscrew_codegen.operations.linear import linear_space
-from coscrew_codegen.operations.norm import divided, l2, nonzero, safe_norm, safe_normalized
+from coscrew_codegen.operations.norm import Let, divided, l2, nonzero, safe_norm, safe_normalized
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import (
     ANY,
@@ -15,18 +19,15 @@ FAMILY = "vec4"
 _v, _self, _vo = (Argument(name, VEC4) for name in ("v", "self", "vo"))
 _v1, _v2 = Argument("v1", VEC4), Argument("v2", VEC4)
 _k, _norm = Argument("k", SCALAR, ANY), Argument("norm", SCALAR)
+_op = partial(Operation, FAMILY)
 
 
-def _normalized(v):
+def _normalized(v: sp.Matrix) -> sp.Matrix:
     return divided(v, nonzero(l2(v)))
 
 
-def _bound_normalized(let, v):
+def _bound_normalized(let: Let, v: sp.Matrix) -> sp.Matrix:
     return safe_normalized(let, v, v)
-
-
-def _op(name, statement, inputs, outputs, formula, derivation=None):
-    return Operation(name, FAMILY, statement, inputs, outputs, formula, derivation)
 
 
 OPERATIONS = (

@@ -1,4 +1,4 @@
-"""Programs: kernels with their order of evaluation, what is proved of them, and how they fold."""
+"""Programs: kernels in their order of evaluation; error bounds, constant folding, interpreter."""
 
 from coscrew_codegen.program.ops import Op
 from coscrew_codegen.program.program import (

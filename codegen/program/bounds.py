@@ -1,18 +1,18 @@
-"""A-priori error bounds of a Program, from how its roundings reach its results.
+"""A-priori error bounds of a Program, by tracking each rounding to the results.
 
 Every rounding is x̂ = x (1 + δ), |δ| <= u.  In a program of +, -, × each result is a polynomial in
-the inputs and the δ, and the roundings are tracked through it exactly up to second order:
+the inputs and the δ, which is expanded exactly up to second order in the δ:
 
 - first order: Σ |terms in one δ| <= c1 u S,
 - second order, where the first cancels (compensated programs): <= c2 u² S,
 
-S being the sum of the absolute values of the terms of the expanded polynomial.  The last rounding
-is kept apart, since it is relative to the result: |x̂ - x| <= u |x̂| + c1 u S (1 + O(u)).  The
-exact errors of sums and products that compensated programs compute are themselves terms in δ, so
-what they correct cancels here as it does there.
+where S is the sum of the absolute values of the terms of the exact result's expanded polynomial.
+The last rounding is treated apart, since its error is relative to the result:
+|x̂ - x| <= u |x̂| + c1 u S (1 + O(u)).  The rounding errors that compensated programs compute are
+themselves terms in δ, so that the corrections cancel here as they do in the program.
 
-A wide program computes single-precision results in double, whose u is 2^-5 u² of single's: its
-first order counts as second.  Valid barring overflow and underflow.
+A wide program computes single-precision results in double, whose u is 2^-5 times the square of
+single's: its first order counts as second.  Valid barring overflow and underflow.
 """
 
 from collections import defaultdict
@@ -34,14 +34,14 @@ from coscrew_codegen.program import (
 from coscrew_codegen.program.interpreter import Arithmetic, evaluate
 
 Monomial = tuple[Input, ...]  # sorted; a power repeats its variable
-Number = int | Fraction  # whole numbers, which most coefficients are, as int: many times faster
+Number = int | Fraction  # most coefficients are whole numbers; as int they are many times faster
 Polynomial = Mapping[Monomial, Number]
-Deltas = tuple[int, ...]  # numbers of the roundings a term is proportional to; sorted
+Deltas = tuple[int, ...]  # the roundings that a term is proportional to, by number; sorted
 
 
 @dataclass(frozen=True)
 class Bound:
-    """|x̂ - x| <= u |x̂| + (c1 u + c2 u²) S, u |x̂| only if the last operation is rounded.
+    """|x̂ - x| <= u |x̂| + (c1 u + c2 u²) S; without u |x̂| unless the last operation is `rounded`.
 
     `terms` is the polynomial x; S is the same with absolute values throughout."""
 
@@ -53,7 +53,7 @@ class Bound:
 
 @dataclass(frozen=True)
 class _Series:
-    """A value as polynomials by the δ they are proportional to: () is the exact value."""
+    """A value as a sum of polynomials, by the δ they are proportional to; () is the exact value."""
 
     terms: Mapping[Deltas, Polynomial] = field(default_factory=dict)
 
@@ -61,9 +61,10 @@ class _Series:
         return self.terms.get(deltas, {})
 
 
-@cache  # every language, and every precision of a program that is the same in both, asks again
+@cache  # called for every language and precision
 def bounds_of(program: Program) -> tuple[Bound, ...] | None:
-    """A bound per result component; None where the program is not polynomial in exact constants."""
+    """A bound per result component; None unless the program is a polynomial with exact constants.
+    """
     if any(step.op not in _RULES or any(map(_is_rounded_constant, step.operands))
            for step in program.instructions):
         return None
@@ -77,7 +78,7 @@ def bounds_of(program: Program) -> tuple[Bound, ...] | None:
 
 
 def in_words(program: Program) -> str:
-    """The bounds as kernels' comments state them; empty where the program is not polynomial."""
+    """The bounds as the comments of kernels state them; empty if the program has none."""
     bounds = bounds_of(program)
     if bounds is None:
         return ""
@@ -92,7 +93,7 @@ def in_words(program: Program) -> str:
 
 
 def _by_part(program: Program, constants: list[Fraction]) -> str:
-    """The largest constant; where the parts of the result differ, each part's."""
+    """The largest constant; one for each part of the result if they differ."""
     largest: dict[str, Fraction] = {}
     remaining = iter(constants)
     for argument in program.outputs:
@@ -106,7 +107,7 @@ def _by_part(program: Program, constants: list[Fraction]) -> str:
 
 
 def _last_rounding(result: Operand, program: Program) -> int | None:
-    """Number of the instruction that rounded the result last; negating and scaling are exact."""
+    """Number of the instruction that rounds the result last; negations and scalings are exact."""
     steps = {step.name: (number, step) for number, step in enumerate(program.instructions)}
     while isinstance(result, Ref):
         number, step = steps[result.name]
@@ -135,7 +136,7 @@ def _wide_bound(value: _Series) -> Bound:
 
 
 def _constant(value: _Series, order: int, last: int | None) -> Fraction:
-    """The largest ratio, over all monomials, of error terms of this order to the exact value's."""
+    """max over monomials of Σ |error terms of this order| / |term of the exact value|."""
     exact = value.polynomial(())
     totals: dict[Monomial, Number] = defaultdict(int)
     for deltas, polynomial in value.terms.items():
@@ -157,7 +158,7 @@ def _exact(constant: Constant) -> _Series:
 
 
 def _applied(step: Instruction, number: int) -> Callable[..., _Series]:
-    """What instruction `number` does; its rounding is δ of that number."""
+    """The function that computes instruction `number`, whose rounding is the δ of that number."""
     if scales(step):
         return _product
     rule = _RULES[step.op]
@@ -165,14 +166,14 @@ def _applied(step: Instruction, number: int) -> Callable[..., _Series]:
 
 
 def _is_rounded_constant(operand: Operand) -> bool:
-    """Whether a constant is no binary fraction, so that it is itself rounded."""
+    """Whether the operand is a constant that is not a binary fraction, and so is rounded."""
     denominator = operand.double.denominator if isinstance(operand, Constant) else 1
     return bool(denominator & (denominator - 1))
 
 
 def _combined(*scaled: tuple[int, _Series]) -> _Series:
-    """Σ factor · series; factors are 1 and -1.  Most terms are in roundings that one series alone
-    has, and stay as they are."""
+    """Σ factor · series, for factors 1 and -1.  Most δ occur in one series only: its polynomials
+    are kept, not copied."""
     sums: dict[Deltas, Polynomial] = {}
     for factor, series in scaled:
         for deltas, polynomial in series.terms.items():
@@ -204,13 +205,13 @@ def _product(a: _Series, b: _Series) -> _Series:
 
 
 def _roundoff(value: _Series, number: int) -> _Series:
-    """δ · value, what rounding number `number` adds to a value."""
+    """δ · value: the error that rounding `number` adds, up to second order."""
     return _Series({tuple(sorted((*deltas, number))): polynomial
                     for deltas, polynomial in value.terms.items() if len(deltas) < 2})
 
 
 def _rounded(value: _Series, number: int) -> _Series:
-    """The value and, in terms of their own, what rounding it adds."""
+    """value (1 + δ), with the δ of rounding `number`."""
     return _Series({**value.terms, **_roundoff(value, number).terms})
 
 

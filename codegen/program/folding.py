@@ -1,8 +1,8 @@
-"""What an instruction folds to: exact rules on constants, zeros, ones and signs.
+"""Folds instructions by exact rules on constants, zeros, ones and signs.
 
-A sum takes signs up (a + (-b) is a - b), a product hands them on ((-a) b is -(a b)), so
-that none is left but where a result needs it.  Rules change no value but the sign of
-zero, and NaN times zero.
+A sum absorbs signs (a + (-b) is a - b), a product passes them on ((-a) b is -(a b)), so that a
+negation remains only where a result needs it.  The rules change no value except the sign of zero,
+and 0 times infinity or NaN, which they make 0.
 """
 
 from collections.abc import Mapping
@@ -16,7 +16,7 @@ from coscrew_codegen.program import Constant, Instruction, Op, Operand, Ref
 from coscrew_codegen.program.interpreter import exactly
 
 DIGITS = 60
-"""Decimal digits of constants that are no short fractions: far beyond double precision."""
+"""Decimal digits of constants that are not short fractions: far beyond double precision."""
 
 _ZERO, _ONE = Constant(Fraction(0), Fraction(0)), Constant(Fraction(1), Fraction(1))
 _LONGEST = 1 << 1200
@@ -24,7 +24,7 @@ _LONGEST = 1 << 1200
 
 @dataclass(frozen=True)
 class Folded:
-    """What remains to be issued."""
+    """The instruction that remains to be issued."""
 
     op: Op
     operands: tuple[Operand, ...]
@@ -32,13 +32,13 @@ class Folded:
 
 @dataclass(frozen=True)
 class Sign:
-    """The negative of what remains to be issued."""
+    """The negative of the instruction that remains to be issued."""
 
     of: tuple[Op, tuple[Operand, ...]]
 
 
 def fraction(value: Fraction | int) -> Fraction:
-    """The number; refuses floats, which stand for other numbers than they were written as."""
+    """The number, exactly; refuses floats, which differ from the decimals they were written as."""
     if isinstance(value, float):
         raise TypeError(f"{value!r} is a float; numbers of scenes are exact fractions")
     return Fraction(value)
@@ -46,7 +46,7 @@ def fraction(value: Fraction | int) -> Fraction:
 
 def folded(op: Op, operands: tuple[Operand, ...],
            known: Mapping[str, Instruction]) -> Operand | Folded | Sign:
-    """What op(operands) folds to: an operand, or what remains to be issued."""
+    """op(operands) folded: an operand, or the instruction that remains to be issued."""
     if op is not Op.SELECT and all(isinstance(x, Constant) for x in operands):
         return _constant(op, operands)
     rule = _RULES.get(op)
@@ -66,7 +66,7 @@ def _is(x: Operand, number: int) -> bool:
 
 
 def _negated(x: Operand, known: Mapping[str, Instruction]) -> Operand | None:
-    """y where x is -y, issued or constant below zero; else None."""
+    """y if x is -y, either as an instruction or as a negative constant; else None."""
     if isinstance(x, Constant):
         return _constant(Op.NEG, (x,)) if x.double.numerator < 0 else None
     if isinstance(x, Ref) and known[x.name].op is Op.NEG:
@@ -99,7 +99,7 @@ def _completed(known, a, b):
 
 
 def _joined(known, a, b, sign):
-    """c x ± k x is (c ± k) x, for constants c, k: products of the same number, or it alone."""
+    """c x ± k x is (c ± k) x, for constants c and k, which may be 1."""
     (c, x), (k, y) = _scaled(known, a), _scaled(known, b)
     if x != y or isinstance(x, Constant):
         return None
@@ -108,7 +108,7 @@ def _joined(known, a, b, sign):
 
 
 def _scaled(known, x):
-    """(c, y) where x is the product c y with a constant; else (1, x)."""
+    """(c, y) if x is a product c y with a constant c; else (1, x)."""
     if isinstance(x, Ref) and known[x.name].op is Op.MUL:
         c, y = known[x.name].operands
         if isinstance(c, Constant):
@@ -238,7 +238,7 @@ def _rational(x: mpmath.mpf) -> Fraction:
 
 
 def _shortened(x: Fraction) -> Fraction:
-    """x, or where its terms grow long, x to 60 digits."""
+    """x, or x to 60 digits if its numerator or denominator is too long."""
     if abs(x.numerator) < _LONGEST and x.denominator < _LONGEST:
         return x
     with mpmath.workdps(DIGITS):

@@ -1,6 +1,6 @@
-"""The interpreter of Programs, on whatever numbers: floats, arrays, 50 digits, fractions, series.
+"""The interpreter of Programs, for any kind of numbers: floats, arrays, fractions, 50 digits, ….
 
-A kind of numbers is an Arithmetic: its constants, and what each operation does.
+An Arithmetic says how a kind of numbers represents constants and computes each operation.
 """
 
 import operator
@@ -23,8 +23,10 @@ V = TypeVar("V")
 
 @dataclass(frozen=True)
 class Arithmetic(Generic[V]):
-    """A kind of numbers: what stands for a constant, and what computes an instruction, of which the
-    number in the program is given, too."""
+    """A kind of numbers V.
+
+    `constant` converts a constant; `function` returns what computes an instruction, given the
+    instruction and its number in the program."""
 
     constant: Callable[[Constant], V]
     function: Callable[[Instruction, int], Callable[..., V]]
@@ -33,8 +35,9 @@ class Arithmetic(Generic[V]):
 
 def interpreter(program: Program, arithmetic: Arithmetic[V]
                 ) -> Callable[[Sequence[Sequence[V]]], list[V]]:
-    """From the components of each input to those of the results.  Raises TypeError for a program
-    that may have no value if these numbers have no NaN."""
+    """The function from the components of each input to those of the results.
+
+    Raises TypeError for a program with a NaN result if these numbers have no NaN."""
     operands = [x for step in program.instructions for x in step.operands]
     first = list(dict.fromkeys(x for x in (*operands, *program.results) if not isinstance(x, Ref)))
     inputs = [x for x in first if isinstance(x, Input)]
@@ -60,19 +63,19 @@ def interpreter(program: Program, arithmetic: Arithmetic[V]
 
 def evaluate(program: Program, inputs: Sequence[Sequence[V]],
              arithmetic: Arithmetic[V]) -> list[V]:
-    """The results' components for the components of each input."""
+    """The components of the results, from the components of each input."""
     return interpreter(program, arithmetic)(inputs)
 
 
 def by_operation(constant: Callable[[Constant], V], operations: Mapping[Op, Callable[..., V]],
                  not_a_number: V | None = None) -> Arithmetic[V]:
-    """Numbers that a table of functions computes with."""
+    """The Arithmetic whose operations are in a table."""
     return Arithmetic(constant, lambda step, _: operations[step.op], not_a_number)
 
 
 def exactly(functions: object = None) -> Mapping[Op, Callable]:
-    """Every operation without its rounding: by operators, and by the module's sqrt, sin, cos, exp,
-    tanh, atan2 (math, mpmath, numpy)."""
+    """Every operation without rounding: Python's operators, and the sqrt, sin, cos, exp, tanh and
+    atan2 of a module (math, mpmath, numpy)."""
     return _OPERATORS | {op: getattr(functions, op.value) for op in _FUNCTIONS
                          if hasattr(functions, op.value)}
 

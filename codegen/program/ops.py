@@ -1,7 +1,6 @@
-"""What an instruction can do, and what is known of each: the only table of it.
+"""The operations of instructions with their arity and rounding: the only table of them.
 
-How a language spells an operation is its target's business, how a kind of numbers computes it the
-interpreter's.
+A target knows how its language spells them, an Arithmetic how its numbers compute them.
 """
 
 from dataclasses import dataclass
@@ -9,11 +8,11 @@ from enum import Enum
 
 
 class Rounding(Enum):
-    """How far a result is from the operation on its operands, barring over- and underflow."""
+    """How a result is rounded, barring overflow and underflow."""
 
     EXACT = "exact"
     ONCE = "rounded once"  # by at most u of the result
-    LIBRARY = "as the language's library has it"
+    LIBRARY = "as the language's library rounds it"
 
 
 @dataclass(frozen=True)
@@ -57,12 +56,12 @@ class Op(Enum):
 
     @property
     def meaning(self) -> Meaning:
-        """Its entry in the table."""
+        """Its entry in the table of meanings."""
         return _MEANINGS[self]
 
     @property
     def rounds(self) -> bool:
-        """Whether the result may differ from the operation on its operands."""
+        """Whether the result may differ from the exact one."""
         return self.meaning.rounding is not Rounding.EXACT
 
 
@@ -79,6 +78,6 @@ _MEANINGS = {
     Op.SELECT: Meaning(3, _EXACT)}
 
 COMPARISONS = frozenset({Op.LESS, Op.EQUAL})
-"""The operations whose results are no numbers but decisions of a SELECT."""
+"""The operations whose results are truth values, for SELECT."""
 POLYNOMIAL = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG})
-"""Those of a polynomial."""
+"""The operations of polynomials."""

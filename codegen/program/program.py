@@ -25,7 +25,7 @@ class Input(NamedTuple):
 
 @dataclass(frozen=True)
 class Constant:
-    """A number, which may differ between the precisions (a threshold)."""
+    """A number; a threshold may differ between the precisions."""
 
     double: Fraction
     single: Fraction
@@ -35,7 +35,7 @@ class Constant:
 
     @cached_property
     def _hash(self) -> int:
-        """Once: that of a fraction takes a power."""
+        """The hash, computed once: hashing a fraction takes a modular power."""
         return hash((self.double, self.single))
 
 
@@ -48,7 +48,7 @@ class Ref:
 
 @dataclass(frozen=True)
 class NotANumber:
-    """NaN, for results that do not exist."""
+    """NaN, for results that are undefined."""
 
 
 Operand = Input | Constant | NotANumber | Ref
@@ -56,7 +56,7 @@ Operand = Input | Constant | NotANumber | Ref
 
 @dataclass(frozen=True)
 class Instruction:
-    """name = op(operands), a step towards `component`; the last step bears its name."""
+    """name = op(operands), a step towards `component`; the last step has its name."""
 
     name: str
     op: Op
@@ -87,7 +87,7 @@ class Program:
 
     @cached_property
     def _hash(self) -> int:
-        """Once: caches ask for it again and again."""
+        """The hash, computed once: caches need it often."""
         return hash((self.name, self.instructions, self.results, self.wide))
 
     @property
@@ -96,7 +96,7 @@ class Program:
         return Counter(instruction.op for instruction in self.instructions)
 
     def used_inputs(self) -> frozenset[Input]:
-        """The input components anything depends on."""
+        """The input components that instructions or results use."""
         operands = [x for instruction in self.instructions for x in instruction.operands]
         return frozenset(x for x in (*operands, *self.results) if isinstance(x, Input))
 
@@ -113,7 +113,7 @@ def without_dead_steps(program: Program) -> Program:
 
 
 def by_component(program: Program) -> Iterator[tuple[Instruction, ...]]:
-    """The instructions, those of each component together: the lines a reader expects."""
+    """Consecutive instructions of the same component, as groups: one line of text each."""
     for _, steps in groupby(program.instructions, key=lambda step: step.component):
         yield tuple(steps)
 

@@ -1,7 +1,6 @@
 """The sums of a Program with all their terms, for tiers that add in another order.
 
-A Program has kept the terms of its sums: a partial sum that only the next addition uses is no more
-than a place in the order of evaluation.
+A chain of additions in which only the next one uses each partial sum is one sum of many terms.
 """
 
 from collections import Counter
@@ -27,8 +26,10 @@ Tree = int | tuple["Tree", "Tree"]
 
 
 def rearranged(program: Program, tree: Callable[[Sequence[Term]], Tree]) -> Program:
-    """The program with every sum added as `tree` says, which gets the terms in the order they were
-    added in.  As many additions as before, under their old names; products stay as they are."""
+    """The program with every sum added in the order of `tree(terms)`.
+
+    `tree` receives the terms in the order of the program.  There are as many additions as before,
+    under their old names; other instructions stay as they are."""
     uses = Counter(x.name for x in (*program.results, *(
         x for step in program.instructions for x in step.operands)) if isinstance(x, Ref))
     sums = {step.name: step for step in program.instructions if step.op in _SUMS}
@@ -46,7 +47,7 @@ def rearranged(program: Program, tree: Callable[[Sequence[Term]], Tree]) -> Prog
 
 def _taken_apart(step: Instruction, sums: dict[str, Instruction], partial: set[str]
                  ) -> tuple[list[Term], list[str]]:
-    """The terms, and the names of all its additions, its own last."""
+    """The terms of a sum, and the names of its additions, the last one last."""
     terms: list[Term] = []
     names: list[str] = []
     for x, negated in zip(step.operands, (False, step.op is Op.SUB), strict=True):
@@ -61,8 +62,10 @@ def _taken_apart(step: Instruction, sums: dict[str, Instruction], partial: set[s
 
 def _added(last: Instruction, terms: Sequence[Term], names: list[str], tree: Tree
            ) -> list[Instruction]:
-    """The additions, those of the left tree first.  A sum of negative terms stays negative until it
-    meets a positive one, and the first term is always positive."""
+    """The additions, those of the left subtree first.
+
+    A sum of negative terms is added up without its sign and subtracted where it meets a positive
+    one; the first term of a sum is always positive."""
     steps: list[Instruction] = []
 
     def value(tree: Tree) -> Term:

@@ -1,4 +1,4 @@
-"""Numbers of a recording, which a scene's equations are written with, and vectors of three."""
+"""Numbers whose arithmetic is recorded, for the equations of scenes; and vectors of three."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ Vector = tuple["Number", "Number", "Number"]
 
 @dataclass(frozen=True)
 class Number:
-    """An operand with the recorder that holds it.  Arithmetic on it is recorded."""
+    """An operand and its recorder.  Arithmetic on it is recorded."""
 
     recorder: "Recorder"
     operand: Operand
@@ -30,7 +30,7 @@ class Number:
 
     @property
     def constant(self) -> Fraction | None:
-        """Its value, where that is the same constant in both precisions."""
+        """Its value if it is a constant that is the same in both precisions, else None."""
         x = self.operand
         return x.double if isinstance(x, Constant) and x.double == x.single else None
 
@@ -67,17 +67,17 @@ def less(a: Number, b: "Number | Fraction | int") -> Number:
 
 
 def where(test: Number, a: "Number | Fraction | int", b: "Number | Fraction | int") -> Number:
-    """a where the test holds, else b."""
+    """a if the test holds, else b."""
     return test._with(Op.SELECT, test, a, b)
 
 
 def maximum(a: Number, b: "Number | Fraction | int") -> Number:
-    """The larger of both."""
+    """max(a, b)."""
     return where(less(a, b), b, a)
 
 
 def minimum(a: Number, b: "Number | Fraction | int") -> Number:
-    """The smaller of both."""
+    """min(a, b)."""
     return where(less(a.like(b), a), b, a)
 
 
@@ -115,7 +115,7 @@ def negative(a: Sequence[Number]) -> tuple[Number, ...]:
 
 
 def displacement(R: Sequence[Number], t: Sequence[Number]) -> tuple[Number, ...]:
-    """D = [R | t], row by row, as the library's operations take it."""
+    """D = [R | t], row by row, as an argument of the library's operations."""
     return (*R[:3], t[0], *R[3:6], t[1], *R[6:], t[2])
 
 

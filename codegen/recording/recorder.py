@@ -1,15 +1,15 @@
-"""Records arithmetic as a Program: the library's own Programs replayed on Numbers.
+"""Records arithmetic, and calls of the library's Programs, as a Program.
 
-What is constant folds exactly, in rationals; zeros and ones cost nothing; equal instructions are
-issued once; signs move outwards until a sum takes them up.  Knows no mechanics.
+Constants fold exactly, in rationals; zeros and ones cost nothing; equal instructions are issued
+once; signs move outwards until a sum absorbs them.  Knows no mechanics.
 
-Instructions are named when the program is done, so that none that is left out leaves a gap:
+Instructions are named when the program is complete, so that the numbers in names have no gaps:
 
     link_wx      component x of the value w of the link
     link_wxn     its negative
-    link_wx2     where a function has the value twice, the second
-    link_wx_1    the first step towards it, which nothing else needs
-    link_w_1     the first step of the part w of the link that several need
+    link_wx2     the second value of that name in the function
+    link_wx_1    the first step towards link_wx, used for nothing else
+    link_w_1     the first step of the part w of the link that has several uses
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -40,31 +40,31 @@ Numbers = Sequence[Number]
 
 COMPONENTS = {1: ("",), 3: ("x", "y", "z"), 6: ("xx", "yy", "zz", "xy", "xz", "yz"),
               9: ("xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz")}
-"""What components are called behind a symbol, by their number."""
+"""Suffixes of components, by the number of components."""
 
 
 def array(name: str, shape: tuple[int, ...], words: str = "") -> Argument:
-    """An argument of this shape, stored row by row: the last index runs fastest."""
+    """An argument of this shape, row by row: the last index runs fastest."""
     return Argument(name, Quantity(name, shape, (), words))
 
 
 class Recorder:
-    """Issues instructions in order and names them after what they are part of."""
+    """Issues instructions in order and names them after the values that they belong to."""
 
     def __init__(self, inputs: Sequence[Argument]):
         self.inputs = tuple(inputs)
         self._instructions: list[Instruction] = []
         self._by_name: dict[str, Instruction] = {}
         self._issued: dict[tuple[Op, tuple[Operand, ...]], Ref] = {}
-        self._part = Part("total")  # of several links or effects
+        self._part = Part("total")  # sums over several links or effects
         self._parts: dict[str, Part] = {}  # by the instruction's name
-        self._labels: dict[str, Part] = {}  # of values: by the name of what holds them
-        self.heading = ""  # of the part in which something was divided by zero
+        self._labels: dict[str, Part] = {}  # of values, by the name of their instruction
+        self.heading = ""  # of the part in which a division by zero occurred
         self._arithmetic: Arithmetic[Operand] = Arithmetic(
             lambda x: x, lambda step, _: partial(self._issued_of, step.op), NotANumber())
         self._replays: dict[str, Callable[[Sequence[Sequence[Operand]]], list[Operand]]] = {}
 
-    # what goes in
+    # inputs and constants
 
     def argument(self, name: str) -> tuple[Number, ...]:
         """The components of an input."""
@@ -73,7 +73,7 @@ class Recorder:
                      for k in range(self.inputs[index].quantity.size))
 
     def has(self, name: str) -> bool:
-        """Whether there is such an input."""
+        """Whether there is an input of this name."""
         return any(a.name == name for a in self.inputs)
 
     def number(self, value: Scalar | int) -> Number:
@@ -87,11 +87,11 @@ class Recorder:
         """Each of them as a Number."""
         return tuple(map(self.number, values))
 
-    # what happens to it
+    # operations
 
     @contextmanager
     def part(self, owner: str, symbol: str = "", heading: str = "") -> Iterator[None]:
-        """Names what is issued within after its owner and what it computes, below a heading."""
+        """Name the instructions issued in this block by owner and symbol, below a heading."""
         before = self._part
         self._part = Part(owner, symbol, heading or before.heading)
         try:
@@ -103,9 +103,10 @@ class Recorder:
             self._part = before
 
     def label(self, symbol: str, value: Number | Numbers, owner: str = "") -> None:
-        """Names a value of the part's owner, or another, by a symbol: components are x, y, z, of
-        symmetric matrices xx, yy, zz, xy, xz, yz, of other 3×3 ones xx, xy, xz, yx, ….  Names that
-        something has, it keeps."""
+        """Name a value by owner (by default the current part's) and symbol.
+
+        Components of vectors are x, y, z, of symmetric matrices xx, yy, zz, xy, xz, yz, of other
+        3×3 matrices xx, xy, xz, yx, ….  A component that has a name keeps it."""
         numbers = [value] if isinstance(value, Number) else value
         for suffix, x in zip(COMPONENTS[len(numbers)], numbers, strict=True):
             if isinstance(x.operand, Ref):
@@ -113,7 +114,7 @@ class Recorder:
                     owner or self._part.owner, f"{symbol}{suffix}", self._part.heading))
 
     def call(self, operation: str, *arguments: Number | Numbers) -> tuple[Number, ...]:
-        """All components of the operation's outputs, its plain program replayed."""
+        """All components of the operation's outputs; records its plain program on the arguments."""
         given = [[x.operand for x in ([a] if isinstance(a, Number) else a)] for a in arguments]
         if operation not in self._replays:
             self._replays[operation] = interpreter(library_program(operation), self._arithmetic)
@@ -123,7 +124,7 @@ class Recorder:
         return self.issue(op, operands)
 
     def issue(self, op: Op, operands: tuple[Operand, ...]) -> Operand:
-        """The operand that holds op(operands): folded, found, or issued anew."""
+        """The operand that holds op(operands): folded, issued earlier, or issued now."""
         result = folded(op, operands, self._by_name)
         if isinstance(result, Sign):
             return self.issue(Op.NEG, (self.issue(*result.of),))
@@ -145,10 +146,10 @@ class Recorder:
         self._parts[name] = self._part
         return Ref(name)
 
-    # what comes out
+    # the program
 
     def program(self, name: str, outputs: Sequence[tuple[Argument, Numbers]]) -> Program:
-        """The program with these outputs; what none of them needs is not in it."""
+        """The program with these outputs, without the instructions that none of them needs."""
         results = tuple(x.operand for argument, numbers in outputs
                         for x in _exactly(argument, numbers))
         program = without_dead_steps(Program(name, self.inputs, tuple(a for a, _ in outputs),
@@ -157,7 +158,7 @@ class Recorder:
 
 
 def headings(program: Program) -> tuple[tuple[int, str], ...]:
-    """Where the heading of the instructions changes: (index, heading)."""
+    """(index, heading) of each instruction at which the heading changes."""
     found, last = [], ""
     for index, step in enumerate(program.instructions):
         heading = step.component.rpartition(":")[0]  # a body may be called a:b
@@ -175,7 +176,7 @@ def _exactly(argument: Argument, numbers: Numbers) -> Numbers:
 
 
 def _order(x: Operand) -> tuple:
-    """Constants first, then inputs, then results in their order."""
+    """Sort key: constants first, then inputs, then results in their order."""
     if isinstance(x, Constant):
         return 0, "", x.double, x.single
     if isinstance(x, Input):

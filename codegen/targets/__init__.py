@@ -1,7 +1,7 @@
-"""Targets: how a Program is spelled in a language and a precision, and which files hold it.
+"""Targets: how a Program is written in a language and a precision, and in which files.
 
-A target is given Programs, of the library or of a scene, and returns its files; it is found by its
-`TARGET`.  The other modules here are what several targets share."""
+A target receives Programs, of the library or of a scene, and returns its files.  A module with a
+`TARGET` adds one; the other modules here are shared by several targets."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from coscrew_codegen.targets.target import Target
 
 
-@cache  # not when this package is imported: each target imports what it takes
+@cache  # a function, since targets import modules of this package
 def targets() -> tuple[Target, ...]:
     """All targets, by their modules' names."""
     from coscrew_codegen.targets.target import Target
@@ -23,5 +23,5 @@ def targets() -> tuple[Target, ...]:
 
 
 def languages() -> tuple[str, ...]:
-    """The languages that can be asked for, in alphabetical order."""
+    """The languages that can be selected, in alphabetical order."""
     return tuple(sorted({x for target in targets() if target.asked for x in target.languages}))

@@ -20,7 +20,7 @@ from coscrew_codegen.targets.c_statements import WIDTH, listed
 STRUCTS = ("vec3", "vec4", "mat3x3", "mat4x4", "SE3", "screw", "coscrew", "mat6x6", "quaternion",
            "inertia", "spatial_inertia")
 
-# Conversions name both types, so that in single precision both have an f.
+# Conversions name two types; in single precision both get an f.
 _CONVERSION = re.compile(r"_(from|to)(SE3|Mat4x4)")
 
 _MEMBERS = {
@@ -40,10 +40,12 @@ def type_name(name: str, precision: Precision) -> str:
 
 
 def c_name(name: str, precision: Precision) -> str:
-    """The function's C name; single precision puts its f behind the type the name starts with
-    (ksl_coscrewf_copy), and behind one it ends in (ksl_mat4x4f_toSE3f), else at the end
-    (ksl_product_CoAdcf); products of quaternions lose their prefix in it, as in KSL
-    (ksl_quaternion_product_qq, ksl_product_qqf)."""
+    """The function's C name.
+
+    Single precision adds an f to the type that the name starts with (ksl_coscrewf_copy) and to one
+    that it ends in (ksl_mat4x4f_toSE3f), else to the name (ksl_product_CoAdcf).  Products of
+    quaternions lose their prefix in single precision, as in KSL (ksl_quaternion_product_qq,
+    ksl_product_qqf)."""
     if name.startswith("quaternion_product_") and precision.suffix:
         name = name.removeprefix("quaternion_")
     if kind := next((kind for kind in STRUCTS if f"{name}_".startswith(f"{kind}_")), ""):
@@ -54,7 +56,7 @@ def c_name(name: str, precision: Precision) -> str:
 
 
 def member(quantity: Quantity, index: int) -> str:
-    """How C writes component `index` (row by row) behind a value's name."""
+    """What C writes after a value's name for component `index` (row by row)."""
     row, column = quantity.indices[index]
     if quantity.name in _MEMBERS:
         return f".{_MEMBERS[quantity.name][row]}"
@@ -68,7 +70,7 @@ def member(quantity: Quantity, index: int) -> str:
 
 
 def returned(operation: Operation) -> Argument | None:
-    """The output that is the function's value, if it has one."""
+    """The output that C returns, if there is one."""
     first = operation.outputs[0]
     return first if operation.by_value or first.quantity == SCALAR else None
 
@@ -82,15 +84,15 @@ def parameters(operation: Operation) -> tuple[Argument, ...]:
 
 
 def is_pointer(operation: Operation, argument: Argument) -> bool:
-    """Whether C passes the argument's address: structs, and numbers that are written."""
+    """Whether C passes the argument's address: true of structs, and of numbers that are outputs."""
     if argument.quantity.name in STRUCTS:
         return not operation.by_value or argument in operation.outputs[1:]
     return not argument.quantity.shape and argument in operation.outputs
 
 
 def prototype(operation: Operation, precision: Precision, tier: str = "") -> str:
-    """'void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so)'; `_tier`
-    behind the name."""
+    """'void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so)', with the
+    suffix `_tier` if there is a tier."""
     value = returned(operation)
     kind = c_type(value.quantity, precision) if value else "void"
     name = c_name(operation.name, precision) + (f"_{tier}" if tier else "")
@@ -108,12 +110,12 @@ def _declared(operation: Operation, argument: Argument, precision: Precision) ->
 
 def function(operation: Operation, program: Program, precision: Precision,
              tier: str = "") -> CFunction:
-    """The operation as a C function, `_tier` behind its name."""
+    """The operation as a C function, with the suffix `_tier` if there is a tier."""
     return _Writer(operation, program, precision, tier).function()
 
 
 class _Writer:
-    """One function of the library: structs by their addresses, numbers by value."""
+    """Writes one function of the library; structs are passed by address, numbers by value."""
 
     def __init__(self, operation: Operation, program: Program, precision: Precision, tier: str):
         self.operation, self.program, self.precision = operation, program, precision

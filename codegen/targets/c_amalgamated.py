@@ -8,11 +8,11 @@ from coscrew_codegen.targets.c_headers import headers, umbrellas
 from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.tiers import PLAIN, TIERS, Tier
 
-_SHARED = ("ksl_rounding", "ksl_types")  # what plain headers hold and every tier needs
+_SHARED = ("ksl_rounding", "ksl_types")  # plain headers that every tier needs
 
 
 def files(library: Library) -> Files:
-    """One file a tier."""
+    """One file per tier."""
     return {f"c/{file_name(tier)}": text(library, tier) for tier in TIERS}
 
 
@@ -21,9 +21,9 @@ def file_name(tier: Tier) -> str:
     return "_".join(filter(None, ("coscrew", tier.mark))) + ".h"
 
 
-@cache  # extensions are made from it
+@cache  # also used by the extension target
 def text(library: Library, tier: Tier) -> str:
-    """The headers of a tier, without what they include of each other."""
+    """The headers of a tier in one text, without their includes of each other."""
     plain = headers(library, PLAIN)
     made = {name: plain[name] for name in _SHARED} | dict(headers(library, tier))
     head = 1 + len(LICENSE)

@@ -1,6 +1,6 @@
-"""The writer of C functions: whatever a Program computes, and however C stores its arguments.
+"""The writer of C functions, for any Program and any way to store its arguments.
 
-Results are stored last, when everything has been read: outputs may alias inputs, also in part.
+Results are stored last, after everything has been read: outputs may overlap inputs.
 """
 
 import re
@@ -14,7 +14,7 @@ from coscrew_codegen.targets.c_statements import WIDTH, Statements, broken, comm
 
 @dataclass(frozen=True)
 class CFunction:
-    """The text of one function: comment, head without storage class, body lines."""
+    """The text of one function: comment, head without storage class, lines of the body."""
 
     name: str
     comment: str
@@ -25,20 +25,22 @@ class CFunction:
 
 @dataclass(frozen=True)
 class Stored:
-    """How a function stores its arguments: `access` writes how a component of an input is read,
-    `targets` where each result goes.  `written` names the arguments that are written to."""
+    """How a function stores its arguments.
+
+    `access` returns the expression that reads a component of an input, `targets` holds the lvalue
+    of each result, `written` the names of arguments that are written to."""
 
     access: Callable[[Input], str]
     targets: Sequence[str]
     written: Collection[str]
-    returned: str = ""  # what the function returns: the first result's number, or this variable
-    declared: str = ""  # its type, where it is a variable; else "" and the first result is returned
+    returned: str = ""  # what the function returns: this variable, or the first result
+    declared: str = ""  # type of that variable; "" if the first result is returned
 
 
 @dataclass(frozen=True)
 class Body:
-    """The body of a function in a precision: declarations of the instructions, section by section
-    below their headings, and the stores."""
+    """The body of a function in a precision: the instructions as declarations, in sections below
+    their headings; then the stores."""
 
     program: Program
     precision: Precision
@@ -83,15 +85,15 @@ class Body:
             yield last
 
     def _result(self, statements: Statements, operand: Operand) -> str:
-        """A result in the precision of the arguments; what was an input still is as it was."""
+        """A result in the precision of the arguments.  A result that is an input is not cast."""
         if isinstance(operand, Input):
             return self.stored.access(operand)
         narrowed = f"({self.precision.c_type})" if self.program.wide else ""
         return narrowed + statements.operand(operand)
 
     def _saved(self, pairs: Sequence[tuple[str, str]]) -> dict[str, str]:
-        """Inputs that are stored elsewhere unchanged are read before anything is written, since
-        the output may be the same object: source → the local that holds it."""
+        """Inputs that are copied to an output are read before anything is written, since the output
+        may be the same object: input → the local variable that holds it."""
         if len(self.stored.targets) == 1 or self.stored.returned:
             return {}
         names, saved = {step.name for step in self.program.instructions}, {}
@@ -117,7 +119,8 @@ def _local_name(access: str, taken: Collection[str]) -> str:
 
 def _sections(instructions: Sequence[Instruction], headings: dict[int, str]
               ) -> Iterator[tuple[str, list[Instruction]]]:
-    """(heading or "", the steps towards one component), headings above their instruction."""
+    """(heading or "", consecutive instructions of one component); a heading starts a new section.
+    """
     steps: list[Instruction] = []
     above = ""
     for number, step in enumerate(instructions):

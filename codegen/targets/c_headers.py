@@ -1,4 +1,4 @@
-"""The C headers: one a family, those of a tier beside the plain ones, and what they share."""
+"""The C headers: one per family and tier, and those that they share."""
 
 from collections.abc import Mapping
 from functools import cache
@@ -12,7 +12,7 @@ from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.tiers import MARKED, PLAIN, TIERS, Tier
 from coscrew_codegen.version import VERSION, numbers
 
-Headers = Mapping[str, str]  # by name, each after those it includes
+Headers = Mapping[str, str]  # name → text, each after those it includes
 
 # What a family's header includes, so that any header may come first.
 _INCLUDES = {
@@ -32,9 +32,9 @@ def files(library: Library) -> Files:
             for name, text in headers(library, tier).items()}
 
 
-@cache  # other targets make more of them
+@cache  # also used by other targets
 def headers(library: Library, tier: Tier) -> Headers:
-    """The headers of a tier; of the plain one with all that others share."""
+    """The headers of a tier; those of the plain tier with the shared ones."""
     return _plain_headers(library) if tier is PLAIN else _marked_headers(library, tier)
 
 
@@ -65,7 +65,7 @@ def _plain_headers(library: Library) -> Headers:
 
 
 def _titles(families: tuple[str, ...]) -> dict[str, str]:
-    """The headers of KSL's names, each after those it includes, with their first lines."""
+    """Name → title of the headers with KSL's names, each after those it includes."""
     titles: dict[str, str] = {}
     for family in families:
         titles[family] = family_title(family)
@@ -87,7 +87,7 @@ def _types(library: Library) -> str:
 
 
 def _included(family: str, titles: Mapping[str, str]) -> tuple[str, ...]:
-    """The headers of `titles` that a header includes directly; through those left out, theirs."""
+    """The headers in `titles` that a header includes, directly or through headers not in it."""
     found: list[str] = []
     for other in _INCLUDES[family]:
         found += [other] if other in titles else _included(other, titles)
@@ -95,7 +95,7 @@ def _included(family: str, titles: Mapping[str, str]) -> tuple[str, ...]:
 
 
 def _marked_headers(library: Library, tier: Tier) -> Headers:
-    """Exact errors where the tier takes them, one header a family, one that includes all."""
+    """ksl_exact if the tier needs it, one header per family, and one that includes all."""
     families = {}
     for family in library.families:
         functions = [

@@ -1,7 +1,7 @@
-"""What KSL declares beside formulas: integers, sequences of axes, rows of matrices, loops.
+"""The functions of KSL that are not formulas: integers, sequences of axes, rows of matrices, loops.
 
-C alone has it.  The text stands in templates/c/ksl, one file a header, and at the end of that; what
-it calls is made of the table of operations.
+C only.  Their text is in templates/c/ksl, one template per header, and is put at the end of that
+header; they call kernels of the table of operations.
 """
 
 from fractions import Fraction
@@ -19,14 +19,14 @@ from coscrew_codegen.targets.target import Files, Target
 
 SEQUENCES = tuple((name, tuple("XYZ".index(axis) for axis in name)) for name in (
     "XYZ", "YZX", "ZXY", "XZY", "YXZ", "ZYX", "XYX", "XZX", "YXY", "YZY", "ZXZ", "ZYZ"))
-"""Of Euler angles, in the order of KSL's enumeration: name, axes."""
+"""Sequences of Euler angles, in the order of KSL's enumeration: name, axes."""
 
 HEADERS = {"axis": ("vec3", "Axes, and sequences of axes of Euler angles."),
            "array": ("vec3", "Numbers in arrays: exchanged, and added in multiples.")}
-"""Headers of nothing else: name → the family that brings them, their first line."""
+"""Headers that hold nothing else: name → (the family they come with, their title)."""
 
-SYSTEM = {"vec3": ("stdbool.h",), "mat3x3": ("stdarg.h",)}
-"""Headers of C's own that they need."""
+SYSTEM = {"vec3": ("stdbool.h",), "mat3x3": ("stdarg.h",), "array": ("stddef.h",)}
+"""Headers of the C library that they need."""
 
 REFUSED = {
     "linalg": ("Linear algebra on arrays",
@@ -38,22 +38,22 @@ REFUSED = {
                "ksl/memory.h is not here: use calloc and free; for the system's memory.h include "
                "string.h"),
 }
-"""Headers that refuse to be included: name → what KSL has there, what to do instead."""
+"""Headers that refuse to be included: name → (what KSL has there, what to do instead)."""
 
 MARK = "/* What KSL declares beside formulas. */"
 
 _NEEDED = {"vec3": (), "vec4": (), "trig": (), "screw": (), "array": (), "axis": ("vec3",),
            "quaternion": (), "inertia": ("mat3x3",),
-           "mat3x3": ("vec3", "axis")}  # header → those its text calls
+           "mat3x3": ("vec3", "axis")}  # header → headers with functions that it calls
 NOISE = 128
-"""In u: eigenvalues of moments that are less, beside the largest, count as zero."""
+"""In u: eigenvalues of moments below it, relative to the largest, count as zero."""
 
-_PARTS = {"mat3x3": ("mat3x3", "euler")}  # header → its templates, where they are several
+_PARTS = {"mat3x3": ("mat3x3", "euler")}  # header → its templates, if there are several
 
 
 def text(header: str, headers: tuple[str, ...], precisions: tuple[Precision, ...]) -> str:
-    """The functions of a header; empty where there are none, or where a header they need is left
-    out."""
+    """The functions of a header; empty if there are none, or if a header that they need is not
+    generated."""
     if header not in _NEEDED or not set(_NEEDED[header]) <= set(headers):
         return ""
     made = integers(header)

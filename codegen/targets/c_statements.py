@@ -1,9 +1,9 @@
-"""How C writes a Program's instructions, and comments; shared by all that emits C.
+"""Writes a Program's instructions as C, and C comments; shared by all targets that emit C.
 
-One operation a statement (declarators count as statements), so that no compiler that contracts
-within expressions can fuse a product into a sum; a product that rounds is KSL_MUL(a, b), which
-those that contract across statements leave alone.  Products of two single-precision numbers, in
-double, are exact: they are computed with the sum they go into, by an fma where there is one.
+One operation per statement (or declarator), so that a compiler that contracts within expressions
+cannot fuse a product into a sum.  A rounded product is KSL_MUL(a, b), which compilers that contract
+across statements leave alone.  Products of two single-precision numbers in double are exact: they
+are written inside the sum that uses them, as an fma where the machine has one.
 Knows no operation, no scene, and not how arguments are stored.
 """
 
@@ -42,7 +42,7 @@ _SPELLING = {
 
 
 def product(precision: Precision, a: str, b: str) -> str:
-    """a b for texts that are no Programs: rounded on its own, never fused into a sum."""
+    """a b in text that is not made from a Program: rounded on its own, never fused into a sum."""
     return _SPELLING[Op.MUL].format(a, b, F=precision.suffix.upper())
 
 
@@ -54,7 +54,7 @@ def comment_of(lines: Sequence[str]) -> str:
 
 
 def listed(before: str, items: Sequence[str], after: str, width: int = WIDTH) -> str:
-    """`before`, the items with commas, `after`; broken between items, indented by four."""
+    """`before`, the items separated by commas, `after`; broken between items, indented by four."""
     lines = [before]
     for number, item in enumerate(items):
         piece = item + (after if number == len(items) - 1 else ",")
@@ -67,7 +67,7 @@ def listed(before: str, items: Sequence[str], after: str, width: int = WIDTH) ->
 
 
 def broken(text: str, width: int) -> str:
-    """The statement, lines that are too long broken at blanks."""
+    """The statement, with long lines broken at blanks."""
     rows = []
     for row in text.split("\n"):
         indent = row[:len(row) - len(row.lstrip())]
@@ -83,8 +83,10 @@ def _negated(text: str) -> str:
 
 @dataclass(frozen=True)
 class Statements:
-    """The instructions of `program`, computed in the precision `working`; `access` writes how an
-    input is read.  Comparisons stand inside the choices they decide."""
+    """The instructions of `program` as C, computed in the precision `working`.
+
+    `access` returns the expression that reads an input.  Comparisons are written inside the choices
+    that use them."""
 
     program: Program
     working: Precision
@@ -98,8 +100,8 @@ class Statements:
 
     @cached_property
     def absorbed(self) -> dict[str, Instruction]:
-        """The products, by the name of the sum that computes with them: at most one a sum, exact,
-        and in no other step."""
+        """The products that are written inside a sum, by the name of the sum: exact products that
+        are used once, at most one per sum."""
         found: dict[str, Instruction] = {}
         uses = Counter(x.name for x in (*self.program.results, *(
             x for step in self.program.instructions for x in step.operands)) if isinstance(x, Ref))
@@ -113,29 +115,30 @@ class Statements:
         return found
 
     def declarators(self, steps: Sequence[Instruction]) -> list[str]:
-        """name = expression, for each of the steps that is declared."""
+        """`name = expression` for each instruction that is declared."""
         absent = self.inlined.keys() | {product.name for product in self.absorbed.values()}
         return [f"{step.name} = {self.expression(step)}" for step in steps
                 if step.name not in absent]
 
     def declared(self, steps: Sequence[Instruction], width: int) -> str:
-        """const double x = …, y = …; for the steps of a component; empty if it declares none."""
+        """const double x = …, y = …; for the instructions of a component; empty if there are none.
+        """
         items = self.declarators(steps)
         return listed(f"const {self.working.c_type} ", items, ";", width) if items else ""
 
     def expression(self, step: Instruction) -> str:
-        """The right-hand side of one step."""
+        """The right-hand side of an instruction."""
         if step.name in self.absorbed:
             return self._product_sum(step, self.absorbed[step.name])
         operands = [self.operand(x) for x in step.operands]
         if step.op is Op.NEG and operands[0].startswith("-"):
-            operands = [f"({operands[0]})"]  # -- is another operator
+            operands = [f"({operands[0]})"]  # C reads -- as one operator
         spelling = "{} * {}" if self._exact(step) else _SPELLING[step.op]
         suffix = self.working.suffix
         return spelling.format(*operands, f=suffix, F=suffix.upper())
 
     def _product_sum(self, step: Instruction, product: Instruction) -> str:
-        """The sum or difference of an exact product and something else."""
+        """The sum or difference of an exact product and another operand."""
         a, b = map(self.operand, product.operands)
         first, second = step.operands
         subtrahend = second if step.op is Op.SUB else None
@@ -148,7 +151,7 @@ class Statements:
         return f"ksl_product_sum({a}, {b}, {c})"
 
     def _exact(self, step: Instruction) -> bool:
-        """Whether this is a product of two numbers of single precision, in double."""
+        """Whether this is a product, in double, of two single-precision numbers."""
         return self.program.wide and step.op is Op.MUL and all(map(self._single, step.operands))
 
     def _single(self, operand: Operand) -> bool:
@@ -158,7 +161,7 @@ class Statements:
         return isinstance(operand, Input)
 
     def operand(self, operand: Operand) -> str:
-        """What stands for an operand, in the working precision."""
+        """The text of an operand, in the working precision."""
         if isinstance(operand, Input):
             widened = f"({self.working.c_type})" if self.program.wide else ""
             return widened + self.access(operand)

@@ -1,6 +1,6 @@
 """The C functions that only move numbers: constructors, allocation, element access.
 
-They exist in C alone: Python has arrays.
+They exist only in C: Python has arrays.
 """
 
 from fractions import Fraction
@@ -73,19 +73,19 @@ _MEANING = {
 
 _IDENTITIES = {"mat3x3": ("m00", "m11", "m22"), "mat4x4": ("m00", "m11", "m22", "m33"),
                "SE3": ("m00", "m11", "m22"), "quaternion": ("w",)}
-"""The types that are allocated as identities, and their members that are 1 then."""
+"""The types that are allocated as identities, and the members that are then 1."""
 
 TYPES = (VEC3, VEC4, MAT3X3, MAT4X4, SE3, SCREW, COSCREW, MAT6X6, QUATERNION, INERTIA,
          SPATIAL_INERTIA)
-"""The struct types, each after those it is made of."""
+"""The struct types, each after those that it contains."""
 
 INTEGER = Precision(31, 0, "integer", "int", "i", "int32", "i", 4)
 INTEGRAL = (VEC3, VEC4)
-"""The types that exist with integer members, too: ksl_vec3i_t."""
+"""The types that also exist with integer members: ksl_vec3i_t."""
 
 
 def views(quantity: Quantity, precision: Precision) -> list[list[str]]:
-    """The anonymous structs of the type's union: member declarations of each."""
+    """The anonymous structs of the type's union, as member declarations."""
     return [[line.format(real=precision.c_type, f=precision.suffix) for line in view]
             for view in _FIELDS[quantity.name]]
 
@@ -96,7 +96,7 @@ def meaning(quantity: Quantity) -> str:
 
 
 def selfcheck_numbers(precision: Precision) -> dict[str, str]:
-    """What ksl_selfcheck reads at run time, so that no compiler computes with it before."""
+    """The numbers that ksl_selfcheck reads at run time, so that no compiler can fold them."""
     digits, exponent = precision.digits, -precision.least_exponent
     near_one = 1 + Fraction(1, 2**((digits + 1) // 2))
     odd = (Fraction(n) for n in count(3, 2))
@@ -107,7 +107,7 @@ def selfcheck_numbers(precision: Precision) -> dict[str, str]:
         "largest": (2 - Fraction(1, 2**(digits - 1))) * 2**(exponent + 1),
         "above_half_ulp": Fraction(1, 2**digits) + Fraction(1, 2**(digits + digits // 2 - 1)),
         "root": Fraction(isqrt(2 * 4**(3 * digits)), 2**(3 * digits)),  # of 2, for every purpose
-        # n / n is 1, but n times 1 / n is not
+        # n / n is 1, but n (1 / n), rounded, is not
         "n": next(n for n in odd if _rounded(n * _rounded(1 / n, precision), precision) != 1),
         **dict(zip(("m", "rounded_twice"), _cube(precision, digits), strict=True)),
     }
@@ -124,7 +124,7 @@ def _rounded(value: Fraction, precision: Precision) -> Fraction:
 
 
 def _cube(precision: Precision, digits: int) -> tuple[Fraction, Fraction]:
-    """A number whose cube, rounded twice, is more than 0.7 ulp off, and that."""
+    """(x, its cube rounded twice), for an x for which that has an error of more than 0.7 ulp."""
     for m in map(Fraction, count(2**((digits + 1) // 2))):
         found = _rounded(_rounded(m * m, precision) * m, precision)
         ulp = Fraction(float(np.spacing(precision.rounded(found))))
@@ -134,7 +134,8 @@ def _cube(precision: Precision, digits: int) -> tuple[Fraction, Fraction]:
 
 
 def storage_functions(family: str, precision: Precision) -> tuple[CFunction, ...]:
-    """Constructors, alloc, get and set of the type a family is named after, if there is one."""
+    """Constructors, alloc, get and set of the type that a family is named after, if there is one.
+    """
     quantity = next((q for q in TYPES if q.name == family), None)
     if quantity is None:
         return ()
@@ -150,13 +151,13 @@ def storage_functions(family: str, precision: Precision) -> tuple[CFunction, ...
 
 
 def integers(family: str) -> tuple[CFunction, ...]:
-    """The constructor of integers of the type a family is named after, if there is one."""
+    """The integer constructor of the type that a family is named after, if there is one."""
     quantity = next((q for q in INTEGRAL if q.name == family), None)
     return (_constructor(quantity, INTEGER, f"ksl_{family}i"),) if quantity else ()
 
 
 def allocation(family: str, precision: Precision) -> CFunction | None:
-    """The family's _alloc function; it is the only one that needs <stdlib.h>."""
+    """The family's _alloc function, the only one that needs <stdlib.h>."""
     if family not in _FIELDS:
         return None
     kind = f"ksl_{family}{precision.suffix}"

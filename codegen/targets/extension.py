@@ -1,4 +1,4 @@
-"""The extension modules' sources: one a tier that Python has, with loops over its C kernels."""
+"""The sources of extension modules: for each tier in Python, loops over its C kernels."""
 
 import hashlib
 from dataclasses import asdict, dataclass
@@ -19,11 +19,11 @@ _NUMPY_C_NAMES = {"double": ("NPY_DOUBLE", "PyArray_DoubleDType"),
 
 @dataclass(frozen=True)
 class _Best:
-    """The loops for processors with AVX2: what they are called, what they are compiled for, and how
-    C asks whether this processor has it.
+    """The second copy of the loops, for processors with AVX2: its name, its compiler targets, and
+    the C condition for a processor that has it.
 
-    gcc's vectoriser fuses products and sums in spite of its flag: plain loops must not have FMA.
-    It does so where sums and differences alternate, which compensated loops do not."""
+    Plain loops must not have FMA: gcc's vectoriser fuses products into sums in spite of its flag
+    where sums and differences alternate, which does not occur in compensated loops."""
 
     best: str
     fma: bool
@@ -44,13 +44,13 @@ def files(library: Library) -> Files:
 
 
 def has_extension(library: Library, tier: Tier) -> bool:
-    """Whether there is one: Python has the tier, both languages are asked for, it is not empty."""
+    """Whether the tier has one: it is in Python, both languages are selected, it has kernels."""
     return (tier.in_python and bool(library.documented(tier))
             and set(TARGET.languages) <= set(library.languages))
 
 
 def provenance(library: Library, tier: Tier) -> str:
-    """What names the sources' content, so that Python knows its extension; empty without one."""
+    """A hash of the sources, by which Python recognizes its extension; empty without one."""
     if not has_extension(library, tier):
         return ""
     texts = "\0".join((c_amalgamated.text(library, tier), *_loops(library, tier).values()))
@@ -61,9 +61,9 @@ def _sources(library: Library, tier: Tier) -> Files:
     return {**_loops(library, tier), "module.c": _module(library, tier)}
 
 
-@cache  # the Python package asks for their provenance
+@cache  # also used for the provenance in the Python package
 def _loops(library: Library, tier: Tier) -> Files:
-    """The sources but for the one that says what they are made of."""
+    """The sources except the one that holds their provenance."""
     kernels, families = library.documented(tier), _families(library, tier)
     accesses = [gufunc.access(quantity, precision)
                 for quantity in QUANTITIES for precision in library.precisions]

@@ -1,7 +1,7 @@
 """The gufunc target: NumPy generalized ufuncs whose loops call the C kernels.
 
-A loop reads its core dimensions through strides into the kernels' structs, calls the kernel, and
-writes back; nothing is copied but the structs themselves.
+A loop reads its core dimensions through strides into the kernel's structs, calls the kernel and
+writes the results back; nothing else is copied.
 """
 
 from dataclasses import dataclass
@@ -22,8 +22,8 @@ from coscrew_codegen.targets.c import (
 
 @dataclass(frozen=True)
 class FirstInput:
-    """The first input, loaded once where it is the same for every element (a displacement that
-    moves many coscrews): the compiler may not do that itself, and it saves a third of the time."""
+    """The first input, loaded once if it is the same for every element (one displacement of many
+    coscrews).  The compiler may not do that itself; it saves a third of the time."""
 
     declaration: str
     load_once: str
@@ -35,30 +35,30 @@ class Loop:
     """The inner loop of one gufunc in one precision."""
 
     name: str  # of the C function
-    first: FirstInput | None  # None where the kernel writes to its first input
+    first: FirstInput | None  # None if the kernel writes to its first input
     declarations: tuple[str, ...]
     loads: tuple[str, ...]
     call: str
     stores: tuple[str, ...]
-    dense: tuple[str, ...]  # steps of C-ordered arrays, the first input moving or fixed
-    core: int  # where the core strides begin among the steps: the number of arguments
+    dense: tuple[str, ...]  # strides of C-ordered arrays, the first input varying or fixed
+    core: int  # index of the first core stride among the strides: the number of arguments
 
 
 @dataclass(frozen=True)
 class Gufunc:
-    """One gufunc: its loops, and what NumPy is told about it."""
+    """One gufunc: its loops and its description for NumPy."""
 
     name: str
     signature: str
     inputs: int
     outputs: int
-    docstring: str  # as a C string literal's lines
+    docstring: str  # as lines of C string literals
     loops: tuple[Loop, ...]
 
 
 @dataclass(frozen=True)
 class Access:
-    """How the components of a quantity are found behind a pointer and core strides."""
+    """Where the components of a quantity are, from a pointer and core strides."""
 
     quantity: str
     type: str
@@ -69,7 +69,7 @@ class Access:
 
 def gufunc(operation: Operation, precisions: tuple[Precision, ...], docstring: str,
            tier: str = "") -> Gufunc:
-    """The operation as a gufunc with one loop per precision; it calls a tier's kernel."""
+    """The operation as a gufunc with one loop per precision, which calls the tier's kernel."""
     lines = docstring.replace("\\", "\\\\").replace('"', '\\"').splitlines()
     literal = "\n".join(f'    "{line}\\n"' for line in lines)
     return Gufunc(operation.name, operation.signature, len(operation.inputs),
@@ -140,8 +140,8 @@ def _pointer(argument: Argument) -> str:
 
 
 def _dense(arguments: tuple[Argument, ...], precision: Precision, fixed: int) -> str:
-    """Outer steps, then core strides, of C-ordered arrays, as an initialiser; the first `fixed`
-    arguments are the same for every element."""
+    """The outer strides, then the core strides, of C-ordered arrays as an initializer; the first
+    `fixed` arguments are the same for every element."""
     outer = [a.quantity.size * precision.bytes * (n >= fixed) for n, a in enumerate(arguments)]
     core = [stride for a in arguments for stride in
             (a.quantity.rows_columns[1] * precision.bytes, precision.bytes)[-len(a.quantity.shape):]

@@ -1,8 +1,7 @@
-"""The nesting printer: a Program's instructions as assignments, those used once inside what uses
-them.
+"""The nesting printer: writes a Program as assignments; instructions used once are nested.
 
-For languages that round every operation once whatever stands around it; parentheses keep the
-Program's order.  Takes time in proportion to the Program's length.
+For languages that round every operation of an expression once; parentheses keep the Program's
+order.  Takes time proportional to the Program's length.
 """
 
 from collections import Counter
@@ -21,13 +20,13 @@ from coscrew_codegen.program import (
 )
 
 CALLS = 4
-"""How tightly a call of a function binds."""
+"""The precedence of a function call."""
 
 
 @dataclass(frozen=True)
 class Language:
-    """How a language spells instructions: a pattern, and how tightly it binds, of each operation; a
-    constant; a choice between constants, which may need a type; what is not a number."""
+    """How a language writes instructions: a pattern and its precedence for each operation; a
+    constant; a choice between constants, which may need a type; NaN; a comment."""
 
     spelling: Mapping[Op, tuple[str, int]]
     constant: Callable[[Constant], str]
@@ -38,8 +37,10 @@ class Language:
 
 @dataclass
 class Nesting:
-    """The texts of a Program.  `access` writes how an input is read; `named` holds the instructions
-    that are assigned whether or not they are used once; a line is at most `width` wide."""
+    """The text of a Program.
+
+    `access` returns the expression that reads an input; `named` says which instructions are
+    assigned even if they are used once; a line is at most `width` wide."""
 
     program: Program
     language: Language
@@ -47,11 +48,11 @@ class Nesting:
     width: int
     headings: Mapping[int, str] = field(default_factory=dict)
     named: Callable[[Instruction], bool] = lambda step: False
-    result_width: int = 0  # up to which a result need not be a name
+    result_width: int = 0  # longest result that is not assigned to a name
 
     def __post_init__(self) -> None:
         self.lines: list[str] = []  # assignments and comments
-        self._waiting: dict[str, tuple[str, int]] = {}  # name → expression, how tightly it binds
+        self._waiting: dict[str, tuple[str, int]] = {}  # name → expression, its precedence
         self._uses = Counter(x.name for x in self._operands() if isinstance(x, Ref))
         for number, step in enumerate(self.program.instructions):
             if number in self.headings:
@@ -65,8 +66,8 @@ class Nesting:
         yield from self.program.results
 
     def _take(self, step: Instruction) -> None:
-        """Keep the step's expression if it is used once, else assign it; operands nest while the
-        line is short enough, the longest get lines of their own first."""
+        """Keep the instruction's expression for its only use, or assign it.  Operands are nested
+        while the line is short enough; the longest are assigned first."""
         inner = [x.name for x in step.operands
                  if isinstance(x, Ref) and x.name in self._waiting]
         expression = self._expression(step)
@@ -83,7 +84,7 @@ class Nesting:
             self._assign(step.name, expression[0])
 
     def _heading(self, words: str) -> None:
-        """A comment, in place of one that nothing stands under."""
+        """A comment; it replaces one with nothing below it."""
         if self.lines and self.lines[-1].startswith(self.language.comment):
             self.lines.pop()
         self.lines.append(f"{self.language.comment}{words}")
@@ -108,7 +109,7 @@ class Nesting:
         return spelling.format(*operands), binding
 
     def _operand(self, operand: Operand, needed: int) -> str:
-        """The operand's text, in parentheses where it binds less tightly than needed."""
+        """The operand's text, in parentheses if its precedence is below `needed`."""
         if isinstance(operand, Input):
             return self.access(operand)
         if isinstance(operand, Constant):
@@ -120,5 +121,5 @@ class Nesting:
 
 
 def is_choice_of_constants(step: Instruction) -> bool:
-    """Whether this chooses between numbers that may have no type of their own."""
+    """Whether this is a choice between constants, which have no type of their own."""
     return step.op is Op.SELECT and all(isinstance(x, Constant) for x in step.operands[1:])

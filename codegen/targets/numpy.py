@@ -1,6 +1,6 @@
 """The NumPy target: pure-Python twins of the C kernels, component by component.
 
-NumPy rounds every operation once and contracts nothing, so that expressions nest.
+NumPy rounds every operation once and never contracts, so that expressions can be nested.
 """
 
 import textwrap
@@ -22,7 +22,7 @@ from coscrew_codegen.quantity import Argument, in_words
 from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.nesting import Language, Nesting, is_choice_of_constants
 
-# spelling, and how tightly it binds
+# operation → (pattern, precedence)
 SPELLING = {
     Op.ADD: ("{} + {}", 1), Op.SUB: ("{} - {}", 1), Op.MUL: ("{} * {}", 2), Op.DIV: ("{} / {}", 2),
     Op.EXACT_ADD: ("{} + {}", 1), Op.EXACT_SUB: ("{} - {}", 1), Op.NEG: ("-{}", 3),
@@ -42,7 +42,7 @@ _EXACT = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
 
 @dataclass(frozen=True)
 class PythonFunction:
-    """The text of one kernel: name, signature, arguments, docstring lines, body lines."""
+    """The text of one kernel: name, signature, arguments, lines of docstring and body."""
 
     name: str
     signature: str
@@ -99,7 +99,7 @@ def imports(programs: tuple[Program, ...], precision: Precision) -> list[tuple[s
 
 
 def _types(program: Program, precision: Precision) -> set[str]:
-    """The NumPy names that choices need: the type of one between constants, nan."""
+    """The NumPy names that choices need: nan, and the type of constants to choose between."""
     working = DOUBLE if program.wide else precision
     choices = [step for step in program.instructions if step.op is Op.SELECT]
     return ({working.numpy_type for step in choices if is_choice_of_constants(step)}
@@ -112,8 +112,8 @@ def _indented(docstring: str) -> str:
 
 
 def language(precision: Precision, constant: Callable[[Constant], str]) -> Language:
-    """Python with NumPy in a precision.  NumPy takes the type of `where` from its operands, and
-    Python's numbers have none."""
+    """Python with NumPy in a precision.  A `where` of two constants needs a type: NumPy takes it
+    from the operands, and Python's numbers have none."""
     kind = precision.numpy_type
     return Language(SPELLING, constant, f"where({{}}, {kind}({{}}), {kind}({{}}))", "nan", "# ")
 
@@ -151,7 +151,7 @@ class _Writer:
         return self.program.inputs[operand.argument].symbols[operand.index].name
 
     def _constant(self, constant: Constant) -> str:
-        """Integers and powers of two exactly, so that objects stay exact."""
+        """A constant; integers and powers of two exactly, so that arrays of objects stay exact."""
         value = self.working.value(constant)
         if value.denominator == 1 and abs(value) < 2**53:
             return str(value)

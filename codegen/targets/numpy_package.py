@@ -1,5 +1,5 @@
-"""The Python package `coscrew`, and those of the tiers within it: kernels in pure NumPy, stubs, and
-what chooses between them and the extension."""
+"""The Python package `coscrew` and its subpackages for tiers: kernels in pure NumPy, stubs, and the
+choice between them and the extension."""
 
 from collections.abc import Iterable, Mapping
 
@@ -27,7 +27,7 @@ def files(library: Library) -> Files:
     made = {"/".join(filter(None, ("python", tier.mark, file))): text for tier in TIERS
             if tier.in_python and library.documented(tier)
             for file, text in _package(library, tier).items()}
-    if "c" in library.languages:  # the headers are a package, too: coscrew.get_include()
+    if "c" in library.languages:  # makes the headers a package, for coscrew.get_include()
         made["c/__init__.py"] = render("c/__init__.py", banner=library.banner)
     return made
 
@@ -66,7 +66,8 @@ def _stubs(kernels: Mapping[Operation, Program], shared: dict[str, object], scal
 
 
 def _twin_modules(library: Library, tier: Tier) -> Files:
-    """The modules of both precisions, one per family, and what gathers them."""
+    """The modules of kernels, one per family and precision, and one per precision that gathers
+    them."""
     modules: Files = {}
     for precision in library.precisions:
         families = library.by_family(tier, precision)

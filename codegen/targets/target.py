@@ -1,4 +1,4 @@
-"""What a target is: given Programs, it returns files."""
+"""What a target is: a function from Programs to files."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ if TYPE_CHECKING:
     from coscrew_codegen.library import Library
     from coscrew_codegen.scene_functions import SceneFunctions
 
-Files = dict[str, str]  # by path in the output folder, with forward slashes
+Files = dict[str, str]  # path in the output folder, with forward slashes → text
 
 
 @dataclass(frozen=True)
 class Target:
-    """Files of one kind, which are made where all of `languages` are asked for.
+    """Files of one kind, made if all of `languages` are selected.
 
-    A file of this folder that calls one `TARGET` has added it."""
+    A module of this package that assigns one to `TARGET` adds it."""
 
     name: str
     languages: tuple[str, ...]
-    library: Callable[[Library], Files] | None = None  # what it makes of the library
-    scene: Callable[[SceneFunctions, str], Files] | None = None  # of a scene, below a banner
-    asked: bool = True  # by `coscrew generate`; else only by what compiles a scene in place
+    library: Callable[[Library], Files] | None = None  # its files of the library
+    scene: Callable[[SceneFunctions, str], Files] | None = None  # of a scene, with this banner
+    asked: bool = True  # whether `coscrew generate` makes them; else only `load_scene` does

@@ -1,9 +1,9 @@
-"""Accuracy tiers: a file each, from a plain program to the tier's.
+"""Accuracy tiers, one per module: from a plain program to the tier's.
 
-plain       fixed order, every operation rounded once             the names without a suffix
+plain       fixed order, every operation rounded once             names without a suffix
 fused       products fused into sums by fma                       C only
 accurate    single: computed in double, rounded once; double: compensated, carried as hi + lo
-certified   plain, and a bound of each component's error that always holds
+certified   plain, and a bound on each component's error that always holds
 
 A tier may also add in another order: `program.sums` gives the terms of a plain program's sums.
 """
@@ -15,13 +15,13 @@ __all__ = ["MARKED", "PLAIN", "TIERS", "Tier", "tier_named"]
 
 TIERS: tuple[Tier, ...] = tuple(sorted(found(__name__, __path__, "TIER", Tier),
                                        key=lambda tier: tier.order))
-"""All, from the cheapest on."""
+"""All tiers, the cheapest first."""
 
 PLAIN = next(tier for tier in TIERS if not tier.marked)
 MARKED = tuple(tier for tier in TIERS if tier.marked)
-"""Those behind plain, which mark their names."""
+"""All tiers but plain: those with a suffix in names."""
 
 
 def tier_named(name: str) -> Tier:
-    """The tier of this name; a KeyError if there is none."""
+    """The tier of this name.  Raises KeyError if there is none."""
     return {tier.name: tier for tier in TIERS}[name]

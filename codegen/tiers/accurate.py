@@ -1,17 +1,16 @@
 """The accurate tier.  In single precision: computed in double, rounded once.
 
-In double precision: the plain program with every intermediate result
-carried as hi + lo, rounded to hi + lo at the end.  First-order errors cancel; what
-remains is of order u² S.
+In double precision: the plain program with every intermediate result carried as hi + lo; the sum
+hi + lo is rounded at the end.  First-order errors cancel; the rest is of order u² S.
 
-Operands of quotients, roots, arctangents and comparisons are first made non-overlapping, hi the
-rounded hi + lo, so that terms of order lo² do not matter however much has cancelled.  Residuals of
-quotients and roots, a - q b and a - s s, are exact numbers; an arctangent's own rounding is the
-only one that stays.  Where lo is not a number (0/0, an infinite hi), hi stands.
+Operands of quotients, roots, arctangents and comparisons are first made non-overlapping: hi becomes
+the rounded hi + lo.  Then terms of order lo² do not matter, however much has cancelled.  The
+residuals of quotients and roots, a - q b and a - s s, are exact; only an arctangent's own rounding
+remains.  Where lo is NaN (0/0, an infinite hi), the result is hi.
 
-Where a polynomial's bound would be too large to prove one ulp up to condition 1e14, the sums that
-are multiplied are made non-overlapping, too: one rounding is left in hi of all that led to it, so
-that fewer meet the roundings of lo.
+Where a polynomial's bound would be too large to prove one ulp up to condition 1e14, sums are made
+non-overlapping before they are multiplied, too.  Then hi has a single rounding error, so that fewer
+products of two errors remain.
 """
 
 from dataclasses import replace
@@ -35,17 +34,17 @@ from coscrew_codegen.tiers.tier import Tier, rounds_by
 
 _ZERO, _ONE = (Constant(Fraction(n), Fraction(n)) for n in (0, 1))
 _NONLINEAR = {Op.DIV, Op.SQRT, Op.ATAN2, Op.SCALE}
-_JUDGING = {Op.ABS, Op.LESS, Op.EQUAL}  # of what has cancelled, hi may be 0 and lo the number
+_JUDGING = {Op.ABS, Op.LESS, Op.EQUAL}  # after cancellation hi may be 0 and lo the whole value
 COMPENSATED = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG, Op.ABS, Op.LESS, Op.EQUAL, Op.SELECT,
                          *_NONLINEAR})
-"""The operations whose results the tier knows how to carry."""
+"""The operations that the tier can compensate."""
 
 LARGEST_C2 = 45
-"""Of any polynomial program: 1 / (2 c2 u) is just above 1e14."""
+"""The largest c2 of any polynomial program: 1 / (2 c2 u) is just above 1e14."""
 
 
 def accurate(program: Program) -> Program:
-    """The plain program compensated, c2 <= LARGEST_C2 where it is a polynomial."""
+    """The plain program compensated; c2 <= LARGEST_C2 if it is a polynomial."""
     quick = _compensated(program, _Accurate())
     bounds = bounds_of(quick)
     if bounds is None or all(bound.c2 <= LARGEST_C2 for bound in bounds):
@@ -55,14 +54,14 @@ def accurate(program: Program) -> Program:
 
 
 def widened(program: Program) -> Program:
-    """The plain program computed in the wider precision, with single's constants."""
+    """The plain program computed in double, with the constants of single precision."""
     def narrow(x: Operand) -> Operand:
         if not isinstance(x, Constant):
             return x
         value = Fraction(float(SINGLE.rounded(x.single)))
         return Constant(value, value)
 
-    program = negating_terms(program)  # C fuses exact products into sums
+    program = negating_terms(program)  # C may fuse exact products into sums
     steps = tuple(replace(step, operands=tuple(map(narrow, step.operands)))
                   for step in program.instructions)
     return replace(program, instructions=steps, wide=True)
@@ -82,13 +81,14 @@ def _compensated(program: Program, compensator: "_Accurate") -> Program:
 
 
 class _Accurate(Compensator):
-    """Sums and products as its base has them, and everything else a program may hold.
+    """Adds to its base, which compensates sums and products, all other operations.
+
     `overlapping` names the results that are made non-overlapping before they are multiplied."""
 
     def __init__(self, overlapping: frozenset[str] = frozenset()) -> None:
         super().__init__()
         self._overlapping = overlapping
-        self._normal: dict[str, Operand] = {}  # what stands for a hi once it is normalized
+        self._normal: dict[str, Operand] = {}  # hi of normalized results, by their plain name
         self._inverses: dict[Operand, Ref] = {}
         self._rules = {
             Op.DIV: self._quotient, Op.SQRT: self._root, Op.ATAN2: self._arctangent,
@@ -97,7 +97,8 @@ class _Accurate(Compensator):
         }
 
     def compensate(self, step: Instruction) -> None:
-        """hi of a plain instruction under its name; lo, or what lo is made of where it is used."""
+        """Issue hi of a plain instruction under its name; and lo, or the parts of lo that are added
+        where it is used."""
         known = (self._normal.get(getattr(x, "name", ""), x) for x in step.operands)
         step = replace(step, operands=tuple(known))
         if step.op not in self._rules:
@@ -117,7 +118,7 @@ class _Accurate(Compensator):
         super()._product(replace(step, operands=tuple(operands)))
 
     def _normalized(self, step: Instruction, operand: Operand) -> Operand:
-        """hi + lo rounded, with its exact error as lo."""
+        """hi + lo rounded; its rounding error is the new lo."""
         low = self.low(step, operand)
         if low is None or operand in self._normal.values():
             return operand
@@ -134,7 +135,7 @@ class _Accurate(Compensator):
         return total
 
     def _quotient(self, step: Instruction, low: list[Operand | None]) -> Operand:
-        """(a - q b + a_lo - q b_lo) / b."""
+        """lo of q = a / b: (a - q b + a_lo - q b_lo) / b."""
         (a, b), q = step.operands, Ref(step.name)
         total = self._residual(step, a, (q, b))
         if low[0] is not None:
@@ -145,7 +146,7 @@ class _Accurate(Compensator):
         return self.issue(step, Op.DIV, (total, b), "lo")
 
     def _root(self, step: Instruction, low: list[Operand | None]) -> Operand:
-        """(a - s s + a_lo) / 2 s; 0 for s = 0."""
+        """lo of s = sqrt(a): (a - s s + a_lo) / 2 s; 0 for s = 0."""
         (a,), s = step.operands, Ref(step.name)
         total = self._residual(step, a, (s, s))
         if low[0] is not None:
@@ -156,14 +157,15 @@ class _Accurate(Compensator):
         return self.issue(step, Op.DIV, (total, divisor), "lo")
 
     def _residual(self, step: Instruction, a: Operand, factors: tuple[Operand, Operand]) -> Ref:
-        """a - b c exactly, where b c is a but for a rounding."""
+        """a - b c exactly, where b c and a differ by a rounding only."""
         p = self.issue(step, Op.MUL, factors, "product")
         error = self.issue(step, Op.PRODUCT_ERROR, (*factors, p), "product_error")
         rest = self.issue(step, Op.SUB, (a, p), "rest")
         return self.issue(step, Op.SUB, (rest, error), "exact")
 
     def _arctangent(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
-        """(x y_lo - y x_lo) / (x² + y²), with x / m and y / m, m the larger of |x| and |y|."""
+        """lo of atan2(y, x): (x y_lo - y x_lo) / (x² + y²), computed with x / m and y / m,
+        m = max(|x|, |y|), so that squares don't overflow."""
         if low == [None, None]:
             return None
         sizes = [self.issue(step, Op.ABS, (z,), f"size{n}") for n, z in enumerate(step.operands)]
@@ -184,8 +186,8 @@ class _Accurate(Compensator):
         return self.issue(step, Op.DIV, (total, safe), "lo")
 
     def _scaled(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
-        """What a product p too small for all its digits lost, (a - p / s + a_lo) s; else 0, for p
-        is a + a_lo rounded already."""
+        """lo of p = a s, s a power of two: (a - p / s + a_lo) s if p has lost digits by underflow;
+        else 0, since p is already (a + a_lo) s rounded."""
         if low[0] is None:
             return None
         (a, s), p = step.operands, Ref(step.name)
@@ -212,10 +214,10 @@ class _Accurate(Compensator):
         return self.issue(step, Op.SELECT, (step.operands[0], *chosen), "lo")
 
     def _comparison(self, step: Instruction, low: list[Operand | None]) -> None:
-        """Comparisons look at hi + lo rounded."""
+        """Compare hi + lo rounded."""
 
     def final(self, result: Operand, guarded: bool) -> Operand:
-        """hi + lo rounded; if guarded, hi where that is not a number."""
+        """hi + lo rounded; if guarded, hi where that is NaN."""
         total = self.rounded(result)
         if not guarded or total == result:
             return total

@@ -1,7 +1,7 @@
-"""The certified tier: the plain result, bit for bit, and a bound of its error that always holds.
+"""The certified tier: the plain result, bit for bit, and a bound on its error that always holds.
 
-Beside every value x̂ (exactly x) of the plain program a size s is computed, of absolute values by
-sums and products alone, such that, with the proof's own constants g (growth) and h (slack):
+For every value x̂ of the plain program (exactly x) a size s is computed, from absolute values by
+sums and products alone, such that, with constants g (growth) and h (slack) known in advance:
 
     |x̂| <= s,    |x̂ - x| <= g (s + h).
 
@@ -14,7 +14,7 @@ Rounding is monotonic, hence the first.  u is the unit roundoff, η half the lea
     c = a b              s = fl(s_a s_b), 1 + g = (1 + u) (1 + g_a) (1 + g_b), h = 2 η / u,
                          once h_a = h_b = 0
 
-What h stands for, underflow, would be multiplied by the other factor; so a factor is padded
+h, the effect of underflow, would be multiplied by the other factor.  So a factor is padded
 first: s' = fl(s + τ), τ the least normal number / u.  If 2 h <= τ, then
 s + h <= (1 + 4 u h / τ) s', and h = 0 from there on: below s = τ / 4u the rounding of s' loses
 less than τ / 2, above it h is that small a part of s <= s'.  At the end the bound is fl(C s'),
@@ -22,7 +22,7 @@ C >= (1 + u) g, rounded up; C s' > u τ is a normal number, so this product cann
 Sums of inputs alone are not padded: their error is a multiple of the least subnormal, and where
 C s is subnormal so is fl(C s), which is no smaller.
 
-Where something overflows, s is infinite or NaN, the bound with it, and says nothing.
+Where something overflows, s and with it the bound are infinite or NaN: no statement is made.
 """
 
 from dataclasses import dataclass, replace
@@ -38,12 +38,13 @@ _ZERO = Constant(Fraction(0), Fraction(0))
 
 
 def bounds_of_outputs(outputs: tuple[Argument, ...]) -> tuple[Argument, ...]:
-    """The arguments that take the bounds: `co_bound` beside `co`."""
+    """The outputs that hold the bounds: `co_bound` for `co`."""
     return tuple(Argument(f"{a.name}_bound", a.quantity) for a in outputs)
 
 
 def certified_operation(operation: Operation) -> Operation:
-    """The operation with its bounds as further outputs; its formula says what the others are."""
+    """The operation with its bounds as further outputs; its formula gives the other outputs only.
+    """
     bounds = bounds_of_outputs(operation.outputs)
     promise = ", ".join(f"|error of {a.name}| <= {b.name}"
                         for a, b in zip(operation.outputs, bounds, strict=True))
@@ -53,7 +54,7 @@ def certified_operation(operation: Operation) -> Operation:
 
 
 def certified(program: Program, precision: Format) -> Program:
-    """The polynomial plain program and, in this precision, the bounds of its results."""
+    """The polynomial plain program, extended by the bounds of its results in this precision."""
     certifier = _Certifier(program, precision)
     for step in program.instructions:
         certifier.follow(step)
@@ -65,7 +66,7 @@ def certified(program: Program, precision: Format) -> Program:
 
 @dataclass(frozen=True)
 class _Size:
-    """s, g and h of the value x; without an operand s is |x|, to be computed where it is needed."""
+    """s, g and h of the value x; if `operand` is None, s is |x|, computed where it is needed."""
 
     x: Operand
     growth: Fraction = Fraction(0)
@@ -74,7 +75,7 @@ class _Size:
 
 
 class _Certifier:
-    """Issues the instructions of sizes and bounds, each once."""
+    """Issues the instructions that compute sizes and bounds, each once."""
 
     def __init__(self, program: Program, precision: Format):
         self.steps: list[Instruction] = []
@@ -84,7 +85,7 @@ class _Certifier:
         self._padding = precision.smallest_normal / precision.u  # τ
 
     def follow(self, step: Instruction) -> None:
-        """The size of one plain instruction's result."""
+        """Compute the size of a plain instruction's result."""
         x, u, eta = Ref(step.name), self._precision.u, self._precision.eta
         a, b = (self._size(y) for y in (*step.operands, *step.operands)[:2])
         if step.op is Op.NEG:
@@ -102,7 +103,7 @@ class _Certifier:
                                    self._combined(step, Op.ADD, a, b))
 
     def bound(self, result: Operand) -> Operand:
-        """C s' of a result; 0 where nothing was rounded."""
+        """The bound C s' of a result; 0 if nothing was rounded."""
         size = self._size(result)
         if not size.growth:
             return _ZERO
@@ -155,10 +156,9 @@ def _constant(value: Fraction) -> Constant:
 
 
 TIER = Tier(
-    "certified", 3, "Certified tier: plain results, and bounds of their errors that hold.",
+    "certified", 3, "Certified tier: plain results, and bounds on their errors that always hold.",
     ("#00805d", "#3ccf9f"), certified,
     operation=certified_operation, in_words="""\
-The certified tier: every operation returns the plain result, bit for bit, and a bound of each
-component's error, whatever the numbers are, under- and overflow included: (result, bound).  \
-Where the
-bound is infinite or NaN, something overflowed, and it says nothing.""")
+The certified tier: every operation returns (result, bound), the plain result, bit for bit, and a
+bound on each component's error.  It holds for all numbers, underflow included.  Where something
+overflowed, the bound is infinite or NaN: no statement is made.""")

@@ -1,12 +1,12 @@
 """Compensated sums and products: every intermediate result is carried as hi + lo.
 
-The plain program's operations give hi; lo collects their exact rounding errors and what the
-operands' own lo contribute, rounded.
+The plain program's operations give hi.  lo is the sum, rounded, of their exact rounding errors and
+of the contributions of the operands' lo.
 
-The error of a sum s = a + b is found as by Knuth: t = s - a, rounded, is b's share of s, and
-u = s - t is a's.  u, a - u and b - t are exact, whatever a and b are (Shewchuk, Two-Sum), and the
-last two add up to the error.  Where a is a product x y, rounded, its own error belongs to lo as
-well; (a - u) + (x y - a) is x y - u, rounded once: a single fma.
+The error of a sum s = a + b is found by Knuth's Two-Sum: t = s - a, rounded, is b's share of s, and
+u = s - t is a's.  u, a - u and b - t are exact for all a and b (Shewchuk), and the last two add up
+to the error.  Where a is a rounded product x y, its error belongs to lo as well:
+(a - u) + (x y - a) is x y - u, rounded once by a single fma.
 """
 
 from dataclasses import replace
@@ -19,11 +19,12 @@ class Compensator:
 
     def __init__(self) -> None:
         self.steps: list[Instruction] = []
-        self._low: dict[str, Operand] = {}  # of a product: but for its own error
-        self._products: dict[str, Instruction] = {}  # whose own error is not in _low
+        self._low: dict[str, Operand] = {}  # lo by hi's name; a product's rounding error may lack
+        self._products: dict[str, Instruction] = {}  # products whose rounding error _low lacks
 
     def compensate(self, step: Instruction) -> None:
-        """hi of a plain instruction under its name; lo, or what lo is made of where it is used."""
+        """Issue hi of a plain instruction under its name; and lo, or the parts of lo that are added
+        where it is used."""
         if step.op is Op.MUL:
             self._product(step)
         elif step.op is Op.NEG:
@@ -32,7 +33,7 @@ class Compensator:
             self._sum(step)
 
     def _negation(self, step: Instruction) -> None:
-        """-a, -a_lo.  What a product's own error is added to is negated, not that error."""
+        """-a, -a_lo.  For a product, a factor and its cross terms are negated, not its error."""
         name = getattr(step.operands[0], "name", "")
         product = self._products.get(name)
         self.steps.append(step)
@@ -45,7 +46,8 @@ class Compensator:
             self._products[step.name] = replace(step, op=Op.MUL, operands=(a, b))
 
     def _product(self, step: Instruction) -> None:
-        """(a + a_lo)(b + b_lo): a b rounded; a_lo b + a b_lo.  A power of two rounds nothing."""
+        """(a + a_lo)(b + b_lo): hi = a b rounded, lo = a_lo b + a b_lo and the rounding error,
+        which is zero if a or b is a power of two."""
         a, b = step.operands
         a_lo, b_lo = (self.low(step, x) for x in step.operands)
         self.steps.append(step)
@@ -63,9 +65,10 @@ class Compensator:
         self._products[step.name] = step
 
     def _sum(self, step: Instruction) -> None:
-        """s = a ± b: lo is what their shares leave of a and b, then b's lo, then a's.  A chain of
-        sums stands on the left, so that its lo, the largest, is rounded least; the cross terms of
-        two products are added to each other first."""
+        """s = a ± b: lo is a and b less their shares of s, plus b's lo, plus a's, in this order.
+
+        A chain of sums is the left operand, so that its lo, the largest, is added last and rounded
+        least.  The cross terms of two products are added to each other first."""
         self.steps.append(step)
         a, b = step.operands
         s, add = Ref(step.name), step.op is Op.ADD
@@ -91,14 +94,14 @@ class Compensator:
         return self.issue(step, op, tuple(operands), "lo")
 
     def _rest(self, step: Instruction, x: Operand, share: Operand, name: str) -> Operand:
-        """x - its share of the sum, which is exact; of a product, with its own error."""
+        """x less its share of the sum, exactly; a product's rounding error is added."""
         product = self._products.get(getattr(x, "name", ""))
         if product is None:
             return self.issue(step, Op.EXACT_SUB, (x, share), name)
         return self.issue(step, Op.PRODUCT_REST, (*product.operands, x, share), name)
 
     def low(self, step: Instruction, x: Operand) -> Operand | None:
-        """lo of an operand, its own error with it."""
+        """lo of an operand, with its rounding error if it is a product."""
         product = self._products.pop(getattr(x, "name", ""), None)
         if product is not None:
             own = Instruction(product.name, Op.MUL, product.operands, step.component)
@@ -110,13 +113,13 @@ class Compensator:
         return self._low.get(getattr(x, "name", ""))
 
     def issue(self, step: Instruction, op: Op, operands: tuple[Operand, ...], suffix: str) -> Ref:
-        """A step on the way to this one's component, named after it."""
+        """Issue an instruction towards the component of `step`, named after `step`."""
         name = f"{step.name}_{suffix}"
         self.steps.append(Instruction(name, op, operands, step.component))
         return Ref(name)
 
     def rounded(self, result: Operand) -> Operand:
-        """hi + lo, the component's final value."""
+        """hi + lo rounded: the component's final value."""
         name = f"{getattr(result, 'name', '')}_rounded"
         if name in (step.name for step in self.steps):
             return Ref(name)

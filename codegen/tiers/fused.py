@@ -1,6 +1,6 @@
-"""The fused tier: the plain order, with each product that only one sum uses fused into it.
+"""The fused tier: the plain order; each product that is used once, in a sum, is fused into it.
 
-fma rounds once where plain rounds twice, so c1 is smaller; results differ from plain in bits, and
+fma rounds once where plain rounds twice, so c1 is smaller.  Bits differ from the plain tier, and
 antisymmetric products of equal arguments are no longer exactly zero.  C only.
 """
 

@@ -1,7 +1,7 @@
-"""Negated sums as sums of negated terms, for tiers that fuse products into their sums.
+"""Replaces negated sums by sums of negated terms, for tiers that fuse products into sums.
 
-gcc lets the processor negate a fused sum before it is rounded: one of exactly zero then has another
-sign than elsewhere.  So no fused sum is negated, nor taken off a product that is fused.
+gcc may use an instruction that negates a fused sum before rounding; the sign of an exact zero then
+depends on the processor.  So no fused sum is negated, or subtracted from a product that is fused.
 """
 
 from collections import Counter
@@ -13,8 +13,8 @@ _OTHER = {Op.ADD: Op.SUB, Op.SUB: Op.ADD}
 
 
 def negating_terms(program: Program) -> Program:
-    """The program with -(a ± b) as (-a) ∓ b, and c d - (a ± b) as ((-a) ∓ b) + c d, where nothing
-    else uses that sum; a likewise, if it is a sum."""
+    """The program with -(a ± b) as (-a) ∓ b, and c d - (a ± b) as ((-a) ∓ b) + c d, where the sum
+    is used only there; applied to a in turn, if a is such a sum."""
     used = (*program.results, *(x for step in program.instructions for x in step.operands))
     uses = Counter(x.name for x in used if isinstance(x, Ref))
     once = {step.name: step.op for step in program.instructions if uses[step.name] == 1}
@@ -26,17 +26,18 @@ def negating_terms(program: Program) -> Program:
 
 
 class _Rewriting:
-    """What becomes of each step, users being marked before what they use.  `once` has the
-    operations whose results are used once, by name."""
+    """Rewrites instructions; those that use a result must be marked before the one that makes it.
+
+    `once` maps the names of results that are used once to their operations."""
 
     def __init__(self, once: dict[str, Op]) -> None:
         self._sums = {name for name, op in once.items() if op in _OTHER}
         self._products = {name for name, op in once.items() if op is Op.MUL}
-        self._negated: dict[str, Instruction | None] = {}  # sums; the negation each stands for
+        self._negated: dict[str, Instruction | None] = {}  # sum → the negation it replaces, if any
         self._exchanged: set[str] = set()  # c d - sum
 
     def mark(self, step: Instruction) -> None:
-        """Note which of its operands this step wants negated."""
+        """Note which operands of this instruction have to be negated."""
         names = [getattr(x, "name", "") for x in step.operands]
         if step.op is Op.NEG and names[0] in self._sums:
             self._negated[names[0]] = step
@@ -47,7 +48,7 @@ class _Rewriting:
             self._exchanged.add(step.name)
 
     def of(self, step: Instruction) -> list[Instruction]:
-        """The steps in the place of this one."""
+        """The instructions that replace this one."""
         if step.op is Op.NEG and getattr(step.operands[0], "name", "") in self._negated:
             return []
         if step.name in self._exchanged:

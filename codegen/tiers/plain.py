@@ -1,6 +1,6 @@
 """The plain tier: the program as it was scheduled, every operation rounded once.
 
-Its names are those without a mark; every program has it."""
+Its names have no suffix; every program has it."""
 
 from coscrew_codegen.tiers.tier import Tier
 

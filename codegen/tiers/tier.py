@@ -1,4 +1,4 @@
-"""What a tier is: how it describes itself, what it makes of a plain program, which it takes."""
+"""What a tier is: a description, a transformation of plain programs, and which it can transform."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -11,13 +11,13 @@ from coscrew_codegen.program.ops import POLYNOMIAL
 
 
 def is_polynomial(program: Program) -> bool:
-    """Whether it rounds, sums and products alone, and holds no constant that is rounded."""
+    """Whether the program rounds, by sums and products only, and all its constants are exact."""
     return rounds_by(POLYNOMIAL, program)
 
 
 def rounds_by(ops: frozenset[Op], program: Program) -> bool:
-    """Whether it rounds, by these alone, and computes with no constant that is rounded: no tier
-    can make up for that."""
+    """Whether the program rounds, by these operations only, and computes with exact constants only:
+    no tier can correct a rounded constant."""
     held = program.counts.keys()
     return any(op.rounds for op in held) and held <= ops and not any(
         _is_rounded(x) for step in program.instructions if step.op.rounds
@@ -25,37 +25,37 @@ def rounds_by(ops: frozenset[Op], program: Program) -> bool:
 
 
 def _is_rounded(operand: Operand) -> bool:
-    """Whether it is a constant and no binary fraction."""
+    """Whether the operand is a constant that is not a binary fraction."""
     denominator = operand.double.denominator if isinstance(operand, Constant) else 1
     return bool(denominator & (denominator - 1))
 
 
 @dataclass(frozen=True, eq=False)
 class Tier:
-    """A way to compute what a plain program says: more accurate, faster, or with a bound.
+    """A way to compute a plain program's results: more accurate, faster, or with an error bound.
 
-    A file of this folder that calls one `TIER` has added it: headers, packages, the extension,
-    the report and the tests find it there."""
+    A module of this package that assigns one to `TIER` adds it to headers, packages, the extension,
+    the report and the tests."""
 
     name: str  # accurate: in C ksl_dot_cs_accurate, in Python coscrew.accurate
-    order: int  # where it stands among the others, the cheapest first
-    title: str  # first line of its headers, behind the family's
-    colours: tuple[str, str]  # in plots, on light and on dark ground
-    make: Callable[[Program, Precision], Program]  # of a plain program
-    has: Callable[[Program], bool] = is_polynomial  # what it needs of a plain program
-    operation: Callable[[Operation], Operation] = lambda plain: plain  # with further outputs
-    header: str = "ksl_types"  # what its C functions need; ksl_exact computes rounding errors
-    in_words: str = ""  # of its Python package; none where C alone has the tier
-    marked: bool = True  # whether its names tell it
+    order: int  # sorts the tiers, the cheapest first
+    title: str  # in the first line of its headers, after the family's title
+    colours: tuple[str, str]  # in plots, on a light and on a dark background
+    make: Callable[[Program, Precision], Program]  # plain program → the tier's
+    has: Callable[[Program], bool] = is_polynomial  # whether a plain program has this tier
+    operation: Callable[[Operation], Operation] = lambda plain: plain  # may add outputs
+    header: str = "ksl_types"  # that its C functions need; ksl_exact computes rounding errors
+    in_words: str = ""  # docstring of its Python package; "" if only C has the tier
+    marked: bool = True  # whether names of its functions end in the tier's name
 
-    @cache  # noqa: B019  every language asks again; tiers live as long as the process
+    @cache  # noqa: B019  called for every language; tiers live as long as the process
     def program(self, plain: Program, precision: Precision) -> Program:
-        """What the tier makes of a plain program, in this precision."""
+        """The tier's program for a plain program, in this precision."""
         return self.make(plain, precision)
 
     @property
     def mark(self) -> str:
-        """What names have of it: accurate; of plain, nothing."""
+        """The suffix of names, without its underscore: "accurate"; "" for plain."""
         return self.name if self.marked else ""
 
     @property
@@ -75,5 +75,5 @@ class Tier:
 
     @property
     def exact(self) -> bool:
-        """Whether its C computes rounding errors, which is one instruction by fma."""
+        """Whether its C computes rounding errors, for which fma needs one instruction."""
         return self.header == "ksl_exact"

@@ -1476,6 +1476,7 @@ static inline ksl_axis_enum_t ksl_axis_getEulerAngles(ksl_vec3i_t angles) {
 #ifndef KSL_ARRAY_H
 #define KSL_ARRAY_H
 
+#include <stddef.h>
 
 /* What KSL declares beside formulas. */
 
@@ -1514,7 +1515,7 @@ static inline void ksl_axpy(
 static inline void ksl_swapArray(
     const int n, double *a, const int a_stride, double *b, const int b_stride) {
   for (int i = 0; i < n; i++) {
-    ksl_swap(a + i * a_stride, b + i * b_stride);
+    ksl_swap(a + (ptrdiff_t)i * a_stride, b + (ptrdiff_t)i * b_stride);
   }
 }
 
@@ -1531,13 +1532,13 @@ static inline void ksl_axpyf(
 static inline void ksl_swapArrayf(
     const int n, float *a, const int a_stride, float *b, const int b_stride) {
   for (int i = 0; i < n; i++) {
-    ksl_swapf(a + i * a_stride, b + i * b_stride);
+    ksl_swapf(a + (ptrdiff_t)i * a_stride, b + (ptrdiff_t)i * b_stride);
   }
 }
 
 #endif
 
-/* Vectors of four components: of three dimensions, with a homogeneous coordinate behind them. */
+/* Vectors of four components: three dimensions and a homogeneous coordinate. */
 #ifndef KSL_VEC4_H
 #define KSL_VEC4_H
 
@@ -2167,8 +2168,8 @@ static inline void ksl_skew(const ksl_vec3_t *v, ksl_mat3x3_t *Ro) {
   Ro->m22 = 0.0;
 }
 
-/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
-     x is accelerated by Ro x beyond its origin.
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+     acceleration of its point x, less that of its origin, is Ro x.
    w, dw: vector; Ro: rotation or other 3×3 matrix.
    6 mul, 9 add, 3 neg.
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -2259,14 +2260,14 @@ static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
   return det;
 }
 
-/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows;
-     0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3 (double 1e-229
-     m^3), p the sum of its terms' sizes, m that of the largest entry.
+/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows.
+     Returns 0, with Ro = NaN, where R may be singular: |det R| <= 8 u p + 1e-29 m^3 (double
+     1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.
    R, Ro: rotation or other 3×3 matrix.
    56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.
-   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the
-     sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring
-     over- and underflow of Ro_ij itself. */
+   Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the sum of the |terms| of
+     the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow
+     of Ro_ij itself. */
 static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double R_size_0 = fabs(R->m00);
   const double R_size_1 = fabs(R->m01);
@@ -2383,11 +2384,12 @@ static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro)
   return det;
 }
 
-/* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
-     side of it, the third its side of both; NaN where rows depend on each other to rounding.
+/* self = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on
+     its side of the first, the third on its side of both; NaN where the rows are linearly
+     dependent to rounding.
    self: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
+   |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
   const double q0_s_size_0 = fabs(self->m00);
   const double q0_s_size_1 = fabs(self->m01);
@@ -2517,11 +2519,12 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
   self->m22 = self_22_new;
 }
 
-/* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
-     of it, the third its side of both; NaN where rows depend on each other to rounding.
+/* Ro = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on its
+     side of the first, the third on its side of both; NaN where the rows are linearly dependent
+     to rounding.
    R, Ro: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
+   |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double q0_s_size_0 = fabs(R->m00);
   const double q0_s_size_1 = fabs(R->m01);
@@ -2651,8 +2654,8 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
   Ro->m22 = Ro_22;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
-     (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+     dc = (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    12 mul, 10 add.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -2731,8 +2734,8 @@ static inline void ksl_mat3x3_from_euler_xyz(const ksl_vec3_t *angles, ksl_mat3x
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
-   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
-     not proved. */
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m00, R->m00), n_b = KSL_MUL(R->m01, R->m01), n_c = n_a + n_b,
       n = sqrt(n_c);
@@ -2791,8 +2794,8 @@ static inline void ksl_mat3x3_from_euler_xyx(const ksl_vec3_t *angles, ksl_mat3x
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
-   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
-     not proved. */
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m01, R->m01), n_b = KSL_MUL(R->m02, R->m02), n_c = n_a + n_b,
       n = sqrt(n_c);
@@ -2812,12 +2815,12 @@ static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *
   angles->z = third;
 }
 
-/* A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
-     A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
-     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+/* A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes
+     A_xy zero; then y, z, x become x, y, z.  A is symmetric, only its lower triangle is read.
+     Repeated from V = I, it converges to A = diag(eigenvalues); V A V^T does not change.
    A, V: rotation or other 3×3 matrix.
    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
-   |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched, not proved. */
+   V A V^T changes by at most 28 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
   const double twice = KSL_MUL(2.0, A->m10);
   const double apart = A->m11 - A->m00;
@@ -2866,8 +2869,8 @@ static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
   V->m22 = vp_2;
 }
 
-/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with another R is no
-     rotation.
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
+     not a rotation.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
    Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
@@ -2914,7 +2917,7 @@ static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const doub
   R->m22 = R_22;
 }
 
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
    R: rotation or other 3×3 matrix; axis: vector.
    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.
    Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
@@ -3117,8 +3120,8 @@ static inline void ksl_skewf(const ksl_vec3f_t *v, ksl_mat3x3f_t *Ro) {
   Ro->m22 = 0.0f;
 }
 
-/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
-     x is accelerated by Ro x beyond its origin.
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+     acceleration of its point x, less that of its origin, is Ro x.
    w, dw: vector; Ro: rotation or other 3×3 matrix.
    6 mul, 9 add, 3 neg.
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -3209,14 +3212,14 @@ static inline float ksl_mat3x3f_determinant(const ksl_mat3x3f_t *R) {
   return det;
 }
 
-/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows;
-     0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3 (double 1e-229
-     m^3), p the sum of its terms' sizes, m that of the largest entry.
+/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows.
+     Returns 0, with Ro = NaN, where R may be singular: |det R| <= 8 u p + 1e-29 m^3 (double
+     1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.
    R, Ro: rotation or other 3×3 matrix.
    56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.
-   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the
-     sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring
-     over- and underflow of Ro_ij itself. */
+   Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the sum of the |terms| of
+     the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow
+     of Ro_ij itself. */
 static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const float R_size_0 = fabsf(R->m00);
   const float R_size_1 = fabsf(R->m01);
@@ -3332,11 +3335,12 @@ static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *R
   return det;
 }
 
-/* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
-     side of it, the third its side of both; NaN where rows depend on each other to rounding.
+/* self = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on
+     its side of the first, the third on its side of both; NaN where the rows are linearly
+     dependent to rounding.
    self: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
+   |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
   const float q0_s_size_0 = fabsf(self->m00);
   const float q0_s_size_1 = fabsf(self->m01);
@@ -3466,11 +3470,12 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
   self->m22 = self_22_new;
 }
 
-/* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
-     of it, the third its side of both; NaN where rows depend on each other to rounding.
+/* Ro = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on its
+     side of the first, the third on its side of both; NaN where the rows are linearly dependent
+     to rounding.
    R, Ro: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
+   |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const float q0_s_size_0 = fabsf(R->m00);
   const float q0_s_size_1 = fabsf(R->m01);
@@ -3600,8 +3605,8 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
   Ro->m22 = Ro_22;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
-     (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+     dc = (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    12 mul, 10 add.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -3680,8 +3685,8 @@ static inline void ksl_mat3x3f_from_euler_xyz(const ksl_vec3f_t *angles, ksl_mat
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
-   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
-     not proved. */
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
   const float n_a = KSL_MULF(R->m00, R->m00), n_b = KSL_MULF(R->m01, R->m01), n_c = n_a + n_b,
       n = sqrtf(n_c);
@@ -3740,8 +3745,8 @@ static inline void ksl_mat3x3f_from_euler_xyx(const ksl_vec3f_t *angles, ksl_mat
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
-   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
-     not proved. */
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
   const float n_a = KSL_MULF(R->m01, R->m01), n_b = KSL_MULF(R->m02, R->m02), n_c = n_a + n_b,
       n = sqrtf(n_c);
@@ -3761,12 +3766,12 @@ static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_
   angles->z = third;
 }
 
-/* A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
-     A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
-     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+/* A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes
+     A_xy zero; then y, z, x become x, y, z.  A is symmetric, only its lower triangle is read.
+     Repeated from V = I, it converges to A = diag(eigenvalues); V A V^T does not change.
    A, V: rotation or other 3×3 matrix.
    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
-   |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched, not proved. */
+   V A V^T changes by at most 28 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
   const float twice = KSL_MULF(2.0f, A->m10);
   const float apart = A->m11 - A->m00;
@@ -3815,8 +3820,8 @@ static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
   V->m22 = vp_2;
 }
 
-/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with another R is no
-     rotation.
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
+     not a rotation.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
    Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
@@ -3863,7 +3868,7 @@ static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const fl
   R->m22 = R_22;
 }
 
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
    R: rotation or other 3×3 matrix; axis: vector.
    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.
    Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
@@ -5231,7 +5236,7 @@ static inline ksl_mat4x4f_t *ksl_mat4x4f_alloc(int n) {
 
 #endif
 
-/* 6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them, and symmetric */
+/* 6×6 operators on screws and coscrews: [Ad], [Ad]*, [ad], [ad]*, and articulated inertias. */
 #ifndef KSL_MAT6X6_H
 #define KSL_MAT6X6_H
 
@@ -5451,8 +5456,8 @@ static inline void ksl_mat6x6_transposed(const ksl_mat6x6_t *M, ksl_mat6x6_t *Mo
   Mo->at[5][5] = M_at_55;
 }
 
-/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
-     inertia M rotated by R.
+/* Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+     lower triangle is read.
    R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.
    144 mul, 96 add.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -5614,8 +5619,8 @@ static inline void ksl_mat6x6_rotated(const ksl_mat3x3_t *R, const ksl_mat6x6_t 
   Mo->at[5][5] = angular_5;
 }
 
-/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
-     inertia M shifted by t.
+/* Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+     lower triangle is read.
    t: vector; M, Mo: 6×6 operator.
    39 mul, 42 add.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -5921,8 +5926,8 @@ static inline void ksl_mat6x6f_transposed(const ksl_mat6x6f_t *M, ksl_mat6x6f_t 
   Mo->at[5][5] = M_at_55;
 }
 
-/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
-     inertia M rotated by R.
+/* Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+     lower triangle is read.
    R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.
    144 mul, 96 add.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -6084,8 +6089,8 @@ static inline void ksl_mat6x6f_rotated(const ksl_mat3x3f_t *R, const ksl_mat6x6f
   Mo->at[5][5] = angular_5;
 }
 
-/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
-     inertia M shifted by t.
+/* Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+     lower triangle is read.
    t: vector; M, Mo: 6×6 operator.
    39 mul, 42 add.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -15002,7 +15007,7 @@ static inline double ksl_dot_qq(const ksl_quaternion_t *q1i, const ksl_quaternio
   return dot;
 }
 
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+/* qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
      first order; not normalized.
    dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
    15 mul, 12 add.
@@ -15056,7 +15061,7 @@ static inline void ksl_subtract_dpiFromq(const ksl_vec3_t *dpi, ksl_quaternion_t
 }
 
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1.
+     reference frame, rad/s, and a term that draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
    23 mul, 16 add.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -15085,7 +15090,7 @@ static inline void ksl_omega_to_dquaternion(const ksl_vec3_t *w, const ksl_quate
   dqo->w = dqo_3;
 }
 
-/* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+/* R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
    Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
@@ -15133,7 +15138,7 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
   R->m22 = R_22;
 }
 
-/* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+/* qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
    Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
@@ -15201,8 +15206,8 @@ static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const 
   qo->w = qo_3;
 }
 
-/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
-     nothing turns; any multiple of a quaternion.
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
+     angle is 0; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.
    Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
@@ -16475,7 +16480,7 @@ static inline float ksl_dot_qqf(const ksl_quaternionf_t *q1i, const ksl_quaterni
   return dot;
 }
 
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+/* qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
      first order; not normalized.
    dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
    15 mul, 12 add.
@@ -16529,7 +16534,7 @@ static inline void ksl_subtract_dpiFromqf(const ksl_vec3f_t *dpi, ksl_quaternion
 }
 
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1.
+     reference frame, rad/s, and a term that draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
    23 mul, 16 add.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -16558,7 +16563,7 @@ static inline void ksl_omega_to_dquaternionf(const ksl_vec3f_t *w, const ksl_qua
   dqo->w = dqo_3;
 }
 
-/* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+/* R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
    Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
@@ -16606,7 +16611,7 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
   R->m22 = R_22;
 }
 
-/* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+/* qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
    Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
@@ -16674,8 +16679,8 @@ static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, cons
   qo->w = qo_3;
 }
 
-/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
-     nothing turns; any multiple of a quaternion.
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
+     angle is 0; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.
    Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
@@ -17290,7 +17295,7 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   R->m22 = diagonal2;
 }
 
-/* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+/* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
    R: rotation or other 3×3 matrix; vo: vector.
    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
    Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
@@ -17585,7 +17590,7 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 }
 
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
-     but 0.
+     except 0.
    v: vector; R: rotation or other 3×3 matrix.
    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.
    Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
@@ -17688,7 +17693,7 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
 }
 
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
-     but 0.
+     except 0.
    v: vector; R: rotation or other 3×3 matrix.
    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.
    Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
@@ -17790,7 +17795,7 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
   R->m22 = diagonal2;
 }
 
-/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
    Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -17876,7 +17881,7 @@ static inline void ksl_mat3x3_orthonormalize(ksl_mat3x3_t *self) {
   self->m22 = self_22_new;
 }
 
-/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
    Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -17948,8 +17953,8 @@ static inline void ksl_mat3x3_orthonormalized(const ksl_mat3x3_t *R, ksl_mat3x3_
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.
    Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is
-     larger for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Sums on the way
-     may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
+     larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate
+     sums may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -18086,7 +18091,7 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.
    Error <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not
-     proved.  Sums on the way may overflow where |t| is above 2e306, in single precision 5e36. */
+     proved.  Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double p_0 = D->m21 - D->m12;
   const double p_1 = D->m02 - D->m20;
@@ -18196,8 +18201,8 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.
-   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
-     the way may overflow where |v| is above 2e306, in single precision 5e36. */
+   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
+     Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -18425,8 +18430,8 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.
-   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
-     the way may overflow where |v| is above 2e306, in single precision 5e36. */
+   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
+     Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -18651,11 +18656,11 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
   M->at[5][5] = diagonal2;
 }
 
-/* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
+/* M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
-   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
-     the way may overflow where |v| is above 2e306, in single precision 5e36. */
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
+     Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -18856,11 +18861,11 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
   M->at[5][5] = diagonal2;
 }
 
-/* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
+/* M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
-   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
-     the way may overflow where |v| is above 2e306, in single precision 5e36. */
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
+     Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -19065,9 +19070,10 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
      select.
-   Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is larger for R
-     of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on the
-     way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36. */
+   Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is larger, for
+     R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.
+     Intermediate sums may overflow where |t| of D1 or D2 is above 2e306, in single precision
+     5e36. */
 static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2, const double k,
     ksl_SE3_t *Do) {
   const double apart_0 = D2->m03 - D1->m03;
@@ -19509,7 +19515,7 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   R->m22 = diagonal2;
 }
 
-/* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+/* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
    R: rotation or other 3×3 matrix; vo: vector.
    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
    Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
@@ -19803,7 +19809,7 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
 }
 
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
-     but 0.
+     except 0.
    v: vector; R: rotation or other 3×3 matrix.
    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.
    Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
@@ -19905,7 +19911,7 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
 }
 
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
-     but 0.
+     except 0.
    v: vector; R: rotation or other 3×3 matrix.
    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.
    Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
@@ -20006,7 +20012,7 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
   R->m22 = diagonal2;
 }
 
-/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
    Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -20095,7 +20101,7 @@ static inline void ksl_mat3x3f_orthonormalize(ksl_mat3x3f_t *self) {
   self->m22 = self_22_new;
 }
 
-/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
    Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -20167,8 +20173,8 @@ static inline void ksl_mat3x3f_orthonormalized(const ksl_mat3x3f_t *R, ksl_mat3x
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.
    Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is
-     larger for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Sums on the way
-     may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
+     larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate
+     sums may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -20305,7 +20311,7 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.
    Error <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not
-     proved.  Sums on the way may overflow where |t| is above 2e306, in single precision 5e36. */
+     proved.  Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float p_0 = D->m21 - D->m12;
   const float p_1 = D->m02 - D->m20;
@@ -20413,8 +20419,8 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.
-   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
-     the way may overflow where |v| is above 2e306, in single precision 5e36. */
+   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
+     Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -20639,8 +20645,8 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.
-   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
-     the way may overflow where |v| is above 2e306, in single precision 5e36. */
+   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
+     Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -20862,11 +20868,11 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
   M->at[5][5] = diagonal2;
 }
 
-/* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
+/* M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
-   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
-     the way may overflow where |v| is above 2e306, in single precision 5e36. */
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
+     Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -21066,11 +21072,11 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
   M->at[5][5] = diagonal2;
 }
 
-/* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
+/* M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
-   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
-     the way may overflow where |v| is above 2e306, in single precision 5e36. */
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
+     Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -21274,9 +21280,10 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
      select.
-   Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is larger for R
-     of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on the
-     way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36. */
+   Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is larger, for
+     R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.
+     Intermediate sums may overflow where |t| of D1 or D2 is above 2e306, in single precision
+     5e36. */
 static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     const float k, ksl_SE3f_t *Do) {
   const float apart_0 = D2->m03 - D1->m03;
@@ -21623,9 +21630,9 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
 #define KSL_SYMMETRIC_H
 
 
-/* L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on its
-     diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not positive
-     definite, and L means nothing.
+/* L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+     triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+     not positive definite, and L is meaningless.
    A, L: rotation or other 3×3 matrix.
    4 mul, 4 add, 6 div, 6 less, 9 select.
    |L D L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
@@ -21678,9 +21685,9 @@ static inline void ksl_mat3x3_ldl_solve(const ksl_mat3x3_t *L, const ksl_vec3_t 
   x->z = z2;
 }
 
-/* x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-     smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-     not positive definite), it is not positive, and x not a number.
+/* x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+     Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+     rounding or indefinite (A - 50 u diag A is not positive definite).
    A: rotation or other 3×3 matrix; b, x: vector.
    32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
@@ -21756,9 +21763,9 @@ static inline double ksl_mat3x3_solve(const ksl_mat3x3_t *A, const ksl_vec3_t *b
   return pivot;
 }
 
-/* L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on its
-     diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not positive
-     definite, and L means nothing.
+/* L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+     triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+     not positive definite, and L is meaningless.
    A, L: 6×6 operator.
    35 mul, 35 add, 21 div, 15 less, 21 select.
    |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
@@ -21915,9 +21922,9 @@ static inline void ksl_mat6x6_ldl_solve(const ksl_mat6x6_t *L, const ksl_coscrew
   x->m5 = z5;
 }
 
-/* x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-     smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-     not positive definite), it is not positive, and x not a number.
+/* x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+     Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+     rounding or indefinite (A - 50 u diag A is not positive definite).
    A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
    172 mul, 172 add, 48 div, 23 less, 1 equal, 41 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
@@ -22177,9 +22184,9 @@ static inline double ksl_mat6x6_solve(const ksl_mat6x6_t *A, const ksl_coscrew_t
   return pivot;
 }
 
-/* L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on its
-     diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not positive
-     definite, and L means nothing.
+/* L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+     triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+     not positive definite, and L is meaningless.
    A, L: rotation or other 3×3 matrix.
    4 mul, 4 add, 6 div, 6 less, 9 select.
    |L D L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
@@ -22234,9 +22241,9 @@ static inline void ksl_mat3x3f_ldl_solve(const ksl_mat3x3f_t *L, const ksl_vec3f
   x->z = z2;
 }
 
-/* x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-     smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-     not positive definite), it is not positive, and x not a number.
+/* x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+     Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+     rounding or indefinite (A - 50 u diag A is not positive definite).
    A: rotation or other 3×3 matrix; b, x: vector.
    32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
@@ -22313,9 +22320,9 @@ static inline float ksl_mat3x3f_solve(const ksl_mat3x3f_t *A, const ksl_vec3f_t 
   return pivot;
 }
 
-/* L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on its
-     diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not positive
-     definite, and L means nothing.
+/* L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+     triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+     not positive definite, and L is meaningless.
    A, L: 6×6 operator.
    35 mul, 35 add, 21 div, 15 less, 21 select.
    |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
@@ -22473,9 +22480,9 @@ static inline void ksl_mat6x6f_ldl_solve(const ksl_mat6x6f_t *L, const ksl_coscr
   x->m5 = z5;
 }
 
-/* x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-     smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-     not positive definite), it is not positive, and x not a number.
+/* x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+     Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+     rounding or indefinite (A - 50 u diag A is not positive definite).
    A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
    172 mul, 172 add, 48 div, 23 less, 1 equal, 41 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
@@ -22797,7 +22804,7 @@ static inline void ksl_inertia_copy(const ksl_inertia_t *Ji, ksl_inertia_t *Jo) 
   Jo->Izx = Ji_Izx;
 }
 
-/* Jo = Ji turned by R: m, R mt, R I R^T.
+/* Jo = Ji rotated by R: m, R mt, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); R: rotation or other 3×3 matrix.
    54 mul, 36 add.
@@ -22854,7 +22861,7 @@ static inline void ksl_inertia_rotated(const ksl_inertia_t *Ji, const ksl_mat3x3
   Jo->Izx = Jo_9;
 }
 
-/* self = self turned by R: m, R mt, R I R^T.
+/* self = self rotated by R: m, R mt, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); R: rotation or other 3×3 matrix.
    54 mul, 36 add.
@@ -22917,7 +22924,7 @@ static inline void ksl_inertia_rotate(ksl_inertia_t *self, const ksl_mat3x3_t *R
   self->Izx = self_9_new;
 }
 
-/* Jo = Ji moved by t: m, mt + m t, I.
+/* Jo = Ji translated by t: m, mt + m t, I.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t: vector.
    3 mul, 3 add.
@@ -22947,7 +22954,7 @@ static inline void ksl_inertia_translated(const ksl_inertia_t *Ji, const ksl_vec
   Jo->Izx = Ji_Izx;
 }
 
-/* self = self moved by t: m, mt + m t, I.
+/* self = self translated by t: m, mt + m t, I.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); t: vector.
    3 mul, 3 add.
@@ -22962,7 +22969,7 @@ static inline void ksl_inertia_translate(ksl_inertia_t *self, const ksl_vec3_t *
   self->mt.z = self_3_new;
 }
 
-/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    57 mul, 39 add.
@@ -23022,7 +23029,7 @@ static inline void ksl_inertia_transformed(const ksl_inertia_t *Ji, const ksl_SE
   Jo->Izx = Jo_9;
 }
 
-/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); D: displacement [R | t], R rotation, t in m.
    57 mul, 39 add.
@@ -23088,15 +23095,15 @@ static inline void ksl_inertia_transform(ksl_inertia_t *self, const ksl_SE3_t *D
   self->Izx = self_9_new;
 }
 
-/* Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: m_i + m_j, mt_i + m_j c,
-     I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c - t_ic;
-     t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, each in its own frame; NaN
-     where m_i + m_j = 0.
+/* Ji = the inertia of two joined bodies: Ji, and Jj displaced by D_ij = [R | t]: m_i + m_j, mt_i
+     + m_j c, I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c -
+     t_ic; t_ic = mt_i / m_i and t_jc = mt_j / m_j are the centres of mass, each in its own
+     frame; NaN where m_i + m_j = 0.
    Ji, Jj: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t_ic, t_jc: vector; D_ij: displacement [R | t], R rotation, t in m.
    67 mul, 61 add, 1 div.
-   Error <= 18 u times the sum of the sizes of all terms, for masses that are not negative,
-     barring over- and underflow. */
+   Error <= 18 u times the sum of the absolute values of all terms, for masses that are not
+     negative, barring over- and underflow. */
 static inline void ksl_inertia_merge(ksl_inertia_t *Ji, const ksl_vec3_t *t_ic,
     const ksl_inertia_t *Jj, const ksl_vec3_t *t_jc, const ksl_SE3_t *D_ij) {
   const double m = Ji->m + Jj->m;
@@ -23230,7 +23237,7 @@ static inline void ksl_inertiaf_copy(const ksl_inertiaf_t *Ji, ksl_inertiaf_t *J
   Jo->Izx = Ji_Izx;
 }
 
-/* Jo = Ji turned by R: m, R mt, R I R^T.
+/* Jo = Ji rotated by R: m, R mt, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); R: rotation or other 3×3 matrix.
    54 mul, 36 add.
@@ -23287,7 +23294,7 @@ static inline void ksl_inertiaf_rotated(const ksl_inertiaf_t *Ji, const ksl_mat3
   Jo->Izx = Jo_9;
 }
 
-/* self = self turned by R: m, R mt, R I R^T.
+/* self = self rotated by R: m, R mt, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); R: rotation or other 3×3 matrix.
    54 mul, 36 add.
@@ -23350,7 +23357,7 @@ static inline void ksl_inertiaf_rotate(ksl_inertiaf_t *self, const ksl_mat3x3f_t
   self->Izx = self_9_new;
 }
 
-/* Jo = Ji moved by t: m, mt + m t, I.
+/* Jo = Ji translated by t: m, mt + m t, I.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t: vector.
    3 mul, 3 add.
@@ -23380,7 +23387,7 @@ static inline void ksl_inertiaf_translated(const ksl_inertiaf_t *Ji, const ksl_v
   Jo->Izx = Ji_Izx;
 }
 
-/* self = self moved by t: m, mt + m t, I.
+/* self = self translated by t: m, mt + m t, I.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); t: vector.
    3 mul, 3 add.
@@ -23395,7 +23402,7 @@ static inline void ksl_inertiaf_translate(ksl_inertiaf_t *self, const ksl_vec3f_
   self->mt.z = self_3_new;
 }
 
-/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    57 mul, 39 add.
@@ -23455,7 +23462,7 @@ static inline void ksl_inertiaf_transformed(const ksl_inertiaf_t *Ji, const ksl_
   Jo->Izx = Jo_9;
 }
 
-/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); D: displacement [R | t], R rotation, t in m.
    57 mul, 39 add.
@@ -23521,15 +23528,15 @@ static inline void ksl_inertiaf_transform(ksl_inertiaf_t *self, const ksl_SE3f_t
   self->Izx = self_9_new;
 }
 
-/* Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: m_i + m_j, mt_i + m_j c,
-     I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c - t_ic;
-     t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, each in its own frame; NaN
-     where m_i + m_j = 0.
+/* Ji = the inertia of two joined bodies: Ji, and Jj displaced by D_ij = [R | t]: m_i + m_j, mt_i
+     + m_j c, I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c -
+     t_ic; t_ic = mt_i / m_i and t_jc = mt_j / m_j are the centres of mass, each in its own
+     frame; NaN where m_i + m_j = 0.
    Ji, Jj: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t_ic, t_jc: vector; D_ij: displacement [R | t], R rotation, t in m.
    67 mul, 61 add, 1 div.
-   Error <= 18 u times the sum of the sizes of all terms, for masses that are not negative,
-     barring over- and underflow. */
+   Error <= 18 u times the sum of the absolute values of all terms, for masses that are not
+     negative, barring over- and underflow. */
 static inline void ksl_inertiaf_merge(ksl_inertiaf_t *Ji, const ksl_vec3f_t *t_ic,
     const ksl_inertiaf_t *Jj, const ksl_vec3f_t *t_jc, const ksl_SE3f_t *D_ij) {
   const float m = Ji->m + Jj->m;
@@ -23864,8 +23871,8 @@ static inline void ksl_subtract_BB(const ksl_spatial_inertia_t *B1,
   Bo->yz = Bo_9;
 }
 
-/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-     the upper triangle): h = m com, I = Ic - m com~ com~.
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
+     read): h = m com, I = Ic - m com~ com~.
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    9 mul, 9 add.
@@ -23897,13 +23904,13 @@ static inline void ksl_spatial_inertia_from_com(const double m, const ksl_vec3_t
   Bo->yz = Bo_9;
 }
 
-/* Bo: of the inertia J, whose moments are about the centre of mass: m, mt, I - mt~ mt~ / m; not
-     a number where m = 0.
+/* Bo = (m, mt, I - mt~ mt~ / m) from the inertia J, whose moments are about the centre of mass;
+     NaN where m = 0.
    J: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in
      kg m^2); Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
      xz, yz in kg m^2).
    6 mul, 9 add, 3 div.
-   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+   Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_spatial_inertia_from_inertia(const ksl_inertia_t *J,
     ksl_spatial_inertia_t *Bo) {
   const double c_0 = J->mt.x / J->m;
@@ -23934,13 +23941,13 @@ static inline void ksl_spatial_inertia_from_inertia(const ksl_inertia_t *J,
   Bo->yz = Bo_9;
 }
 
-/* Jo: of the spatial inertia B, with moments about the centre of mass: m, h, I + h~ h~ / m; not
-     a number where m = 0.
+/* Jo = (m, h, I + h~ h~ / m) from the spatial inertia B, with moments about the centre of mass;
+     NaN where m = 0.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy,
      yz, zx in kg m^2).
    6 mul, 9 add, 3 div.
-   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+   Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_inertia_from_spatial_inertia(const ksl_spatial_inertia_t *B,
     ksl_inertia_t *Jo) {
   const double c_0 = B->h.x / B->m;
@@ -24136,9 +24143,9 @@ static inline double ksl_spatial_inertia_energy(const ksl_spatial_inertia_t *B,
   return energy;
 }
 
-/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
-     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
-     less that of gravity: the wrench beside gravity's.
+/* co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+     a is less gravity's, so is the wrench.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
    39 mul, 42 add, 3 neg.
@@ -24202,7 +24209,7 @@ static inline void ksl_spatial_inertia_net_wrench(const ksl_spatial_inertia_t *B
   co->m5 = co_5;
 }
 
-/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+/* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
    18 mul, 18 add.
@@ -24256,7 +24263,7 @@ static inline void ksl_spatial_inertia_shifted(const ksl_vec3_t *t,
   Bo->yz = Bo_9;
 }
 
-/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+/* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    72 mul, 54 add.
@@ -24355,7 +24362,7 @@ static inline void ksl_spatial_inertia_transformed(const ksl_SE3_t *D,
   Bo->yz = Bo_9;
 }
 
-/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each divided by its diagonal entry:
      positive exactly if a body of positive density has this inertia.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).
@@ -24530,8 +24537,8 @@ static inline void ksl_subtract_BBf(const ksl_spatial_inertiaf_t *B1,
   Bo->yz = Bo_9;
 }
 
-/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-     the upper triangle): h = m com, I = Ic - m com~ com~.
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
+     read): h = m com, I = Ic - m com~ com~.
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    9 mul, 9 add.
@@ -24563,13 +24570,13 @@ static inline void ksl_spatial_inertiaf_from_com(const float m, const ksl_vec3f_
   Bo->yz = Bo_9;
 }
 
-/* Bo: of the inertia J, whose moments are about the centre of mass: m, mt, I - mt~ mt~ / m; not
-     a number where m = 0.
+/* Bo = (m, mt, I - mt~ mt~ / m) from the inertia J, whose moments are about the centre of mass;
+     NaN where m = 0.
    J: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in
      kg m^2); Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
      xz, yz in kg m^2).
    6 mul, 9 add, 3 div.
-   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+   Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_from_inertia(const ksl_inertiaf_t *J,
     ksl_spatial_inertiaf_t *Bo) {
   const float c_0 = J->mt.x / J->m;
@@ -24600,13 +24607,13 @@ static inline void ksl_spatial_inertiaf_from_inertia(const ksl_inertiaf_t *J,
   Bo->yz = Bo_9;
 }
 
-/* Jo: of the spatial inertia B, with moments about the centre of mass: m, h, I + h~ h~ / m; not
-     a number where m = 0.
+/* Jo = (m, h, I + h~ h~ / m) from the spatial inertia B, with moments about the centre of mass;
+     NaN where m = 0.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy,
      yz, zx in kg m^2).
    6 mul, 9 add, 3 div.
-   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+   Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_inertiaf_from_spatial_inertia(const ksl_spatial_inertiaf_t *B,
     ksl_inertiaf_t *Jo) {
   const float c_0 = B->h.x / B->m;
@@ -24804,9 +24811,9 @@ static inline float ksl_spatial_inertiaf_energy(const ksl_spatial_inertiaf_t *B,
   return energy;
 }
 
-/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
-     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
-     less that of gravity: the wrench beside gravity's.
+/* co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+     a is less gravity's, so is the wrench.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
    39 mul, 42 add, 3 neg.
@@ -24870,7 +24877,7 @@ static inline void ksl_spatial_inertiaf_net_wrench(const ksl_spatial_inertiaf_t 
   co->m5 = co_5;
 }
 
-/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+/* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
    18 mul, 18 add.
@@ -24924,7 +24931,7 @@ static inline void ksl_spatial_inertiaf_shifted(const ksl_vec3f_t *t,
   Bo->yz = Bo_9;
 }
 
-/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+/* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    72 mul, 54 add.
@@ -25023,7 +25030,7 @@ static inline void ksl_spatial_inertiaf_transformed(const ksl_SE3f_t *D,
   Bo->yz = Bo_9;
 }
 
-/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each divided by its diagonal entry:
      positive exactly if a body of positive density has this inertia.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).

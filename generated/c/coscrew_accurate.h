@@ -1761,7 +1761,7 @@ static inline void ksl_add_vvzinvf_accurate(const ksl_vec3f_t *v, const float k,
 
 #endif
 
-/* Vectors of four components: of three dimensions, with a homogeneous coordinate behind them.
+/* Vectors of four components: three dimensions and a homogeneous coordinate.
    Accurate tier: double compensated, single computed in double. */
 #ifndef KSL_VEC4_ACCURATE_H
 #define KSL_VEC4_ACCURATE_H
@@ -2302,8 +2302,8 @@ static inline void ksl_vec4f_normalized_accurate(const ksl_vec4f_t *v, ksl_vec4f
 #define KSL_MAT3X3_ACCURATE_H
 
 
-/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
-     x is accelerated by Ro x beyond its origin.
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+     acceleration of its point x, less that of its origin, is Ro x.
    w, dw: vector; Ro: rotation or other 3×3 matrix.
    6 mul, 51 add, 12 product rest, 6 neg.
    Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
@@ -2409,15 +2409,15 @@ static inline double ksl_mat3x3_determinant_accurate(const ksl_mat3x3_t *R) {
   return det_rounded;
 }
 
-/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows;
-     0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3 (double 1e-229
-     m^3), p the sum of its terms' sizes, m that of the largest entry.
+/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows.
+     Returns 0, with Ro = NaN, where R may be singular: |det R| <= 8 u p + 1e-29 m^3 (double
+     1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.
    R, Ro: rotation or other 3×3 matrix.
    106 mul, 290 add, 10 product error, 32 product rest, 22 div, 2 neg, 19 abs, 17 less, 23 equal,
      67 select.
-   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the
-     sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring
-     over- and underflow of Ro_ij itself. */
+   Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the sum of the |terms| of
+     the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow
+     of Ro_ij itself. */
 static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double R_size_0 = fabs(R->m00);
   const double R_size_1 = fabs(R->m01);
@@ -2909,12 +2909,13 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
   return det_final;
 }
 
-/* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
-     side of it, the third its side of both; NaN where rows depend on each other to rounding.
+/* self = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on
+     its side of the first, the third on its side of both; NaN where the rows are linearly
+     dependent to rounding.
    self: rotation or other 3×3 matrix.
    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
      27 equal, 79 select.
-   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
+   |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double q0_s_size_0 = fabs(self->m00);
   const double q0_s_size_1 = fabs(self->m01);
@@ -3492,12 +3493,13 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   self->m22 = self_22_new_final;
 }
 
-/* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
-     of it, the third its side of both; NaN where rows depend on each other to rounding.
+/* Ro = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on its
+     side of the first, the third on its side of both; NaN where the rows are linearly dependent
+     to rounding.
    R, Ro: rotation or other 3×3 matrix.
    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
      27 equal, 79 select.
-   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
+   |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double q0_s_size_0 = fabs(R->m00);
   const double q0_s_size_1 = fabs(R->m01);
@@ -4075,8 +4077,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   Ro->m22 = Ro_22_final;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
-     (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+     dc = (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    21 mul, 66 add, 3 product error, 15 product rest.
    Error <= u |result| + 14 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -4172,8 +4174,8 @@ static inline void ksl_mat3x3_setFromAxisDC_accurate(ksl_mat3x3_t *R, const ksl_
    R: rotation or other 3×3 matrix; angles: vector.
    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 1 neg, 4 abs, 2
      less, 6 equal, 14 select.
-   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
-     not proved. */
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m00, R->m00), n_b = KSL_MUL(R->m01, R->m01), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -4290,8 +4292,8 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
    R: rotation or other 3×3 matrix; angles: vector.
    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 4 abs, 2 less, 6
      equal, 14 select.
-   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
-     not proved. */
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m01, R->m01), n_b = KSL_MUL(R->m02, R->m02), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -4403,13 +4405,13 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
   angles->z = third;
 }
 
-/* A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
-     A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
-     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+/* A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes
+     A_xy zero; then y, z, x become x, y, z.  A is symmetric, only its lower triangle is read.
+     Repeated from V = I, it converges to A = diag(eigenvalues); V A V^T does not change.
    A, V: rotation or other 3×3 matrix.
    51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
      equal, 18 select.
-   |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched, not proved. */
+   V A V^T changes by at most 28 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
   const double twice = KSL_MUL(2.0, A->m10);
   const double apart = A->m11 - A->m00, apart_right = A->m11 - apart,
@@ -4610,7 +4612,7 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
   V->m22 = vp_2_final;
 }
 
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
    R: rotation or other 3×3 matrix; axis: vector.
    35 mul, 235 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
      less, 11 equal, 61 select.
@@ -4892,8 +4894,8 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
   return angle_final;
 }
 
-/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
-     x is accelerated by Ro x beyond its origin.
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+     acceleration of its point x, less that of its origin, is Ro x.
    w, dw: vector; Ro: rotation or other 3×3 matrix.
    6 mul, 9 add, 3 neg.
    Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -4943,14 +4945,14 @@ static inline float ksl_mat3x3f_determinant_accurate(const ksl_mat3x3f_t *R) {
   return (float)det;
 }
 
-/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows;
-     0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3 (double 1e-229
-     m^3), p the sum of its terms' sizes, m that of the largest entry.
+/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows.
+     Returns 0, with Ro = NaN, where R may be singular: |det R| <= 8 u p + 1e-29 m^3 (double
+     1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.
    R, Ro: rotation or other 3×3 matrix.
    56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.
-   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the
-     sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring
-     over- and underflow of Ro_ij itself. */
+   Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the sum of the |terms| of
+     the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow
+     of Ro_ij itself. */
 static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const double R_size_0 = fabs((double)R->m00);
   const double R_size_1 = fabs((double)R->m01);
@@ -5067,11 +5069,12 @@ static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat
   return (float)det;
 }
 
-/* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
-     side of it, the third its side of both; NaN where rows depend on each other to rounding.
+/* self = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on
+     its side of the first, the third on its side of both; NaN where the rows are linearly
+     dependent to rounding.
    self: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
+   |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   const double q0_s_size_0 = fabs((double)self->m00);
   const double q0_s_size_1 = fabs((double)self->m01);
@@ -5201,11 +5204,12 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   self->m22 = (float)self_22_new;
 }
 
-/* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
-     of it, the third its side of both; NaN where rows depend on each other to rounding.
+/* Ro = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on its
+     side of the first, the third on its side of both; NaN where the rows are linearly dependent
+     to rounding.
    R, Ro: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
+   |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const double q0_s_size_0 = fabs((double)R->m00);
   const double q0_s_size_1 = fabs((double)R->m01);
@@ -5335,8 +5339,8 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
   Ro->m22 = (float)Ro_22;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
-     (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+     dc = (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    12 mul, 10 add.
    Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -5380,8 +5384,8 @@ static inline void ksl_mat3x3f_setFromAxisDC_accurate(ksl_mat3x3f_t *R, const ks
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
-   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
-     not proved. */
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles) {
   const double n_a = (double)R->m00 * (double)R->m00,
@@ -5406,8 +5410,8 @@ static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
-   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
-     not proved. */
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles) {
   const double n_a = (double)R->m01 * (double)R->m01,
@@ -5428,12 +5432,12 @@ static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   angles->z = (float)third;
 }
 
-/* A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
-     A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
-     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+/* A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes
+     A_xy zero; then y, z, x become x, y, z.  A is symmetric, only its lower triangle is read.
+     Repeated from V = I, it converges to A = diag(eigenvalues); V A V^T does not change.
    A, V: rotation or other 3×3 matrix.
    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
-   |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched, not proved. */
+   V A V^T changes by at most 28 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3f_jacobi_accurate(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
   const double twice = 2.0 * (double)A->m10;
   const double apart = (double)A->m11 - (double)A->m00;
@@ -5490,7 +5494,7 @@ static inline void ksl_mat3x3f_jacobi_accurate(ksl_mat3x3f_t *A, ksl_mat3x3f_t *
   V->m22 = (float)vp_2;
 }
 
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
    R: rotation or other 3×3 matrix; axis: vector.
    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.
    Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
@@ -5773,14 +5777,14 @@ static inline void ksl_SE3f_inverted_accurate(const ksl_SE3f_t *D, ksl_SE3f_t *D
 
 #endif
 
-/* 6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them, and symmetric
+/* 6×6 operators on screws and coscrews: [Ad], [Ad]*, [ad], [ad]*, and articulated inertias.
    Accurate tier: double compensated, single computed in double. */
 #ifndef KSL_MAT6X6_ACCURATE_H
 #define KSL_MAT6X6_ACCURATE_H
 
 
-/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
-     inertia M rotated by R.
+/* Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+     lower triangle is read.
    R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.
    207 mul, 564 add, 144 product rest.
    Error <= u |result| + 37 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -6419,8 +6423,8 @@ static inline void ksl_mat6x6_rotated_accurate(const ksl_mat3x3_t *R, const ksl_
   Mo->at[5][5] = angular_5_rounded;
 }
 
-/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
-     inertia M shifted by t.
+/* Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+     lower triangle is read.
    t: vector; M, Mo: 6×6 operator.
    51 mul, 264 add, 42 product rest.
    Error <= u |result| + 45 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -6695,8 +6699,8 @@ static inline void ksl_mat6x6_shifted_accurate(const ksl_vec3_t *t, const ksl_ma
   Mo->at[5][5] = moved_5_rounded;
 }
 
-/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
-     inertia M rotated by R.
+/* Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+     lower triangle is read.
    R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.
    144 mul, 96 add.
    Error <= u |result| + 3/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -6885,8 +6889,8 @@ static inline void ksl_mat6x6f_rotated_accurate(const ksl_mat3x3f_t *R, const ks
   Mo->at[5][5] = (float)angular_5;
 }
 
-/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
-     inertia M shifted by t.
+/* Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+     lower triangle is read.
    t: vector; M, Mo: 6×6 operator.
    39 mul, 42 add.
    Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -20021,7 +20025,7 @@ static inline double ksl_dot_qq_accurate(const ksl_quaternion_t *q1i, const ksl_
   return dot_rounded;
 }
 
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+/* qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
      first order; not normalized.
    dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
    15 mul, 72 add, 12 product rest.
@@ -20187,7 +20191,7 @@ static inline void ksl_subtract_dpiFromq_accurate(const ksl_vec3_t *dpi, ksl_qua
 }
 
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1.
+     reference frame, rad/s, and a term that draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
    27 mul, 101 add, 20 product rest.
    Error <= u |result| + (v: 35, w: 32) u^2 S, S the sum of the |terms| of the expanded formula;
@@ -20290,7 +20294,7 @@ static inline void ksl_omega_to_dquaternion_accurate(const ksl_vec3_t *w,
   dqo->w = dqo_3_rounded;
 }
 
-/* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+/* R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.
    Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
@@ -20441,7 +20445,7 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
   R->m22 = R_22_final;
 }
 
-/* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+/* qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    21 mul, 182 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
      select.
@@ -20643,8 +20647,8 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
   qo->w = qo_3_final;
 }
 
-/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
-     nothing turns; any multiple of a quaternion.
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
+     angle is 0; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
    27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14
      less, 8 equal, 29 select.
@@ -21811,7 +21815,7 @@ static inline float ksl_dot_qqf_accurate(const ksl_quaternionf_t *q1i,
   return (float)dot;
 }
 
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+/* qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
      first order; not normalized.
    dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
    15 mul, 12 add.
@@ -21871,7 +21875,7 @@ static inline void ksl_subtract_dpiFromqf_accurate(const ksl_vec3f_t *dpi, ksl_q
 }
 
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1.
+     reference frame, rad/s, and a term that draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
    23 mul, 16 add, 1 neg.
    Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -21902,7 +21906,7 @@ static inline void ksl_omega_to_dquaternionf_accurate(const ksl_vec3f_t *w,
   dqo->w = (float)dqo_3;
 }
 
-/* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+/* R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
    Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
@@ -21954,7 +21958,7 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
   R->m22 = (float)R_22;
 }
 
-/* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+/* qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
    Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
@@ -22004,8 +22008,8 @@ static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
   qo->w = (float)qo_3;
 }
 
-/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
-     nothing turns; any multiple of a quaternion.
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
+     angle is 0; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.
    Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
@@ -22115,7 +22119,7 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
 #define KSL_EXPONENTIAL_ACCURATE_H
 
 
-/* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+/* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
    R: rotation or other 3×3 matrix; vo: vector.
    40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
      less, 10 equal, 58 select.
@@ -22373,7 +22377,7 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   vo->z = vector_2_final;
 }
 
-/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    84 mul, 288 add, 45 product rest, 6 neg.
    Error <= u |result| + 44 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -22768,7 +22772,7 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
   self->m22 = self_22_new_rounded;
 }
 
-/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    84 mul, 288 add, 45 product rest, 6 neg.
    Error <= u |result| + 44 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -23064,7 +23068,7 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
   Ro->m22 = Ro_22_rounded;
 }
 
-/* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+/* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
    R: rotation or other 3×3 matrix; vo: vector.
    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
    Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
@@ -23128,7 +23132,7 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
   vo->z = (float)vector_2;
 }
 
-/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
    Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -23223,7 +23227,7 @@ static inline void ksl_mat3x3f_orthonormalize_accurate(ksl_mat3x3f_t *self) {
   self->m22 = (float)self_22_new;
 }
 
-/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
    Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -23308,9 +23312,9 @@ static inline void ksl_mat3x3f_orthonormalized_accurate(const ksl_mat3x3f_t *R, 
 #define KSL_SYMMETRIC_ACCURATE_H
 
 
-/* L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on its
-     diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not positive
-     definite, and L means nothing.
+/* L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+     triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+     not positive definite, and L is meaningless.
    A, L: rotation or other 3×3 matrix.
    16 mul, 96 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.
    |L D L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
@@ -23500,9 +23504,9 @@ static inline void ksl_mat3x3_ldl_solve_accurate(const ksl_mat3x3_t *L, const ks
   x->z = z2_final;
 }
 
-/* x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-     smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-     not positive definite), it is not positive, and x not a number.
+/* x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+     Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+     rounding or indefinite (A - 50 u diag A is not positive definite).
    A: rotation or other 3×3 matrix; b, x: vector.
    96 mul, 398 add, 16 product error, 31 product rest, 30 div, 11 less, 5 equal, 38 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
@@ -23984,9 +23988,9 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
   return pivot_final;
 }
 
-/* L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on its
-     diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not positive
-     definite, and L means nothing.
+/* L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+     triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+     not positive definite, and L is meaningless.
    A, L: 6×6 operator.
    121 mul, 512 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.
    |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
@@ -24785,9 +24789,9 @@ static inline void ksl_mat6x6_ldl_solve_accurate(const ksl_mat6x6_t *L, const ks
   x->m5 = z5_final;
 }
 
-/* x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-     smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-     not positive definite), it is not positive, and x not a number.
+/* x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+     Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+     rounding or indefinite (A - 50 u diag A is not positive definite).
    A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
    516 mul, 1806 add, 49 product error, 171 product rest, 96 div, 23 less, 8 equal, 77 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
@@ -26834,9 +26838,9 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   return pivot_final;
 }
 
-/* L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on its
-     diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not positive
-     definite, and L means nothing.
+/* L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+     triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+     not positive definite, and L is meaningless.
    A, L: rotation or other 3×3 matrix.
    4 mul, 4 add, 6 div, 6 less, 9 select.
    |L D L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
@@ -26892,9 +26896,9 @@ static inline void ksl_mat3x3f_ldl_solve_accurate(const ksl_mat3x3f_t *L, const 
   x->z = (float)z2;
 }
 
-/* x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-     smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-     not positive definite), it is not positive, and x not a number.
+/* x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+     Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+     rounding or indefinite (A - 50 u diag A is not positive definite).
    A: rotation or other 3×3 matrix; b, x: vector.
    32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
@@ -26974,9 +26978,9 @@ static inline float ksl_mat3x3f_solve_accurate(const ksl_mat3x3f_t *A, const ksl
   return (float)pivot;
 }
 
-/* L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on its
-     diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not positive
-     definite, and L means nothing.
+/* L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+     triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+     not positive definite, and L is meaningless.
    A, L: 6×6 operator.
    35 mul, 35 add, 21 div, 15 less, 21 select.
    |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
@@ -27144,9 +27148,9 @@ static inline void ksl_mat6x6f_ldl_solve_accurate(const ksl_mat6x6f_t *L, const 
   x->m5 = (float)z5;
 }
 
-/* x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-     smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-     not positive definite), it is not positive, and x not a number.
+/* x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+     Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+     rounding or indefinite (A - 50 u diag A is not positive definite).
    A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
    172 mul, 172 add, 48 div, 23 less, 1 equal, 41 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
@@ -27463,7 +27467,7 @@ static inline ksl_inertia_t ksl_inertia_accurate(const double m, const ksl_vec3_
   return J;
 }
 
-/* Jo = Ji turned by R: m, R mt, R I R^T.
+/* Jo = Ji rotated by R: m, R mt, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); R: rotation or other 3×3 matrix.
    72 mul, 207 add, 54 product rest.
@@ -27673,7 +27677,7 @@ static inline void ksl_inertia_rotated_accurate(const ksl_inertia_t *Ji, const k
   Jo->Izx = Jo_9_rounded;
 }
 
-/* self = self turned by R: m, R mt, R I R^T.
+/* self = self rotated by R: m, R mt, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); R: rotation or other 3×3 matrix.
    72 mul, 207 add, 54 product rest.
@@ -27916,7 +27920,7 @@ static inline void ksl_inertia_rotate_accurate(ksl_inertia_t *self, const ksl_ma
   self->Izx = self_9_new_rounded;
 }
 
-/* Jo = Ji moved by t: m, mt + m t, I.
+/* Jo = Ji translated by t: m, mt + m t, I.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t: vector.
    3 mul, 18 add, 3 product rest.
@@ -27958,7 +27962,7 @@ static inline void ksl_inertia_translated_accurate(const ksl_inertia_t *Ji, cons
   Jo->Izx = Ji_Izx;
 }
 
-/* self = self moved by t: m, mt + m t, I.
+/* self = self translated by t: m, mt + m t, I.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); t: vector.
    3 mul, 18 add, 3 product rest.
@@ -27988,7 +27992,7 @@ static inline void ksl_inertia_translate_accurate(ksl_inertia_t *self, const ksl
   self->mt.z = self_3_new_rounded;
 }
 
-/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    75 mul, 225 add, 57 product rest.
@@ -28213,7 +28217,7 @@ static inline void ksl_inertia_transformed_accurate(const ksl_inertia_t *Ji, con
   Jo->Izx = Jo_9_rounded;
 }
 
-/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); D: displacement [R | t], R rotation, t in m.
    75 mul, 225 add, 57 product rest.
@@ -28477,15 +28481,15 @@ static inline void ksl_inertia_transform_accurate(ksl_inertia_t *self, const ksl
   self->Izx = self_9_new_rounded;
 }
 
-/* Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: m_i + m_j, mt_i + m_j c,
-     I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c - t_ic;
-     t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, each in its own frame; NaN
-     where m_i + m_j = 0.
+/* Ji = the inertia of two joined bodies: Ji, and Jj displaced by D_ij = [R | t]: m_i + m_j, mt_i
+     + m_j c, I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c -
+     t_ic; t_ic = mt_i / m_i and t_jc = mt_j / m_j are the centres of mass, each in its own
+     frame; NaN where m_i + m_j = 0.
    Ji, Jj: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t_ic, t_jc: vector; D_ij: displacement [R | t], R rotation, t in m.
    109 mul, 401 add, 5 product error, 66 product rest, 2 div, 10 equal, 10 select.
-   Error <= 18 u times the sum of the sizes of all terms, for masses that are not negative,
-     barring over- and underflow. */
+   Error <= 18 u times the sum of the absolute values of all terms, for masses that are not
+     negative, barring over- and underflow. */
 static inline void ksl_inertia_merge_accurate(ksl_inertia_t *Ji, const ksl_vec3_t *t_ic,
     const ksl_inertia_t *Jj, const ksl_vec3_t *t_jc, const ksl_SE3_t *D_ij) {
   const double m = Ji->m + Jj->m, m_right = m - Ji->m, m_left = m - m_right,
@@ -28902,7 +28906,7 @@ static inline ksl_inertiaf_t ksl_inertiaf_accurate(const float m, const ksl_vec3
   return J;
 }
 
-/* Jo = Ji turned by R: m, R mt, R I R^T.
+/* Jo = Ji rotated by R: m, R mt, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); R: rotation or other 3×3 matrix.
    54 mul, 36 add.
@@ -28971,7 +28975,7 @@ static inline void ksl_inertiaf_rotated_accurate(const ksl_inertiaf_t *Ji, const
   Jo->Izx = (float)Jo_9;
 }
 
-/* self = self turned by R: m, R mt, R I R^T.
+/* self = self rotated by R: m, R mt, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); R: rotation or other 3×3 matrix.
    54 mul, 36 add.
@@ -29043,7 +29047,7 @@ static inline void ksl_inertiaf_rotate_accurate(ksl_inertiaf_t *self, const ksl_
   self->Izx = (float)self_9_new;
 }
 
-/* Jo = Ji moved by t: m, mt + m t, I.
+/* Jo = Ji translated by t: m, mt + m t, I.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t: vector.
    3 mul, 3 add.
@@ -29073,7 +29077,7 @@ static inline void ksl_inertiaf_translated_accurate(const ksl_inertiaf_t *Ji,
   Jo->Izx = Ji_Izx;
 }
 
-/* self = self moved by t: m, mt + m t, I.
+/* self = self translated by t: m, mt + m t, I.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); t: vector.
    3 mul, 3 add.
@@ -29088,7 +29092,7 @@ static inline void ksl_inertiaf_translate_accurate(ksl_inertiaf_t *self, const k
   self->mt.z = (float)self_3_new;
 }
 
-/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    57 mul, 39 add.
@@ -29160,7 +29164,7 @@ static inline void ksl_inertiaf_transformed_accurate(const ksl_inertiaf_t *Ji,
   Jo->Izx = (float)Jo_9;
 }
 
-/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); D: displacement [R | t], R rotation, t in m.
    57 mul, 39 add.
@@ -29235,15 +29239,15 @@ static inline void ksl_inertiaf_transform_accurate(ksl_inertiaf_t *self, const k
   self->Izx = (float)self_9_new;
 }
 
-/* Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: m_i + m_j, mt_i + m_j c,
-     I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c - t_ic;
-     t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, each in its own frame; NaN
-     where m_i + m_j = 0.
+/* Ji = the inertia of two joined bodies: Ji, and Jj displaced by D_ij = [R | t]: m_i + m_j, mt_i
+     + m_j c, I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c -
+     t_ic; t_ic = mt_i / m_i and t_jc = mt_j / m_j are the centres of mass, each in its own
+     frame; NaN where m_i + m_j = 0.
    Ji, Jj: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t_ic, t_jc: vector; D_ij: displacement [R | t], R rotation, t in m.
    67 mul, 61 add, 1 div.
-   Error <= 18 u times the sum of the sizes of all terms, for masses that are not negative,
-     barring over- and underflow. */
+   Error <= 18 u times the sum of the absolute values of all terms, for masses that are not
+     negative, barring over- and underflow. */
 static inline void ksl_inertiaf_merge_accurate(ksl_inertiaf_t *Ji, const ksl_vec3f_t *t_ic,
     const ksl_inertiaf_t *Jj, const ksl_vec3f_t *t_jc, const ksl_SE3f_t *D_ij) {
   const double m = (double)Ji->m + (double)Jj->m;
@@ -29516,8 +29520,8 @@ static inline void ksl_subtract_BB_accurate(const ksl_spatial_inertia_t *B1,
   Bo->yz = Bo_9_rounded;
 }
 
-/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-     the upper triangle): h = m com, I = Ic - m com~ com~.
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
+     read): h = m com, I = Ic - m com~ com~.
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    15 mul, 66 add, 3 product error, 9 product rest.
@@ -29597,13 +29601,13 @@ static inline void ksl_spatial_inertia_from_com_accurate(const double m, const k
   Bo->yz = Bo_9_rounded;
 }
 
-/* Bo: of the inertia J, whose moments are about the centre of mass: m, mt, I - mt~ mt~ / m; not
-     a number where m = 0.
+/* Bo = (m, mt, I - mt~ mt~ / m) from the inertia J, whose moments are about the centre of mass;
+     NaN where m = 0.
    J: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in
      kg m^2); Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
      xz, yz in kg m^2).
    15 mul, 69 add, 3 product error, 9 product rest, 6 div, 6 equal, 6 select.
-   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+   Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_spatial_inertia_from_inertia_accurate(const ksl_inertia_t *J,
     ksl_spatial_inertia_t *Bo) {
   const double c_0 = J->mt.x / J->m, c_0_product = KSL_MUL(c_0, J->m),
@@ -29691,13 +29695,13 @@ static inline void ksl_spatial_inertia_from_inertia_accurate(const ksl_inertia_t
   Bo->yz = Bo_9_final;
 }
 
-/* Jo: of the spatial inertia B, with moments about the centre of mass: m, h, I + h~ h~ / m; not
-     a number where m = 0.
+/* Jo = (m, h, I + h~ h~ / m) from the spatial inertia B, with moments about the centre of mass;
+     NaN where m = 0.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy,
      yz, zx in kg m^2).
    15 mul, 69 add, 3 product error, 9 product rest, 6 div, 6 equal, 6 select.
-   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+   Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_inertia_from_spatial_inertia_accurate(const ksl_spatial_inertia_t *B,
     ksl_inertia_t *Jo) {
   const double c_0 = B->h.x / B->m, c_0_product = KSL_MUL(c_0, B->m),
@@ -30167,9 +30171,9 @@ static inline double ksl_spatial_inertia_energy_accurate(const ksl_spatial_inert
   return energy_rounded;
 }
 
-/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
-     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
-     less that of gravity: the wrench beside gravity's.
+/* co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+     a is less gravity's, so is the wrench.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
    63 mul, 324 add, 3 product error, 51 product rest, 6 neg.
@@ -30469,7 +30473,7 @@ static inline void ksl_spatial_inertia_net_wrench_accurate(const ksl_spatial_ine
   co->m5 = co_5_rounded;
 }
 
-/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+/* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
    33 mul, 138 add, 6 product error, 6 product rest.
@@ -30598,7 +30602,7 @@ static inline void ksl_spatial_inertia_shifted_accurate(const ksl_vec3_t *t,
   Bo->yz = Bo_9_rounded;
 }
 
-/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+/* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    105 mul, 420 add, 6 product error, 60 product rest.
@@ -31021,7 +31025,7 @@ static inline void ksl_spatial_inertia_transformed_accurate(const ksl_SE3_t *D,
   Bo->yz = Bo_9_rounded;
 }
 
-/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each divided by its diagonal entry:
      positive exactly if a body of positive density has this inertia.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).
@@ -31395,8 +31399,8 @@ static inline void ksl_subtract_BBf_accurate(const ksl_spatial_inertiaf_t *B1,
   Bo->yz = (float)Bo_9;
 }
 
-/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-     the upper triangle): h = m com, I = Ic - m com~ com~.
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
+     read): h = m com, I = Ic - m com~ com~.
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    9 mul, 9 add.
@@ -31428,13 +31432,13 @@ static inline void ksl_spatial_inertiaf_from_com_accurate(const float m, const k
   Bo->yz = (float)Bo_9;
 }
 
-/* Bo: of the inertia J, whose moments are about the centre of mass: m, mt, I - mt~ mt~ / m; not
-     a number where m = 0.
+/* Bo = (m, mt, I - mt~ mt~ / m) from the inertia J, whose moments are about the centre of mass;
+     NaN where m = 0.
    J: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in
      kg m^2); Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
      xz, yz in kg m^2).
    6 mul, 9 add, 3 div.
-   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+   Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_from_inertia_accurate(const ksl_inertiaf_t *J,
     ksl_spatial_inertiaf_t *Bo) {
   const double c_0 = (double)J->mt.x / (double)J->m;
@@ -31465,13 +31469,13 @@ static inline void ksl_spatial_inertiaf_from_inertia_accurate(const ksl_inertiaf
   Bo->yz = (float)Bo_9;
 }
 
-/* Jo: of the spatial inertia B, with moments about the centre of mass: m, h, I + h~ h~ / m; not
-     a number where m = 0.
+/* Jo = (m, h, I + h~ h~ / m) from the spatial inertia B, with moments about the centre of mass;
+     NaN where m = 0.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy,
      yz, zx in kg m^2).
    6 mul, 9 add, 3 div.
-   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+   Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_inertiaf_from_spatial_inertia_accurate(const ksl_spatial_inertiaf_t *B,
     ksl_inertiaf_t *Jo) {
   const double c_0 = (double)B->h.x / (double)B->m;
@@ -31622,9 +31626,9 @@ static inline float ksl_spatial_inertiaf_energy_accurate(const ksl_spatial_inert
   return (float)energy;
 }
 
-/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
-     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
-     less that of gravity: the wrench beside gravity's.
+/* co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+     a is less gravity's, so is the wrench.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
    39 mul, 42 add, 3 neg.
@@ -31691,7 +31695,7 @@ static inline void ksl_spatial_inertiaf_net_wrench_accurate(const ksl_spatial_in
   co->m5 = (float)co_5;
 }
 
-/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+/* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
    18 mul, 18 add.
@@ -31745,7 +31749,7 @@ static inline void ksl_spatial_inertiaf_shifted_accurate(const ksl_vec3f_t *t,
   Bo->yz = (float)Bo_9;
 }
 
-/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+/* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    72 mul, 54 add.
@@ -31853,7 +31857,7 @@ static inline void ksl_spatial_inertiaf_transformed_accurate(const ksl_SE3f_t *D
   Bo->yz = (float)Bo_9;
 }
 
-/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each divided by its diagonal entry:
      positive exactly if a body of positive density has this inertia.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).

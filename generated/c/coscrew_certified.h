@@ -427,7 +427,7 @@ typedef enum ksl_axis_enum_t {
 #endif
 
 /* Vectors of three components.
-   Certified tier: plain results, and bounds of their errors that hold. */
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_VEC3_CERTIFIED_H
 #define KSL_VEC3_CERTIFIED_H
 
@@ -1171,8 +1171,8 @@ static inline void ksl_add_vvzinvf_certified(const ksl_vec3f_t *v, const float k
 
 #endif
 
-/* Vectors of four components: of three dimensions, with a homogeneous coordinate behind them.
-   Certified tier: plain results, and bounds of their errors that hold. */
+/* Vectors of four components: three dimensions and a homogeneous coordinate.
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_VEC4_CERTIFIED_H
 #define KSL_VEC4_CERTIFIED_H
 
@@ -1296,13 +1296,14 @@ static inline void ksl_vec4f_scaled_certified(const ksl_vec4f_t *v, const float 
 #endif
 
 /* 3×3 matrices: rotations, and matrices in general.
-   Certified tier: plain results, and bounds of their errors that hold. */
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_MAT3X3_CERTIFIED_H
 #define KSL_MAT3X3_CERTIFIED_H
 
 
-/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
-     x is accelerated by Ro x beyond its origin; |error of Ro| <= Ro_bound unless inf or NaN.
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+     acceleration of its point x, less that of its origin, is Ro x; |error of Ro| <= Ro_bound
+     unless inf or NaN.
    w, dw: vector; Ro, Ro_bound: rotation or other 3×3 matrix.
    15 mul, 27 add, 3 neg, 9 abs. */
 static inline void ksl_acceleration_tensor_certified(const ksl_vec3_t *w, const ksl_vec3_t *dw,
@@ -1395,8 +1396,8 @@ static inline double ksl_mat3x3_determinant_certified(const ksl_mat3x3_t *R, dou
   return det;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
-     (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+     dc = (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.
    R, R_bound: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    30 mul, 31 add, 8 abs. */
 static inline void ksl_mat3x3_setFromAxisDC_certified(ksl_mat3x3_t *R, const ksl_vec3_t *axis,
@@ -1483,8 +1484,9 @@ static inline void ksl_mat3x3_setFromAxisDC_certified(ksl_mat3x3_t *R, const ksl
   R_bound->m22 = R_22_error_bound;
 }
 
-/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
-     x is accelerated by Ro x beyond its origin; |error of Ro| <= Ro_bound unless inf or NaN.
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+     acceleration of its point x, less that of its origin, is Ro x; |error of Ro| <= Ro_bound
+     unless inf or NaN.
    w, dw: vector; Ro, Ro_bound: rotation or other 3×3 matrix.
    15 mul, 27 add, 3 neg, 9 abs. */
 static inline void ksl_acceleration_tensorf_certified(const ksl_vec3f_t *w, const ksl_vec3f_t *dw,
@@ -1577,8 +1579,8 @@ static inline float ksl_mat3x3f_determinant_certified(const ksl_mat3x3f_t *R, fl
   return det;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
-     (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+     dc = (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.
    R, R_bound: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    30 mul, 31 add, 8 abs. */
 static inline void ksl_mat3x3f_setFromAxisDC_certified(ksl_mat3x3f_t *R, const ksl_vec3f_t *axis,
@@ -1668,7 +1670,7 @@ static inline void ksl_mat3x3f_setFromAxisDC_certified(ksl_mat3x3f_t *R, const k
 #endif
 
 /* Displacements D = [R | t].
-   Certified tier: plain results, and bounds of their errors that hold. */
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_SE3_CERTIFIED_H
 #define KSL_SE3_CERTIFIED_H
 
@@ -1929,14 +1931,14 @@ static inline void ksl_SE3f_inverted_certified(const ksl_SE3f_t *D, ksl_SE3f_t *
 
 #endif
 
-/* 6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them, and symmetric
-   Certified tier: plain results, and bounds of their errors that hold. */
+/* 6×6 operators on screws and coscrews: [Ad], [Ad]*, [ad], [ad]*, and articulated inertias.
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_MAT6X6_CERTIFIED_H
 #define KSL_MAT6X6_CERTIFIED_H
 
 
-/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
-     inertia M rotated by R; |error of Mo| <= Mo_bound unless inf or NaN.
+/* Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+     lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; M, Mo, Mo_bound: 6×6 operator.
    228 mul, 240 add, 90 abs. */
 static inline void ksl_mat6x6_rotated_certified(const ksl_mat3x3_t *R, const ksl_mat6x6_t *M,
@@ -2360,8 +2362,8 @@ static inline void ksl_mat6x6_rotated_certified(const ksl_mat3x3_t *R, const ksl
   Mo_bound->at[5][5] = angular_5_error_bound;
 }
 
-/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
-     inertia M shifted by t; |error of Mo| <= Mo_bound unless inf or NaN.
+/* Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+     lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.
    t: vector; M, Mo, Mo_bound: 6×6 operator.
    66 mul, 99 add, 45 abs. */
 static inline void ksl_mat6x6_shifted_certified(const ksl_vec3_t *t, const ksl_mat6x6_t *M,
@@ -2569,8 +2571,8 @@ static inline void ksl_mat6x6_shifted_certified(const ksl_vec3_t *t, const ksl_m
   Mo_bound->at[5][5] = moved_5_error_bound;
 }
 
-/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
-     inertia M rotated by R; |error of Mo| <= Mo_bound unless inf or NaN.
+/* Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+     lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; M, Mo, Mo_bound: 6×6 operator.
    228 mul, 240 add, 90 abs. */
 static inline void ksl_mat6x6f_rotated_certified(const ksl_mat3x3f_t *R, const ksl_mat6x6f_t *M,
@@ -3021,8 +3023,8 @@ static inline void ksl_mat6x6f_rotated_certified(const ksl_mat3x3f_t *R, const k
   Mo_bound->at[5][5] = angular_5_error_bound;
 }
 
-/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
-     inertia M shifted by t; |error of Mo| <= Mo_bound unless inf or NaN.
+/* Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+     lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.
    t: vector; M, Mo, Mo_bound: 6×6 operator.
    66 mul, 99 add, 45 abs. */
 static inline void ksl_mat6x6f_shifted_certified(const ksl_vec3f_t *t, const ksl_mat6x6f_t *M,
@@ -3233,7 +3235,7 @@ static inline void ksl_mat6x6f_shifted_certified(const ksl_vec3f_t *t, const ksl
 #endif
 
 /* Products between rotations, displacements and vectors.
-   Certified tier: plain results, and bounds of their errors that hold. */
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_MATRIX_CERTIFIED_H
 #define KSL_MATRIX_CERTIFIED_H
 
@@ -8264,7 +8266,7 @@ static inline void ksl_product_ddtzinvf_certified(const ksl_SE3f_t *D, const flo
 #endif
 
 /* Screws: twists, spatial velocities and accelerations, s = (v; ω).
-   Certified tier: plain results, and bounds of their errors that hold. */
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_SCREW_CERTIFIED_H
 #define KSL_SCREW_CERTIFIED_H
 
@@ -11206,7 +11208,7 @@ static inline void ksl_hstainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t
 #endif
 
 /* Coscrews: wrenches and momenta, c = (f; τ).
-   Certified tier: plain results, and bounds of their errors that hold. */
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_COSCREW_CERTIFIED_H
 #define KSL_COSCREW_CERTIFIED_H
 
@@ -14985,7 +14987,7 @@ static inline void ksl_working_crzf_certified(const ksl_SE3f_t *D, const ksl_cos
 #endif
 
 /* Quaternions q = (v; w), the scalar last: products, rotations, conversions, interpolation.
-   Certified tier: plain results, and bounds of their errors that hold. */
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_QUATERNION_CERTIFIED_H
 #define KSL_QUATERNION_CERTIFIED_H
 
@@ -16323,7 +16325,7 @@ static inline double ksl_dot_qq_certified(const ksl_quaternion_t *q1i,
   return dot;
 }
 
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+/* qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
      first order; not normalized; |error of qi| <= qi_bound unless inf or NaN.
    dpi: vector; qi, qi_bound: quaternion (x, y, z, w), the scalar last.
    31 mul, 31 add, 7 abs. */
@@ -16460,8 +16462,8 @@ static inline void ksl_subtract_dpiFromq_certified(const ksl_vec3_t *dpi, ksl_qu
 }
 
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1; |error of dqo| <= dqo_bound unless inf
-     or NaN.
+     reference frame, rad/s, and a term that draws its norm to 1; |error of dqo| <= dqo_bound
+     unless inf or NaN.
    w: vector; qi, dqo, dqo_bound: quaternion (x, y, z, w), the scalar last.
    43 mul, 40 add, 11 abs. */
 static inline void ksl_omega_to_dquaternion_certified(const ksl_vec3_t *w,
@@ -17987,7 +17989,7 @@ static inline float ksl_dot_qqf_certified(const ksl_quaternionf_t *q1i,
   return dot;
 }
 
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+/* qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
      first order; not normalized; |error of qi| <= qi_bound unless inf or NaN.
    dpi: vector; qi, qi_bound: quaternion (x, y, z, w), the scalar last.
    31 mul, 31 add, 7 abs. */
@@ -18124,8 +18126,8 @@ static inline void ksl_subtract_dpiFromqf_certified(const ksl_vec3f_t *dpi, ksl_
 }
 
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1; |error of dqo| <= dqo_bound unless inf
-     or NaN.
+     reference frame, rad/s, and a term that draws its norm to 1; |error of dqo| <= dqo_bound
+     unless inf or NaN.
    w: vector; qi, dqo, dqo_bound: quaternion (x, y, z, w), the scalar last.
    43 mul, 40 add, 11 abs. */
 static inline void ksl_omega_to_dquaternionf_certified(const ksl_vec3f_t *w,
@@ -18195,12 +18197,12 @@ static inline void ksl_omega_to_dquaternionf_certified(const ksl_vec3f_t *w,
 #endif
 
 /* Exponentials and logarithms of rotations and displacements, their Jacobians, interpolation.
-   Certified tier: plain results, and bounds of their errors that hold. */
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_EXPONENTIAL_CERTIFIED_H
 #define KSL_EXPONENTIAL_CERTIFIED_H
 
 
-/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2; |error of
+/* self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
      self| <= self_bound unless inf or NaN.
    self, self_bound: rotation or other 3×3 matrix.
    93 mul, 105 add, 3 neg, 27 abs. */
@@ -18408,8 +18410,8 @@ static inline void ksl_mat3x3_orthonormalize_certified(ksl_mat3x3_t *self,
   self_bound->m22 = self_22_new_error_bound;
 }
 
-/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2; |error of
-     Ro| <= Ro_bound unless inf or NaN.
+/* Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of Ro|
+     <= Ro_bound unless inf or NaN.
    R, Ro, Ro_bound: rotation or other 3×3 matrix.
    93 mul, 105 add, 3 neg, 27 abs. */
 static inline void ksl_mat3x3_orthonormalized_certified(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro,
@@ -18579,7 +18581,7 @@ static inline void ksl_mat3x3_orthonormalized_certified(const ksl_mat3x3_t *R, k
   Ro_bound->m22 = Ro_22_error_bound;
 }
 
-/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2; |error of
+/* self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
      self| <= self_bound unless inf or NaN.
    self, self_bound: rotation or other 3×3 matrix.
    93 mul, 105 add, 3 neg, 27 abs. */
@@ -18792,8 +18794,8 @@ static inline void ksl_mat3x3f_orthonormalize_certified(ksl_mat3x3f_t *self,
   self_bound->m22 = self_22_new_error_bound;
 }
 
-/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2; |error of
-     Ro| <= Ro_bound unless inf or NaN.
+/* Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of Ro|
+     <= Ro_bound unless inf or NaN.
    R, Ro, Ro_bound: rotation or other 3×3 matrix.
    93 mul, 105 add, 3 neg, 27 abs. */
 static inline void ksl_mat3x3f_orthonormalized_certified(const ksl_mat3x3f_t *R,
@@ -18971,7 +18973,7 @@ static inline void ksl_mat3x3f_orthonormalized_certified(const ksl_mat3x3f_t *R,
 #endif
 
 /* Inertias of rigid bodies: mass, mass times centre of mass, moments about the centre of mass.
-   Certified tier: plain results, and bounds of their errors that hold. */
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_INERTIA_CERTIFIED_H
 #define KSL_INERTIA_CERTIFIED_H
 
@@ -19018,7 +19020,7 @@ static inline ksl_inertia_t ksl_inertia_certified(const double m, const ksl_vec3
   return J;
 }
 
-/* Jo = Ji turned by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
+/* Jo = Ji rotated by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
    Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
    81 mul, 90 add, 45 abs. */
@@ -19158,7 +19160,7 @@ static inline void ksl_inertia_rotated_certified(const ksl_inertia_t *Ji, const 
   Jo_bound->Izx = Jo_9_error_bound;
 }
 
-/* self = self turned by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
+/* self = self rotated by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
    self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
    81 mul, 90 add, 45 abs. */
@@ -19314,7 +19316,7 @@ static inline void ksl_inertia_rotate_certified(ksl_inertia_t *self, const ksl_m
   self_bound->Izx = self_9_new_error_bound;
 }
 
-/* Jo = Ji moved by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
+/* Jo = Ji translated by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
    Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); t: vector.
    6 mul, 9 add, 6 abs. */
@@ -19361,7 +19363,7 @@ static inline void ksl_inertia_translated_certified(const ksl_inertia_t *Ji, con
   Jo_bound->Izx = 0.0;
 }
 
-/* self = self moved by t: m, mt + m t, I; |error of self| <= self_bound unless inf or NaN.
+/* self = self translated by t: m, mt + m t, I; |error of self| <= self_bound unless inf or NaN.
    self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); t: vector.
    6 mul, 9 add, 6 abs. */
@@ -19397,8 +19399,8 @@ static inline void ksl_inertia_translate_certified(ksl_inertia_t *self, const ks
   self_bound->Izx = 0.0;
 }
 
-/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless inf or
-     NaN.
+/* Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless inf
+     or NaN.
    Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    84 mul, 96 add, 48 abs. */
@@ -19544,8 +19546,8 @@ static inline void ksl_inertia_transformed_certified(const ksl_inertia_t *Ji, co
   Jo_bound->Izx = Jo_9_error_bound;
 }
 
-/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound unless
-     inf or NaN.
+/* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound
+     unless inf or NaN.
    self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    84 mul, 96 add, 48 abs. */
@@ -19752,7 +19754,7 @@ static inline ksl_inertiaf_t ksl_inertiaf_certified(const float m, const ksl_vec
   return J;
 }
 
-/* Jo = Ji turned by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
+/* Jo = Ji rotated by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
    Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
    81 mul, 90 add, 45 abs. */
@@ -19904,7 +19906,7 @@ static inline void ksl_inertiaf_rotated_certified(const ksl_inertiaf_t *Ji,
   Jo_bound->Izx = Jo_9_error_bound;
 }
 
-/* self = self turned by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
+/* self = self rotated by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
    self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
    81 mul, 90 add, 45 abs. */
@@ -20072,7 +20074,7 @@ static inline void ksl_inertiaf_rotate_certified(ksl_inertiaf_t *self, const ksl
   self_bound->Izx = self_9_new_error_bound;
 }
 
-/* Jo = Ji moved by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
+/* Jo = Ji translated by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
    Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); t: vector.
    6 mul, 9 add, 6 abs. */
@@ -20122,7 +20124,7 @@ static inline void ksl_inertiaf_translated_certified(const ksl_inertiaf_t *Ji,
   Jo_bound->Izx = 0.0f;
 }
 
-/* self = self moved by t: m, mt + m t, I; |error of self| <= self_bound unless inf or NaN.
+/* self = self translated by t: m, mt + m t, I; |error of self| <= self_bound unless inf or NaN.
    self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); t: vector.
    6 mul, 9 add, 6 abs. */
@@ -20158,8 +20160,8 @@ static inline void ksl_inertiaf_translate_certified(ksl_inertiaf_t *self, const 
   self_bound->Izx = 0.0f;
 }
 
-/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless inf or
-     NaN.
+/* Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless inf
+     or NaN.
    Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    84 mul, 96 add, 48 abs. */
@@ -20317,8 +20319,8 @@ static inline void ksl_inertiaf_transformed_certified(const ksl_inertiaf_t *Ji,
   Jo_bound->Izx = Jo_9_error_bound;
 }
 
-/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound unless
-     inf or NaN.
+/* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound
+     unless inf or NaN.
    self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    84 mul, 96 add, 48 abs. */
@@ -20498,7 +20500,7 @@ static inline void ksl_inertiaf_transform_certified(ksl_inertiaf_t *self, const 
 #endif
 
 /* Spatial inertias of rigid bodies: mass, first moment, second moments about the origin.
-   Certified tier: plain results, and bounds of their errors that hold. */
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_SPATIAL_INERTIA_CERTIFIED_H
 #define KSL_SPATIAL_INERTIA_CERTIFIED_H
 
@@ -20669,9 +20671,8 @@ static inline void ksl_subtract_BB_certified(const ksl_spatial_inertia_t *B1,
   Bo_bound->yz = Bo_9_error_bound;
 }
 
-/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-     the upper triangle): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf
-     or NaN.
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
+     read): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf or NaN.
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo, Bo_bound: spatial inertia (m in
      kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    24 mul, 27 add, 12 abs. */
@@ -20884,10 +20885,9 @@ static inline double ksl_spatial_inertia_energy_certified(const ksl_spatial_iner
   return energy;
 }
 
-/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
-     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
-     less that of gravity: the wrench beside gravity's; |error of co| <= co_bound unless inf or
-     NaN.
+/* co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+     a is less gravity's, so is the wrench; |error of co| <= co_bound unless inf or NaN.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co, co_bound: coscrew (f in N; τ in N m).
    66 mul, 102 add, 3 neg, 30 abs. */
@@ -21033,8 +21033,8 @@ static inline void ksl_spatial_inertia_net_wrench_certified(const ksl_spatial_in
   co_bound->m5 = co_5_error_bound;
 }
 
-/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless
-     inf or NaN.
+/* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless inf
+     or NaN.
    t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,
      yy, zz, xy, xz, yz in kg m^2).
    42 mul, 54 add, 15 abs. */
@@ -21154,8 +21154,8 @@ static inline void ksl_spatial_inertia_shifted_certified(const ksl_vec3_t *t,
   Bo_bound->yz = Bo_9_error_bound;
 }
 
-/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to; |error of Bo| <=
-     Bo_bound unless inf or NaN.
+/* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame; |error of Bo|
+     <= Bo_bound unless inf or NaN.
    D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    114 mul, 135 add, 51 abs. */
@@ -21552,9 +21552,8 @@ static inline void ksl_subtract_BBf_certified(const ksl_spatial_inertiaf_t *B1,
   Bo_bound->yz = Bo_9_error_bound;
 }
 
-/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-     the upper triangle): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf
-     or NaN.
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
+     read): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf or NaN.
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo, Bo_bound: spatial inertia (m in
      kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    24 mul, 27 add, 12 abs. */
@@ -21771,10 +21770,9 @@ static inline float ksl_spatial_inertiaf_energy_certified(const ksl_spatial_iner
   return energy;
 }
 
-/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
-     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
-     less that of gravity: the wrench beside gravity's; |error of co| <= co_bound unless inf or
-     NaN.
+/* co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+     a is less gravity's, so is the wrench; |error of co| <= co_bound unless inf or NaN.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co, co_bound: coscrew (f in N; τ in N m).
    66 mul, 102 add, 3 neg, 30 abs. */
@@ -21920,8 +21918,8 @@ static inline void ksl_spatial_inertiaf_net_wrench_certified(const ksl_spatial_i
   co_bound->m5 = co_5_error_bound;
 }
 
-/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless
-     inf or NaN.
+/* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless inf
+     or NaN.
    t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,
      yy, zz, xy, xz, yz in kg m^2).
    42 mul, 54 add, 15 abs. */
@@ -22041,8 +22039,8 @@ static inline void ksl_spatial_inertiaf_shifted_certified(const ksl_vec3f_t *t,
   Bo_bound->yz = Bo_9_error_bound;
 }
 
-/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to; |error of Bo| <=
-     Bo_bound unless inf or NaN.
+/* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame; |error of Bo|
+     <= Bo_bound unless inf or NaN.
    D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    114 mul, 135 add, 51 abs. */

@@ -908,7 +908,7 @@ static inline void ksl_add_vvzinvf_fused(const ksl_vec3f_t *v, const float k, ks
 
 #endif
 
-/* Vectors of four components: of three dimensions, with a homogeneous coordinate behind them.
+/* Vectors of four components: three dimensions and a homogeneous coordinate.
    Fused tier: products fused into sums. */
 #ifndef KSL_VEC4_FUSED_H
 #define KSL_VEC4_FUSED_H
@@ -982,8 +982,8 @@ static inline void ksl_vec4f_scaled_fused(const ksl_vec4f_t *v, const float k, k
 #define KSL_MAT3X3_FUSED_H
 
 
-/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
-     x is accelerated by Ro x beyond its origin.
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+     acceleration of its point x, less that of its origin, is Ro x.
    w, dw: vector; Ro: rotation or other 3×3 matrix.
    6 mul, 9 add, 3 neg.
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -1030,8 +1030,8 @@ static inline double ksl_mat3x3_determinant_fused(const ksl_mat3x3_t *R) {
   return det;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
-     (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+     dc = (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    9 mul, 7 add, 3 fma.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -1068,8 +1068,8 @@ static inline void ksl_mat3x3_setFromAxisDC_fused(ksl_mat3x3_t *R, const ksl_vec
   R->m22 = R_22;
 }
 
-/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
-     x is accelerated by Ro x beyond its origin.
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+     acceleration of its point x, less that of its origin, is Ro x.
    w, dw: vector; Ro: rotation or other 3×3 matrix.
    6 mul, 9 add, 3 neg.
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -1116,8 +1116,8 @@ static inline float ksl_mat3x3f_determinant_fused(const ksl_mat3x3f_t *R) {
   return det;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
-     (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+     dc = (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    9 mul, 7 add, 3 fma.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -1298,14 +1298,14 @@ static inline void ksl_SE3f_inverted_fused(const ksl_SE3f_t *D, ksl_SE3f_t *Do) 
 
 #endif
 
-/* 6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them, and symmetric
+/* 6×6 operators on screws and coscrews: [Ad], [Ad]*, [ad], [ad]*, and articulated inertias.
    Fused tier: products fused into sums. */
 #ifndef KSL_MAT6X6_FUSED_H
 #define KSL_MAT6X6_FUSED_H
 
 
-/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
-     inertia M rotated by R.
+/* Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+     lower triangle is read.
    R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.
    48 mul, 96 fma.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -1446,8 +1446,8 @@ static inline void ksl_mat6x6_rotated_fused(const ksl_mat3x3_t *R, const ksl_mat
   Mo->at[5][5] = angular_5;
 }
 
-/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
-     inertia M shifted by t.
+/* Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+     lower triangle is read.
    t: vector; M, Mo: 6×6 operator.
    21 mul, 24 add, 18 fma.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -1532,8 +1532,8 @@ static inline void ksl_mat6x6_shifted_fused(const ksl_vec3_t *t, const ksl_mat6x
   Mo->at[5][5] = moved_5;
 }
 
-/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
-     inertia M rotated by R.
+/* Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+     lower triangle is read.
    R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.
    48 mul, 96 fma.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -1674,8 +1674,8 @@ static inline void ksl_mat6x6f_rotated_fused(const ksl_mat3x3f_t *R, const ksl_m
   Mo->at[5][5] = angular_5;
 }
 
-/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
-     inertia M shifted by t.
+/* Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+     lower triangle is read.
    t: vector; M, Mo: 6×6 operator.
    21 mul, 24 add, 18 fma.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -8114,7 +8114,7 @@ static inline double ksl_dot_qq_fused(const ksl_quaternion_t *q1i, const ksl_qua
   return dot;
 }
 
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+/* qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
      first order; not normalized.
    dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
    7 mul, 4 add, 8 fma.
@@ -8166,7 +8166,7 @@ static inline void ksl_subtract_dpiFromq_fused(const ksl_vec3_t *dpi, ksl_quater
 }
 
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1.
+     reference frame, rad/s, and a term that draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
    7 mul, 16 fma, 1 neg.
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -8884,7 +8884,7 @@ static inline float ksl_dot_qqf_fused(const ksl_quaternionf_t *q1i, const ksl_qu
   return dot;
 }
 
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+/* qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
      first order; not normalized.
    dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
    7 mul, 4 add, 8 fma.
@@ -8936,7 +8936,7 @@ static inline void ksl_subtract_dpiFromqf_fused(const ksl_vec3f_t *dpi, ksl_quat
 }
 
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1.
+     reference frame, rad/s, and a term that draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
    7 mul, 16 fma, 1 neg.
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -8970,7 +8970,7 @@ static inline void ksl_omega_to_dquaternionf_fused(const ksl_vec3f_t *w,
 #define KSL_EXPONENTIAL_FUSED_H
 
 
-/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    18 mul, 9 add, 33 fma, 3 neg.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -9047,7 +9047,7 @@ static inline void ksl_mat3x3_orthonormalize_fused(ksl_mat3x3_t *self) {
   self->m22 = self_22_new;
 }
 
-/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    18 mul, 9 add, 33 fma, 3 neg.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -9100,7 +9100,7 @@ static inline void ksl_mat3x3_orthonormalized_fused(const ksl_mat3x3_t *R, ksl_m
   Ro->m22 = Ro_22;
 }
 
-/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    18 mul, 9 add, 33 fma, 3 neg.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -9177,7 +9177,7 @@ static inline void ksl_mat3x3f_orthonormalize_fused(ksl_mat3x3f_t *self) {
   self->m22 = self_22_new;
 }
 
-/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    18 mul, 9 add, 33 fma, 3 neg.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -9266,7 +9266,7 @@ static inline ksl_inertia_t ksl_inertia_fused(const double m, const ksl_vec3_t t
   return J;
 }
 
-/* Jo = Ji turned by R: m, R mt, R I R^T.
+/* Jo = Ji rotated by R: m, R mt, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); R: rotation or other 3×3 matrix.
    18 mul, 36 fma.
@@ -9323,7 +9323,7 @@ static inline void ksl_inertia_rotated_fused(const ksl_inertia_t *Ji, const ksl_
   Jo->Izx = Jo_9;
 }
 
-/* self = self turned by R: m, R mt, R I R^T.
+/* self = self rotated by R: m, R mt, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); R: rotation or other 3×3 matrix.
    18 mul, 36 fma.
@@ -9380,7 +9380,7 @@ static inline void ksl_inertia_rotate_fused(ksl_inertia_t *self, const ksl_mat3x
   self->Izx = self_9_new;
 }
 
-/* Jo = Ji moved by t: m, mt + m t, I.
+/* Jo = Ji translated by t: m, mt + m t, I.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t: vector.
    3 fma.
@@ -9409,7 +9409,7 @@ static inline void ksl_inertia_translated_fused(const ksl_inertia_t *Ji, const k
   Jo->Izx = Ji_Izx;
 }
 
-/* self = self moved by t: m, mt + m t, I.
+/* self = self translated by t: m, mt + m t, I.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); t: vector.
    3 fma.
@@ -9423,7 +9423,7 @@ static inline void ksl_inertia_translate_fused(ksl_inertia_t *self, const ksl_ve
   self->mt.z = self_3_new;
 }
 
-/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    18 mul, 39 fma.
@@ -9480,7 +9480,7 @@ static inline void ksl_inertia_transformed_fused(const ksl_inertia_t *Ji, const 
   Jo->Izx = Jo_9;
 }
 
-/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); D: displacement [R | t], R rotation, t in m.
    18 mul, 39 fma.
@@ -9565,7 +9565,7 @@ static inline ksl_inertiaf_t ksl_inertiaf_fused(const float m, const ksl_vec3f_t
   return J;
 }
 
-/* Jo = Ji turned by R: m, R mt, R I R^T.
+/* Jo = Ji rotated by R: m, R mt, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); R: rotation or other 3×3 matrix.
    18 mul, 36 fma.
@@ -9622,7 +9622,7 @@ static inline void ksl_inertiaf_rotated_fused(const ksl_inertiaf_t *Ji, const ks
   Jo->Izx = Jo_9;
 }
 
-/* self = self turned by R: m, R mt, R I R^T.
+/* self = self rotated by R: m, R mt, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); R: rotation or other 3×3 matrix.
    18 mul, 36 fma.
@@ -9685,7 +9685,7 @@ static inline void ksl_inertiaf_rotate_fused(ksl_inertiaf_t *self, const ksl_mat
   self->Izx = self_9_new;
 }
 
-/* Jo = Ji moved by t: m, mt + m t, I.
+/* Jo = Ji translated by t: m, mt + m t, I.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t: vector.
    3 fma.
@@ -9714,7 +9714,7 @@ static inline void ksl_inertiaf_translated_fused(const ksl_inertiaf_t *Ji, const
   Jo->Izx = Ji_Izx;
 }
 
-/* self = self moved by t: m, mt + m t, I.
+/* self = self translated by t: m, mt + m t, I.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); t: vector.
    3 fma.
@@ -9728,7 +9728,7 @@ static inline void ksl_inertiaf_translate_fused(ksl_inertiaf_t *self, const ksl_
   self->mt.z = self_3_new;
 }
 
-/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    18 mul, 39 fma.
@@ -9785,7 +9785,7 @@ static inline void ksl_inertiaf_transformed_fused(const ksl_inertiaf_t *Ji, cons
   Jo->Izx = Jo_9;
 }
 
-/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); D: displacement [R | t], R rotation, t in m.
    18 mul, 39 fma.
@@ -9945,8 +9945,8 @@ static inline void ksl_subtract_BB_fused(const ksl_spatial_inertia_t *B1,
   Bo->yz = Bo_9;
 }
 
-/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-     the upper triangle): h = m com, I = Ic - m com~ com~.
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
+     read): h = m com, I = Ic - m com~ com~.
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    6 mul, 6 add, 3 fma.
@@ -10035,9 +10035,9 @@ static inline double ksl_spatial_inertia_energy_fused(const ksl_spatial_inertia_
   return energy;
 }
 
-/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
-     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
-     less that of gravity: the wrench beside gravity's.
+/* co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+     a is less gravity's, so is the wrench.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
    18 mul, 21 add, 21 fma, 3 neg.
@@ -10095,7 +10095,7 @@ static inline void ksl_spatial_inertia_net_wrench_fused(const ksl_spatial_inerti
   co->m5 = co_5;
 }
 
-/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+/* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
    12 mul, 12 add, 6 fma.
@@ -10143,7 +10143,7 @@ static inline void ksl_spatial_inertia_shifted_fused(const ksl_vec3_t *t,
   Bo->yz = Bo_9;
 }
 
-/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+/* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    30 mul, 12 add, 42 fma.
@@ -10313,8 +10313,8 @@ static inline void ksl_subtract_BBf_fused(const ksl_spatial_inertiaf_t *B1,
   Bo->yz = Bo_9;
 }
 
-/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-     the upper triangle): h = m com, I = Ic - m com~ com~.
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
+     read): h = m com, I = Ic - m com~ com~.
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    6 mul, 6 add, 3 fma.
@@ -10403,9 +10403,9 @@ static inline float ksl_spatial_inertiaf_energy_fused(const ksl_spatial_inertiaf
   return energy;
 }
 
-/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
-     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
-     less that of gravity: the wrench beside gravity's.
+/* co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+     a is less gravity's, so is the wrench.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
    18 mul, 21 add, 21 fma, 3 neg.
@@ -10463,7 +10463,7 @@ static inline void ksl_spatial_inertiaf_net_wrench_fused(const ksl_spatial_inert
   co->m5 = co_5;
 }
 
-/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+/* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
    12 mul, 12 add, 6 fma.
@@ -10511,7 +10511,7 @@ static inline void ksl_spatial_inertiaf_shifted_fused(const ksl_vec3f_t *t,
   Bo->yz = Bo_9;
 }
 
-/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+/* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    30 mul, 12 add, 42 fma.

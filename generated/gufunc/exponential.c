@@ -1218,7 +1218,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "proved.\n",
    1, 1, SO3_exp_loops},
   {"SO3_log", "(3,3)->(3)",
-    "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.\n"
+    "vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.\n"
     "11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=\n"
@@ -1242,7 +1242,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
    1, 1, SO3_rightJacobian_loops},
   {"SO3_leftJacobianInverse", "(3)->(3,3)",
     "R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π\n"
-    "but 0.\n"
+    "except 0.\n"
     "\n"
     "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
     "43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.  Error <= R: 6\n"
@@ -1250,21 +1250,21 @@ const coscrew_gufunc TABLE(exponential)[] = {
    1, 1, SO3_leftJacobianInverse_loops},
   {"SO3_rightJacobianInverse", "(3)->(3,3)",
     "R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π\n"
-    "but 0.\n"
+    "except 0.\n"
     "\n"
     "(3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.\n"
     "43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.  Error <= R: 6 u of\n"
     "its largest component for |v| <= π; searched, not proved.\n",
    1, 1, SO3_rightJacobianInverse_loops},
   {"mat3x3_orthonormalize", "(3,3)->(3,3)",
-    "self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.\n"
+    "self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.\n"
     "\n"
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
     "51 mul, 42 add, 3 neg.  Error <= u |result| + 7 u S, S the sum of the |terms| of the\n"
     "expanded formula; barring over- and underflow.\n",
    1, 1, mat3x3_orthonormalize_loops},
   {"mat3x3_orthonormalized", "(3,3)->(3,3)",
-    "Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.\n"
+    "Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.\n"
     "\n"
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
     "51 mul, 42 add, 3 neg.  Error <= u |result| + 7 u S, S the sum of the |terms| of the\n"
@@ -1275,9 +1275,9 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "\n"
     "(6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.\n"
     "80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (6 +\n"
-    "θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is larger for |ω\n"
-    "of s| <= 1e13, in single precision 1e5; searched, not proved.  Sums on the way may overflow\n"
-    "where |v|, or |ω| |v|, is above 2e306, in single precision 5e36.\n",
+    "θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is larger, for |ω\n"
+    "of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate sums may\n"
+    "overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36.\n",
    1, 1, SE3_exp_loops},
   {"SE3_log", "(3,4)->(6)",
     "so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.\n"
@@ -1285,39 +1285,39 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "(3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).\n"
     "50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.  Error <=\n"
     "lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not proved.\n"
-    "Sums on the way may overflow where |t| is above 2e306, in single precision 5e36.\n",
+    "Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36.\n",
    1, 1, SE3_log_loops},
   {"SE3_leftJacobian", "(6)->(6,6)",
     "M = J_l(s) = Σ ([ad](s))^k / (k+1)!.\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
     "121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.  Error <= M:\n"
-    "20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may\n"
-    "overflow where |v| is above 2e306, in single precision 5e36.\n",
+    "20 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums\n"
+    "may overflow where |v| is above 2e306, in single precision 5e36.\n",
    1, 1, SE3_leftJacobian_loops},
   {"SE3_rightJacobian", "(6)->(6,6)",
     "M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
     "121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.  Error <=\n"
-    "M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way\n"
+    "M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums\n"
     "may overflow where |v| is above 2e306, in single precision 5e36.\n",
    1, 1, SE3_rightJacobian_loops},
   {"SE3_leftJacobianInverse", "(6)->(6,6)",
-    "M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.\n"
+    "M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
     "93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:\n"
-    "14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may\n"
-    "overflow where |v| is above 2e306, in single precision 5e36.\n",
+    "14 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums\n"
+    "may overflow where |v| is above 2e306, in single precision 5e36.\n",
    1, 1, SE3_leftJacobianInverse_loops},
   {"SE3_rightJacobianInverse", "(6)->(6,6)",
-    "M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.\n"
+    "M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.\n"
     "\n"
     "(6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.\n"
     "93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:\n"
-    "14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may\n"
-    "overflow where |v| is above 2e306, in single precision 5e36.\n",
+    "14 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums\n"
+    "may overflow where |v| is above 2e306, in single precision 5e36.\n",
    1, 1, SE3_rightJacobianInverse_loops},
   {"SE3_interpolated", "(3,4),(3,4),()->(3,4)",
     "Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.\n"
@@ -1325,8 +1325,9 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "(3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.\n"
     "208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42\n"
     "select.  Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is\n"
-    "larger for R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.\n"
-    "Sums on the way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36.\n",
+    "larger, for R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.\n"
+    "Intermediate sums may overflow where |t| of D1 or D2 is above 2e306, in single precision\n"
+    "5e36.\n",
    3, 1, SE3_interpolated_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

@@ -752,7 +752,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "No arithmetic.  Exact.\n",
    1, 1, inertia_copy_loops},
   {"inertia_rotated", "(10),(3,3)->(10)",
-    "Jo = Ji turned by R: m, R mt, R I R^T.\n"
+    "Jo = Ji rotated by R: m, R mt, R I R^T.\n"
     "\n"
     "(10),(3,3)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,\n"
     "xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.\n"
@@ -760,7 +760,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "the expanded formula; barring over- and underflow.\n",
    2, 1, inertia_rotated_loops},
   {"inertia_rotate", "(10),(3,3)->(10)",
-    "self = self turned by R: m, R mt, R I R^T.\n"
+    "self = self rotated by R: m, R mt, R I R^T.\n"
     "\n"
     "(10),(3,3)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,\n"
     "xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.\n"
@@ -768,7 +768,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "the expanded formula; barring over- and underflow.\n",
    2, 1, inertia_rotate_loops},
   {"inertia_translated", "(10),(3)->(10)",
-    "Jo = Ji moved by t: m, mt + m t, I.\n"
+    "Jo = Ji translated by t: m, mt + m t, I.\n"
     "\n"
     "(10),(3)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,\n"
     "xx, yy, zz, xy, yz, zx in kg m^2); t: vector.\n"
@@ -776,7 +776,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "the expanded formula; barring over- and underflow.\n",
    2, 1, inertia_translated_loops},
   {"inertia_translate", "(10),(3)->(10)",
-    "self = self moved by t: m, mt + m t, I.\n"
+    "self = self translated by t: m, mt + m t, I.\n"
     "\n"
     "(10),(3)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx,\n"
     "yy, zz, xy, yz, zx in kg m^2); t: vector.\n"
@@ -784,7 +784,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "the expanded formula; barring over- and underflow.\n",
    2, 1, inertia_translate_loops},
   {"inertia_transformed", "(10),(3,4)->(10)",
-    "Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.\n"
+    "Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.\n"
     "\n"
     "(10),(3,4)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,\n"
     "xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.\n"
@@ -792,7 +792,7 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "the expanded formula; barring over- and underflow.\n",
    2, 1, inertia_transformed_loops},
   {"inertia_transform", "(10),(3,4)->(10)",
-    "self = self moved by D = [R | t]: m, R mt + m t, R I R^T.\n"
+    "self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.\n"
     "\n"
     "(10),(3,4)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,\n"
     "xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.\n"
@@ -800,16 +800,16 @@ const coscrew_gufunc TABLE(inertia)[] = {
     "the expanded formula; barring over- and underflow.\n",
    2, 1, inertia_transform_loops},
   {"inertia_merge", "(10),(3),(10),(3),(3,4)->(10)",
-    "Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: m_i + m_j, mt_i + m_j c,\n"
-    "I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c - t_ic;\n"
-    "t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, each in its own frame; NaN\n"
-    "where m_i + m_j = 0.\n"
+    "Ji = the inertia of two joined bodies: Ji, and Jj displaced by D_ij = [R | t]: m_i + m_j,\n"
+    "mt_i + m_j c, I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d =\n"
+    "c - t_ic; t_ic = mt_i / m_i and t_jc = mt_j / m_j are the centres of mass, each in its own\n"
+    "frame; NaN where m_i + m_j = 0.\n"
     "\n"
     "(10),(3),(10),(3),(3,4)->(10).  Ji, Jj: inertia (m in kg; mt = m c in kg m; I about the\n"
     "centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); t_ic, t_jc: vector; D_ij: displacement\n"
     "[R | t], R rotation, t in m.\n"
-    "67 mul, 61 add, 1 div.  Error <= 18 u times the sum of the sizes of all terms, for masses\n"
-    "that are not negative, barring over- and underflow.\n",
+    "67 mul, 61 add, 1 div.  Error <= 18 u times the sum of the absolute values of all terms, for\n"
+    "masses that are not negative, barring over- and underflow.\n",
    5, 1, inertia_merge_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

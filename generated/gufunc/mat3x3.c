@@ -1520,8 +1520,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "3 neg.  Exact.\n",
    1, 1, skew_loops},
   {"acceleration_tensor", "(3),(3)->(3,3)",
-    "Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its\n"
-    "point x is accelerated by Ro x beyond its origin.\n"
+    "Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the\n"
+    "acceleration of its point x, less that of its origin, is Ro x.\n"
     "\n"
     "(3),(3)->(3,3).  w, dw: vector; Ro: rotation or other 3×3 matrix.\n"
     "6 mul, 9 add, 3 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded\n"
@@ -1548,34 +1548,35 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
    1, 1, mat3x3_determinant_loops},
   {"mat3x3_inverse", "(3,3)->(),(3,3)",
     "Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or\n"
-    "overflows; 0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3\n"
-    "(double 1e-229 m^3), p the sum of its terms' sizes, m that of the largest entry.\n"
+    "overflows.  Returns 0, with Ro = NaN, where R may be singular: |det R| <= 8 u p + 1e-29 m^3\n"
+    "(double 1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.\n"
     "\n"
     "(3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.\n"
-    "56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.  Ro_ij is off by 2 u m_ji\n"
-    "/ |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the sizes of the cofactor's\n"
-    "terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow of\n"
-    "Ro_ij itself.\n",
+    "56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.  Error of Ro_ij <= 2 u\n"
+    "m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the sum of the |terms| of the cofactor, or\n"
+    "2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow of Ro_ij itself.\n",
    1, 2, mat3x3_inverse_loops},
   {"mat3x3_normalize", "(3,3)->(3,3)",
-    "self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its\n"
-    "side of it, the third its side of both; NaN where rows depend on each other to rounding.\n"
+    "self = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on\n"
+    "its side of the first, the third on its side of both; NaN where the rows are linearly\n"
+    "dependent to rounding.\n"
     "\n"
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
-    "60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are\n"
-    "perpendicular, and of length 1, but for 8 u; searched, not proved.\n",
+    "60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  |R R^T - I|_ij\n"
+    "<= 8 u for the result R; searched, not proved.\n",
    1, 1, mat3x3_normalize_loops},
   {"mat3x3_normalized", "(3,3)->(3,3)",
-    "Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its\n"
-    "side of it, the third its side of both; NaN where rows depend on each other to rounding.\n"
+    "Ro = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on\n"
+    "its side of the first, the third on its side of both; NaN where the rows are linearly\n"
+    "dependent to rounding.\n"
     "\n"
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
-    "60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are\n"
-    "perpendicular, and of length 1, but for 8 u; searched, not proved.\n",
+    "60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  |R R^T - I|_ij\n"
+    "<= 8 u for the result R; searched, not proved.\n",
    1, 1, mat3x3_normalized_loops},
   {"mat3x3_setFromAxisDC", "(3),(2)->(3,3)",
-    "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc\n"
-    "= (sin θ, cos θ).\n"
+    "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),\n"
+    "dc = (sin θ, cos θ).\n"
     "\n"
     "(3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.\n"
     "12 mul, 10 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded\n"
@@ -1593,7 +1594,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
     "6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.  The rotation by these\n"
-    "angles is R but for 12 u in each entry, near gimbal lock too; searched, not proved.\n",
+    "angles differs from R by at most 12 u in each entry, near gimbal lock too; searched, not\n"
+    "proved.\n",
    1, 1, euler_xyz_from_mat3x3_loops},
   {"mat3x3_from_euler_xyx", "(3)->(3,3)",
     "R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).\n"
@@ -1606,29 +1608,28 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "[0, π]; c = 0 in gimbal lock.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
-    "6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles is R\n"
-    "but for 12 u in each entry, near gimbal lock too; searched, not proved.\n",
+    "6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles\n"
+    "differs from R by at most 12 u in each entry, near gimbal lock too; searched, not proved.\n",
    1, 1, euler_xyx_from_mat3x3_loops},
   {"mat3x3_jacobi", "(3,3),(3,3)->(3,3),(3,3)",
-    "A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes\n"
-    "A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =\n"
-    "I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.\n"
+    "A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes\n"
+    "A_xy zero; then y, z, x become x, y, z.  A is symmetric, only its lower triangle is read.\n"
+    "Repeated from V = I, it converges to A = diag(eigenvalues); V A V^T does not change.\n"
     "\n"
     "(3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.\n"
-    "21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.  |V A V^T - the same\n"
-    "before| <= 28 u max |A| for orthonormal V; searched, not proved.\n",
+    "21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.  V A V^T changes by\n"
+    "at most 28 u max |A| for orthonormal V; searched, not proved.\n",
    2, 2, mat3x3_jacobi_loops},
   {"mat3x3_from_axis_angle", "(3),()->(3,3)",
-    "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with another R is no\n"
-    "rotation.\n"
+    "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is\n"
+    "not a rotation.\n"
     "\n"
     "(3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.\n"
     "15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 9 u of its largest component\n"
     "for |axis| = 1; searched, not proved.\n",
    2, 1, mat3x3_from_axis_angle_loops},
   {"axis_angle_from_mat3x3", "(3,3)->(),(3)",
-    "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing\n"
-    "turns.\n"
+    "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.\n"
     "\n"
     "(3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.\n"
     "8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.  Error <=\n"

@@ -418,16 +418,16 @@ const coscrew_gufunc TABLE(mat6x6)[] = {
     "No arithmetic.  Exact.\n",
    1, 1, mat6x6_transposed_loops},
   {"mat6x6_rotated", "(3,3),(6,6)->(6,6)",
-    "Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the\n"
-    "articulated inertia M rotated by R.\n"
+    "Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its\n"
+    "lower triangle is read.\n"
     "\n"
     "(3,3),(6,6)->(6,6).  R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.\n"
     "144 mul, 96 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
    2, 1, mat6x6_rotated_loops},
   {"mat6x6_shifted", "(3),(6,6)->(6,6)",
-    "Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the\n"
-    "articulated inertia M shifted by t.\n"
+    "Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its\n"
+    "lower triangle is read.\n"
     "\n"
     "(3),(6,6)->(6,6).  t: vector; M, Mo: 6×6 operator.\n"
     "39 mul, 42 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded\n"

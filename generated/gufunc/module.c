@@ -79,7 +79,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "f2d5447d9139bc79") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "f3e604906cb4b24e") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

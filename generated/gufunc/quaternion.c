@@ -4782,7 +4782,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "formula; barring over- and underflow.\n",
    2, 1, dot_qq_loops},
   {"add_dpiToq", "(3),(4)->(4)",
-    "qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to\n"
+    "qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to\n"
     "first order; not normalized.\n"
     "\n"
     "(3),(4)->(4).  dpi: vector; qi: quaternion (x, y, z, w), the scalar last.\n"
@@ -4798,21 +4798,21 @@ const coscrew_gufunc TABLE(quaternion)[] = {
    2, 1, subtract_dpiFromq_loops},
   {"omega_to_dquaternion", "(3),(4)->(4)",
     "dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the\n"
-    "reference frame, rad/s, and what draws its norm to 1.\n"
+    "reference frame, rad/s, and a term that draws its norm to 1.\n"
     "\n"
     "(3),(4)->(4).  w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.\n"
     "23 mul, 16 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded\n"
     "formula; barring over- and underflow.\n",
    2, 1, omega_to_dquaternion_loops},
   {"mat3x3_from_quaternion", "(4)->(3,3)",
-    "R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.\n"
+    "R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.\n"
     "\n"
     "(4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.\n"
     "20 mul, 16 add, 1 div.  Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511,\n"
     "in single precision 2^-45 < |q| < 2^63; searched, not proved.\n",
    1, 1, mat3x3_from_quaternion_loops},
   {"quaternion_from_mat3x3", "(3,3)->(4)",
-    "qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.\n"
+    "qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.\n"
     "\n"
     "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.\n"
     "4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 6 u of its largest\n"
@@ -4827,8 +4827,8 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "not proved.\n",
    2, 1, quaternion_from_axis_angle_loops},
   {"axis_angle_from_quaternion", "(4)->(),(3)",
-    "angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where\n"
-    "nothing turns; any multiple of a quaternion.\n"
+    "angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the\n"
+    "angle is 0; any multiple of a quaternion.\n"
     "\n"
     "(4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.\n"
     "12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.  Error <=\n"

@@ -1373,8 +1373,8 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "10 add.  Error <= u |result|, barring over- and underflow.\n",
    2, 1, subtract_BB_loops},
   {"spatial_inertia_from_com", "(),(3),(3,3)->(10)",
-    "Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix\n"
-    "the upper triangle): h = m com, I = Ic - m com~ com~.\n"
+    "Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle\n"
+    "is read): h = m com, I = Ic - m com~ com~.\n"
     "\n"
     "(),(3),(3,3)->(10).  m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial\n"
     "inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
@@ -1382,24 +1382,24 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "expanded formula; barring over- and underflow.\n",
    3, 1, spatial_inertia_from_com_loops},
   {"spatial_inertia_from_inertia", "(10)->(10)",
-    "Bo: of the inertia J, whose moments are about the centre of mass: m, mt, I - mt~ mt~ / m;\n"
-    "not a number where m = 0.\n"
+    "Bo = (m, mt, I - mt~ mt~ / m) from the inertia J, whose moments are about the centre of\n"
+    "mass; NaN where m = 0.\n"
     "\n"
     "(10)->(10).  J: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,\n"
     "zz, xy, yz, zx in kg m^2); Bo: spatial inertia (m in kg; h = m c in kg m; I about the\n"
     "origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
-    "6 mul, 9 add, 3 div.  Error of a moment <= 4 u times the sum of the sizes of its terms,\n"
-    "barring over- and underflow.\n",
+    "6 mul, 9 add, 3 div.  Error of a moment <= 4 u times the sum of its |terms|, barring over-\n"
+    "and underflow.\n",
    1, 1, spatial_inertia_from_inertia_loops},
   {"inertia_from_spatial_inertia", "(10)->(10)",
-    "Jo: of the spatial inertia B, with moments about the centre of mass: m, h, I + h~ h~ / m;\n"
-    "not a number where m = 0.\n"
+    "Jo = (m, h, I + h~ h~ / m) from the spatial inertia B, with moments about the centre of\n"
+    "mass; NaN where m = 0.\n"
     "\n"
     "(10)->(10).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,\n"
     "xy, xz, yz in kg m^2); Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,\n"
     "xx, yy, zz, xy, yz, zx in kg m^2).\n"
-    "6 mul, 9 add, 3 div.  Error of a moment <= 4 u times the sum of the sizes of its terms,\n"
-    "barring over- and underflow.\n",
+    "6 mul, 9 add, 3 div.  Error of a moment <= 4 u times the sum of its |terms|, barring over-\n"
+    "and underflow.\n",
    1, 1, inertia_from_spatial_inertia_loops},
   {"spatial_inertia_com", "(10)->(3)",
     "vo = h / m, the centre of mass in m.\n"
@@ -1439,9 +1439,9 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "formula; barring over- and underflow.\n",
    2, 1, spatial_inertia_energy_loops},
   {"spatial_inertia_net_wrench", "(10),(3),(6)->(6)",
-    "co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move\n"
-    "with angular velocity w and acceleration ds = (a; w'), a that of the point now at the\n"
-    "origin; a less that of gravity: the wrench beside gravity's.\n"
+    "co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular\n"
+    "velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if\n"
+    "a is less gravity's, so is the wrench.\n"
     "\n"
     "(10),(3),(6)->(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,\n"
     "yy, zz, xy, xz, yz in kg m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f\n"
@@ -1450,7 +1450,7 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "of the expanded formula; barring over- and underflow.\n",
    3, 1, spatial_inertia_net_wrench_loops},
   {"spatial_inertia_shifted", "(3),(10)->(10)",
-    "Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.\n"
+    "Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~.\n"
     "\n"
     "(3),(10)->(10).  t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the\n"
     "origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
@@ -1458,7 +1458,7 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "the expanded formula; barring over- and underflow.\n",
    2, 1, spatial_inertia_shifted_loops},
   {"spatial_inertia_transformed", "(3,4),(10)->(10)",
-    "Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.\n"
+    "Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame.\n"
     "\n"
     "(3,4),(10)->(10).  D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in\n"
     "kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
@@ -1466,7 +1466,7 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "the expanded formula; barring over- and underflow.\n",
    2, 1, spatial_inertia_transformed_loops},
   {"spatial_inertia_consistency", "(10)->()",
-    "the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:\n"
+    "the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each divided by its diagonal entry:\n"
     "positive exactly if a body of positive density has this inertia.\n"
     "\n"
     "(10)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,\n"

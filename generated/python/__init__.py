@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "f2d5447d9139bc79")
+COMPILED: bool = is_compiled("coscrew._gufunc", "f3e604906cb4b24e")
 
 if COMPILED:
     from coscrew._gufunc import (

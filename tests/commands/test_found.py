@@ -1,13 +1,13 @@
-"""What is added is one file: a tier, a target, put into a copy of the generator; no list has them.
+"""What is added is one file, or an entry; no list has it: CONTRIBUTING.md's walks, in copies of the
+generator.
 
 The tier reorders sums; the target writes another language, with a folder of templates."""
 
 import os
 import re
-import shutil
 import subprocess
 import sys
-from importlib.resources import as_file, files
+from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
 import numpy as np
@@ -19,10 +19,9 @@ from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.operations import OPERATIONS
 from coscrew_codegen.program.bounds import bounds_of
 from tests.support.truth.attack import TIERED, plain_program
-from tests.support.walks.pairwise import TIER as PAIRWISE
+from tests.support.walks import copied, walk
 
 TABLE = {operation.name: operation for operation in OPERATIONS}
-WALKS = Path(__file__).parents[1] / "support" / "walks"
 DERIVED = ("vec3", "mat3x3", "coscrew")  # families: to derive everything would take long
 FOLDERS = {"effects": "EFFECT", "integrators": "INTEGRATOR", "tiers": "TIER", "targets": "TARGET"}
 
@@ -31,26 +30,26 @@ FOLDERS = {"effects": "EFFECT", "integrators": "INTEGRATOR", "tiers": "TIER", "t
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder that holds a copy of the generator and of its templates."""
     folder = tmp_path_factory.mktemp("site")
-    package, unneeded = folder / "coscrew_codegen", shutil.ignore_patterns("__pycache__")
-    shutil.copytree(Path(coscrew_codegen.__file__).parent, package, ignore=unneeded)
-    with as_file(files("coscrew_codegen.templates")) as templates:
-        shutil.copytree(templates, package / "templates", ignore=unneeded)
+    copied(folder)
     return folder
+
+
+def command(site: Path, *words: str) -> subprocess.CompletedProcess[str]:
+    """`coscrew` of the copy of the generator in this folder."""
+    return subprocess.run([sys.executable, "-m", "coscrew_codegen", *words], cwd=site,
+                          env={**os.environ, "PYTHONPATH": str(site)}, text=True,
+                          capture_output=True)
 
 
 def generated(site: Path, *words: str) -> subprocess.CompletedProcess[str]:
     """`coscrew generate` of that copy."""
-    return subprocess.run([sys.executable, "-m", "coscrew_codegen", "generate", *words], cwd=site,
-                          env={**os.environ, "PYTHONPATH": str(site)}, text=True,
-                          capture_output=True)
+    return command(site, "generate", *words)
 
 
 @pytest.fixture(scope="module")
 def made(site: Path) -> Path:
     """The files of the families, with the tier and the target added."""
-    shutil.copy(WALKS / "pairwise.py", site / "coscrew_codegen" / "tiers")
-    shutil.copy(WALKS / "rust.py", site / "coscrew_codegen" / "targets")
-    shutil.copytree(WALKS / "rust", site / "coscrew_codegen" / "templates" / "rust")
+    walk(site / "coscrew_codegen", "pairwise", "rust", "family")
     done = generated(site, "--family", *DERIVED, "--output", "out")
     assert done.returncode == 0, done.stderr
     return site / "out"
@@ -87,13 +86,16 @@ def test_the_tier_has_a_header_an_extension_and_a_package(made):
     assert done.stdout == "5.0\n", done.stderr
 
 
-def test_the_tier_adds_in_another_order():
+def test_the_tier_adds_in_another_order(made, site):
     """The same polynomials by as many operations.  A sum of four products rounds each term three
     times in a row, in halves twice."""
+    spec = spec_from_file_location("pairwise", site / "coscrew_codegen/tiers/pairwise.py")
+    pairwise = module_from_spec(spec)
+    spec.loader.exec_module(pairwise)
     constants = {}
     for operation in TIERED:
         plain = plain_program(operation)
-        program = PAIRWISE.program(plain, DOUBLE)
+        program = pairwise.TIER.program(plain, DOUBLE)
         found, before = bounds_of(program), bounds_of(plain)
         assert [x.terms for x in found] == [x.terms for x in before], operation.name
         assert len(program.instructions) == len(plain.instructions)
@@ -127,6 +129,64 @@ def test_the_target_writes_the_same_arithmetic(made):
             assert [x.hex() for x in map(float, got)] == [x.hex() for x in want.tolist()], name
             compared += 1
     assert compared > 40
+
+
+def run_in(site: Path, program: str) -> str:
+    """What a program prints, in a folder with a package coscrew."""
+    done = subprocess.run([sys.executable, "-c", program], cwd=site, text=True,
+                          capture_output=True, env={**os.environ, "PYTHONPATH": str(site)})
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_an_operation_is_one_entry(tmp_path):
+    """v - 2 (n·v) n of whole numbers, which nothing rounds: in every tier, precision, language."""
+    walk(copied(tmp_path), "vec3")
+    done = generated(tmp_path, "--family", "vec3", "--output", "out")
+    assert done.returncode == 0, done.stderr
+    (tmp_path / "out/python").rename(tmp_path / "coscrew")
+    assert run_in(tmp_path, (
+        "import numpy as np, coscrew, coscrew.accurate, coscrew.certified\n"
+        "n, v = [1, 2, 2], [3, 5, 7]\n"
+        "for tier in (coscrew, coscrew.accurate, coscrew.certified):\n"
+        "    for dtype in (np.float64, np.float32):\n"
+        "        x = tier.vec3_reflected(np.array(n, dtype), np.array(v, dtype))\n"
+        "        x = x[0] if isinstance(x, tuple) else x\n"
+        "        assert x.dtype == dtype and x.tolist() == [-51, -103, -101], (tier, dtype, x)\n"
+        "print(coscrew.vec3_reflected.__doc__)")).find("vo = v - 2 (n·v) n") >= 0
+    (tmp_path / "main.c").write_text(
+        "#include <ksl/ksl.h>\n#include <ksl/ksl_accurate.h>\n"
+        "int main(void) {\n"
+        "  const ksl_vec3_t n = ksl_vec3(1, 2, 2), v = ksl_vec3(3, 5, 7);\n"
+        "  const ksl_vec3f_t m = ksl_vec3f(1, 2, 2), w = ksl_vec3f(3, 5, 7);\n"
+        "  ksl_vec3_t x, y;\n  ksl_vec3f_t z;\n"
+        "  ksl_vec3_reflected(&n, &v, &x);\n  ksl_vec3_reflected_accurate(&n, &v, &y);\n"
+        "  ksl_vec3f_reflected(&m, &w, &z);\n"
+        "  return x.x != -51 || x.y != -103 || y.z != -101 || z.z != -101;\n}\n")
+    subprocess.run(["gcc", "-std=c11", "-Wall", "-Wextra", "-Werror", "-I", "out/c/include",
+                    "main.c", "-o", "main", "-lm"], cwd=tmp_path, check=True)
+    subprocess.run([tmp_path / "main"], check=True)
+
+
+def test_an_effect_is_one_file(tmp_path):
+    """At rest, without gravity, the motor's torque is the pull's, to the bit; its energy's balance
+    holds, also by steps that take its slope."""
+    walk(copied(tmp_path), "cogging")
+    (tmp_path / "rotor.toml").write_text(
+        "[bodies]\nrotor = { mass = 1, inertia = [1, 1, 1] }\n[joints]\n"
+        'pin = { type = "continuous", child = "rotor", axis = [0, 0, 1] }\n'
+        "[effects.cogging.pin]\na = 0.5\nn = 3\n[run]\nduration = 1\n[start.q]\npin = 1\n")
+    done = generated(tmp_path, "rotor.toml", "-o", "out")
+    assert done.returncode == 0, done.stderr
+    run_in(tmp_path / "out", (
+        "import numpy as np, rotor.double as rotor\n"
+        "for q in np.linspace(-4, 4, 50):\n"
+        "    tau, = rotor.inverse_dynamics([q], [0.0], [0.0])\n"
+        "    assert float(tau).hex() == float(0.5 * np.sin(3 * q)).hex(), q\n"))
+    for words in (["check", "rotor.toml"], ["effects"]):
+        done = command(tmp_path, *words)
+        assert done.returncode == 0, done.stdout + done.stderr
+    assert "cogging" in done.stdout and "tau = -a sin(n q)" in done.stdout
 
 
 @pytest.mark.parametrize("folder", FOLDERS)

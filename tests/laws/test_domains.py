@@ -136,10 +136,10 @@ def test_every_input_says_what_it_may_be():
 def test_an_input_that_says_no_domain_is_refused():
     """Vectors, numbers and matrices may be many things: theirs must be said, if only as ANY."""
     def made(argument: Argument) -> Operation:
-        return Operation("halved", "vec3", "vo = a / 2", (argument,), (Argument("vo", VEC3),),
+        return Operation("vec3", "halved", "vo = a / 2", (argument,), (Argument("vo", VEC3),),
                          lambda a: a / sp.Integer(2))
 
-    with pytest.raises(ValueError, match="operation halved: a, a vec3, says no domain; .* ANY"):
+    with pytest.raises(ValueError, match="operation halved: a, a vec3, has no domain; .* ANY"):
         made(Argument("a", VEC3))
     assert made(Argument("a", VEC3, ANY)).inputs[0].domain_in_words == "a any numbers"
     assert Argument("k", SCALAR).domain == ANY  # of an output, or of no operation

@@ -22,6 +22,7 @@ from coscrew_codegen.scene_functions import Call, SceneFunctions, Step
 from coscrew_codegen.simulate.load import kernels_of
 from tests.support.operators import operators
 from tests.support.scenes.generated_scenes import CASES, files, imported, robot
+from tests.support.walks import copied, walk
 
 ROOT = Path(__file__).parents[2]
 HALF = Fraction(1, 2)
@@ -285,21 +286,9 @@ def test_long_scenes_print_their_dynamics_once():
     assert len(text) - len(plain) < once / 3
 
 
-HEUN = '''"""Heun's method."""
-
-from coscrew_codegen.integrator import Integrator, tableau
-
-INTEGRATOR = Integrator("heun", 2, "smooth motions", tableau("1", "1/2 1/2"), "Heun's method")
-'''
-
-
 def test_adding_heun_is_one_file(tmp_path: Path):
     """In a copy of the generator: scenes, commands and generated files know it."""
-    package = tmp_path / "coscrew_codegen"
-    ignored = shutil.ignore_patterns("__pycache__")
-    shutil.copytree(ROOT / "codegen", package, ignore=ignored)
-    shutil.copytree(ROOT / "templates", package / "templates", ignore=ignored)
-    (package / "integrators" / "heun.py").write_text(HEUN)
+    walk(copied(tmp_path), "heun")
     shutil.copy(ROOT / "examples/scenes/pendulum.toml", tmp_path)
     program = ("import sys; sys.path.insert(0, '.'); from coscrew_codegen.__main__ import main; "
                "import coscrew_codegen; "

@@ -226,7 +226,7 @@ static PyUFuncGenericFunction mat3x3_orthonormalized_loops[] = {
 
 const coscrew_gufunc TABLE(exponential)[] = {
   {"SO3_log", "(3,3)->(3)",
-    "vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.\n"
+    "vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.\n"
     "40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16\n"
@@ -234,14 +234,14 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "searched, not proved.\n",
    1, 1, SO3_log_loops},
   {"mat3x3_orthonormalize", "(3,3)->(3,3)",
-    "self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.\n"
+    "self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.\n"
     "\n"
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
     "84 mul, 288 add, 45 product rest, 6 neg.  Error <= u |result| + 44 u^2 S, S the sum of the\n"
     "|terms| of the expanded formula; barring over- and underflow.\n",
    1, 1, mat3x3_orthonormalize_loops},
   {"mat3x3_orthonormalized", "(3,3)->(3,3)",
-    "Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.\n"
+    "Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.\n"
     "\n"
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
     "84 mul, 288 add, 45 product rest, 6 neg.  Error <= u |result| + 44 u^2 S, S the sum of the\n"

@@ -801,8 +801,8 @@ static PyUFuncGenericFunction axis_angle_from_mat3x3_loops[] = {
 
 const coscrew_gufunc TABLE(mat3x3)[] = {
   {"acceleration_tensor", "(3),(3)->(3,3)",
-    "Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its\n"
-    "point x is accelerated by Ro x beyond its origin.\n"
+    "Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the\n"
+    "acceleration of its point x, less that of its origin, is Ro x.\n"
     "\n"
     "(3),(3)->(3,3).  w, dw: vector; Ro: rotation or other 3×3 matrix.\n"
     "6 mul, 51 add, 12 product rest, 6 neg.  Error <= u |result| + 6 u^2 S, S the sum of the\n"
@@ -817,36 +817,36 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
    1, 1, mat3x3_determinant_loops},
   {"mat3x3_inverse", "(3,3)->(),(3,3)",
     "Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or\n"
-    "overflows; 0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3\n"
-    "(double 1e-229 m^3), p the sum of its terms' sizes, m that of the largest entry.\n"
+    "overflows.  Returns 0, with Ro = NaN, where R may be singular: |det R| <= 8 u p + 1e-29 m^3\n"
+    "(double 1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.\n"
     "\n"
     "(3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.\n"
     "106 mul, 290 add, 10 product error, 32 product rest, 22 div, 2 neg, 19 abs, 17 less, 23\n"
-    "equal, 67 select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most,\n"
-    "m_ji the sum of the sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that\n"
-    "is more; barring over- and underflow of Ro_ij itself.\n",
+    "equal, 67 select.  Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the\n"
+    "sum of the |terms| of the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more;\n"
+    "barring over- and underflow of Ro_ij itself.\n",
    1, 2, mat3x3_inverse_loops},
   {"mat3x3_normalize", "(3,3)->(3,3)",
-    "self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its\n"
-    "side of it, the third its side of both; NaN where rows depend on each other to rounding.\n"
+    "self = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on\n"
+    "its side of the first, the third on its side of both; NaN where the rows are linearly\n"
+    "dependent to rounding.\n"
     "\n"
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
     "154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,\n"
-    "27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 8 u; searched, not\n"
-    "proved.\n",
+    "27 equal, 79 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.\n",
    1, 1, mat3x3_normalize_loops},
   {"mat3x3_normalized", "(3,3)->(3,3)",
-    "Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its\n"
-    "side of it, the third its side of both; NaN where rows depend on each other to rounding.\n"
+    "Ro = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on\n"
+    "its side of the first, the third on its side of both; NaN where the rows are linearly\n"
+    "dependent to rounding.\n"
     "\n"
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
     "154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,\n"
-    "27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 8 u; searched, not\n"
-    "proved.\n",
+    "27 equal, 79 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.\n",
    1, 1, mat3x3_normalized_loops},
   {"mat3x3_setFromAxisDC", "(3),(2)->(3,3)",
-    "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc\n"
-    "= (sin θ, cos θ).\n"
+    "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),\n"
+    "dc = (sin θ, cos θ).\n"
     "\n"
     "(3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.\n"
     "21 mul, 66 add, 3 product error, 15 product rest.  Error <= u |result| + 14 u^2 S, S the sum\n"
@@ -858,8 +858,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
     "25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 1 neg, 4 abs, 2\n"
-    "less, 6 equal, 14 select.  The rotation by these angles is R but for 12 u in each entry,\n"
-    "near gimbal lock too; searched, not proved.\n",
+    "less, 6 equal, 14 select.  The rotation by these angles differs from R by at most 12 u in\n"
+    "each entry, near gimbal lock too; searched, not proved.\n",
    1, 1, euler_xyz_from_mat3x3_loops},
   {"euler_xyx_from_mat3x3", "(3,3)->(3)",
     "angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in\n"
@@ -867,22 +867,21 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
     "25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 4 abs, 2 less, 6\n"
-    "equal, 14 select.  The rotation by these angles is R but for 12 u in each entry, near gimbal\n"
-    "lock too; searched, not proved.\n",
+    "equal, 14 select.  The rotation by these angles differs from R by at most 12 u in each\n"
+    "entry, near gimbal lock too; searched, not proved.\n",
    1, 1, euler_xyx_from_mat3x3_loops},
   {"mat3x3_jacobi", "(3,3),(3,3)->(3,3),(3,3)",
-    "A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes\n"
-    "A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =\n"
-    "I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.\n"
+    "A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes\n"
+    "A_xy zero; then y, z, x become x, y, z.  A is symmetric, only its lower triangle is read.\n"
+    "Repeated from V = I, it converges to A = diag(eigenvalues); V A V^T does not change.\n"
     "\n"
     "(3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.\n"
     "51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13\n"
-    "equal, 18 select.  |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched,\n"
-    "not proved.\n",
+    "equal, 18 select.  V A V^T changes by at most 28 u max |A| for orthonormal V; searched, not\n"
+    "proved.\n",
    2, 2, mat3x3_jacobi_loops},
   {"axis_angle_from_mat3x3", "(3,3)->(),(3)",
-    "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing\n"
-    "turns.\n"
+    "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.\n"
     "\n"
     "(3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.\n"
     "35 mul, 235 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16\n"

@@ -4289,7 +4289,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "the expanded formula; barring over- and underflow.\n",
    2, 1, dot_qq_loops},
   {"add_dpiToq", "(3),(4)->(4)",
-    "qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to\n"
+    "qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to\n"
     "first order; not normalized.\n"
     "\n"
     "(3),(4)->(4).  dpi: vector; qi: quaternion (x, y, z, w), the scalar last.\n"
@@ -4305,14 +4305,14 @@ const coscrew_gufunc TABLE(quaternion)[] = {
    2, 1, subtract_dpiFromq_loops},
   {"omega_to_dquaternion", "(3),(4)->(4)",
     "dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the\n"
-    "reference frame, rad/s, and what draws its norm to 1.\n"
+    "reference frame, rad/s, and a term that draws its norm to 1.\n"
     "\n"
     "(3),(4)->(4).  w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.\n"
     "27 mul, 101 add, 20 product rest.  Error <= u |result| + (v: 35, w: 32) u^2 S, S the sum of\n"
     "the |terms| of the expanded formula; barring over- and underflow.\n",
    2, 1, omega_to_dquaternion_loops},
   {"mat3x3_from_quaternion", "(4)->(3,3)",
-    "R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.\n"
+    "R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.\n"
     "\n"
     "(4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.\n"
     "41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 8\n"
@@ -4320,15 +4320,15 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "searched, not proved.\n",
    1, 1, mat3x3_from_quaternion_loops},
   {"quaternion_from_mat3x3", "(3,3)->(4)",
-    "qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.\n"
+    "qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.\n"
     "\n"
     "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.\n"
     "21 mul, 182 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37\n"
     "select.  Error <= qo: 6 u of its largest component for R a rotation; searched, not proved.\n",
    1, 1, quaternion_from_mat3x3_loops},
   {"axis_angle_from_quaternion", "(4)->(),(3)",
-    "angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where\n"
-    "nothing turns; any multiple of a quaternion.\n"
+    "angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the\n"
+    "angle is 0; any multiple of a quaternion.\n"
     "\n"
     "(4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.\n"
     "27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14\n"

@@ -543,9 +543,9 @@ static PyUFuncGenericFunction mat6x6_solve_loops[] = {
 
 const coscrew_gufunc TABLE(symmetric)[] = {
   {"mat3x3_ldl", "(3,3)->(),(3,3)",
-    "L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on\n"
-    "its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not\n"
-    "positive definite, and L means nothing.\n"
+    "L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower\n"
+    "triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is\n"
+    "not positive definite, and L is meaningless.\n"
     "\n"
     "(3,3)->(),(3,3).  A, L: rotation or other 3×3 matrix; pivot: number.\n"
     "16 mul, 96 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.  |L D\n"
@@ -560,9 +560,9 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "over- and underflow.\n",
    2, 1, mat3x3_ldl_solve_loops},
   {"mat3x3_solve", "(3,3),(3)->(),(3)",
-    "x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the\n"
-    "smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is\n"
-    "not positive definite), it is not positive, and x not a number.\n"
+    "x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.\n"
+    "Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to\n"
+    "rounding or indefinite (A - 50 u diag A is not positive definite).\n"
     "\n"
     "(3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.\n"
     "96 mul, 398 add, 16 product error, 31 product rest, 30 div, 11 less, 5 equal, 38 select.\n"
@@ -570,9 +570,9 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "barring over- and underflow.\n",
    2, 2, mat3x3_solve_loops},
   {"mat6x6_ldl", "(6,6)->(),(6,6)",
-    "L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on\n"
-    "its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not\n"
-    "positive definite, and L means nothing.\n"
+    "L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower\n"
+    "triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is\n"
+    "not positive definite, and L is meaningless.\n"
     "\n"
     "(6,6)->(),(6,6).  A, L: 6×6 operator; pivot: number.\n"
     "121 mul, 512 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.\n"
@@ -589,9 +589,9 @@ const coscrew_gufunc TABLE(symmetric)[] = {
     "barring over- and underflow.\n",
    2, 1, mat6x6_ldl_solve_loops},
   {"mat6x6_solve", "(6,6),(6)->(),(6)",
-    "x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the\n"
-    "smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is\n"
-    "not positive definite), it is not positive, and x not a number.\n"
+    "x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.\n"
+    "Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to\n"
+    "rounding or indefinite (A - 50 u diag A is not positive definite).\n"
     "\n"
     "(6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw\n"
     "(v in m/s; ω in rad/s).\n"

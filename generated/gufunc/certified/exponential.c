@@ -157,14 +157,14 @@ static PyUFuncGenericFunction mat3x3_orthonormalized_loops[] = {
 
 const coscrew_gufunc TABLE(exponential)[] = {
   {"mat3x3_orthonormalize", "(3,3)->(3,3),(3,3)",
-    "self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2; |error\n"
-    "of self| <= self_bound unless inf or NaN.\n"
+    "self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of\n"
+    "self| <= self_bound unless inf or NaN.\n"
     "\n"
     "(3,3)->(3,3),(3,3).  self, self_bound: rotation or other 3×3 matrix.\n"
     "93 mul, 105 add, 3 neg, 27 abs.\n",
    1, 2, mat3x3_orthonormalize_loops},
   {"mat3x3_orthonormalized", "(3,3)->(3,3),(3,3)",
-    "Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2; |error of\n"
+    "Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of\n"
     "Ro| <= Ro_bound unless inf or NaN.\n"
     "\n"
     "(3,3)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix.\n"

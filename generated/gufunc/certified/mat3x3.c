@@ -282,9 +282,9 @@ static PyUFuncGenericFunction mat3x3_setFromAxisDC_loops[] = {
 
 const coscrew_gufunc TABLE(mat3x3)[] = {
   {"acceleration_tensor", "(3),(3)->(3,3),(3,3)",
-    "Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its\n"
-    "point x is accelerated by Ro x beyond its origin; |error of Ro| <= Ro_bound unless inf or\n"
-    "NaN.\n"
+    "Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the\n"
+    "acceleration of its point x, less that of its origin, is Ro x; |error of Ro| <= Ro_bound\n"
+    "unless inf or NaN.\n"
     "\n"
     "(3),(3)->(3,3),(3,3).  w, dw: vector; Ro, Ro_bound: rotation or other 3×3 matrix.\n"
     "15 mul, 27 add, 3 neg, 9 abs.\n",
@@ -296,8 +296,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "13 mul, 14 add, 9 abs.\n",
    1, 2, mat3x3_determinant_loops},
   {"mat3x3_setFromAxisDC", "(3),(2)->(3,3),(3,3)",
-    "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc\n"
-    "= (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.\n"
+    "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),\n"
+    "dc = (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.\n"
     "\n"
     "(3),(2)->(3,3),(3,3).  axis: vector; dc: (sin θ, cos θ); R, R_bound: rotation or other 3×3\n"
     "matrix.\n"

@@ -3973,7 +3973,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "5 mul, 7 add, 4 abs.\n",
    2, 2, dot_qq_loops},
   {"add_dpiToq", "(3),(4)->(4),(4)",
-    "qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to\n"
+    "qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to\n"
     "first order; not normalized; |error of qi| <= qi_bound unless inf or NaN.\n"
     "\n"
     "(3),(4)->(4),(4).  dpi: vector; qi, qi_bound: quaternion (x, y, z, w), the scalar last.\n"
@@ -3988,8 +3988,8 @@ const coscrew_gufunc TABLE(quaternion)[] = {
    2, 2, subtract_dpiFromq_loops},
   {"omega_to_dquaternion", "(3),(4)->(4),(4)",
     "dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the\n"
-    "reference frame, rad/s, and what draws its norm to 1; |error of dqo| <= dqo_bound unless inf\n"
-    "or NaN.\n"
+    "reference frame, rad/s, and a term that draws its norm to 1; |error of dqo| <= dqo_bound\n"
+    "unless inf or NaN.\n"
     "\n"
     "(3),(4)->(4),(4).  w: vector; qi, dqo, dqo_bound: quaternion (x, y, z, w), the scalar last.\n"
     "43 mul, 40 add, 11 abs.\n",

@@ -853,9 +853,8 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "10 mul, 10 add, 10 abs.\n",
    2, 2, subtract_BB_loops},
   {"spatial_inertia_from_com", "(),(3),(3,3)->(10),(10)",
-    "Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix\n"
-    "the upper triangle): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf\n"
-    "or NaN.\n"
+    "Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle\n"
+    "is read): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf or NaN.\n"
     "\n"
     "(),(3),(3,3)->(10),(10).  m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo,\n"
     "Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,\n"
@@ -880,10 +879,9 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "35 mul, 43 add, 25 abs.\n",
    2, 2, spatial_inertia_energy_loops},
   {"spatial_inertia_net_wrench", "(10),(3),(6)->(6),(6)",
-    "co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move\n"
-    "with angular velocity w and acceleration ds = (a; w'), a that of the point now at the\n"
-    "origin; a less that of gravity: the wrench beside gravity's; |error of co| <= co_bound\n"
-    "unless inf or NaN.\n"
+    "co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular\n"
+    "velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if\n"
+    "a is less gravity's, so is the wrench; |error of co| <= co_bound unless inf or NaN.\n"
     "\n"
     "(10),(3),(6)->(6),(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin,\n"
     "xx, yy, zz, xy, xz, yz in kg m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co,\n"
@@ -891,16 +889,16 @@ const coscrew_gufunc TABLE(spatial_inertia)[] = {
     "66 mul, 102 add, 3 neg, 30 abs.\n",
    3, 2, spatial_inertia_net_wrench_loops},
   {"spatial_inertia_shifted", "(3),(10)->(10),(10)",
-    "Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound\n"
-    "unless inf or NaN.\n"
+    "Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless\n"
+    "inf or NaN.\n"
     "\n"
     "(3),(10)->(10),(10).  t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m;\n"
     "I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).\n"
     "42 mul, 54 add, 15 abs.\n",
    2, 2, spatial_inertia_shifted_loops},
   {"spatial_inertia_transformed", "(3,4),(10)->(10),(10)",
-    "Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to; |error of Bo| <=\n"
-    "Bo_bound unless inf or NaN.\n"
+    "Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame; |error of\n"
+    "Bo| <= Bo_bound unless inf or NaN.\n"
     "\n"
     "(3,4),(10)->(10),(10).  D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound:\n"
     "spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg\n"

@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "52047379281c0226")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "dc32e995065686fb")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

@@ -1,9 +1,9 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
-"""The certified tier: every operation returns the plain result, bit for bit, and a bound of each
-component's error, whatever the numbers are, under- and overflow included: (result, bound).  Where the
-bound is infinite or NaN, something overflowed, and it says nothing.
+"""The certified tier: every operation returns (result, bound), the plain result, bit for bit, and a
+bound on each component's error.  It holds for all numbers, underflow included.  Where something
+overflowed, the bound is infinite or NaN: no statement is made.
 
 Compiled (`COMPILED`) or in pure NumPy, as `coscrew` itself; `double` and `single` are always NumPy.
 Cost and bounds in docstrings are those of double precision.  Operations that round
@@ -15,7 +15,7 @@ import sys
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "df4b1a37b7c34ee4")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "6ae58cbde80c4eed")
 
 if COMPILED:
     from coscrew.certified._gufunc import (

@@ -289,8 +289,8 @@ def skew(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.floa
     """
 
 def acceleration_tensor(w: ArrayLike, dw: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its
-    point x is accelerated by Ro x beyond its origin.
+    """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+    acceleration of its point x, less that of its origin, is Ro x.
 
     (3),(3)->(3,3).  w, dw: vector; Ro: rotation or other 3×3 matrix.
     6 mul, 9 add, 3 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
@@ -321,37 +321,38 @@ def mat3x3_determinant(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> N
 
 def mat3x3_inverse(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or
-    overflows; 0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3
-    (double 1e-229 m^3), p the sum of its terms' sizes, m that of the largest entry.
+    overflows.  Returns 0, with Ro = NaN, where R may be singular: |det R| <= 8 u p + 1e-29 m^3
+    (double 1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.
 
     (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
-    56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.  Ro_ij is off by 2 u m_ji
-    / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the sizes of the cofactor's
-    terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow of
-    Ro_ij itself.
+    56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.  Error of Ro_ij <= 2 u
+    m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the sum of the |terms| of the cofactor, or
+    2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow of Ro_ij itself.
     """
 
 def mat3x3_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
-    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+    """self = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on
+    its side of the first, the third on its side of both; NaN where the rows are linearly
+    dependent to rounding.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
-    perpendicular, and of length 1, but for 8 u; searched, not proved.
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  |R R^T - I|_ij
+    <= 8 u for the result R; searched, not proved.
     """
 
 def mat3x3_normalized(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
-    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+    """Ro = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on
+    its side of the first, the third on its side of both; NaN where the rows are linearly
+    dependent to rounding.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
-    perpendicular, and of length 1, but for 8 u; searched, not proved.
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  |R R^T - I|_ij
+    <= 8 u for the result R; searched, not proved.
     """
 
 def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc
-    = (sin θ, cos θ).
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+    dc = (sin θ, cos θ).
 
     (3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.
     12 mul, 10 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
@@ -371,7 +372,8 @@ def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
     6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.  The rotation by these
-    angles is R but for 12 u in each entry, near gimbal lock too; searched, not proved.
+    angles differs from R by at most 12 u in each entry, near gimbal lock too; searched, not
+    proved.
     """
 
 def mat3x3_from_euler_xyx(angles: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -386,18 +388,18 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles is R
-    but for 12 u in each entry, near gimbal lock too; searched, not proved.
+    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles
+    differs from R by at most 12 u in each entry, near gimbal lock too; searched, not proved.
     """
 
 def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
-    A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
-    I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+    """A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes
+    A_xy zero; then y, z, x become x, y, z.  A is symmetric, only its lower triangle is read.
+    Repeated from V = I, it converges to A = diag(eigenvalues); V A V^T does not change.
 
     (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
-    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.  |V A V^T - the same
-    before| <= 28 u max |A| for orthonormal V; searched, not proved.
+    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.  V A V^T changes by
+    at most 28 u max |A| for orthonormal V; searched, not proved.
     """
 
 def SE3_fromRt(R: ArrayLike, t: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -516,8 +518,8 @@ def mat6x6_transposed(M: ArrayLike, out: NDArray[np.float64] | None = ...) -> ND
     """
 
 def mat6x6_rotated(R: ArrayLike, M: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the
-    articulated inertia M rotated by R.
+    """Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+    lower triangle is read.
 
     (3,3),(6,6)->(6,6).  R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.
     144 mul, 96 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded
@@ -525,8 +527,8 @@ def mat6x6_rotated(R: ArrayLike, M: ArrayLike, out: NDArray[np.float64] | None =
     """
 
 def mat6x6_shifted(t: ArrayLike, M: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the
-    articulated inertia M shifted by t.
+    """Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+    lower triangle is read.
 
     (3),(6,6)->(6,6).  t: vector; M, Mo: 6×6 operator.
     39 mul, 42 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
@@ -1993,7 +1995,7 @@ def dot_qq(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[np.float64] | None = ...
     """
 
 def add_dpiToq(dpi: ArrayLike, qi: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+    """qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
     first order; not normalized.
 
     (3),(4)->(4).  dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
@@ -2011,7 +2013,7 @@ def subtract_dpiFromq(dpi: ArrayLike, qi: ArrayLike, out: NDArray[np.float64] | 
 
 def omega_to_dquaternion(w: ArrayLike, qi: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-    reference frame, rad/s, and what draws its norm to 1.
+    reference frame, rad/s, and a term that draws its norm to 1.
 
     (3),(4)->(4).  w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
     23 mul, 16 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
@@ -2019,7 +2021,7 @@ def omega_to_dquaternion(w: ArrayLike, qi: ArrayLike, out: NDArray[np.float64] |
     """
 
 def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+    """R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
     20 mul, 16 add, 1 div.  Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511,
@@ -2027,7 +2029,7 @@ def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float64] | None = ...) 
     """
 
 def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+    """qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
     4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 6 u of its largest
@@ -2044,8 +2046,8 @@ def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[n
     """
 
 def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
-    nothing turns; any multiple of a quaternion.
+    """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
+    angle is 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
     12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.  Error <=
@@ -2089,7 +2091,7 @@ def SO3_exp(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.f
     """
 
 def SO3_log(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+    """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
@@ -2116,7 +2118,7 @@ def SO3_rightJacobian(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> ND
 
 def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
-    but 0.
+    except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
     43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.  Error <= R: 6
@@ -2125,7 +2127,7 @@ def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.float64] | None = ...)
 
 def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
-    but 0.
+    except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
     43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.  Error <= R: 6 u of
@@ -2133,8 +2135,8 @@ def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.float64] | None = ...
     """
 
 def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with another R is no
-    rotation.
+    """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
+    not a rotation.
 
     (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
     15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 9 u of its largest component
@@ -2142,8 +2144,7 @@ def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.fl
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing
-    turns.
+    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
     8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.  Error <=
@@ -2151,7 +2152,7 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, 
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+    """self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
     51 mul, 42 add, 3 neg.  Error <= u |result| + 7 u S, S the sum of the |terms| of the
@@ -2159,7 +2160,7 @@ def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.float64] | None = ...
     """
 
 def mat3x3_orthonormalized(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+    """Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
     51 mul, 42 add, 3 neg.  Error <= u |result| + 7 u S, S the sum of the |terms| of the
@@ -2171,9 +2172,9 @@ def SE3_exp(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.f
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
     80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (6 +
-    θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is larger for |ω
-    of s| <= 1e13, in single precision 1e5; searched, not proved.  Sums on the way may overflow
-    where |v|, or |ω| |v|, is above 2e306, in single precision 5e36.
+    θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is larger, for |ω
+    of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate sums may
+    overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36.
     """
 
 def SE3_log(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -2182,7 +2183,7 @@ def SE3_log(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.f
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
     50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.  Error <=
     lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not proved.
-    Sums on the way may overflow where |t| is above 2e306, in single precision 5e36.
+    Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36.
     """
 
 def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -2190,8 +2191,8 @@ def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDA
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.  Error <= M:
-    20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may
-    overflow where |v| is above 2e306, in single precision 5e36.
+    20 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums
+    may overflow where |v| is above 2e306, in single precision 5e36.
     """
 
 def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -2199,26 +2200,26 @@ def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> ND
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.  Error <=
-    M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way
+    M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums
     may overflow where |v| is above 2e306, in single precision 5e36.
     """
 
 def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
+    """M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may
-    overflow where |v| is above 2e306, in single precision 5e36.
+    14 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums
+    may overflow where |v| is above 2e306, in single precision 5e36.
     """
 
 def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
+    """M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may
-    overflow where |v| is above 2e306, in single precision 5e36.
+    14 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums
+    may overflow where |v| is above 2e306, in single precision 5e36.
     """
 
 def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -2227,14 +2228,15 @@ def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
     208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
     select.  Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is
-    larger for R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.
-    Sums on the way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36.
+    larger, for R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.
+    Intermediate sums may overflow where |t| of D1 or D2 is above 2e306, in single precision
+    5e36.
     """
 
 def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on
-    its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not
-    positive definite, and L means nothing.
+    """L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+    triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+    not positive definite, and L is meaningless.
 
     (3,3)->(),(3,3).  A, L: rotation or other 3×3 matrix; pivot: number.
     4 mul, 4 add, 6 div, 6 less, 9 select.  |L D L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the
@@ -2250,9 +2252,9 @@ def mat3x3_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.float64] | None
     """
 
 def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-    smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-    not positive definite), it is not positive, and x not a number.
+    """x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+    Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+    rounding or indefinite (A - 50 u diag A is not positive definite).
 
     (3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.
     32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.  Backward error, of A: |b - A x|_i <= 4
@@ -2260,9 +2262,9 @@ def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float64] | No
     """
 
 def mat6x6_ldl(A: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on
-    its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not
-    positive definite, and L means nothing.
+    """L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+    triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+    not positive definite, and L is meaningless.
 
     (6,6)->(),(6,6).  A, L: 6×6 operator; pivot: number.
     35 mul, 35 add, 21 div, 15 less, 21 select.  |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where
@@ -2279,9 +2281,9 @@ def mat6x6_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.float64] | None
     """
 
 def mat6x6_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-    smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-    not positive definite), it is not positive, and x not a number.
+    """x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+    Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+    rounding or indefinite (A - 50 u diag A is not positive definite).
 
     (6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw
     (v in m/s; ω in rad/s).
@@ -2308,7 +2310,7 @@ def inertia_copy(Ji: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArra
     """
 
 def inertia_rotated(Ji: ArrayLike, R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """Jo = Ji turned by R: m, R mt, R I R^T.
+    """Jo = Ji rotated by R: m, R mt, R I R^T.
 
     (10),(3,3)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
     xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
@@ -2317,7 +2319,7 @@ def inertia_rotated(Ji: ArrayLike, R: ArrayLike, out: NDArray[np.float64] | None
     """
 
 def inertia_rotate(self: ArrayLike, R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """self = self turned by R: m, R mt, R I R^T.
+    """self = self rotated by R: m, R mt, R I R^T.
 
     (10),(3,3)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
     xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
@@ -2326,7 +2328,7 @@ def inertia_rotate(self: ArrayLike, R: ArrayLike, out: NDArray[np.float64] | Non
     """
 
 def inertia_translated(Ji: ArrayLike, t: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """Jo = Ji moved by t: m, mt + m t, I.
+    """Jo = Ji translated by t: m, mt + m t, I.
 
     (10),(3)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
     xx, yy, zz, xy, yz, zx in kg m^2); t: vector.
@@ -2335,7 +2337,7 @@ def inertia_translated(Ji: ArrayLike, t: ArrayLike, out: NDArray[np.float64] | N
     """
 
 def inertia_translate(self: ArrayLike, t: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """self = self moved by t: m, mt + m t, I.
+    """self = self translated by t: m, mt + m t, I.
 
     (10),(3)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx,
     yy, zz, xy, yz, zx in kg m^2); t: vector.
@@ -2344,7 +2346,7 @@ def inertia_translate(self: ArrayLike, t: ArrayLike, out: NDArray[np.float64] | 
     """
 
 def inertia_transformed(Ji: ArrayLike, D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+    """Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.
 
     (10),(3,4)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
     xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
@@ -2353,7 +2355,7 @@ def inertia_transformed(Ji: ArrayLike, D: ArrayLike, out: NDArray[np.float64] | 
     """
 
 def inertia_transform(self: ArrayLike, D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
+    """self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.
 
     (10),(3,4)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
     xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
@@ -2362,16 +2364,16 @@ def inertia_transform(self: ArrayLike, D: ArrayLike, out: NDArray[np.float64] | 
     """
 
 def inertia_merge(Ji: ArrayLike, t_ic: ArrayLike, Jj: ArrayLike, t_jc: ArrayLike, D_ij: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: m_i + m_j, mt_i + m_j c,
-    I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c - t_ic;
-    t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, each in its own frame; NaN
-    where m_i + m_j = 0.
+    """Ji = the inertia of two joined bodies: Ji, and Jj displaced by D_ij = [R | t]: m_i + m_j,
+    mt_i + m_j c, I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d =
+    c - t_ic; t_ic = mt_i / m_i and t_jc = mt_j / m_j are the centres of mass, each in its own
+    frame; NaN where m_i + m_j = 0.
 
     (10),(3),(10),(3),(3,4)->(10).  Ji, Jj: inertia (m in kg; mt = m c in kg m; I about the
     centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); t_ic, t_jc: vector; D_ij: displacement
     [R | t], R rotation, t in m.
-    67 mul, 61 add, 1 div.  Error <= 18 u times the sum of the sizes of all terms, for masses
-    that are not negative, barring over- and underflow.
+    67 mul, 61 add, 1 div.  Error <= 18 u times the sum of the absolute values of all terms, for
+    masses that are not negative, barring over- and underflow.
     """
 
 def spatial_inertia_copy(Bi: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -2407,8 +2409,8 @@ def subtract_BB(B1: ArrayLike, B2: ArrayLike, out: NDArray[np.float64] | None = 
     """
 
 def spatial_inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-    the upper triangle): h = m com, I = Ic - m com~ com~.
+    """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle
+    is read): h = m com, I = Ic - m com~ com~.
 
     (),(3),(3,3)->(10).  m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial
     inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
@@ -2417,25 +2419,25 @@ def spatial_inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: N
     """
 
 def spatial_inertia_from_inertia(J: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """Bo: of the inertia J, whose moments are about the centre of mass: m, mt, I - mt~ mt~ / m;
-    not a number where m = 0.
+    """Bo = (m, mt, I - mt~ mt~ / m) from the inertia J, whose moments are about the centre of
+    mass; NaN where m = 0.
 
     (10)->(10).  J: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
     zz, xy, yz, zx in kg m^2); Bo: spatial inertia (m in kg; h = m c in kg m; I about the
     origin, xx, yy, zz, xy, xz, yz in kg m^2).
-    6 mul, 9 add, 3 div.  Error of a moment <= 4 u times the sum of the sizes of its terms,
-    barring over- and underflow.
+    6 mul, 9 add, 3 div.  Error of a moment <= 4 u times the sum of its |terms|, barring over-
+    and underflow.
     """
 
 def inertia_from_spatial_inertia(B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """Jo: of the spatial inertia B, with moments about the centre of mass: m, h, I + h~ h~ / m;
-    not a number where m = 0.
+    """Jo = (m, h, I + h~ h~ / m) from the spatial inertia B, with moments about the centre of
+    mass; NaN where m = 0.
 
     (10)->(10).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
     xy, xz, yz in kg m^2); Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
     xx, yy, zz, xy, yz, zx in kg m^2).
-    6 mul, 9 add, 3 div.  Error of a moment <= 4 u times the sum of the sizes of its terms,
-    barring over- and underflow.
+    6 mul, 9 add, 3 div.  Error of a moment <= 4 u times the sum of its |terms|, barring over-
+    and underflow.
     """
 
 def spatial_inertia_com(B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -2481,9 +2483,9 @@ def spatial_inertia_energy(B: ArrayLike, s: ArrayLike, out: NDArray[np.float64] 
     """
 
 def spatial_inertia_net_wrench(B: ArrayLike, w: ArrayLike, ds: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move
-    with angular velocity w and acceleration ds = (a; w'), a that of the point now at the
-    origin; a less that of gravity: the wrench beside gravity's.
+    """co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+    velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+    a is less gravity's, so is the wrench.
 
     (10),(3),(6)->(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,
     yy, zz, xy, xz, yz in kg m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f
@@ -2493,7 +2495,7 @@ def spatial_inertia_net_wrench(B: ArrayLike, w: ArrayLike, ds: ArrayLike, out: N
     """
 
 def spatial_inertia_shifted(t: ArrayLike, B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+    """Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~.
 
     (3),(10)->(10).  t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the
     origin, xx, yy, zz, xy, xz, yz in kg m^2).
@@ -2502,7 +2504,7 @@ def spatial_inertia_shifted(t: ArrayLike, B: ArrayLike, out: NDArray[np.float64]
     """
 
 def spatial_inertia_transformed(D: ArrayLike, B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+    """Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame.
 
     (3,4),(10)->(10).  D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in
     kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
@@ -2511,7 +2513,7 @@ def spatial_inertia_transformed(D: ArrayLike, B: ArrayLike, out: NDArray[np.floa
     """
 
 def spatial_inertia_consistency(B: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
-    """the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+    """the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each divided by its diagonal entry:
     positive exactly if a body of positive density has this inertia.
 
     (10)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,

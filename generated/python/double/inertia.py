@@ -40,7 +40,7 @@ def inertia_copy(Ji):
 
 @kernel("(10),(3,3)->(10)")
 def inertia_rotated(Ji, R):
-    """Jo = Ji turned by R: m, R mt, R I R^T.
+    """Jo = Ji rotated by R: m, R mt, R I R^T.
 
     (10),(3,3)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
     xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
@@ -72,7 +72,7 @@ def inertia_rotated(Ji, R):
 
 @kernel("(10),(3,3)->(10)")
 def inertia_rotate(self, R):
-    """self = self turned by R: m, R mt, R I R^T.
+    """self = self rotated by R: m, R mt, R I R^T.
 
     (10),(3,3)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
     xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
@@ -105,7 +105,7 @@ def inertia_rotate(self, R):
 
 @kernel("(10),(3)->(10)")
 def inertia_translated(Ji, t):
-    """Jo = Ji moved by t: m, mt + m t, I.
+    """Jo = Ji translated by t: m, mt + m t, I.
 
     (10),(3)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
     xx, yy, zz, xy, yz, zx in kg m^2); t: vector.
@@ -122,7 +122,7 @@ def inertia_translated(Ji, t):
 
 @kernel("(10),(3)->(10)")
 def inertia_translate(self, t):
-    """self = self moved by t: m, mt + m t, I.
+    """self = self translated by t: m, mt + m t, I.
 
     (10),(3)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx,
     yy, zz, xy, yz, zx in kg m^2); t: vector.
@@ -140,7 +140,7 @@ def inertia_translate(self, t):
 
 @kernel("(10),(3,4)->(10)")
 def inertia_transformed(Ji, D):
-    """Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+    """Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.
 
     (10),(3,4)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
     xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
@@ -172,7 +172,7 @@ def inertia_transformed(Ji, D):
 
 @kernel("(10),(3,4)->(10)")
 def inertia_transform(self, D):
-    """self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
+    """self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.
 
     (10),(3,4)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
     xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
@@ -205,16 +205,16 @@ def inertia_transform(self, D):
 
 @kernel("(10),(3),(10),(3),(3,4)->(10)")
 def inertia_merge(Ji, t_ic, Jj, t_jc, D_ij):
-    """Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: m_i + m_j, mt_i + m_j c,
-    I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c - t_ic;
-    t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, each in its own frame; NaN
-    where m_i + m_j = 0.
+    """Ji = the inertia of two joined bodies: Ji, and Jj displaced by D_ij = [R | t]: m_i + m_j,
+    mt_i + m_j c, I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d =
+    c - t_ic; t_ic = mt_i / m_i and t_jc = mt_j / m_j are the centres of mass, each in its own
+    frame; NaN where m_i + m_j = 0.
 
     (10),(3),(10),(3),(3,4)->(10).  Ji, Jj: inertia (m in kg; mt = m c in kg m; I about the
     centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); t_ic, t_jc: vector; D_ij: displacement
     [R | t], R rotation, t in m.
-    67 mul, 61 add, 1 div.  Error <= 18 u times the sum of the sizes of all terms, for masses
-    that are not negative, barring over- and underflow.
+    67 mul, 61 add, 1 div.  Error <= 18 u times the sum of the absolute values of all terms, for
+    masses that are not negative, barring over- and underflow.
     """
     Ji_0, Ji_1, Ji_2, Ji_3, Ji_4, Ji_5, Ji_6, Ji_7, Ji_8, Ji_9 = Ji
     t_ic_0, t_ic_1, t_ic_2 = t_ic

@@ -93,8 +93,8 @@ def subtract_BB(B1, B2):
 
 @kernel("(),(3),(3,3)->(10)")
 def spatial_inertia_from_com(m, com, Ic):
-    """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-    the upper triangle): h = m com, I = Ic - m com~ com~.
+    """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle
+    is read): h = m com, I = Ic - m com~ com~.
 
     (),(3),(3,3)->(10).  m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial
     inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
@@ -120,14 +120,14 @@ def spatial_inertia_from_com(m, com, Ic):
 
 @kernel("(10)->(10)")
 def spatial_inertia_from_inertia(J):
-    """Bo: of the inertia J, whose moments are about the centre of mass: m, mt, I - mt~ mt~ / m;
-    not a number where m = 0.
+    """Bo = (m, mt, I - mt~ mt~ / m) from the inertia J, whose moments are about the centre of
+    mass; NaN where m = 0.
 
     (10)->(10).  J: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
     zz, xy, yz, zx in kg m^2); Bo: spatial inertia (m in kg; h = m c in kg m; I about the
     origin, xx, yy, zz, xy, xz, yz in kg m^2).
-    6 mul, 9 add, 3 div.  Error of a moment <= 4 u times the sum of the sizes of its terms,
-    barring over- and underflow.
+    6 mul, 9 add, 3 div.  Error of a moment <= 4 u times the sum of its |terms|, barring over-
+    and underflow.
     """
     J_0, J_1, J_2, J_3, J_4, J_5, J_6, J_7, J_8, J_9 = J
     c_0 = J_1 / J_0
@@ -147,14 +147,14 @@ def spatial_inertia_from_inertia(J):
 
 @kernel("(10)->(10)")
 def inertia_from_spatial_inertia(B):
-    """Jo: of the spatial inertia B, with moments about the centre of mass: m, h, I + h~ h~ / m;
-    not a number where m = 0.
+    """Jo = (m, h, I + h~ h~ / m) from the spatial inertia B, with moments about the centre of
+    mass; NaN where m = 0.
 
     (10)->(10).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
     xy, xz, yz in kg m^2); Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
     xx, yy, zz, xy, yz, zx in kg m^2).
-    6 mul, 9 add, 3 div.  Error of a moment <= 4 u times the sum of the sizes of its terms,
-    barring over- and underflow.
+    6 mul, 9 add, 3 div.  Error of a moment <= 4 u times the sum of its |terms|, barring over-
+    and underflow.
     """
     B_0, B_1, B_2, B_3, B_4, B_5, B_6, B_7, B_8, B_9 = B
     c_0 = B_1 / B_0
@@ -272,9 +272,9 @@ def spatial_inertia_energy(B, s):
 
 @kernel("(10),(3),(6)->(6)")
 def spatial_inertia_net_wrench(B, w, ds):
-    """co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move
-    with angular velocity w and acceleration ds = (a; w'), a that of the point now at the
-    origin; a less that of gravity: the wrench beside gravity's.
+    """co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+    velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+    a is less gravity's, so is the wrench.
 
     (10),(3),(6)->(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,
     yy, zz, xy, xz, yz in kg m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f
@@ -323,7 +323,7 @@ def spatial_inertia_net_wrench(B, w, ds):
 
 @kernel("(3),(10)->(10)")
 def spatial_inertia_shifted(t, B):
-    """Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+    """Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~.
 
     (3),(10)->(10).  t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the
     origin, xx, yy, zz, xy, xz, yz in kg m^2).
@@ -367,7 +367,7 @@ def spatial_inertia_shifted(t, B):
 
 @kernel("(3,4),(10)->(10)")
 def spatial_inertia_transformed(D, B):
-    """Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+    """Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame.
 
     (3,4),(10)->(10).  D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in
     kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
@@ -429,7 +429,7 @@ def spatial_inertia_transformed(D, B):
 
 @kernel("(10)->()")
 def spatial_inertia_consistency(B):
-    """the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+    """the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each divided by its diagonal entry:
     positive exactly if a body of positive density has this inertia.
 
     (10)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,

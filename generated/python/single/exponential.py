@@ -97,7 +97,7 @@ def SO3_exp(v):
 
 @kernel("(3,3)->(3)")
 def SO3_log(R):
-    """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+    """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
@@ -351,7 +351,7 @@ def SO3_rightJacobian(v):
 @kernel("(3)->(3,3)")
 def SO3_leftJacobianInverse(v):
     """R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
-    but 0.
+    except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
     43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.  Error <= R: 6
@@ -438,7 +438,7 @@ def SO3_leftJacobianInverse(v):
 @kernel("(3)->(3,3)")
 def SO3_rightJacobianInverse(v):
     """R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
-    but 0.
+    except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
     43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.  Error <= R: 6 u of
@@ -524,7 +524,7 @@ def SO3_rightJacobianInverse(v):
 
 @kernel("(3,3)->(3,3)")
 def mat3x3_orthonormalize(self):
-    """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+    """self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
     51 mul, 42 add, 3 neg.  Error <= u |result| + 7 u S, S the sum of the |terms| of the
@@ -561,7 +561,7 @@ def mat3x3_orthonormalize(self):
 
 @kernel("(3,3)->(3,3)")
 def mat3x3_orthonormalized(R):
-    """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+    """Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
     51 mul, 42 add, 3 neg.  Error <= u |result| + 7 u S, S the sum of the |terms| of the
@@ -598,9 +598,9 @@ def SE3_exp(s):
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
     80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (6 +
-    θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is larger for |ω
-    of s| <= 1e13, in single precision 1e5; searched, not proved.  Sums on the way may overflow
-    where |v|, or |ω| |v|, is above 2e306, in single precision 5e36.
+    θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is larger, for |ω
+    of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate sums may
+    overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -710,7 +710,7 @@ def SE3_log(D):
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
     50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.  Error <=
     lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not proved.
-    Sums on the way may overflow where |t| is above 2e306, in single precision 5e36.
+    Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     p_0 = D_21 - D_12
@@ -810,8 +810,8 @@ def SE3_leftJacobian(s):
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.  Error <= M:
-    20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may
-    overflow where |v| is above 2e306, in single precision 5e36.
+    20 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums
+    may overflow where |v| is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -948,7 +948,7 @@ def SE3_rightJacobian(s):
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.  Error <=
-    M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way
+    M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums
     may overflow where |v| is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
@@ -1082,12 +1082,12 @@ def SE3_rightJacobian(s):
 
 @kernel("(6)->(6,6)")
 def SE3_leftJacobianInverse(s):
-    """M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
+    """M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may
-    overflow where |v| is above 2e306, in single precision 5e36.
+    14 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums
+    may overflow where |v| is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -1210,12 +1210,12 @@ def SE3_leftJacobianInverse(s):
 
 @kernel("(6)->(6,6)")
 def SE3_rightJacobianInverse(s):
-    """M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
+    """M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
     93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on the way may
-    overflow where |v| is above 2e306, in single precision 5e36.
+    14 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums
+    may overflow where |v| is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -1343,8 +1343,9 @@ def SE3_interpolated(D1, D2, k):
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
     208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
     select.  Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is
-    larger for R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.
-    Sums on the way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36.
+    larger, for R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.
+    Intermediate sums may overflow where |t| of D1 or D2 is above 2e306, in single precision
+    5e36.
     """
     D1_00, D1_01, D1_02, D1_03, D1_10, D1_11, D1_12, D1_13, D1_20, D1_21, D1_22, D1_23 = D1
     D2_00, D2_01, D2_02, D2_03, D2_10, D2_11, D2_12, D2_13, D2_20, D2_21, D2_22, D2_23 = D2

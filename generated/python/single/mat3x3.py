@@ -60,8 +60,8 @@ def skew(v):
 
 @kernel("(3),(3)->(3,3)")
 def acceleration_tensor(w, dw):
-    """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its
-    point x is accelerated by Ro x beyond its origin.
+    """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+    acceleration of its point x, less that of its origin, is Ro x.
 
     (3),(3)->(3,3).  w, dw: vector; Ro: rotation or other 3×3 matrix.
     6 mul, 9 add, 3 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
@@ -128,14 +128,13 @@ def mat3x3_determinant(R):
 @kernel("(3,3)->(),(3,3)")
 def mat3x3_inverse(R):
     """Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or
-    overflows; 0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3
-    (double 1e-229 m^3), p the sum of its terms' sizes, m that of the largest entry.
+    overflows.  Returns 0, with Ro = NaN, where R may be singular: |det R| <= 8 u p + 1e-29 m^3
+    (double 1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.
 
     (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
-    56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.  Ro_ij is off by 2 u m_ji
-    / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the sizes of the cofactor's
-    terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow of
-    Ro_ij itself.
+    56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.  Error of Ro_ij <= 2 u
+    m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the sum of the |terms| of the cofactor, or
+    2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow of Ro_ij itself.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     R_size_0 = absolute(R_00)
@@ -241,12 +240,13 @@ def mat3x3_inverse(R):
 
 @kernel("(3,3)->(3,3)")
 def mat3x3_normalize(self):
-    """self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
-    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+    """self = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on
+    its side of the first, the third on its side of both; NaN where the rows are linearly
+    dependent to rounding.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
-    perpendicular, and of length 1, but for 8 u; searched, not proved.
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  |R R^T - I|_ij
+    <= 8 u for the result R; searched, not proved.
     """
     self_00, self_01, self_02, self_10, self_11, self_12, self_20, self_21, self_22 = self
     q0_s_size_0 = absolute(self_00)
@@ -364,12 +364,13 @@ def mat3x3_normalize(self):
 
 @kernel("(3,3)->(3,3)")
 def mat3x3_normalized(R):
-    """Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
-    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+    """Ro = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on
+    its side of the first, the third on its side of both; NaN where the rows are linearly
+    dependent to rounding.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  Rows are
-    perpendicular, and of length 1, but for 8 u; searched, not proved.
+    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.  |R R^T - I|_ij
+    <= 8 u for the result R; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     q0_s_size_0 = absolute(R_00)
@@ -486,8 +487,8 @@ def mat3x3_normalized(R):
 
 @kernel("(3),(2)->(3,3)")
 def mat3x3_setFromAxisDC(axis, dc):
-    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc
-    = (sin θ, cos θ).
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+    dc = (sin θ, cos θ).
 
     (3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.
     12 mul, 10 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
@@ -554,7 +555,8 @@ def euler_xyz_from_mat3x3(R):
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
     6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.  The rotation by these
-    angles is R but for 12 u in each entry, near gimbal lock too; searched, not proved.
+    angles differs from R by at most 12 u in each entry, near gimbal lock too; searched, not
+    proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n = sqrt(R_00 * R_00 + R_01 * R_01)
@@ -605,8 +607,8 @@ def euler_xyx_from_mat3x3(R):
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles is R
-    but for 12 u in each entry, near gimbal lock too; searched, not proved.
+    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles
+    differs from R by at most 12 u in each entry, near gimbal lock too; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n = sqrt(R_01 * R_01 + R_02 * R_02)
@@ -625,13 +627,13 @@ def euler_xyx_from_mat3x3(R):
 
 @kernel("(3,3),(3,3)->(3,3),(3,3)")
 def mat3x3_jacobi(A, V):
-    """A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
-    A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
-    I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+    """A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes
+    A_xy zero; then y, z, x become x, y, z.  A is symmetric, only its lower triangle is read.
+    Repeated from V = I, it converges to A = diag(eigenvalues); V A V^T does not change.
 
     (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
-    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.  |V A V^T - the same
-    before| <= 28 u max |A| for orthonormal V; searched, not proved.
+    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.  V A V^T changes by
+    at most 28 u max |A| for orthonormal V; searched, not proved.
     """
     A_00, A_01, A_02, A_10, A_11, A_12, A_20, A_21, A_22 = A
     V_00, V_01, V_02, V_10, V_11, V_12, V_20, V_21, V_22 = V
@@ -664,8 +666,8 @@ def mat3x3_jacobi(A, V):
 
 @kernel("(3),()->(3,3)")
 def mat3x3_from_axis_angle(axis, angle):
-    """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with another R is no
-    rotation.
+    """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
+    not a rotation.
 
     (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
     15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 9 u of its largest component
@@ -706,8 +708,7 @@ def mat3x3_from_axis_angle(axis, angle):
 
 @kernel("(3,3)->(),(3)")
 def axis_angle_from_mat3x3(R):
-    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing
-    turns.
+    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
     8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.  Error <=

@@ -5,6 +5,7 @@
 #ifndef KSL_ARRAY_H
 #define KSL_ARRAY_H
 
+#include <stddef.h>
 #include "ksl_types.h"
 
 /* What KSL declares beside formulas. */
@@ -44,7 +45,7 @@ static inline void ksl_axpy(
 static inline void ksl_swapArray(
     const int n, double *a, const int a_stride, double *b, const int b_stride) {
   for (int i = 0; i < n; i++) {
-    ksl_swap(a + i * a_stride, b + i * b_stride);
+    ksl_swap(a + (ptrdiff_t)i * a_stride, b + (ptrdiff_t)i * b_stride);
   }
 }
 
@@ -61,7 +62,7 @@ static inline void ksl_axpyf(
 static inline void ksl_swapArrayf(
     const int n, float *a, const int a_stride, float *b, const int b_stride) {
   for (int i = 0; i < n; i++) {
-    ksl_swapf(a + i * a_stride, b + i * b_stride);
+    ksl_swapf(a + (ptrdiff_t)i * a_stride, b + (ptrdiff_t)i * b_stride);
   }
 }
 

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Coscrews: wrenches and momenta, c = (f; τ).
-   Certified tier: plain results, and bounds of their errors that hold. */
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_COSCREW_CERTIFIED_H
 #define KSL_COSCREW_CERTIFIED_H
 

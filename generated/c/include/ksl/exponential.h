@@ -114,7 +114,7 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   R->m22 = diagonal2;
 }
 
-/* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+/* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
    R: rotation or other 3×3 matrix; vo: vector.
    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
    Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
@@ -409,7 +409,7 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 }
 
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
-     but 0.
+     except 0.
    v: vector; R: rotation or other 3×3 matrix.
    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.
    Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
@@ -512,7 +512,7 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
 }
 
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
-     but 0.
+     except 0.
    v: vector; R: rotation or other 3×3 matrix.
    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.
    Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
@@ -614,7 +614,7 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
   R->m22 = diagonal2;
 }
 
-/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
    Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -700,7 +700,7 @@ static inline void ksl_mat3x3_orthonormalize(ksl_mat3x3_t *self) {
   self->m22 = self_22_new;
 }
 
-/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
    Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -772,8 +772,8 @@ static inline void ksl_mat3x3_orthonormalized(const ksl_mat3x3_t *R, ksl_mat3x3_
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.
    Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is
-     larger for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Sums on the way
-     may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
+     larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate
+     sums may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -910,7 +910,7 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.
    Error <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not
-     proved.  Sums on the way may overflow where |t| is above 2e306, in single precision 5e36. */
+     proved.  Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double p_0 = D->m21 - D->m12;
   const double p_1 = D->m02 - D->m20;
@@ -1020,8 +1020,8 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.
-   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
-     the way may overflow where |v| is above 2e306, in single precision 5e36. */
+   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
+     Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -1249,8 +1249,8 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.
-   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
-     the way may overflow where |v| is above 2e306, in single precision 5e36. */
+   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
+     Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -1475,11 +1475,11 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
   M->at[5][5] = diagonal2;
 }
 
-/* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
+/* M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
-   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
-     the way may overflow where |v| is above 2e306, in single precision 5e36. */
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
+     Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -1680,11 +1680,11 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
   M->at[5][5] = diagonal2;
 }
 
-/* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
+/* M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
-   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
-     the way may overflow where |v| is above 2e306, in single precision 5e36. */
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
+     Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -1889,9 +1889,10 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
      select.
-   Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is larger for R
-     of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on the
-     way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36. */
+   Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is larger, for
+     R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.
+     Intermediate sums may overflow where |t| of D1 or D2 is above 2e306, in single precision
+     5e36. */
 static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2, const double k,
     ksl_SE3_t *Do) {
   const double apart_0 = D2->m03 - D1->m03;
@@ -2333,7 +2334,7 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   R->m22 = diagonal2;
 }
 
-/* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+/* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
    R: rotation or other 3×3 matrix; vo: vector.
    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
    Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
@@ -2627,7 +2628,7 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
 }
 
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
-     but 0.
+     except 0.
    v: vector; R: rotation or other 3×3 matrix.
    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.
    Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
@@ -2729,7 +2730,7 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
 }
 
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
-     but 0.
+     except 0.
    v: vector; R: rotation or other 3×3 matrix.
    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.
    Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
@@ -2830,7 +2831,7 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
   R->m22 = diagonal2;
 }
 
-/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
    Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -2919,7 +2920,7 @@ static inline void ksl_mat3x3f_orthonormalize(ksl_mat3x3f_t *self) {
   self->m22 = self_22_new;
 }
 
-/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
    Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -2991,8 +2992,8 @@ static inline void ksl_mat3x3f_orthonormalized(const ksl_mat3x3f_t *R, ksl_mat3x
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.
    Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is
-     larger for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Sums on the way
-     may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
+     larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate
+     sums may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -3129,7 +3130,7 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.
    Error <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not
-     proved.  Sums on the way may overflow where |t| is above 2e306, in single precision 5e36. */
+     proved.  Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float p_0 = D->m21 - D->m12;
   const float p_1 = D->m02 - D->m20;
@@ -3237,8 +3238,8 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.
-   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
-     the way may overflow where |v| is above 2e306, in single precision 5e36. */
+   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
+     Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -3463,8 +3464,8 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.
-   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
-     the way may overflow where |v| is above 2e306, in single precision 5e36. */
+   Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
+     Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -3686,11 +3687,11 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
   M->at[5][5] = diagonal2;
 }
 
-/* M = J_l(s)^-1; singular where |ω| is a multiple of 2π but 0.
+/* M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
-   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
-     the way may overflow where |v| is above 2e306, in single precision 5e36. */
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
+     Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -3890,11 +3891,11 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
   M->at[5][5] = diagonal2;
 }
 
-/* M = J_r(s)^-1; singular where |ω| is a multiple of 2π but 0.
+/* M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.
-   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.  Sums on
-     the way may overflow where |v| is above 2e306, in single precision 5e36. */
+   Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
+     Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
   const float size_0 = fabsf(s->m3);
   const float size_1 = fabsf(s->m4);
@@ -4098,9 +4099,10 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
      select.
-   Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is larger for R
-     of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Sums on the
-     way may overflow where |t| of D1 or D2 is above 2e306, in single precision 5e36. */
+   Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is larger, for
+     R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.
+     Intermediate sums may overflow where |t| of D1 or D2 is above 2e306, in single precision
+     5e36. */
 static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     const float k, ksl_SE3f_t *Do) {
   const float apart_0 = D2->m03 - D1->m03;

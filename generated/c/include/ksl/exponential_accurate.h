@@ -8,7 +8,7 @@
 
 #include "ksl_exact.h"
 
-/* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+/* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
    R: rotation or other 3×3 matrix; vo: vector.
    40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
      less, 10 equal, 58 select.
@@ -266,7 +266,7 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   vo->z = vector_2_final;
 }
 
-/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    84 mul, 288 add, 45 product rest, 6 neg.
    Error <= u |result| + 44 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -661,7 +661,7 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
   self->m22 = self_22_new_rounded;
 }
 
-/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    84 mul, 288 add, 45 product rest, 6 neg.
    Error <= u |result| + 44 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -957,7 +957,7 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
   Ro->m22 = Ro_22_rounded;
 }
 
-/* vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+/* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
    R: rotation or other 3×3 matrix; vo: vector.
    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.
    Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
@@ -1021,7 +1021,7 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
   vo->z = (float)vector_2;
 }
 
-/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
    Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -1116,7 +1116,7 @@ static inline void ksl_mat3x3f_orthonormalize_accurate(ksl_mat3x3f_t *self) {
   self->m22 = (float)self_22_new;
 }
 
-/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    51 mul, 42 add, 3 neg.
    Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the expanded formula; barring

@@ -2,13 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Exponentials and logarithms of rotations and displacements, their Jacobians, interpolation.
-   Certified tier: plain results, and bounds of their errors that hold. */
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_EXPONENTIAL_CERTIFIED_H
 #define KSL_EXPONENTIAL_CERTIFIED_H
 
 #include "ksl_types.h"
 
-/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2; |error of
+/* self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
      self| <= self_bound unless inf or NaN.
    self, self_bound: rotation or other 3×3 matrix.
    93 mul, 105 add, 3 neg, 27 abs. */
@@ -216,8 +216,8 @@ static inline void ksl_mat3x3_orthonormalize_certified(ksl_mat3x3_t *self,
   self_bound->m22 = self_22_new_error_bound;
 }
 
-/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2; |error of
-     Ro| <= Ro_bound unless inf or NaN.
+/* Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of Ro|
+     <= Ro_bound unless inf or NaN.
    R, Ro, Ro_bound: rotation or other 3×3 matrix.
    93 mul, 105 add, 3 neg, 27 abs. */
 static inline void ksl_mat3x3_orthonormalized_certified(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro,
@@ -387,7 +387,7 @@ static inline void ksl_mat3x3_orthonormalized_certified(const ksl_mat3x3_t *R, k
   Ro_bound->m22 = Ro_22_error_bound;
 }
 
-/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2; |error of
+/* self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
      self| <= self_bound unless inf or NaN.
    self, self_bound: rotation or other 3×3 matrix.
    93 mul, 105 add, 3 neg, 27 abs. */
@@ -600,8 +600,8 @@ static inline void ksl_mat3x3f_orthonormalize_certified(ksl_mat3x3f_t *self,
   self_bound->m22 = self_22_new_error_bound;
 }
 
-/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2; |error of
-     Ro| <= Ro_bound unless inf or NaN.
+/* Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of Ro|
+     <= Ro_bound unless inf or NaN.
    R, Ro, Ro_bound: rotation or other 3×3 matrix.
    93 mul, 105 add, 3 neg, 27 abs. */
 static inline void ksl_mat3x3f_orthonormalized_certified(const ksl_mat3x3f_t *R,

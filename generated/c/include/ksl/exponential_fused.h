@@ -8,7 +8,7 @@
 
 #include "ksl_types.h"
 
-/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    18 mul, 9 add, 33 fma, 3 neg.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -85,7 +85,7 @@ static inline void ksl_mat3x3_orthonormalize_fused(ksl_mat3x3_t *self) {
   self->m22 = self_22_new;
 }
 
-/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    18 mul, 9 add, 33 fma, 3 neg.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -138,7 +138,7 @@ static inline void ksl_mat3x3_orthonormalized_fused(const ksl_mat3x3_t *R, ksl_m
   Ro->m22 = Ro_22;
 }
 
-/* self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    self: rotation or other 3×3 matrix.
    18 mul, 9 add, 33 fma, 3 neg.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -215,7 +215,7 @@ static inline void ksl_mat3x3f_orthonormalize_fused(ksl_mat3x3f_t *self) {
   self->m22 = self_22_new;
 }
 
-/* Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+/* Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
    R, Ro: rotation or other 3×3 matrix.
    18 mul, 9 add, 33 fma, 3 neg.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-

@@ -61,7 +61,7 @@ static inline void ksl_inertia_copy(const ksl_inertia_t *Ji, ksl_inertia_t *Jo) 
   Jo->Izx = Ji_Izx;
 }
 
-/* Jo = Ji turned by R: m, R mt, R I R^T.
+/* Jo = Ji rotated by R: m, R mt, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); R: rotation or other 3×3 matrix.
    54 mul, 36 add.
@@ -118,7 +118,7 @@ static inline void ksl_inertia_rotated(const ksl_inertia_t *Ji, const ksl_mat3x3
   Jo->Izx = Jo_9;
 }
 
-/* self = self turned by R: m, R mt, R I R^T.
+/* self = self rotated by R: m, R mt, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); R: rotation or other 3×3 matrix.
    54 mul, 36 add.
@@ -181,7 +181,7 @@ static inline void ksl_inertia_rotate(ksl_inertia_t *self, const ksl_mat3x3_t *R
   self->Izx = self_9_new;
 }
 
-/* Jo = Ji moved by t: m, mt + m t, I.
+/* Jo = Ji translated by t: m, mt + m t, I.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t: vector.
    3 mul, 3 add.
@@ -211,7 +211,7 @@ static inline void ksl_inertia_translated(const ksl_inertia_t *Ji, const ksl_vec
   Jo->Izx = Ji_Izx;
 }
 
-/* self = self moved by t: m, mt + m t, I.
+/* self = self translated by t: m, mt + m t, I.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); t: vector.
    3 mul, 3 add.
@@ -226,7 +226,7 @@ static inline void ksl_inertia_translate(ksl_inertia_t *self, const ksl_vec3_t *
   self->mt.z = self_3_new;
 }
 
-/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    57 mul, 39 add.
@@ -286,7 +286,7 @@ static inline void ksl_inertia_transformed(const ksl_inertia_t *Ji, const ksl_SE
   Jo->Izx = Jo_9;
 }
 
-/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); D: displacement [R | t], R rotation, t in m.
    57 mul, 39 add.
@@ -352,15 +352,15 @@ static inline void ksl_inertia_transform(ksl_inertia_t *self, const ksl_SE3_t *D
   self->Izx = self_9_new;
 }
 
-/* Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: m_i + m_j, mt_i + m_j c,
-     I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c - t_ic;
-     t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, each in its own frame; NaN
-     where m_i + m_j = 0.
+/* Ji = the inertia of two joined bodies: Ji, and Jj displaced by D_ij = [R | t]: m_i + m_j, mt_i
+     + m_j c, I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c -
+     t_ic; t_ic = mt_i / m_i and t_jc = mt_j / m_j are the centres of mass, each in its own
+     frame; NaN where m_i + m_j = 0.
    Ji, Jj: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t_ic, t_jc: vector; D_ij: displacement [R | t], R rotation, t in m.
    67 mul, 61 add, 1 div.
-   Error <= 18 u times the sum of the sizes of all terms, for masses that are not negative,
-     barring over- and underflow. */
+   Error <= 18 u times the sum of the absolute values of all terms, for masses that are not
+     negative, barring over- and underflow. */
 static inline void ksl_inertia_merge(ksl_inertia_t *Ji, const ksl_vec3_t *t_ic,
     const ksl_inertia_t *Jj, const ksl_vec3_t *t_jc, const ksl_SE3_t *D_ij) {
   const double m = Ji->m + Jj->m;
@@ -494,7 +494,7 @@ static inline void ksl_inertiaf_copy(const ksl_inertiaf_t *Ji, ksl_inertiaf_t *J
   Jo->Izx = Ji_Izx;
 }
 
-/* Jo = Ji turned by R: m, R mt, R I R^T.
+/* Jo = Ji rotated by R: m, R mt, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); R: rotation or other 3×3 matrix.
    54 mul, 36 add.
@@ -551,7 +551,7 @@ static inline void ksl_inertiaf_rotated(const ksl_inertiaf_t *Ji, const ksl_mat3
   Jo->Izx = Jo_9;
 }
 
-/* self = self turned by R: m, R mt, R I R^T.
+/* self = self rotated by R: m, R mt, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); R: rotation or other 3×3 matrix.
    54 mul, 36 add.
@@ -614,7 +614,7 @@ static inline void ksl_inertiaf_rotate(ksl_inertiaf_t *self, const ksl_mat3x3f_t
   self->Izx = self_9_new;
 }
 
-/* Jo = Ji moved by t: m, mt + m t, I.
+/* Jo = Ji translated by t: m, mt + m t, I.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t: vector.
    3 mul, 3 add.
@@ -644,7 +644,7 @@ static inline void ksl_inertiaf_translated(const ksl_inertiaf_t *Ji, const ksl_v
   Jo->Izx = Ji_Izx;
 }
 
-/* self = self moved by t: m, mt + m t, I.
+/* self = self translated by t: m, mt + m t, I.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); t: vector.
    3 mul, 3 add.
@@ -659,7 +659,7 @@ static inline void ksl_inertiaf_translate(ksl_inertiaf_t *self, const ksl_vec3f_
   self->mt.z = self_3_new;
 }
 
-/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    57 mul, 39 add.
@@ -719,7 +719,7 @@ static inline void ksl_inertiaf_transformed(const ksl_inertiaf_t *Ji, const ksl_
   Jo->Izx = Jo_9;
 }
 
-/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); D: displacement [R | t], R rotation, t in m.
    57 mul, 39 add.
@@ -785,15 +785,15 @@ static inline void ksl_inertiaf_transform(ksl_inertiaf_t *self, const ksl_SE3f_t
   self->Izx = self_9_new;
 }
 
-/* Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: m_i + m_j, mt_i + m_j c,
-     I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c - t_ic;
-     t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, each in its own frame; NaN
-     where m_i + m_j = 0.
+/* Ji = the inertia of two joined bodies: Ji, and Jj displaced by D_ij = [R | t]: m_i + m_j, mt_i
+     + m_j c, I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c -
+     t_ic; t_ic = mt_i / m_i and t_jc = mt_j / m_j are the centres of mass, each in its own
+     frame; NaN where m_i + m_j = 0.
    Ji, Jj: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t_ic, t_jc: vector; D_ij: displacement [R | t], R rotation, t in m.
    67 mul, 61 add, 1 div.
-   Error <= 18 u times the sum of the sizes of all terms, for masses that are not negative,
-     barring over- and underflow. */
+   Error <= 18 u times the sum of the absolute values of all terms, for masses that are not
+     negative, barring over- and underflow. */
 static inline void ksl_inertiaf_merge(ksl_inertiaf_t *Ji, const ksl_vec3f_t *t_ic,
     const ksl_inertiaf_t *Jj, const ksl_vec3f_t *t_jc, const ksl_SE3f_t *D_ij) {
   const float m = Ji->m + Jj->m;

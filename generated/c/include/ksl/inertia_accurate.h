@@ -36,7 +36,7 @@ static inline ksl_inertia_t ksl_inertia_accurate(const double m, const ksl_vec3_
   return J;
 }
 
-/* Jo = Ji turned by R: m, R mt, R I R^T.
+/* Jo = Ji rotated by R: m, R mt, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); R: rotation or other 3×3 matrix.
    72 mul, 207 add, 54 product rest.
@@ -246,7 +246,7 @@ static inline void ksl_inertia_rotated_accurate(const ksl_inertia_t *Ji, const k
   Jo->Izx = Jo_9_rounded;
 }
 
-/* self = self turned by R: m, R mt, R I R^T.
+/* self = self rotated by R: m, R mt, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); R: rotation or other 3×3 matrix.
    72 mul, 207 add, 54 product rest.
@@ -489,7 +489,7 @@ static inline void ksl_inertia_rotate_accurate(ksl_inertia_t *self, const ksl_ma
   self->Izx = self_9_new_rounded;
 }
 
-/* Jo = Ji moved by t: m, mt + m t, I.
+/* Jo = Ji translated by t: m, mt + m t, I.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t: vector.
    3 mul, 18 add, 3 product rest.
@@ -531,7 +531,7 @@ static inline void ksl_inertia_translated_accurate(const ksl_inertia_t *Ji, cons
   Jo->Izx = Ji_Izx;
 }
 
-/* self = self moved by t: m, mt + m t, I.
+/* self = self translated by t: m, mt + m t, I.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); t: vector.
    3 mul, 18 add, 3 product rest.
@@ -561,7 +561,7 @@ static inline void ksl_inertia_translate_accurate(ksl_inertia_t *self, const ksl
   self->mt.z = self_3_new_rounded;
 }
 
-/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    75 mul, 225 add, 57 product rest.
@@ -786,7 +786,7 @@ static inline void ksl_inertia_transformed_accurate(const ksl_inertia_t *Ji, con
   Jo->Izx = Jo_9_rounded;
 }
 
-/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); D: displacement [R | t], R rotation, t in m.
    75 mul, 225 add, 57 product rest.
@@ -1050,15 +1050,15 @@ static inline void ksl_inertia_transform_accurate(ksl_inertia_t *self, const ksl
   self->Izx = self_9_new_rounded;
 }
 
-/* Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: m_i + m_j, mt_i + m_j c,
-     I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c - t_ic;
-     t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, each in its own frame; NaN
-     where m_i + m_j = 0.
+/* Ji = the inertia of two joined bodies: Ji, and Jj displaced by D_ij = [R | t]: m_i + m_j, mt_i
+     + m_j c, I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c -
+     t_ic; t_ic = mt_i / m_i and t_jc = mt_j / m_j are the centres of mass, each in its own
+     frame; NaN where m_i + m_j = 0.
    Ji, Jj: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t_ic, t_jc: vector; D_ij: displacement [R | t], R rotation, t in m.
    109 mul, 401 add, 5 product error, 66 product rest, 2 div, 10 equal, 10 select.
-   Error <= 18 u times the sum of the sizes of all terms, for masses that are not negative,
-     barring over- and underflow. */
+   Error <= 18 u times the sum of the absolute values of all terms, for masses that are not
+     negative, barring over- and underflow. */
 static inline void ksl_inertia_merge_accurate(ksl_inertia_t *Ji, const ksl_vec3_t *t_ic,
     const ksl_inertia_t *Jj, const ksl_vec3_t *t_jc, const ksl_SE3_t *D_ij) {
   const double m = Ji->m + Jj->m, m_right = m - Ji->m, m_left = m - m_right,
@@ -1475,7 +1475,7 @@ static inline ksl_inertiaf_t ksl_inertiaf_accurate(const float m, const ksl_vec3
   return J;
 }
 
-/* Jo = Ji turned by R: m, R mt, R I R^T.
+/* Jo = Ji rotated by R: m, R mt, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); R: rotation or other 3×3 matrix.
    54 mul, 36 add.
@@ -1544,7 +1544,7 @@ static inline void ksl_inertiaf_rotated_accurate(const ksl_inertiaf_t *Ji, const
   Jo->Izx = (float)Jo_9;
 }
 
-/* self = self turned by R: m, R mt, R I R^T.
+/* self = self rotated by R: m, R mt, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); R: rotation or other 3×3 matrix.
    54 mul, 36 add.
@@ -1616,7 +1616,7 @@ static inline void ksl_inertiaf_rotate_accurate(ksl_inertiaf_t *self, const ksl_
   self->Izx = (float)self_9_new;
 }
 
-/* Jo = Ji moved by t: m, mt + m t, I.
+/* Jo = Ji translated by t: m, mt + m t, I.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t: vector.
    3 mul, 3 add.
@@ -1646,7 +1646,7 @@ static inline void ksl_inertiaf_translated_accurate(const ksl_inertiaf_t *Ji,
   Jo->Izx = Ji_Izx;
 }
 
-/* self = self moved by t: m, mt + m t, I.
+/* self = self translated by t: m, mt + m t, I.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); t: vector.
    3 mul, 3 add.
@@ -1661,7 +1661,7 @@ static inline void ksl_inertiaf_translate_accurate(ksl_inertiaf_t *self, const k
   self->mt.z = (float)self_3_new;
 }
 
-/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    57 mul, 39 add.
@@ -1733,7 +1733,7 @@ static inline void ksl_inertiaf_transformed_accurate(const ksl_inertiaf_t *Ji,
   Jo->Izx = (float)Jo_9;
 }
 
-/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); D: displacement [R | t], R rotation, t in m.
    57 mul, 39 add.
@@ -1808,15 +1808,15 @@ static inline void ksl_inertiaf_transform_accurate(ksl_inertiaf_t *self, const k
   self->Izx = (float)self_9_new;
 }
 
-/* Ji = the body of Ji joined with that of Jj moved by D_ij = [R | t]: m_i + m_j, mt_i + m_j c,
-     I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c - t_ic;
-     t_ic = mt_i / m_i and t_jc = mt_j / m_j the centres of mass, each in its own frame; NaN
-     where m_i + m_j = 0.
+/* Ji = the inertia of two joined bodies: Ji, and Jj displaced by D_ij = [R | t]: m_i + m_j, mt_i
+     + m_j c, I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d = c -
+     t_ic; t_ic = mt_i / m_i and t_jc = mt_j / m_j are the centres of mass, each in its own
+     frame; NaN where m_i + m_j = 0.
    Ji, Jj: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t_ic, t_jc: vector; D_ij: displacement [R | t], R rotation, t in m.
    67 mul, 61 add, 1 div.
-   Error <= 18 u times the sum of the sizes of all terms, for masses that are not negative,
-     barring over- and underflow. */
+   Error <= 18 u times the sum of the absolute values of all terms, for masses that are not
+     negative, barring over- and underflow. */
 static inline void ksl_inertiaf_merge_accurate(ksl_inertiaf_t *Ji, const ksl_vec3f_t *t_ic,
     const ksl_inertiaf_t *Jj, const ksl_vec3f_t *t_jc, const ksl_SE3f_t *D_ij) {
   const double m = (double)Ji->m + (double)Jj->m;

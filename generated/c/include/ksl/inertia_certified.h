@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Inertias of rigid bodies: mass, mass times centre of mass, moments about the centre of mass.
-   Certified tier: plain results, and bounds of their errors that hold. */
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_INERTIA_CERTIFIED_H
 #define KSL_INERTIA_CERTIFIED_H
 
@@ -50,7 +50,7 @@ static inline ksl_inertia_t ksl_inertia_certified(const double m, const ksl_vec3
   return J;
 }
 
-/* Jo = Ji turned by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
+/* Jo = Ji rotated by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
    Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
    81 mul, 90 add, 45 abs. */
@@ -190,7 +190,7 @@ static inline void ksl_inertia_rotated_certified(const ksl_inertia_t *Ji, const 
   Jo_bound->Izx = Jo_9_error_bound;
 }
 
-/* self = self turned by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
+/* self = self rotated by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
    self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
    81 mul, 90 add, 45 abs. */
@@ -346,7 +346,7 @@ static inline void ksl_inertia_rotate_certified(ksl_inertia_t *self, const ksl_m
   self_bound->Izx = self_9_new_error_bound;
 }
 
-/* Jo = Ji moved by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
+/* Jo = Ji translated by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
    Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); t: vector.
    6 mul, 9 add, 6 abs. */
@@ -393,7 +393,7 @@ static inline void ksl_inertia_translated_certified(const ksl_inertia_t *Ji, con
   Jo_bound->Izx = 0.0;
 }
 
-/* self = self moved by t: m, mt + m t, I; |error of self| <= self_bound unless inf or NaN.
+/* self = self translated by t: m, mt + m t, I; |error of self| <= self_bound unless inf or NaN.
    self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); t: vector.
    6 mul, 9 add, 6 abs. */
@@ -429,8 +429,8 @@ static inline void ksl_inertia_translate_certified(ksl_inertia_t *self, const ks
   self_bound->Izx = 0.0;
 }
 
-/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless inf or
-     NaN.
+/* Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless inf
+     or NaN.
    Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    84 mul, 96 add, 48 abs. */
@@ -576,8 +576,8 @@ static inline void ksl_inertia_transformed_certified(const ksl_inertia_t *Ji, co
   Jo_bound->Izx = Jo_9_error_bound;
 }
 
-/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound unless
-     inf or NaN.
+/* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound
+     unless inf or NaN.
    self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    84 mul, 96 add, 48 abs. */
@@ -784,7 +784,7 @@ static inline ksl_inertiaf_t ksl_inertiaf_certified(const float m, const ksl_vec
   return J;
 }
 
-/* Jo = Ji turned by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
+/* Jo = Ji rotated by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
    Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
    81 mul, 90 add, 45 abs. */
@@ -936,7 +936,7 @@ static inline void ksl_inertiaf_rotated_certified(const ksl_inertiaf_t *Ji,
   Jo_bound->Izx = Jo_9_error_bound;
 }
 
-/* self = self turned by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
+/* self = self rotated by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
    self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
    81 mul, 90 add, 45 abs. */
@@ -1104,7 +1104,7 @@ static inline void ksl_inertiaf_rotate_certified(ksl_inertiaf_t *self, const ksl
   self_bound->Izx = self_9_new_error_bound;
 }
 
-/* Jo = Ji moved by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
+/* Jo = Ji translated by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
    Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); t: vector.
    6 mul, 9 add, 6 abs. */
@@ -1154,7 +1154,7 @@ static inline void ksl_inertiaf_translated_certified(const ksl_inertiaf_t *Ji,
   Jo_bound->Izx = 0.0f;
 }
 
-/* self = self moved by t: m, mt + m t, I; |error of self| <= self_bound unless inf or NaN.
+/* self = self translated by t: m, mt + m t, I; |error of self| <= self_bound unless inf or NaN.
    self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); t: vector.
    6 mul, 9 add, 6 abs. */
@@ -1190,8 +1190,8 @@ static inline void ksl_inertiaf_translate_certified(ksl_inertiaf_t *self, const 
   self_bound->Izx = 0.0f;
 }
 
-/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless inf or
-     NaN.
+/* Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless inf
+     or NaN.
    Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    84 mul, 96 add, 48 abs. */
@@ -1349,8 +1349,8 @@ static inline void ksl_inertiaf_transformed_certified(const ksl_inertiaf_t *Ji,
   Jo_bound->Izx = Jo_9_error_bound;
 }
 
-/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound unless
-     inf or NaN.
+/* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound
+     unless inf or NaN.
    self, self_bound: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy,
      zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    84 mul, 96 add, 48 abs. */

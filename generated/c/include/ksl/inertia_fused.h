@@ -33,7 +33,7 @@ static inline ksl_inertia_t ksl_inertia_fused(const double m, const ksl_vec3_t t
   return J;
 }
 
-/* Jo = Ji turned by R: m, R mt, R I R^T.
+/* Jo = Ji rotated by R: m, R mt, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); R: rotation or other 3×3 matrix.
    18 mul, 36 fma.
@@ -90,7 +90,7 @@ static inline void ksl_inertia_rotated_fused(const ksl_inertia_t *Ji, const ksl_
   Jo->Izx = Jo_9;
 }
 
-/* self = self turned by R: m, R mt, R I R^T.
+/* self = self rotated by R: m, R mt, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); R: rotation or other 3×3 matrix.
    18 mul, 36 fma.
@@ -147,7 +147,7 @@ static inline void ksl_inertia_rotate_fused(ksl_inertia_t *self, const ksl_mat3x
   self->Izx = self_9_new;
 }
 
-/* Jo = Ji moved by t: m, mt + m t, I.
+/* Jo = Ji translated by t: m, mt + m t, I.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t: vector.
    3 fma.
@@ -176,7 +176,7 @@ static inline void ksl_inertia_translated_fused(const ksl_inertia_t *Ji, const k
   Jo->Izx = Ji_Izx;
 }
 
-/* self = self moved by t: m, mt + m t, I.
+/* self = self translated by t: m, mt + m t, I.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); t: vector.
    3 fma.
@@ -190,7 +190,7 @@ static inline void ksl_inertia_translate_fused(ksl_inertia_t *self, const ksl_ve
   self->mt.z = self_3_new;
 }
 
-/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    18 mul, 39 fma.
@@ -247,7 +247,7 @@ static inline void ksl_inertia_transformed_fused(const ksl_inertia_t *Ji, const 
   Jo->Izx = Jo_9;
 }
 
-/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); D: displacement [R | t], R rotation, t in m.
    18 mul, 39 fma.
@@ -332,7 +332,7 @@ static inline ksl_inertiaf_t ksl_inertiaf_fused(const float m, const ksl_vec3f_t
   return J;
 }
 
-/* Jo = Ji turned by R: m, R mt, R I R^T.
+/* Jo = Ji rotated by R: m, R mt, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); R: rotation or other 3×3 matrix.
    18 mul, 36 fma.
@@ -389,7 +389,7 @@ static inline void ksl_inertiaf_rotated_fused(const ksl_inertiaf_t *Ji, const ks
   Jo->Izx = Jo_9;
 }
 
-/* self = self turned by R: m, R mt, R I R^T.
+/* self = self rotated by R: m, R mt, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); R: rotation or other 3×3 matrix.
    18 mul, 36 fma.
@@ -452,7 +452,7 @@ static inline void ksl_inertiaf_rotate_fused(ksl_inertiaf_t *self, const ksl_mat
   self->Izx = self_9_new;
 }
 
-/* Jo = Ji moved by t: m, mt + m t, I.
+/* Jo = Ji translated by t: m, mt + m t, I.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); t: vector.
    3 fma.
@@ -481,7 +481,7 @@ static inline void ksl_inertiaf_translated_fused(const ksl_inertiaf_t *Ji, const
   Jo->Izx = Ji_Izx;
 }
 
-/* self = self moved by t: m, mt + m t, I.
+/* self = self translated by t: m, mt + m t, I.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); t: vector.
    3 fma.
@@ -495,7 +495,7 @@ static inline void ksl_inertiaf_translate_fused(ksl_inertiaf_t *self, const ksl_
   self->mt.z = self_3_new;
 }
 
-/* Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.
    Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz,
      zx in kg m^2); D: displacement [R | t], R rotation, t in m.
    18 mul, 39 fma.
@@ -552,7 +552,7 @@ static inline void ksl_inertiaf_transformed_fused(const ksl_inertiaf_t *Ji, cons
   Jo->Izx = Jo_9;
 }
 
-/* self = self moved by D = [R | t]: m, R mt + m t, R I R^T.
+/* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.
    self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx
      in kg m^2); D: displacement [R | t], R rotation, t in m.
    18 mul, 39 fma.

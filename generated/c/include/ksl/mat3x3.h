@@ -147,8 +147,8 @@ static inline void ksl_skew(const ksl_vec3_t *v, ksl_mat3x3_t *Ro) {
   Ro->m22 = 0.0;
 }
 
-/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
-     x is accelerated by Ro x beyond its origin.
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+     acceleration of its point x, less that of its origin, is Ro x.
    w, dw: vector; Ro: rotation or other 3×3 matrix.
    6 mul, 9 add, 3 neg.
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -239,14 +239,14 @@ static inline double ksl_mat3x3_determinant(const ksl_mat3x3_t *R) {
   return det;
 }
 
-/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows;
-     0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3 (double 1e-229
-     m^3), p the sum of its terms' sizes, m that of the largest entry.
+/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows.
+     Returns 0, with Ro = NaN, where R may be singular: |det R| <= 8 u p + 1e-29 m^3 (double
+     1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.
    R, Ro: rotation or other 3×3 matrix.
    56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.
-   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the
-     sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring
-     over- and underflow of Ro_ij itself. */
+   Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the sum of the |terms| of
+     the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow
+     of Ro_ij itself. */
 static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double R_size_0 = fabs(R->m00);
   const double R_size_1 = fabs(R->m01);
@@ -363,11 +363,12 @@ static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro)
   return det;
 }
 
-/* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
-     side of it, the third its side of both; NaN where rows depend on each other to rounding.
+/* self = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on
+     its side of the first, the third on its side of both; NaN where the rows are linearly
+     dependent to rounding.
    self: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
+   |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
   const double q0_s_size_0 = fabs(self->m00);
   const double q0_s_size_1 = fabs(self->m01);
@@ -497,11 +498,12 @@ static inline void ksl_mat3x3_normalize(ksl_mat3x3_t *self) {
   self->m22 = self_22_new;
 }
 
-/* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
-     of it, the third its side of both; NaN where rows depend on each other to rounding.
+/* Ro = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on its
+     side of the first, the third on its side of both; NaN where the rows are linearly dependent
+     to rounding.
    R, Ro: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
+   |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double q0_s_size_0 = fabs(R->m00);
   const double q0_s_size_1 = fabs(R->m01);
@@ -631,8 +633,8 @@ static inline void ksl_mat3x3_normalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro
   Ro->m22 = Ro_22;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
-     (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+     dc = (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    12 mul, 10 add.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -711,8 +713,8 @@ static inline void ksl_mat3x3_from_euler_xyz(const ksl_vec3_t *angles, ksl_mat3x
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
-   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
-     not proved. */
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m00, R->m00), n_b = KSL_MUL(R->m01, R->m01), n_c = n_a + n_b,
       n = sqrt(n_c);
@@ -771,8 +773,8 @@ static inline void ksl_mat3x3_from_euler_xyx(const ksl_vec3_t *angles, ksl_mat3x
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
-   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
-     not proved. */
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m01, R->m01), n_b = KSL_MUL(R->m02, R->m02), n_c = n_a + n_b,
       n = sqrt(n_c);
@@ -792,12 +794,12 @@ static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *
   angles->z = third;
 }
 
-/* A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
-     A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
-     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+/* A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes
+     A_xy zero; then y, z, x become x, y, z.  A is symmetric, only its lower triangle is read.
+     Repeated from V = I, it converges to A = diag(eigenvalues); V A V^T does not change.
    A, V: rotation or other 3×3 matrix.
    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
-   |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched, not proved. */
+   V A V^T changes by at most 28 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
   const double twice = KSL_MUL(2.0, A->m10);
   const double apart = A->m11 - A->m00;
@@ -846,8 +848,8 @@ static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
   V->m22 = vp_2;
 }
 
-/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with another R is no
-     rotation.
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
+     not a rotation.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
    Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
@@ -894,7 +896,7 @@ static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const doub
   R->m22 = R_22;
 }
 
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
    R: rotation or other 3×3 matrix; axis: vector.
    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.
    Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
@@ -1097,8 +1099,8 @@ static inline void ksl_skewf(const ksl_vec3f_t *v, ksl_mat3x3f_t *Ro) {
   Ro->m22 = 0.0f;
 }
 
-/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
-     x is accelerated by Ro x beyond its origin.
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+     acceleration of its point x, less that of its origin, is Ro x.
    w, dw: vector; Ro: rotation or other 3×3 matrix.
    6 mul, 9 add, 3 neg.
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -1189,14 +1191,14 @@ static inline float ksl_mat3x3f_determinant(const ksl_mat3x3f_t *R) {
   return det;
 }
 
-/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows;
-     0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3 (double 1e-229
-     m^3), p the sum of its terms' sizes, m that of the largest entry.
+/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows.
+     Returns 0, with Ro = NaN, where R may be singular: |det R| <= 8 u p + 1e-29 m^3 (double
+     1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.
    R, Ro: rotation or other 3×3 matrix.
    56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.
-   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the
-     sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring
-     over- and underflow of Ro_ij itself. */
+   Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the sum of the |terms| of
+     the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow
+     of Ro_ij itself. */
 static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const float R_size_0 = fabsf(R->m00);
   const float R_size_1 = fabsf(R->m01);
@@ -1312,11 +1314,12 @@ static inline float ksl_mat3x3f_inverse(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *R
   return det;
 }
 
-/* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
-     side of it, the third its side of both; NaN where rows depend on each other to rounding.
+/* self = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on
+     its side of the first, the third on its side of both; NaN where the rows are linearly
+     dependent to rounding.
    self: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
+   |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
   const float q0_s_size_0 = fabsf(self->m00);
   const float q0_s_size_1 = fabsf(self->m01);
@@ -1446,11 +1449,12 @@ static inline void ksl_mat3x3f_normalize(ksl_mat3x3f_t *self) {
   self->m22 = self_22_new;
 }
 
-/* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
-     of it, the third its side of both; NaN where rows depend on each other to rounding.
+/* Ro = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on its
+     side of the first, the third on its side of both; NaN where the rows are linearly dependent
+     to rounding.
    R, Ro: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
+   |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const float q0_s_size_0 = fabsf(R->m00);
   const float q0_s_size_1 = fabsf(R->m01);
@@ -1580,8 +1584,8 @@ static inline void ksl_mat3x3f_normalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t 
   Ro->m22 = Ro_22;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
-     (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+     dc = (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    12 mul, 10 add.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -1660,8 +1664,8 @@ static inline void ksl_mat3x3f_from_euler_xyz(const ksl_vec3f_t *angles, ksl_mat
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
-   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
-     not proved. */
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
   const float n_a = KSL_MULF(R->m00, R->m00), n_b = KSL_MULF(R->m01, R->m01), n_c = n_a + n_b,
       n = sqrtf(n_c);
@@ -1720,8 +1724,8 @@ static inline void ksl_mat3x3f_from_euler_xyx(const ksl_vec3f_t *angles, ksl_mat
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
-   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
-     not proved. */
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
   const float n_a = KSL_MULF(R->m01, R->m01), n_b = KSL_MULF(R->m02, R->m02), n_c = n_a + n_b,
       n = sqrtf(n_c);
@@ -1741,12 +1745,12 @@ static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_
   angles->z = third;
 }
 
-/* A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
-     A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
-     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+/* A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes
+     A_xy zero; then y, z, x become x, y, z.  A is symmetric, only its lower triangle is read.
+     Repeated from V = I, it converges to A = diag(eigenvalues); V A V^T does not change.
    A, V: rotation or other 3×3 matrix.
    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
-   |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched, not proved. */
+   V A V^T changes by at most 28 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
   const float twice = KSL_MULF(2.0f, A->m10);
   const float apart = A->m11 - A->m00;
@@ -1795,8 +1799,8 @@ static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
   V->m22 = vp_2;
 }
 
-/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2; axis of length 1: with another R is no
-     rotation.
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
+     not a rotation.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
    Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
@@ -1843,7 +1847,7 @@ static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const fl
   R->m22 = R_22;
 }
 
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
    R: rotation or other 3×3 matrix; axis: vector.
    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.
    Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not

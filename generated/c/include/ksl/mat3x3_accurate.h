@@ -8,8 +8,8 @@
 
 #include "ksl_exact.h"
 
-/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
-     x is accelerated by Ro x beyond its origin.
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+     acceleration of its point x, less that of its origin, is Ro x.
    w, dw: vector; Ro: rotation or other 3×3 matrix.
    6 mul, 51 add, 12 product rest, 6 neg.
    Error <= u |result| + 6 u^2 S, S the sum of the |terms| of the expanded formula; barring over-
@@ -115,15 +115,15 @@ static inline double ksl_mat3x3_determinant_accurate(const ksl_mat3x3_t *R) {
   return det_rounded;
 }
 
-/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows;
-     0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3 (double 1e-229
-     m^3), p the sum of its terms' sizes, m that of the largest entry.
+/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows.
+     Returns 0, with Ro = NaN, where R may be singular: |det R| <= 8 u p + 1e-29 m^3 (double
+     1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.
    R, Ro: rotation or other 3×3 matrix.
    106 mul, 290 add, 10 product error, 32 product rest, 22 div, 2 neg, 19 abs, 17 less, 23 equal,
      67 select.
-   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the
-     sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring
-     over- and underflow of Ro_ij itself. */
+   Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the sum of the |terms| of
+     the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow
+     of Ro_ij itself. */
 static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double R_size_0 = fabs(R->m00);
   const double R_size_1 = fabs(R->m01);
@@ -615,12 +615,13 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
   return det_final;
 }
 
-/* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
-     side of it, the third its side of both; NaN where rows depend on each other to rounding.
+/* self = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on
+     its side of the first, the third on its side of both; NaN where the rows are linearly
+     dependent to rounding.
    self: rotation or other 3×3 matrix.
    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
      27 equal, 79 select.
-   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
+   |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double q0_s_size_0 = fabs(self->m00);
   const double q0_s_size_1 = fabs(self->m01);
@@ -1198,12 +1199,13 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   self->m22 = self_22_new_final;
 }
 
-/* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
-     of it, the third its side of both; NaN where rows depend on each other to rounding.
+/* Ro = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on its
+     side of the first, the third on its side of both; NaN where the rows are linearly dependent
+     to rounding.
    R, Ro: rotation or other 3×3 matrix.
    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
      27 equal, 79 select.
-   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
+   |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double q0_s_size_0 = fabs(R->m00);
   const double q0_s_size_1 = fabs(R->m01);
@@ -1781,8 +1783,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   Ro->m22 = Ro_22_final;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
-     (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+     dc = (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    21 mul, 66 add, 3 product error, 15 product rest.
    Error <= u |result| + 14 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -1878,8 +1880,8 @@ static inline void ksl_mat3x3_setFromAxisDC_accurate(ksl_mat3x3_t *R, const ksl_
    R: rotation or other 3×3 matrix; angles: vector.
    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 1 neg, 4 abs, 2
      less, 6 equal, 14 select.
-   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
-     not proved. */
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m00, R->m00), n_b = KSL_MUL(R->m01, R->m01), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -1996,8 +1998,8 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
    R: rotation or other 3×3 matrix; angles: vector.
    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 4 abs, 2 less, 6
      equal, 14 select.
-   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
-     not proved. */
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m01, R->m01), n_b = KSL_MUL(R->m02, R->m02), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -2109,13 +2111,13 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
   angles->z = third;
 }
 
-/* A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
-     A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
-     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+/* A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes
+     A_xy zero; then y, z, x become x, y, z.  A is symmetric, only its lower triangle is read.
+     Repeated from V = I, it converges to A = diag(eigenvalues); V A V^T does not change.
    A, V: rotation or other 3×3 matrix.
    51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
      equal, 18 select.
-   |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched, not proved. */
+   V A V^T changes by at most 28 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
   const double twice = KSL_MUL(2.0, A->m10);
   const double apart = A->m11 - A->m00, apart_right = A->m11 - apart,
@@ -2316,7 +2318,7 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
   V->m22 = vp_2_final;
 }
 
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
    R: rotation or other 3×3 matrix; axis: vector.
    35 mul, 235 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
      less, 11 equal, 61 select.
@@ -2598,8 +2600,8 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
   return angle_final;
 }
 
-/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
-     x is accelerated by Ro x beyond its origin.
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+     acceleration of its point x, less that of its origin, is Ro x.
    w, dw: vector; Ro: rotation or other 3×3 matrix.
    6 mul, 9 add, 3 neg.
    Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -2649,14 +2651,14 @@ static inline float ksl_mat3x3f_determinant_accurate(const ksl_mat3x3f_t *R) {
   return (float)det;
 }
 
-/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows;
-     0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3 (double 1e-229
-     m^3), p the sum of its terms' sizes, m that of the largest entry.
+/* Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or overflows.
+     Returns 0, with Ro = NaN, where R may be singular: |det R| <= 8 u p + 1e-29 m^3 (double
+     1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.
    R, Ro: rotation or other 3×3 matrix.
    56 mul, 17 add, 9 div, 1 neg, 19 abs, 16 less, 1 equal, 32 select.
-   Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most, m_ji the sum of the
-     sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring
-     over- and underflow of Ro_ij itself. */
+   Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the sum of the |terms| of
+     the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow
+     of Ro_ij itself. */
 static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const double R_size_0 = fabs((double)R->m00);
   const double R_size_1 = fabs((double)R->m01);
@@ -2773,11 +2775,12 @@ static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat
   return (float)det;
 }
 
-/* self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
-     side of it, the third its side of both; NaN where rows depend on each other to rounding.
+/* self = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on
+     its side of the first, the third on its side of both; NaN where the rows are linearly
+     dependent to rounding.
    self: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
+   |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   const double q0_s_size_0 = fabs((double)self->m00);
   const double q0_s_size_1 = fabs((double)self->m01);
@@ -2907,11 +2910,12 @@ static inline void ksl_mat3x3f_normalize_accurate(ksl_mat3x3f_t *self) {
   self->m22 = (float)self_22_new;
 }
 
-/* Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its side
-     of it, the third its side of both; NaN where rows depend on each other to rounding.
+/* Ro = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on its
+     side of the first, the third on its side of both; NaN where the rows are linearly dependent
+     to rounding.
    R, Ro: rotation or other 3×3 matrix.
    60 mul, 23 add, 12 div, 4 sqrt, 3 neg, 10 abs, 24 less, 5 equal, 39 select.
-   Rows are perpendicular, and of length 1, but for 8 u; searched, not proved. */
+   |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
   const double q0_s_size_0 = fabs((double)R->m00);
   const double q0_s_size_1 = fabs((double)R->m01);
@@ -3041,8 +3045,8 @@ static inline void ksl_mat3x3f_normalized_accurate(const ksl_mat3x3f_t *R, ksl_m
   Ro->m22 = (float)Ro_22;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
-     (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+     dc = (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    12 mul, 10 add.
    Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -3086,8 +3090,8 @@ static inline void ksl_mat3x3f_setFromAxisDC_accurate(ksl_mat3x3f_t *R, const ks
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
-   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
-     not proved. */
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles) {
   const double n_a = (double)R->m00 * (double)R->m00,
@@ -3112,8 +3116,8 @@ static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
-   The rotation by these angles is R but for 12 u in each entry, near gimbal lock too; searched,
-     not proved. */
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles) {
   const double n_a = (double)R->m01 * (double)R->m01,
@@ -3134,12 +3138,12 @@ static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   angles->z = (float)third;
 }
 
-/* A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
-     A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
-     I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+/* A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes
+     A_xy zero; then y, z, x become x, y, z.  A is symmetric, only its lower triangle is read.
+     Repeated from V = I, it converges to A = diag(eigenvalues); V A V^T does not change.
    A, V: rotation or other 3×3 matrix.
    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.
-   |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched, not proved. */
+   V A V^T changes by at most 28 u max |A| for orthonormal V; searched, not proved. */
 static inline void ksl_mat3x3f_jacobi_accurate(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
   const double twice = 2.0 * (double)A->m10;
   const double apart = (double)A->m11 - (double)A->m00;
@@ -3196,7 +3200,7 @@ static inline void ksl_mat3x3f_jacobi_accurate(ksl_mat3x3f_t *A, ksl_mat3x3f_t *
   V->m22 = (float)vp_2;
 }
 
-/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing turns.
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
    R: rotation or other 3×3 matrix; axis: vector.
    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.
    Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not

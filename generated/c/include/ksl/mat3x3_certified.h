@@ -2,14 +2,15 @@
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* 3×3 matrices: rotations, and matrices in general.
-   Certified tier: plain results, and bounds of their errors that hold. */
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_MAT3X3_CERTIFIED_H
 #define KSL_MAT3X3_CERTIFIED_H
 
 #include "ksl_types.h"
 
-/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
-     x is accelerated by Ro x beyond its origin; |error of Ro| <= Ro_bound unless inf or NaN.
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+     acceleration of its point x, less that of its origin, is Ro x; |error of Ro| <= Ro_bound
+     unless inf or NaN.
    w, dw: vector; Ro, Ro_bound: rotation or other 3×3 matrix.
    15 mul, 27 add, 3 neg, 9 abs. */
 static inline void ksl_acceleration_tensor_certified(const ksl_vec3_t *w, const ksl_vec3_t *dw,
@@ -102,8 +103,8 @@ static inline double ksl_mat3x3_determinant_certified(const ksl_mat3x3_t *R, dou
   return det;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
-     (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+     dc = (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.
    R, R_bound: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    30 mul, 31 add, 8 abs. */
 static inline void ksl_mat3x3_setFromAxisDC_certified(ksl_mat3x3_t *R, const ksl_vec3_t *axis,
@@ -190,8 +191,9 @@ static inline void ksl_mat3x3_setFromAxisDC_certified(ksl_mat3x3_t *R, const ksl
   R_bound->m22 = R_22_error_bound;
 }
 
-/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
-     x is accelerated by Ro x beyond its origin; |error of Ro| <= Ro_bound unless inf or NaN.
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+     acceleration of its point x, less that of its origin, is Ro x; |error of Ro| <= Ro_bound
+     unless inf or NaN.
    w, dw: vector; Ro, Ro_bound: rotation or other 3×3 matrix.
    15 mul, 27 add, 3 neg, 9 abs. */
 static inline void ksl_acceleration_tensorf_certified(const ksl_vec3f_t *w, const ksl_vec3f_t *dw,
@@ -284,8 +286,8 @@ static inline float ksl_mat3x3f_determinant_certified(const ksl_mat3x3f_t *R, fl
   return det;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
-     (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+     dc = (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.
    R, R_bound: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    30 mul, 31 add, 8 abs. */
 static inline void ksl_mat3x3f_setFromAxisDC_certified(ksl_mat3x3f_t *R, const ksl_vec3f_t *axis,

@@ -8,8 +8,8 @@
 
 #include "ksl_types.h"
 
-/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
-     x is accelerated by Ro x beyond its origin.
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+     acceleration of its point x, less that of its origin, is Ro x.
    w, dw: vector; Ro: rotation or other 3×3 matrix.
    6 mul, 9 add, 3 neg.
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -56,8 +56,8 @@ static inline double ksl_mat3x3_determinant_fused(const ksl_mat3x3_t *R) {
   return det;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
-     (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+     dc = (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    9 mul, 7 add, 3 fma.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -94,8 +94,8 @@ static inline void ksl_mat3x3_setFromAxisDC_fused(ksl_mat3x3_t *R, const ksl_vec
   R->m22 = R_22;
 }
 
-/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its point
-     x is accelerated by Ro x beyond its origin.
+/* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+     acceleration of its point x, less that of its origin, is Ro x.
    w, dw: vector; Ro: rotation or other 3×3 matrix.
    6 mul, 9 add, 3 neg.
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -142,8 +142,8 @@ static inline float ksl_mat3x3f_determinant_fused(const ksl_mat3x3f_t *R) {
   return det;
 }
 
-/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc =
-     (sin θ, cos θ).
+/* R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+     dc = (sin θ, cos θ).
    R: rotation or other 3×3 matrix; axis: vector; dc: (sin θ, cos θ).
    9 mul, 7 add, 3 fma.
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-

@@ -1,7 +1,7 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
-/* 6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them, and symmetric */
+/* 6×6 operators on screws and coscrews: [Ad], [Ad]*, [ad], [ad]*, and articulated inertias. */
 #ifndef KSL_MAT6X6_H
 #define KSL_MAT6X6_H
 
@@ -222,8 +222,8 @@ static inline void ksl_mat6x6_transposed(const ksl_mat6x6_t *M, ksl_mat6x6_t *Mo
   Mo->at[5][5] = M_at_55;
 }
 
-/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
-     inertia M rotated by R.
+/* Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+     lower triangle is read.
    R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.
    144 mul, 96 add.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -385,8 +385,8 @@ static inline void ksl_mat6x6_rotated(const ksl_mat3x3_t *R, const ksl_mat6x6_t 
   Mo->at[5][5] = angular_5;
 }
 
-/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
-     inertia M shifted by t.
+/* Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+     lower triangle is read.
    t: vector; M, Mo: 6×6 operator.
    39 mul, 42 add.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -692,8 +692,8 @@ static inline void ksl_mat6x6f_transposed(const ksl_mat6x6f_t *M, ksl_mat6x6f_t 
   Mo->at[5][5] = M_at_55;
 }
 
-/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
-     inertia M rotated by R.
+/* Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+     lower triangle is read.
    R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.
    144 mul, 96 add.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -855,8 +855,8 @@ static inline void ksl_mat6x6f_rotated(const ksl_mat3x3f_t *R, const ksl_mat6x6f
   Mo->at[5][5] = angular_5;
 }
 
-/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
-     inertia M shifted by t.
+/* Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+     lower triangle is read.
    t: vector; M, Mo: 6×6 operator.
    39 mul, 42 add.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-

@@ -1,15 +1,15 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
-/* 6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them, and symmetric
+/* 6×6 operators on screws and coscrews: [Ad], [Ad]*, [ad], [ad]*, and articulated inertias.
    Accurate tier: double compensated, single computed in double. */
 #ifndef KSL_MAT6X6_ACCURATE_H
 #define KSL_MAT6X6_ACCURATE_H
 
 #include "ksl_exact.h"
 
-/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
-     inertia M rotated by R.
+/* Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+     lower triangle is read.
    R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.
    207 mul, 564 add, 144 product rest.
    Error <= u |result| + 37 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -648,8 +648,8 @@ static inline void ksl_mat6x6_rotated_accurate(const ksl_mat3x3_t *R, const ksl_
   Mo->at[5][5] = angular_5_rounded;
 }
 
-/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
-     inertia M shifted by t.
+/* Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+     lower triangle is read.
    t: vector; M, Mo: 6×6 operator.
    51 mul, 264 add, 42 product rest.
    Error <= u |result| + 45 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -924,8 +924,8 @@ static inline void ksl_mat6x6_shifted_accurate(const ksl_vec3_t *t, const ksl_ma
   Mo->at[5][5] = moved_5_rounded;
 }
 
-/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
-     inertia M rotated by R.
+/* Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+     lower triangle is read.
    R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.
    144 mul, 96 add.
    Error <= u |result| + 3/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -1114,8 +1114,8 @@ static inline void ksl_mat6x6f_rotated_accurate(const ksl_mat3x3f_t *R, const ks
   Mo->at[5][5] = (float)angular_5;
 }
 
-/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
-     inertia M shifted by t.
+/* Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+     lower triangle is read.
    t: vector; M, Mo: 6×6 operator.
    39 mul, 42 add.
    Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded formula; barring

@@ -1,15 +1,15 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
-/* 6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them, and symmetric
-   Certified tier: plain results, and bounds of their errors that hold. */
+/* 6×6 operators on screws and coscrews: [Ad], [Ad]*, [ad], [ad]*, and articulated inertias.
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_MAT6X6_CERTIFIED_H
 #define KSL_MAT6X6_CERTIFIED_H
 
 #include "ksl_types.h"
 
-/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
-     inertia M rotated by R; |error of Mo| <= Mo_bound unless inf or NaN.
+/* Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+     lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; M, Mo, Mo_bound: 6×6 operator.
    228 mul, 240 add, 90 abs. */
 static inline void ksl_mat6x6_rotated_certified(const ksl_mat3x3_t *R, const ksl_mat6x6_t *M,
@@ -433,8 +433,8 @@ static inline void ksl_mat6x6_rotated_certified(const ksl_mat3x3_t *R, const ksl
   Mo_bound->at[5][5] = angular_5_error_bound;
 }
 
-/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
-     inertia M shifted by t; |error of Mo| <= Mo_bound unless inf or NaN.
+/* Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+     lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.
    t: vector; M, Mo, Mo_bound: 6×6 operator.
    66 mul, 99 add, 45 abs. */
 static inline void ksl_mat6x6_shifted_certified(const ksl_vec3_t *t, const ksl_mat6x6_t *M,
@@ -642,8 +642,8 @@ static inline void ksl_mat6x6_shifted_certified(const ksl_vec3_t *t, const ksl_m
   Mo_bound->at[5][5] = moved_5_error_bound;
 }
 
-/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
-     inertia M rotated by R; |error of Mo| <= Mo_bound unless inf or NaN.
+/* Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+     lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; M, Mo, Mo_bound: 6×6 operator.
    228 mul, 240 add, 90 abs. */
 static inline void ksl_mat6x6f_rotated_certified(const ksl_mat3x3f_t *R, const ksl_mat6x6f_t *M,
@@ -1094,8 +1094,8 @@ static inline void ksl_mat6x6f_rotated_certified(const ksl_mat3x3f_t *R, const k
   Mo_bound->at[5][5] = angular_5_error_bound;
 }
 
-/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
-     inertia M shifted by t; |error of Mo| <= Mo_bound unless inf or NaN.
+/* Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+     lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.
    t: vector; M, Mo, Mo_bound: 6×6 operator.
    66 mul, 99 add, 45 abs. */
 static inline void ksl_mat6x6f_shifted_certified(const ksl_vec3f_t *t, const ksl_mat6x6f_t *M,

@@ -1,15 +1,15 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
-/* 6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them, and symmetric
+/* 6×6 operators on screws and coscrews: [Ad], [Ad]*, [ad], [ad]*, and articulated inertias.
    Fused tier: products fused into sums. */
 #ifndef KSL_MAT6X6_FUSED_H
 #define KSL_MAT6X6_FUSED_H
 
 #include "ksl_types.h"
 
-/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
-     inertia M rotated by R.
+/* Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+     lower triangle is read.
    R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.
    48 mul, 96 fma.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -150,8 +150,8 @@ static inline void ksl_mat6x6_rotated_fused(const ksl_mat3x3_t *R, const ksl_mat
   Mo->at[5][5] = angular_5;
 }
 
-/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
-     inertia M shifted by t.
+/* Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+     lower triangle is read.
    t: vector; M, Mo: 6×6 operator.
    21 mul, 24 add, 18 fma.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -236,8 +236,8 @@ static inline void ksl_mat6x6_shifted_fused(const ksl_vec3_t *t, const ksl_mat6x
   Mo->at[5][5] = moved_5;
 }
 
-/* Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the articulated
-     inertia M rotated by R.
+/* Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+     lower triangle is read.
    R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.
    48 mul, 96 fma.
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -378,8 +378,8 @@ static inline void ksl_mat6x6f_rotated_fused(const ksl_mat3x3f_t *R, const ksl_m
   Mo->at[5][5] = angular_5;
 }
 
-/* Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the articulated
-     inertia M shifted by t.
+/* Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+     lower triangle is read.
    t: vector; M, Mo: 6×6 operator.
    21 mul, 24 add, 18 fma.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-

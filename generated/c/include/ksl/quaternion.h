@@ -878,7 +878,7 @@ static inline double ksl_dot_qq(const ksl_quaternion_t *q1i, const ksl_quaternio
   return dot;
 }
 
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+/* qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
      first order; not normalized.
    dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
    15 mul, 12 add.
@@ -932,7 +932,7 @@ static inline void ksl_subtract_dpiFromq(const ksl_vec3_t *dpi, ksl_quaternion_t
 }
 
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1.
+     reference frame, rad/s, and a term that draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
    23 mul, 16 add.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -961,7 +961,7 @@ static inline void ksl_omega_to_dquaternion(const ksl_vec3_t *w, const ksl_quate
   dqo->w = dqo_3;
 }
 
-/* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+/* R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
    Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
@@ -1009,7 +1009,7 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
   R->m22 = R_22;
 }
 
-/* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+/* qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
    Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
@@ -1077,8 +1077,8 @@ static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const 
   qo->w = qo_3;
 }
 
-/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
-     nothing turns; any multiple of a quaternion.
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
+     angle is 0; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.
    Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
@@ -2351,7 +2351,7 @@ static inline float ksl_dot_qqf(const ksl_quaternionf_t *q1i, const ksl_quaterni
   return dot;
 }
 
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+/* qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
      first order; not normalized.
    dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
    15 mul, 12 add.
@@ -2405,7 +2405,7 @@ static inline void ksl_subtract_dpiFromqf(const ksl_vec3f_t *dpi, ksl_quaternion
 }
 
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1.
+     reference frame, rad/s, and a term that draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
    23 mul, 16 add.
    Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -2434,7 +2434,7 @@ static inline void ksl_omega_to_dquaternionf(const ksl_vec3f_t *w, const ksl_qua
   dqo->w = dqo_3;
 }
 
-/* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+/* R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
    Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
@@ -2482,7 +2482,7 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
   R->m22 = R_22;
 }
 
-/* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+/* qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
    Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
@@ -2550,8 +2550,8 @@ static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, cons
   qo->w = qo_3;
 }
 
-/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
-     nothing turns; any multiple of a quaternion.
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
+     angle is 0; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.
    Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */

@@ -1989,7 +1989,7 @@ static inline double ksl_dot_qq_accurate(const ksl_quaternion_t *q1i, const ksl_
   return dot_rounded;
 }
 
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+/* qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
      first order; not normalized.
    dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
    15 mul, 72 add, 12 product rest.
@@ -2155,7 +2155,7 @@ static inline void ksl_subtract_dpiFromq_accurate(const ksl_vec3_t *dpi, ksl_qua
 }
 
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1.
+     reference frame, rad/s, and a term that draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
    27 mul, 101 add, 20 product rest.
    Error <= u |result| + (v: 35, w: 32) u^2 S, S the sum of the |terms| of the expanded formula;
@@ -2258,7 +2258,7 @@ static inline void ksl_omega_to_dquaternion_accurate(const ksl_vec3_t *w,
   dqo->w = dqo_3_rounded;
 }
 
-/* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+/* R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.
    Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
@@ -2409,7 +2409,7 @@ static inline void ksl_mat3x3_from_quaternion_accurate(const ksl_quaternion_t *q
   R->m22 = R_22_final;
 }
 
-/* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+/* qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    21 mul, 182 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
      select.
@@ -2611,8 +2611,8 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
   qo->w = qo_3_final;
 }
 
-/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
-     nothing turns; any multiple of a quaternion.
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
+     angle is 0; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
    27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14
      less, 8 equal, 29 select.
@@ -3779,7 +3779,7 @@ static inline float ksl_dot_qqf_accurate(const ksl_quaternionf_t *q1i,
   return (float)dot;
 }
 
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+/* qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
      first order; not normalized.
    dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
    15 mul, 12 add.
@@ -3839,7 +3839,7 @@ static inline void ksl_subtract_dpiFromqf_accurate(const ksl_vec3f_t *dpi, ksl_q
 }
 
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1.
+     reference frame, rad/s, and a term that draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
    23 mul, 16 add, 1 neg.
    Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
@@ -3870,7 +3870,7 @@ static inline void ksl_omega_to_dquaternionf_accurate(const ksl_vec3f_t *w,
   dqo->w = (float)dqo_3;
 }
 
-/* R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+/* R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
    q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
    20 mul, 16 add, 1 div.
    Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
@@ -3922,7 +3922,7 @@ static inline void ksl_mat3x3f_from_quaternion_accurate(const ksl_quaternionf_t 
   R->m22 = (float)R_22;
 }
 
-/* qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+/* qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.
    R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
    Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
@@ -3972,8 +3972,8 @@ static inline void ksl_quaternionf_from_mat3x3_accurate(const ksl_mat3x3f_t *R,
   qo->w = (float)qo_3;
 }
 
-/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
-     nothing turns; any multiple of a quaternion.
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
+     angle is 0; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.
    Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Quaternions q = (v; w), the scalar last: products, rotations, conversions, interpolation.
-   Certified tier: plain results, and bounds of their errors that hold. */
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_QUATERNION_CERTIFIED_H
 #define KSL_QUATERNION_CERTIFIED_H
 
@@ -1341,7 +1341,7 @@ static inline double ksl_dot_qq_certified(const ksl_quaternion_t *q1i,
   return dot;
 }
 
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+/* qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
      first order; not normalized; |error of qi| <= qi_bound unless inf or NaN.
    dpi: vector; qi, qi_bound: quaternion (x, y, z, w), the scalar last.
    31 mul, 31 add, 7 abs. */
@@ -1478,8 +1478,8 @@ static inline void ksl_subtract_dpiFromq_certified(const ksl_vec3_t *dpi, ksl_qu
 }
 
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1; |error of dqo| <= dqo_bound unless inf
-     or NaN.
+     reference frame, rad/s, and a term that draws its norm to 1; |error of dqo| <= dqo_bound
+     unless inf or NaN.
    w: vector; qi, dqo, dqo_bound: quaternion (x, y, z, w), the scalar last.
    43 mul, 40 add, 11 abs. */
 static inline void ksl_omega_to_dquaternion_certified(const ksl_vec3_t *w,
@@ -3005,7 +3005,7 @@ static inline float ksl_dot_qqf_certified(const ksl_quaternionf_t *q1i,
   return dot;
 }
 
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+/* qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
      first order; not normalized; |error of qi| <= qi_bound unless inf or NaN.
    dpi: vector; qi, qi_bound: quaternion (x, y, z, w), the scalar last.
    31 mul, 31 add, 7 abs. */
@@ -3142,8 +3142,8 @@ static inline void ksl_subtract_dpiFromqf_certified(const ksl_vec3f_t *dpi, ksl_
 }
 
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1; |error of dqo| <= dqo_bound unless inf
-     or NaN.
+     reference frame, rad/s, and a term that draws its norm to 1; |error of dqo| <= dqo_bound
+     unless inf or NaN.
    w: vector; qi, dqo, dqo_bound: quaternion (x, y, z, w), the scalar last.
    43 mul, 40 add, 11 abs. */
 static inline void ksl_omega_to_dquaternionf_certified(const ksl_vec3f_t *w,

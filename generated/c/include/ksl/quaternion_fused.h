@@ -700,7 +700,7 @@ static inline double ksl_dot_qq_fused(const ksl_quaternion_t *q1i, const ksl_qua
   return dot;
 }
 
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+/* qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
      first order; not normalized.
    dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
    7 mul, 4 add, 8 fma.
@@ -752,7 +752,7 @@ static inline void ksl_subtract_dpiFromq_fused(const ksl_vec3_t *dpi, ksl_quater
 }
 
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1.
+     reference frame, rad/s, and a term that draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
    7 mul, 16 fma, 1 neg.
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-
@@ -1470,7 +1470,7 @@ static inline float ksl_dot_qqf_fused(const ksl_quaternionf_t *q1i, const ksl_qu
   return dot;
 }
 
-/* qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+/* qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
      first order; not normalized.
    dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
    7 mul, 4 add, 8 fma.
@@ -1522,7 +1522,7 @@ static inline void ksl_subtract_dpiFromqf_fused(const ksl_vec3f_t *dpi, ksl_quat
 }
 
 /* dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-     reference frame, rad/s, and what draws its norm to 1.
+     reference frame, rad/s, and a term that draws its norm to 1.
    w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
    7 mul, 16 fma, 1 neg.
    Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded formula; barring over-

@@ -142,8 +142,8 @@ static inline void ksl_subtract_BB(const ksl_spatial_inertia_t *B1,
   Bo->yz = Bo_9;
 }
 
-/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-     the upper triangle): h = m com, I = Ic - m com~ com~.
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
+     read): h = m com, I = Ic - m com~ com~.
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    9 mul, 9 add.
@@ -175,13 +175,13 @@ static inline void ksl_spatial_inertia_from_com(const double m, const ksl_vec3_t
   Bo->yz = Bo_9;
 }
 
-/* Bo: of the inertia J, whose moments are about the centre of mass: m, mt, I - mt~ mt~ / m; not
-     a number where m = 0.
+/* Bo = (m, mt, I - mt~ mt~ / m) from the inertia J, whose moments are about the centre of mass;
+     NaN where m = 0.
    J: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in
      kg m^2); Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
      xz, yz in kg m^2).
    6 mul, 9 add, 3 div.
-   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+   Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_spatial_inertia_from_inertia(const ksl_inertia_t *J,
     ksl_spatial_inertia_t *Bo) {
   const double c_0 = J->mt.x / J->m;
@@ -212,13 +212,13 @@ static inline void ksl_spatial_inertia_from_inertia(const ksl_inertia_t *J,
   Bo->yz = Bo_9;
 }
 
-/* Jo: of the spatial inertia B, with moments about the centre of mass: m, h, I + h~ h~ / m; not
-     a number where m = 0.
+/* Jo = (m, h, I + h~ h~ / m) from the spatial inertia B, with moments about the centre of mass;
+     NaN where m = 0.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy,
      yz, zx in kg m^2).
    6 mul, 9 add, 3 div.
-   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+   Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_inertia_from_spatial_inertia(const ksl_spatial_inertia_t *B,
     ksl_inertia_t *Jo) {
   const double c_0 = B->h.x / B->m;
@@ -414,9 +414,9 @@ static inline double ksl_spatial_inertia_energy(const ksl_spatial_inertia_t *B,
   return energy;
 }
 
-/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
-     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
-     less that of gravity: the wrench beside gravity's.
+/* co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+     a is less gravity's, so is the wrench.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
    39 mul, 42 add, 3 neg.
@@ -480,7 +480,7 @@ static inline void ksl_spatial_inertia_net_wrench(const ksl_spatial_inertia_t *B
   co->m5 = co_5;
 }
 
-/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+/* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
    18 mul, 18 add.
@@ -534,7 +534,7 @@ static inline void ksl_spatial_inertia_shifted(const ksl_vec3_t *t,
   Bo->yz = Bo_9;
 }
 
-/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+/* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    72 mul, 54 add.
@@ -633,7 +633,7 @@ static inline void ksl_spatial_inertia_transformed(const ksl_SE3_t *D,
   Bo->yz = Bo_9;
 }
 
-/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each divided by its diagonal entry:
      positive exactly if a body of positive density has this inertia.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).
@@ -808,8 +808,8 @@ static inline void ksl_subtract_BBf(const ksl_spatial_inertiaf_t *B1,
   Bo->yz = Bo_9;
 }
 
-/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-     the upper triangle): h = m com, I = Ic - m com~ com~.
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
+     read): h = m com, I = Ic - m com~ com~.
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    9 mul, 9 add.
@@ -841,13 +841,13 @@ static inline void ksl_spatial_inertiaf_from_com(const float m, const ksl_vec3f_
   Bo->yz = Bo_9;
 }
 
-/* Bo: of the inertia J, whose moments are about the centre of mass: m, mt, I - mt~ mt~ / m; not
-     a number where m = 0.
+/* Bo = (m, mt, I - mt~ mt~ / m) from the inertia J, whose moments are about the centre of mass;
+     NaN where m = 0.
    J: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in
      kg m^2); Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
      xz, yz in kg m^2).
    6 mul, 9 add, 3 div.
-   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+   Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_from_inertia(const ksl_inertiaf_t *J,
     ksl_spatial_inertiaf_t *Bo) {
   const float c_0 = J->mt.x / J->m;
@@ -878,13 +878,13 @@ static inline void ksl_spatial_inertiaf_from_inertia(const ksl_inertiaf_t *J,
   Bo->yz = Bo_9;
 }
 
-/* Jo: of the spatial inertia B, with moments about the centre of mass: m, h, I + h~ h~ / m; not
-     a number where m = 0.
+/* Jo = (m, h, I + h~ h~ / m) from the spatial inertia B, with moments about the centre of mass;
+     NaN where m = 0.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy,
      yz, zx in kg m^2).
    6 mul, 9 add, 3 div.
-   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+   Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_inertiaf_from_spatial_inertia(const ksl_spatial_inertiaf_t *B,
     ksl_inertiaf_t *Jo) {
   const float c_0 = B->h.x / B->m;
@@ -1082,9 +1082,9 @@ static inline float ksl_spatial_inertiaf_energy(const ksl_spatial_inertiaf_t *B,
   return energy;
 }
 
-/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
-     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
-     less that of gravity: the wrench beside gravity's.
+/* co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+     a is less gravity's, so is the wrench.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
    39 mul, 42 add, 3 neg.
@@ -1148,7 +1148,7 @@ static inline void ksl_spatial_inertiaf_net_wrench(const ksl_spatial_inertiaf_t 
   co->m5 = co_5;
 }
 
-/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+/* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
    18 mul, 18 add.
@@ -1202,7 +1202,7 @@ static inline void ksl_spatial_inertiaf_shifted(const ksl_vec3f_t *t,
   Bo->yz = Bo_9;
 }
 
-/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+/* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    72 mul, 54 add.
@@ -1301,7 +1301,7 @@ static inline void ksl_spatial_inertiaf_transformed(const ksl_SE3f_t *D,
   Bo->yz = Bo_9;
 }
 
-/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each divided by its diagonal entry:
      positive exactly if a body of positive density has this inertia.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).

@@ -174,8 +174,8 @@ static inline void ksl_subtract_BB_accurate(const ksl_spatial_inertia_t *B1,
   Bo->yz = Bo_9_rounded;
 }
 
-/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-     the upper triangle): h = m com, I = Ic - m com~ com~.
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
+     read): h = m com, I = Ic - m com~ com~.
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    15 mul, 66 add, 3 product error, 9 product rest.
@@ -255,13 +255,13 @@ static inline void ksl_spatial_inertia_from_com_accurate(const double m, const k
   Bo->yz = Bo_9_rounded;
 }
 
-/* Bo: of the inertia J, whose moments are about the centre of mass: m, mt, I - mt~ mt~ / m; not
-     a number where m = 0.
+/* Bo = (m, mt, I - mt~ mt~ / m) from the inertia J, whose moments are about the centre of mass;
+     NaN where m = 0.
    J: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in
      kg m^2); Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
      xz, yz in kg m^2).
    15 mul, 69 add, 3 product error, 9 product rest, 6 div, 6 equal, 6 select.
-   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+   Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_spatial_inertia_from_inertia_accurate(const ksl_inertia_t *J,
     ksl_spatial_inertia_t *Bo) {
   const double c_0 = J->mt.x / J->m, c_0_product = KSL_MUL(c_0, J->m),
@@ -349,13 +349,13 @@ static inline void ksl_spatial_inertia_from_inertia_accurate(const ksl_inertia_t
   Bo->yz = Bo_9_final;
 }
 
-/* Jo: of the spatial inertia B, with moments about the centre of mass: m, h, I + h~ h~ / m; not
-     a number where m = 0.
+/* Jo = (m, h, I + h~ h~ / m) from the spatial inertia B, with moments about the centre of mass;
+     NaN where m = 0.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy,
      yz, zx in kg m^2).
    15 mul, 69 add, 3 product error, 9 product rest, 6 div, 6 equal, 6 select.
-   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+   Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_inertia_from_spatial_inertia_accurate(const ksl_spatial_inertia_t *B,
     ksl_inertia_t *Jo) {
   const double c_0 = B->h.x / B->m, c_0_product = KSL_MUL(c_0, B->m),
@@ -825,9 +825,9 @@ static inline double ksl_spatial_inertia_energy_accurate(const ksl_spatial_inert
   return energy_rounded;
 }
 
-/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
-     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
-     less that of gravity: the wrench beside gravity's.
+/* co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+     a is less gravity's, so is the wrench.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
    63 mul, 324 add, 3 product error, 51 product rest, 6 neg.
@@ -1127,7 +1127,7 @@ static inline void ksl_spatial_inertia_net_wrench_accurate(const ksl_spatial_ine
   co->m5 = co_5_rounded;
 }
 
-/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+/* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
    33 mul, 138 add, 6 product error, 6 product rest.
@@ -1256,7 +1256,7 @@ static inline void ksl_spatial_inertia_shifted_accurate(const ksl_vec3_t *t,
   Bo->yz = Bo_9_rounded;
 }
 
-/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+/* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    105 mul, 420 add, 6 product error, 60 product rest.
@@ -1679,7 +1679,7 @@ static inline void ksl_spatial_inertia_transformed_accurate(const ksl_SE3_t *D,
   Bo->yz = Bo_9_rounded;
 }
 
-/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each divided by its diagonal entry:
      positive exactly if a body of positive density has this inertia.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).
@@ -2053,8 +2053,8 @@ static inline void ksl_subtract_BBf_accurate(const ksl_spatial_inertiaf_t *B1,
   Bo->yz = (float)Bo_9;
 }
 
-/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-     the upper triangle): h = m com, I = Ic - m com~ com~.
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
+     read): h = m com, I = Ic - m com~ com~.
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    9 mul, 9 add.
@@ -2086,13 +2086,13 @@ static inline void ksl_spatial_inertiaf_from_com_accurate(const float m, const k
   Bo->yz = (float)Bo_9;
 }
 
-/* Bo: of the inertia J, whose moments are about the centre of mass: m, mt, I - mt~ mt~ / m; not
-     a number where m = 0.
+/* Bo = (m, mt, I - mt~ mt~ / m) from the inertia J, whose moments are about the centre of mass;
+     NaN where m = 0.
    J: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy, yz, zx in
      kg m^2); Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy,
      xz, yz in kg m^2).
    6 mul, 9 add, 3 div.
-   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+   Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_from_inertia_accurate(const ksl_inertiaf_t *J,
     ksl_spatial_inertiaf_t *Bo) {
   const double c_0 = (double)J->mt.x / (double)J->m;
@@ -2123,13 +2123,13 @@ static inline void ksl_spatial_inertiaf_from_inertia_accurate(const ksl_inertiaf
   Bo->yz = (float)Bo_9;
 }
 
-/* Jo: of the spatial inertia B, with moments about the centre of mass: m, h, I + h~ h~ / m; not
-     a number where m = 0.
+/* Jo = (m, h, I + h~ h~ / m) from the spatial inertia B, with moments about the centre of mass;
+     NaN where m = 0.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx, yy, zz, xy,
      yz, zx in kg m^2).
    6 mul, 9 add, 3 div.
-   Error of a moment <= 4 u times the sum of the sizes of its terms, barring over- and underflow. */
+   Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_inertiaf_from_spatial_inertia_accurate(const ksl_spatial_inertiaf_t *B,
     ksl_inertiaf_t *Jo) {
   const double c_0 = (double)B->h.x / (double)B->m;
@@ -2280,9 +2280,9 @@ static inline float ksl_spatial_inertiaf_energy_accurate(const ksl_spatial_inert
   return (float)energy;
 }
 
-/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
-     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
-     less that of gravity: the wrench beside gravity's.
+/* co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+     a is less gravity's, so is the wrench.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
    39 mul, 42 add, 3 neg.
@@ -2349,7 +2349,7 @@ static inline void ksl_spatial_inertiaf_net_wrench_accurate(const ksl_spatial_in
   co->m5 = (float)co_5;
 }
 
-/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+/* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
    18 mul, 18 add.
@@ -2403,7 +2403,7 @@ static inline void ksl_spatial_inertiaf_shifted_accurate(const ksl_vec3f_t *t,
   Bo->yz = (float)Bo_9;
 }
 
-/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+/* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    72 mul, 54 add.
@@ -2511,7 +2511,7 @@ static inline void ksl_spatial_inertiaf_transformed_accurate(const ksl_SE3f_t *D
   Bo->yz = (float)Bo_9;
 }
 
-/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each as a part of its diagonal entry:
+/* the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each divided by its diagonal entry:
      positive exactly if a body of positive density has this inertia.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2).

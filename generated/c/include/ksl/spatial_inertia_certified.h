@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Spatial inertias of rigid bodies: mass, first moment, second moments about the origin.
-   Certified tier: plain results, and bounds of their errors that hold. */
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_SPATIAL_INERTIA_CERTIFIED_H
 #define KSL_SPATIAL_INERTIA_CERTIFIED_H
 
@@ -174,9 +174,8 @@ static inline void ksl_subtract_BB_certified(const ksl_spatial_inertia_t *B1,
   Bo_bound->yz = Bo_9_error_bound;
 }
 
-/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-     the upper triangle): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf
-     or NaN.
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
+     read): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf or NaN.
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo, Bo_bound: spatial inertia (m in
      kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    24 mul, 27 add, 12 abs. */
@@ -389,10 +388,9 @@ static inline double ksl_spatial_inertia_energy_certified(const ksl_spatial_iner
   return energy;
 }
 
-/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
-     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
-     less that of gravity: the wrench beside gravity's; |error of co| <= co_bound unless inf or
-     NaN.
+/* co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+     a is less gravity's, so is the wrench; |error of co| <= co_bound unless inf or NaN.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co, co_bound: coscrew (f in N; τ in N m).
    66 mul, 102 add, 3 neg, 30 abs. */
@@ -538,8 +536,8 @@ static inline void ksl_spatial_inertia_net_wrench_certified(const ksl_spatial_in
   co_bound->m5 = co_5_error_bound;
 }
 
-/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless
-     inf or NaN.
+/* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless inf
+     or NaN.
    t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,
      yy, zz, xy, xz, yz in kg m^2).
    42 mul, 54 add, 15 abs. */
@@ -659,8 +657,8 @@ static inline void ksl_spatial_inertia_shifted_certified(const ksl_vec3_t *t,
   Bo_bound->yz = Bo_9_error_bound;
 }
 
-/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to; |error of Bo| <=
-     Bo_bound unless inf or NaN.
+/* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame; |error of Bo|
+     <= Bo_bound unless inf or NaN.
    D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    114 mul, 135 add, 51 abs. */
@@ -1057,9 +1055,8 @@ static inline void ksl_subtract_BBf_certified(const ksl_spatial_inertiaf_t *B1,
   Bo_bound->yz = Bo_9_error_bound;
 }
 
-/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-     the upper triangle): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf
-     or NaN.
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
+     read): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf or NaN.
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo, Bo_bound: spatial inertia (m in
      kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    24 mul, 27 add, 12 abs. */
@@ -1276,10 +1273,9 @@ static inline float ksl_spatial_inertiaf_energy_certified(const ksl_spatial_iner
   return energy;
 }
 
-/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
-     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
-     less that of gravity: the wrench beside gravity's; |error of co| <= co_bound unless inf or
-     NaN.
+/* co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+     a is less gravity's, so is the wrench; |error of co| <= co_bound unless inf or NaN.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co, co_bound: coscrew (f in N; τ in N m).
    66 mul, 102 add, 3 neg, 30 abs. */
@@ -1425,8 +1421,8 @@ static inline void ksl_spatial_inertiaf_net_wrench_certified(const ksl_spatial_i
   co_bound->m5 = co_5_error_bound;
 }
 
-/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless
-     inf or NaN.
+/* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless inf
+     or NaN.
    t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx,
      yy, zz, xy, xz, yz in kg m^2).
    42 mul, 54 add, 15 abs. */
@@ -1546,8 +1542,8 @@ static inline void ksl_spatial_inertiaf_shifted_certified(const ksl_vec3f_t *t,
   Bo_bound->yz = Bo_9_error_bound;
 }
 
-/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to; |error of Bo| <=
-     Bo_bound unless inf or NaN.
+/* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame; |error of Bo|
+     <= Bo_bound unless inf or NaN.
    D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    114 mul, 135 add, 51 abs. */

@@ -94,8 +94,8 @@ static inline void ksl_subtract_BB_fused(const ksl_spatial_inertia_t *B1,
   Bo->yz = Bo_9;
 }
 
-/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-     the upper triangle): h = m com, I = Ic - m com~ com~.
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
+     read): h = m com, I = Ic - m com~ com~.
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    6 mul, 6 add, 3 fma.
@@ -184,9 +184,9 @@ static inline double ksl_spatial_inertia_energy_fused(const ksl_spatial_inertia_
   return energy;
 }
 
-/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
-     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
-     less that of gravity: the wrench beside gravity's.
+/* co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+     a is less gravity's, so is the wrench.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
    18 mul, 21 add, 21 fma, 3 neg.
@@ -244,7 +244,7 @@ static inline void ksl_spatial_inertia_net_wrench_fused(const ksl_spatial_inerti
   co->m5 = co_5;
 }
 
-/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+/* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
    12 mul, 12 add, 6 fma.
@@ -292,7 +292,7 @@ static inline void ksl_spatial_inertia_shifted_fused(const ksl_vec3_t *t,
   Bo->yz = Bo_9;
 }
 
-/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+/* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    30 mul, 12 add, 42 fma.
@@ -462,8 +462,8 @@ static inline void ksl_subtract_BBf_fused(const ksl_spatial_inertiaf_t *B1,
   Bo->yz = Bo_9;
 }
 
-/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-     the upper triangle): h = m com, I = Ic - m com~ com~.
+/* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
+     read): h = m com, I = Ic - m com~ com~.
    m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo: spatial inertia (m in kg; h = m
      c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    6 mul, 6 add, 3 fma.
@@ -552,9 +552,9 @@ static inline float ksl_spatial_inertiaf_energy_fused(const ksl_spatial_inertiaf
   return energy;
 }
 
-/* co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move with
-     angular velocity w and acceleration ds = (a; w'), a that of the point now at the origin; a
-     less that of gravity: the wrench beside gravity's.
+/* co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+     a is less gravity's, so is the wrench.
    B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg
      m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co: coscrew (f in N; τ in N m).
    18 mul, 21 add, 21 fma, 3 neg.
@@ -612,7 +612,7 @@ static inline void ksl_spatial_inertiaf_net_wrench_fused(const ksl_spatial_inert
   co->m5 = co_5;
 }
 
-/* Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~.
+/* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~.
    t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
      xy, xz, yz in kg m^2).
    12 mul, 12 add, 6 fma.
@@ -660,7 +660,7 @@ static inline void ksl_spatial_inertiaf_shifted_fused(const ksl_vec3f_t *t,
   Bo->yz = Bo_9;
 }
 
-/* Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to.
+/* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame.
    D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in kg; h = m c in kg m;
      I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
    30 mul, 12 add, 42 fma.

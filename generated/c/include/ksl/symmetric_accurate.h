@@ -8,9 +8,9 @@
 
 #include "ksl_exact.h"
 
-/* L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on its
-     diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not positive
-     definite, and L means nothing.
+/* L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+     triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+     not positive definite, and L is meaningless.
    A, L: rotation or other 3×3 matrix.
    16 mul, 96 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.
    |L D L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
@@ -200,9 +200,9 @@ static inline void ksl_mat3x3_ldl_solve_accurate(const ksl_mat3x3_t *L, const ks
   x->z = z2_final;
 }
 
-/* x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-     smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-     not positive definite), it is not positive, and x not a number.
+/* x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+     Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+     rounding or indefinite (A - 50 u diag A is not positive definite).
    A: rotation or other 3×3 matrix; b, x: vector.
    96 mul, 398 add, 16 product error, 31 product rest, 30 div, 11 less, 5 equal, 38 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
@@ -684,9 +684,9 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
   return pivot_final;
 }
 
-/* L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on its
-     diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not positive
-     definite, and L means nothing.
+/* L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+     triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+     not positive definite, and L is meaningless.
    A, L: 6×6 operator.
    121 mul, 512 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.
    |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
@@ -1485,9 +1485,9 @@ static inline void ksl_mat6x6_ldl_solve_accurate(const ksl_mat6x6_t *L, const ks
   x->m5 = z5_final;
 }
 
-/* x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-     smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-     not positive definite), it is not positive, and x not a number.
+/* x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+     Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+     rounding or indefinite (A - 50 u diag A is not positive definite).
    A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
    516 mul, 1806 add, 49 product error, 171 product rest, 96 div, 23 less, 8 equal, 77 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
@@ -3534,9 +3534,9 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   return pivot_final;
 }
 
-/* L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on its
-     diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not positive
-     definite, and L means nothing.
+/* L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+     triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+     not positive definite, and L is meaningless.
    A, L: rotation or other 3×3 matrix.
    4 mul, 4 add, 6 div, 6 less, 9 select.
    |L D L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
@@ -3592,9 +3592,9 @@ static inline void ksl_mat3x3f_ldl_solve_accurate(const ksl_mat3x3f_t *L, const 
   x->z = (float)z2;
 }
 
-/* x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-     smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-     not positive definite), it is not positive, and x not a number.
+/* x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+     Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+     rounding or indefinite (A - 50 u diag A is not positive definite).
    A: rotation or other 3×3 matrix; b, x: vector.
    32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;
@@ -3674,9 +3674,9 @@ static inline float ksl_mat3x3f_solve_accurate(const ksl_mat3x3f_t *A, const ksl
   return (float)pivot;
 }
 
-/* L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on its
-     diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not positive
-     definite, and L means nothing.
+/* L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+     triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+     not positive definite, and L is meaningless.
    A, L: 6×6 operator.
    35 mul, 35 add, 21 div, 15 less, 21 select.
    |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and
@@ -3844,9 +3844,9 @@ static inline void ksl_mat6x6f_ldl_solve_accurate(const ksl_mat6x6f_t *L, const 
   x->m5 = (float)z5;
 }
 
-/* x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-     smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-     not positive definite), it is not positive, and x not a number.
+/* x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+     Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+     rounding or indefinite (A - 50 u diag A is not positive definite).
    A: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in rad/s).
    172 mul, 172 add, 48 div, 23 less, 1 equal, 41 select.
    Backward error, of A: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not proved;

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Vectors of three components.
-   Certified tier: plain results, and bounds of their errors that hold. */
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_VEC3_CERTIFIED_H
 #define KSL_VEC3_CERTIFIED_H
 

@@ -1,7 +1,7 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
-/* Vectors of four components: of three dimensions, with a homogeneous coordinate behind them.
+/* Vectors of four components: three dimensions and a homogeneous coordinate.
    Accurate tier: double compensated, single computed in double. */
 #ifndef KSL_VEC4_ACCURATE_H
 #define KSL_VEC4_ACCURATE_H

@@ -1,8 +1,8 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
-/* Vectors of four components: of three dimensions, with a homogeneous coordinate behind them.
-   Certified tier: plain results, and bounds of their errors that hold. */
+/* Vectors of four components: three dimensions and a homogeneous coordinate.
+   Certified tier: plain results, and bounds on their errors that always hold. */
 #ifndef KSL_VEC4_CERTIFIED_H
 #define KSL_VEC4_CERTIFIED_H
 

@@ -13,7 +13,7 @@ from coscrew._kernel import double_kernel as kernel
 
 @kernel("(3,3)->(3)")
 def SO3_log(R):
-    """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+    """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
@@ -249,7 +249,7 @@ def SO3_log(R):
 
 @kernel("(3,3)->(3,3)")
 def mat3x3_orthonormalize(self):
-    """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+    """self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
     84 mul, 288 add, 45 product rest, 6 neg.  Error <= u |result| + 44 u^2 S, S the sum of the
@@ -563,7 +563,7 @@ def mat3x3_orthonormalize(self):
 
 @kernel("(3,3)->(3,3)")
 def mat3x3_orthonormalized(R):
-    """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+    """Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
     84 mul, 288 add, 45 product rest, 6 neg.  Error <= u |result| + 44 u^2 S, S the sum of the

@@ -13,8 +13,8 @@ from coscrew._kernel import double_kernel as kernel
 
 @kernel("(3),(3)->(3,3)")
 def acceleration_tensor(w, dw):
-    """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its
-    point x is accelerated by Ro x beyond its origin.
+    """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+    acceleration of its point x, less that of its origin, is Ro x.
 
     (3),(3)->(3,3).  w, dw: vector; Ro: rotation or other 3×3 matrix.
     6 mul, 51 add, 12 product rest, 6 neg.  Error <= u |result| + 6 u^2 S, S the sum of the
@@ -115,14 +115,14 @@ def mat3x3_determinant(R):
 @kernel("(3,3)->(),(3,3)")
 def mat3x3_inverse(R):
     """Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or
-    overflows; 0, and Ro = NaN, where it cannot be told from 0: |det R| <= 8 u p + 1e-29 m^3
-    (double 1e-229 m^3), p the sum of its terms' sizes, m that of the largest entry.
+    overflows.  Returns 0, with Ro = NaN, where R may be singular: |det R| <= 8 u p + 1e-29 m^3
+    (double 1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.
 
     (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
     106 mul, 290 add, 10 product error, 32 product rest, 22 div, 2 neg, 19 abs, 17 less, 23
-    equal, 67 select.  Ro_ij is off by 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R| at most,
-    m_ji the sum of the sizes of the cofactor's terms, or 2^-80 m^2 (double 2^-700 m^2) if that
-    is more; barring over- and underflow of Ro_ij itself.
+    equal, 67 select.  Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the
+    sum of the |terms| of the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more;
+    barring over- and underflow of Ro_ij itself.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     R_size_0 = absolute(R_00)
@@ -540,13 +540,13 @@ def mat3x3_inverse(R):
 
 @kernel("(3,3)->(3,3)")
 def mat3x3_normalize(self):
-    """self = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
-    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+    """self = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on
+    its side of the first, the third on its side of both; NaN where the rows are linearly
+    dependent to rounding.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
     154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
-    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 8 u; searched, not
-    proved.
+    27 equal, 79 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.
     """
     self_00, self_01, self_02, self_10, self_11, self_12, self_20, self_21, self_22 = self
     q0_s_size_0 = absolute(self_00)
@@ -1048,13 +1048,13 @@ def mat3x3_normalize(self):
 
 @kernel("(3,3)->(3,3)")
 def mat3x3_normalized(R):
-    """Ro = orthonormal rows by Gram and Schmidt: the first keeps its direction, the second its
-    side of it, the third its side of both; NaN where rows depend on each other to rounding.
+    """Ro = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on
+    its side of the first, the third on its side of both; NaN where the rows are linearly
+    dependent to rounding.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
     154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
-    27 equal, 79 select.  Rows are perpendicular, and of length 1, but for 8 u; searched, not
-    proved.
+    27 equal, 79 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     q0_s_size_0 = absolute(R_00)
@@ -1543,8 +1543,8 @@ def mat3x3_normalized(R):
 
 @kernel("(3),(2)->(3,3)")
 def mat3x3_setFromAxisDC(axis, dc):
-    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc
-    = (sin θ, cos θ).
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+    dc = (sin θ, cos θ).
 
     (3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.
     21 mul, 66 add, 3 product error, 15 product rest.  Error <= u |result| + 14 u^2 S, S the sum
@@ -1626,8 +1626,8 @@ def euler_xyz_from_mat3x3(R):
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
     25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 1 neg, 4 abs, 2
-    less, 6 equal, 14 select.  The rotation by these angles is R but for 12 u in each entry,
-    near gimbal lock too; searched, not proved.
+    less, 6 equal, 14 select.  The rotation by these angles differs from R by at most 12 u in
+    each entry, near gimbal lock too; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n_a = R_00 * R_00
@@ -1726,8 +1726,8 @@ def euler_xyx_from_mat3x3(R):
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
     25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 4 abs, 2 less, 6
-    equal, 14 select.  The rotation by these angles is R but for 12 u in each entry, near gimbal
-    lock too; searched, not proved.
+    equal, 14 select.  The rotation by these angles differs from R by at most 12 u in each
+    entry, near gimbal lock too; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n_a = R_01 * R_01
@@ -1820,14 +1820,14 @@ def euler_xyx_from_mat3x3(R):
 
 @kernel("(3,3),(3,3)->(3,3),(3,3)")
 def mat3x3_jacobi(A, V):
-    """A = J^T A J, V = V J: Jacobi's rotation J in the plane xy, by the smaller angle that makes
-    A_xy zero; then y, z, x become x, y, z.  A symmetric, its lower triangle is read.  From V =
-    I, steps end in A = diag(eigenvalues), with V A V^T the same throughout.
+    """A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes
+    A_xy zero; then y, z, x become x, y, z.  A is symmetric, only its lower triangle is read.
+    Repeated from V = I, it converges to A = diag(eigenvalues); V A V^T does not change.
 
     (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
     51 mul, 153 add, 6 product error, 20 product rest, 8 div, 2 sqrt, 3 neg, 1 abs, 2 less, 13
-    equal, 18 select.  |V A V^T - the same before| <= 28 u max |A| for orthonormal V; searched,
-    not proved.
+    equal, 18 select.  V A V^T changes by at most 28 u max |A| for orthonormal V; searched, not
+    proved.
     """
     A_00, A_01, A_02, A_10, A_11, A_12, A_20, A_21, A_22 = A
     V_00, V_01, V_02, V_10, V_11, V_12, V_20, V_21, V_22 = V
@@ -1984,8 +1984,7 @@ def mat3x3_jacobi(A, V):
 
 @kernel("(3,3)->(),(3)")
 def axis_angle_from_mat3x3(R):
-    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) where nothing
-    turns.
+    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
     35 mul, 235 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16

@@ -1,7 +1,7 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
-"""6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them, and symmetric
+"""6×6 operators on screws and coscrews: [Ad], [Ad]*, [ad], [ad]*, and articulated inertias.
 
 In double precision, accurate tier.
 """
@@ -12,8 +12,8 @@ from coscrew._kernel import double_kernel as kernel
 
 @kernel("(3,3),(6,6)->(6,6)")
 def mat6x6_rotated(R, M):
-    """Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the
-    articulated inertia M rotated by R.
+    """Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+    lower triangle is read.
 
     (3,3),(6,6)->(6,6).  R: rotation or other 3×3 matrix; M, Mo: 6×6 operator.
     207 mul, 564 add, 144 product rest.  Error <= u |result| + 37 u^2 S, S the sum of the
@@ -588,8 +588,8 @@ def mat6x6_rotated(R, M):
 
 @kernel("(3),(6,6)->(6,6)")
 def mat6x6_shifted(t, M):
-    """Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the
-    articulated inertia M shifted by t.
+    """Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+    lower triangle is read.
 
     (3),(6,6)->(6,6).  t: vector; M, Mo: 6×6 operator.
     51 mul, 264 add, 42 product rest.  Error <= u |result| + 45 u^2 S, S the sum of the |terms|

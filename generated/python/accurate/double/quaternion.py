@@ -1997,7 +1997,7 @@ def dot_qq(q1i, q2i):
 
 @kernel("(3),(4)->(4)")
 def add_dpiToq(dpi, qi):
-    """qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+    """qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
     first order; not normalized.
 
     (3),(4)->(4).  dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
@@ -2159,7 +2159,7 @@ def subtract_dpiFromq(dpi, qi):
 @kernel("(3),(4)->(4)")
 def omega_to_dquaternion(w, qi):
     """dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-    reference frame, rad/s, and what draws its norm to 1.
+    reference frame, rad/s, and a term that draws its norm to 1.
 
     (3),(4)->(4).  w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
     27 mul, 101 add, 20 product rest.  Error <= u |result| + (v: 35, w: 32) u^2 S, S the sum of
@@ -2260,7 +2260,7 @@ def omega_to_dquaternion(w, qi):
 
 @kernel("(4)->(3,3)")
 def mat3x3_from_quaternion(q):
-    """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+    """R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
     41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 8
@@ -2376,7 +2376,7 @@ def mat3x3_from_quaternion(q):
 
 @kernel("(3,3)->(4)")
 def quaternion_from_mat3x3(R):
-    """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+    """qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
     21 mul, 182 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
@@ -2532,8 +2532,8 @@ def quaternion_from_mat3x3(R):
 
 @kernel("(4)->(),(3)")
 def axis_angle_from_quaternion(q):
-    """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
-    nothing turns; any multiple of a quaternion.
+    """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
+    angle is 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
     27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14

@@ -13,9 +13,9 @@ from coscrew._kernel import double_kernel as kernel
 
 @kernel("(3,3)->(),(3,3)")
 def mat3x3_ldl(A):
-    """L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on
-    its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not
-    positive definite, and L means nothing.
+    """L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+    triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+    not positive definite, and L is meaningless.
 
     (3,3)->(),(3,3).  A, L: rotation or other 3×3 matrix; pivot: number.
     16 mul, 96 add, 6 product error, 4 product rest, 12 div, 6 less, 6 equal, 21 select.  |L D
@@ -189,9 +189,9 @@ def mat3x3_ldl_solve(L, b):
 
 @kernel("(3,3),(3)->(),(3)")
 def mat3x3_solve(A, b):
-    """x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-    smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-    not positive definite), it is not positive, and x not a number.
+    """x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+    Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+    rounding or indefinite (A - 50 u diag A is not positive definite).
 
     (3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.
     96 mul, 398 add, 16 product error, 31 product rest, 30 div, 11 less, 5 equal, 38 select.
@@ -583,9 +583,9 @@ def mat3x3_solve(A, b):
 
 @kernel("(6,6)->(),(6,6)")
 def mat6x6_ldl(A):
-    """L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on
-    its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not
-    positive definite, and L means nothing.
+    """L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+    triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+    not positive definite, and L is meaningless.
 
     (6,6)->(),(6,6).  A, L: 6×6 operator; pivot: number.
     121 mul, 512 add, 21 product error, 35 product rest, 42 div, 15 less, 21 equal, 57 select.
@@ -1242,9 +1242,9 @@ def mat6x6_ldl_solve(L, b):
 
 @kernel("(6,6),(6)->(),(6)")
 def mat6x6_solve(A, b):
-    """x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-    smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-    not positive definite), it is not positive, and x not a number.
+    """x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+    Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+    rounding or indefinite (A - 50 u diag A is not positive definite).
 
     (6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw
     (v in m/s; ω in rad/s).

@@ -1,7 +1,7 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
-"""Vectors of four components: of three dimensions, with a homogeneous coordinate behind them.
+"""Vectors of four components: three dimensions and a homogeneous coordinate.
 
 In double precision, accurate tier.
 """

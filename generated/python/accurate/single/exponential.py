@@ -12,7 +12,7 @@ from coscrew._kernel import wide_kernel as kernel
 
 @kernel("(3,3)->(3)")
 def SO3_log(R):
-    """vo with exp vo~ = R, |vo| <= π; of an R that is not quite a rotation, off by as much as R.
+    """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
     11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
@@ -81,7 +81,7 @@ def SO3_log(R):
 
 @kernel("(3,3)->(3,3)")
 def mat3x3_orthonormalize(self):
-    """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+    """self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
     51 mul, 42 add, 3 neg.  Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the
@@ -118,7 +118,7 @@ def mat3x3_orthonormalize(self):
 
 @kernel("(3,3)->(3,3)")
 def mat3x3_orthonormalized(R):
-    """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2.
+    """Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
     51 mul, 42 add, 3 neg.  Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the

@@ -765,7 +765,7 @@ def dot_qq(q1i, q2i):
 
 @kernel("(3),(4)->(4)")
 def add_dpiToq(dpi, qi):
-    """qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+    """qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
     first order; not normalized.
 
     (3),(4)->(4).  dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
@@ -807,7 +807,7 @@ def subtract_dpiFromq(dpi, qi):
 @kernel("(3),(4)->(4)")
 def omega_to_dquaternion(w, qi):
     """dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-    reference frame, rad/s, and what draws its norm to 1.
+    reference frame, rad/s, and a term that draws its norm to 1.
 
     (3),(4)->(4).  w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
     23 mul, 16 add, 1 neg.  Error <= u |result| + 7/32 u^2 S, S the sum of the |terms| of the
@@ -828,7 +828,7 @@ def omega_to_dquaternion(w, qi):
 
 @kernel("(4)->(3,3)")
 def mat3x3_from_quaternion(q):
-    """R = I + 2 (w v~ + v~^2) / q·q, for any q but zero whose square neither over- nor underflows.
+    """R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
     20 mul, 16 add, 1 div.  Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511,
@@ -877,7 +877,7 @@ def mat3x3_from_quaternion(q):
 
 @kernel("(3,3)->(4)")
 def quaternion_from_mat3x3(R):
-    """qo with R(qo) = R and w >= 0; of an R that is not quite a rotation, off by as much as R.
+    """qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
     4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 6 u of its largest
@@ -928,8 +928,8 @@ def quaternion_from_mat3x3(R):
 
 @kernel("(4)->(),(3)")
 def axis_angle_from_quaternion(q):
-    """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) where
-    nothing turns; any multiple of a quaternion.
+    """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
+    angle is 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
     12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.  Error <=

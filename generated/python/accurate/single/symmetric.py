@@ -12,9 +12,9 @@ from coscrew._kernel import wide_kernel as kernel
 
 @kernel("(3,3)->(),(3,3)")
 def mat3x3_ldl(A):
-    """L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on
-    its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not
-    positive definite, and L means nothing.
+    """L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+    triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+    not positive definite, and L is meaningless.
 
     (3,3)->(),(3,3).  A, L: rotation or other 3×3 matrix; pivot: number.
     4 mul, 4 add, 6 div, 6 less, 9 select.  |L D L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the
@@ -64,9 +64,9 @@ def mat3x3_ldl_solve(L, b):
 
 @kernel("(3,3),(3)->(),(3)")
 def mat3x3_solve(A, b):
-    """x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-    smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-    not positive definite), it is not positive, and x not a number.
+    """x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+    Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+    rounding or indefinite (A - 50 u diag A is not positive definite).
 
     (3,3),(3)->(),(3).  A: rotation or other 3×3 matrix; b, x: vector; pivot: number.
     32 mul, 32 add, 15 div, 11 less, 1 equal, 20 select.  Backward error, of A: |b - A x|_i <= 4
@@ -139,9 +139,9 @@ def mat3x3_solve(A, b):
 
 @kernel("(6,6)->(),(6,6)")
 def mat6x6_ldl(A):
-    """L, D with L D L^T = A, of which the lower triangle is read: unit lower triangular L, D on
-    its diagonal; returns the smallest pivot d_i / a_ii: where it is not positive, A is not
-    positive definite, and L means nothing.
+    """L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
+    triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
+    not positive definite, and L is meaningless.
 
     (6,6)->(),(6,6).  A, L: 6×6 operator; pivot: number.
     35 mul, 35 add, 21 div, 15 less, 21 select.  |L D L^T - A|_ij <= 7 u sqrt(a_ii a_jj) where
@@ -245,9 +245,9 @@ def mat6x6_ldl_solve(L, b):
 
 @kernel("(6,6),(6)->(),(6)")
 def mat6x6_solve(A, b):
-    """x = A^-1 b with one step of refinement, A symmetric, its lower triangle is read; returns the
-    smallest pivot d_i / a_ii: where A is singular to rounding or indefinite (A - 50 u diag A is
-    not positive definite), it is not positive, and x not a number.
+    """x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
+    Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
+    rounding or indefinite (A - 50 u diag A is not positive definite).
 
     (6,6),(6)->(),(6).  A: 6×6 operator; b: coscrew (f in N; τ in N m); pivot: number; x: screw
     (v in m/s; ω in rad/s).

@@ -148,9 +148,9 @@ def vec4_scaled(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float64] | Non
     """
 
 def acceleration_tensor(w: ArrayLike, dw: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its
-    point x is accelerated by Ro x beyond its origin; |error of Ro| <= Ro_bound unless inf or
-    NaN.
+    """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+    acceleration of its point x, less that of its origin, is Ro x; |error of Ro| <= Ro_bound
+    unless inf or NaN.
 
     (3),(3)->(3,3),(3,3).  w, dw: vector; Ro, Ro_bound: rotation or other 3×3 matrix.
     15 mul, 27 add, 3 neg, 9 abs.
@@ -164,8 +164,8 @@ def mat3x3_determinant(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDAr
     """
 
 def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc
-    = (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+    dc = (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.
 
     (3),(2)->(3,3),(3,3).  axis: vector; dc: (sin θ, cos θ); R, R_bound: rotation or other 3×3
     matrix.
@@ -187,16 +187,16 @@ def SE3_inverted(D: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np
     """
 
 def mat6x6_rotated(R: ArrayLike, M: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the
-    articulated inertia M rotated by R; |error of Mo| <= Mo_bound unless inf or NaN.
+    """Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+    lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.
 
     (3,3),(6,6)->(6,6),(6,6).  R: rotation or other 3×3 matrix; M, Mo, Mo_bound: 6×6 operator.
     228 mul, 240 add, 90 abs.
     """
 
 def mat6x6_shifted(t: ArrayLike, M: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the
-    articulated inertia M shifted by t; |error of Mo| <= Mo_bound unless inf or NaN.
+    """Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+    lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.
 
     (3),(6,6)->(6,6),(6,6).  t: vector; M, Mo, Mo_bound: 6×6 operator.
     66 mul, 99 add, 45 abs.
@@ -1364,7 +1364,7 @@ def dot_qq(q1i: ArrayLike, q2i: ArrayLike, out: tuple[NDArray[np.float64] | None
     """
 
 def add_dpiToq(dpi: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+    """qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
     first order; not normalized; |error of qi| <= qi_bound unless inf or NaN.
 
     (3),(4)->(4),(4).  dpi: vector; qi, qi_bound: quaternion (x, y, z, w), the scalar last.
@@ -1381,23 +1381,23 @@ def subtract_dpiFromq(dpi: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float
 
 def omega_to_dquaternion(w: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-    reference frame, rad/s, and what draws its norm to 1; |error of dqo| <= dqo_bound unless inf
-    or NaN.
+    reference frame, rad/s, and a term that draws its norm to 1; |error of dqo| <= dqo_bound
+    unless inf or NaN.
 
     (3),(4)->(4),(4).  w: vector; qi, dqo, dqo_bound: quaternion (x, y, z, w), the scalar last.
     43 mul, 40 add, 11 abs.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2; |error
-    of self| <= self_bound unless inf or NaN.
+    """self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
+    self| <= self_bound unless inf or NaN.
 
     (3,3)->(3,3),(3,3).  self, self_bound: rotation or other 3×3 matrix.
     93 mul, 105 add, 3 neg, 27 abs.
     """
 
 def mat3x3_orthonormalized(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2; |error of
+    """Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
     Ro| <= Ro_bound unless inf or NaN.
 
     (3,3)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix.
@@ -1416,7 +1416,7 @@ def inertia(m: ArrayLike, t: ArrayLike, Ixx: ArrayLike, Iyy: ArrayLike, Izz: Arr
     """
 
 def inertia_rotated(Ji: ArrayLike, R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Jo = Ji turned by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
+    """Jo = Ji rotated by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
 
     (10),(3,3)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the
     centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
@@ -1424,7 +1424,7 @@ def inertia_rotated(Ji: ArrayLike, R: ArrayLike, out: tuple[NDArray[np.float64] 
     """
 
 def inertia_rotate(self: ArrayLike, R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """self = self turned by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
+    """self = self rotated by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
 
     (10),(3,3)->(10),(10).  self, self_bound: inertia (m in kg; mt = m c in kg m; I about the
     centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
@@ -1432,7 +1432,7 @@ def inertia_rotate(self: ArrayLike, R: ArrayLike, out: tuple[NDArray[np.float64]
     """
 
 def inertia_translated(Ji: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Jo = Ji moved by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
+    """Jo = Ji translated by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
 
     (10),(3)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the
     centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); t: vector.
@@ -1440,7 +1440,8 @@ def inertia_translated(Ji: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.float6
     """
 
 def inertia_translate(self: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """self = self moved by t: m, mt + m t, I; |error of self| <= self_bound unless inf or NaN.
+    """self = self translated by t: m, mt + m t, I; |error of self| <= self_bound unless inf or
+    NaN.
 
     (10),(3)->(10),(10).  self, self_bound: inertia (m in kg; mt = m c in kg m; I about the
     centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); t: vector.
@@ -1448,8 +1449,8 @@ def inertia_translate(self: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.float
     """
 
 def inertia_transformed(Ji: ArrayLike, D: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless inf
-    or NaN.
+    """Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless
+    inf or NaN.
 
     (10),(3,4)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the
     centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t
@@ -1458,7 +1459,7 @@ def inertia_transformed(Ji: ArrayLike, D: ArrayLike, out: tuple[NDArray[np.float
     """
 
 def inertia_transform(self: ArrayLike, D: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """self = self moved by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound
+    """self = self displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound
     unless inf or NaN.
 
     (10),(3,4)->(10),(10).  self, self_bound: inertia (m in kg; mt = m c in kg m; I about the
@@ -1492,9 +1493,8 @@ def subtract_BB(B1: ArrayLike, B2: ArrayLike, out: tuple[NDArray[np.float64] | N
     """
 
 def spatial_inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-    the upper triangle): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf
-    or NaN.
+    """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle
+    is read): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf or NaN.
 
     (),(3),(3,3)->(10),(10).  m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo,
     Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,
@@ -1522,10 +1522,9 @@ def spatial_inertia_energy(B: ArrayLike, s: ArrayLike, out: tuple[NDArray[np.flo
     """
 
 def spatial_inertia_net_wrench(B: ArrayLike, w: ArrayLike, ds: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move
-    with angular velocity w and acceleration ds = (a; w'), a that of the point now at the
-    origin; a less that of gravity: the wrench beside gravity's; |error of co| <= co_bound
-    unless inf or NaN.
+    """co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+    velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+    a is less gravity's, so is the wrench; |error of co| <= co_bound unless inf or NaN.
 
     (10),(3),(6)->(6),(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin,
     xx, yy, zz, xy, xz, yz in kg m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co,
@@ -1534,8 +1533,8 @@ def spatial_inertia_net_wrench(B: ArrayLike, w: ArrayLike, ds: ArrayLike, out: t
     """
 
 def spatial_inertia_shifted(t: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound
-    unless inf or NaN.
+    """Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless
+    inf or NaN.
 
     (3),(10)->(10),(10).  t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m;
     I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
@@ -1543,8 +1542,8 @@ def spatial_inertia_shifted(t: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.fl
     """
 
 def spatial_inertia_transformed(D: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to; |error of Bo| <=
-    Bo_bound unless inf or NaN.
+    """Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame; |error of
+    Bo| <= Bo_bound unless inf or NaN.
 
     (3,4),(10)->(10),(10).  D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound:
     spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg

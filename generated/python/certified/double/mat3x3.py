@@ -12,9 +12,9 @@ from coscrew._kernel import double_kernel as kernel
 
 @kernel("(3),(3)->(3,3),(3,3)")
 def acceleration_tensor(w, dw):
-    """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: its
-    point x is accelerated by Ro x beyond its origin; |error of Ro| <= Ro_bound unless inf or
-    NaN.
+    """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
+    acceleration of its point x, less that of its origin, is Ro x; |error of Ro| <= Ro_bound
+    unless inf or NaN.
 
     (3),(3)->(3,3),(3,3).  w, dw: vector; Ro, Ro_bound: rotation or other 3×3 matrix.
     15 mul, 27 add, 3 neg, 9 abs.
@@ -95,8 +95,8 @@ def mat3x3_determinant(R):
 
 @kernel("(3),(2)->(3,3),(3,3)")
 def mat3x3_setFromAxisDC(axis, dc):
-    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is no rotation), dc
-    = (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.
+    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
+    dc = (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.
 
     (3),(2)->(3,3),(3,3).  axis: vector; dc: (sin θ, cos θ); R, R_bound: rotation or other 3×3
     matrix.

@@ -1,7 +1,7 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
-"""6×6 operators on screws and coscrews, as [Ad], [Ad]*, [ad] and [ad]* return them, and symmetric
+"""6×6 operators on screws and coscrews: [Ad], [Ad]*, [ad], [ad]*, and articulated inertias.
 
 In double precision, certified tier.
 """
@@ -12,8 +12,8 @@ from coscrew._kernel import double_kernel as kernel
 
 @kernel("(3,3),(6,6)->(6,6),(6,6)")
 def mat6x6_rotated(R, M):
-    """Mo = [Ad]*(R) M [Ad]^-1(R), M symmetric, of which the lower triangle is read: the
-    articulated inertia M rotated by R; |error of Mo| <= Mo_bound unless inf or NaN.
+    """Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
+    lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.
 
     (3,3),(6,6)->(6,6),(6,6).  R: rotation or other 3×3 matrix; M, Mo, Mo_bound: 6×6 operator.
     228 mul, 240 add, 90 abs.
@@ -274,8 +274,8 @@ def mat6x6_rotated(R, M):
 
 @kernel("(3),(6,6)->(6,6),(6,6)")
 def mat6x6_shifted(t, M):
-    """Mo = [Ad]*(t) M [Ad]^-1(t), M symmetric, of which the lower triangle is read: the
-    articulated inertia M shifted by t; |error of Mo| <= Mo_bound unless inf or NaN.
+    """Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
+    lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.
 
     (3),(6,6)->(6,6),(6,6).  t: vector; M, Mo, Mo_bound: 6×6 operator.
     66 mul, 99 add, 45 abs.

@@ -12,8 +12,8 @@ from coscrew._kernel import single_kernel as kernel
 
 @kernel("(3,3)->(3,3),(3,3)")
 def mat3x3_orthonormalize(self):
-    """self = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2; |error
-    of self| <= self_bound unless inf or NaN.
+    """self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
+    self| <= self_bound unless inf or NaN.
 
     (3,3)->(3,3),(3,3).  self, self_bound: rotation or other 3×3 matrix.
     93 mul, 105 add, 3 neg, 27 abs.
@@ -124,7 +124,7 @@ def mat3x3_orthonormalize(self):
 
 @kernel("(3,3)->(3,3),(3,3)")
 def mat3x3_orthonormalized(R):
-    """Ro = the rotation R + R (I - R^T R)/2 next to R: a defect d of R becomes 3/4 d^2; |error of
+    """Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
     Ro| <= Ro_bound unless inf or NaN.
 
     (3,3)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix.

@@ -34,7 +34,7 @@ def inertia(m, t, Ixx, Iyy, Izz, Ixy, Iyz, Izx):
 
 @kernel("(10),(3,3)->(10),(10)")
 def inertia_rotated(Ji, R):
-    """Jo = Ji turned by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
+    """Jo = Ji rotated by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
 
     (10),(3,3)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the
     centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
@@ -145,7 +145,7 @@ def inertia_rotated(Ji, R):
 
 @kernel("(10),(3,3)->(10),(10)")
 def inertia_rotate(self, R):
-    """self = self turned by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
+    """self = self rotated by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
 
     (10),(3,3)->(10),(10).  self, self_bound: inertia (m in kg; mt = m c in kg m; I about the
     centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); R: rotation or other 3×3 matrix.
@@ -258,7 +258,7 @@ def inertia_rotate(self, R):
 
 @kernel("(10),(3)->(10),(10)")
 def inertia_translated(Ji, t):
-    """Jo = Ji moved by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
+    """Jo = Ji translated by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
 
     (10),(3)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the
     centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); t: vector.
@@ -284,7 +284,8 @@ def inertia_translated(Ji, t):
 
 @kernel("(10),(3)->(10),(10)")
 def inertia_translate(self, t):
-    """self = self moved by t: m, mt + m t, I; |error of self| <= self_bound unless inf or NaN.
+    """self = self translated by t: m, mt + m t, I; |error of self| <= self_bound unless inf or
+    NaN.
 
     (10),(3)->(10),(10).  self, self_bound: inertia (m in kg; mt = m c in kg m; I about the
     centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); t: vector.
@@ -311,8 +312,8 @@ def inertia_translate(self, t):
 
 @kernel("(10),(3,4)->(10),(10)")
 def inertia_transformed(Ji, D):
-    """Jo = Ji moved by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless inf
-    or NaN.
+    """Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless
+    inf or NaN.
 
     (10),(3,4)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the
     centre of mass c, xx, yy, zz, xy, yz, zx in kg m^2); D: displacement [R | t], R rotation, t
@@ -427,7 +428,7 @@ def inertia_transformed(Ji, D):
 
 @kernel("(10),(3,4)->(10),(10)")
 def inertia_transform(self, D):
-    """self = self moved by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound
+    """self = self displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound
     unless inf or NaN.
 
     (10),(3,4)->(10),(10).  self, self_bound: inertia (m in kg; mt = m c in kg m; I about the

@@ -1318,7 +1318,7 @@ def dot_qq(q1i, q2i):
 
 @kernel("(3),(4)->(4),(4)")
 def add_dpiToq(dpi, qi):
-    """qi = qi + qi (dpi; 0) / 2: turned by the small rotation vector dpi in the turned frame, to
+    """qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
     first order; not normalized; |error of qi| <= qi_bound unless inf or NaN.
 
     (3),(4)->(4),(4).  dpi: vector; qi, qi_bound: quaternion (x, y, z, w), the scalar last.
@@ -1399,8 +1399,8 @@ def subtract_dpiFromq(dpi, qi):
 @kernel("(3),(4)->(4),(4)")
 def omega_to_dquaternion(w, qi):
     """dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-    reference frame, rad/s, and what draws its norm to 1; |error of dqo| <= dqo_bound unless inf
-    or NaN.
+    reference frame, rad/s, and a term that draws its norm to 1; |error of dqo| <= dqo_bound
+    unless inf or NaN.
 
     (3),(4)->(4),(4).  w: vector; qi, dqo, dqo_bound: quaternion (x, y, z, w), the scalar last.
     43 mul, 40 add, 11 abs.

@@ -118,9 +118,8 @@ def subtract_BB(B1, B2):
 
 @kernel("(),(3),(3,3)->(10),(10)")
 def spatial_inertia_from_com(m, com, Ic):
-    """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; of the symmetric matrix
-    the upper triangle): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf
-    or NaN.
+    """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle
+    is read): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf or NaN.
 
     (),(3),(3,3)->(10),(10).  m: number; com: vector; Ic: rotation or other 3×3 matrix; Bo,
     Bo_bound: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz,
@@ -289,10 +288,9 @@ def spatial_inertia_energy(B, s):
 
 @kernel("(10),(3),(6)->(6),(6)")
 def spatial_inertia_net_wrench(B, w, ds):
-    """co = B ds + (w × (w × h); w × I w): the wrench about the origin that a body takes to move
-    with angular velocity w and acceleration ds = (a; w'), a that of the point now at the
-    origin; a less that of gravity: the wrench beside gravity's; |error of co| <= co_bound
-    unless inf or NaN.
+    """co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
+    velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
+    a is less gravity's, so is the wrench; |error of co| <= co_bound unless inf or NaN.
 
     (10),(3),(6)->(6),(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin,
     xx, yy, zz, xy, xz, yz in kg m^2); w: vector; ds: screw (v in m/s; ω in rad/s); co,
@@ -407,8 +405,8 @@ def spatial_inertia_net_wrench(B, w, ds):
 
 @kernel("(3),(10)->(10),(10)")
 def spatial_inertia_shifted(t, B):
-    """Bo: the body moved by t: h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound
-    unless inf or NaN.
+    """Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless
+    inf or NaN.
 
     (3),(10)->(10),(10).  t: vector; B, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m;
     I about the origin, xx, yy, zz, xy, xz, yz in kg m^2).
@@ -501,8 +499,8 @@ def spatial_inertia_shifted(t, B):
 
 @kernel("(3,4),(10)->(10),(10)")
 def spatial_inertia_transformed(D, B):
-    """Bo = [Ad]*(D) B [Ad]^-1(D): the inertia in the frame D takes its own to; |error of Bo| <=
-    Bo_bound unless inf or NaN.
+    """Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame; |error of
+    Bo| <= Bo_bound unless inf or NaN.
 
     (3,4),(10)->(10),(10).  D: displacement [R | t], R rotation, t in m; B, Bo, Bo_bound:
     spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz, xy, xz, yz in kg

@@ -1,0 +1,42 @@
+"""CONTRIBUTING.md's walks: what they add, and copies of the generator that have it."""
+
+import re
+import shutil
+from importlib.resources import as_file, files
+from pathlib import Path
+
+import coscrew_codegen
+
+GUIDE = Path(__file__).parents[2] / "CONTRIBUTING.md"
+_BLOCK = re.compile(r"```\w+\n(?:#|\{#) (codegen|templates)/(\S+?)(?:, in (\w+))?(?: #\})?\n"
+                    r"(.*?)```", re.DOTALL)
+"""Folder, file, the table in it that gets the entry if it is one, text."""
+
+
+def copied(folder: Path) -> Path:
+    """A copy of the generator and of its templates in this folder: the package."""
+    package, unneeded = folder / "coscrew_codegen", shutil.ignore_patterns("__pycache__")
+    shutil.copytree(Path(coscrew_codegen.__file__).parent, package, ignore=unneeded)
+    with as_file(files("coscrew_codegen.templates")) as templates:
+        shutil.copytree(templates, package / "templates", ignore=unneeded, dirs_exist_ok=True)
+    return package
+
+
+def walk(package: Path, *names: str) -> list[Path]:
+    """Adds to the package what the walks write into files of these names: new ones, or an entry of
+    a table.  Their paths."""
+    added = []
+    for folder, name, table, text in _BLOCK.findall(GUIDE.read_text(encoding="utf-8")):
+        if Path(name).name.partition(".")[0] not in names:
+            continue
+        path = package / name if folder == "codegen" else package / folder / name
+        if table:
+            before = path.read_text(encoding="utf-8")
+            start = f"\n{table} = (\n"
+            assert before.count(start) == 1, f"{name} has no {table} to which walks could add"
+            text = before.replace(start, start + text)
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+        added.append(path)
+    assert {path.name.partition(".")[0] for path in added} == set(names), f"{GUIDE.name}: {names}"
+    return added

@@ -1,1 +1,0 @@
-"""What somebody adds to the generator, a file each; tests put them into a copy of it."""
