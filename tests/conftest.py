@@ -7,8 +7,12 @@ parameters a few are run.
 import importlib
 import warnings
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
+
+if TYPE_CHECKING:  # imported with the first test that needs it: with it come SymPy and operations
+    from tests.support.truth.exact import Exact, Sample
 
 LONG = frozenset("""
     test_absence test_check test_check_bounces test_climb test_command_line test_cost test_cross
@@ -22,6 +26,22 @@ LONG = frozenset("""
 FEW = 6
 
 EXTENDED = ("coscrew", "coscrew.accurate", "coscrew.certified")
+
+
+@pytest.fixture(params=["double", "single"])
+def k(request: pytest.FixtureRequest) -> "Exact":
+    """The functions of one precision, on rational numbers."""
+    from tests.support.truth.exact import Exact
+
+    return Exact(importlib.import_module(f"coscrew.{request.param}"))
+
+
+@pytest.fixture(params=range(3))
+def sample(request: pytest.FixtureRequest) -> "Sample":
+    """Rational numbers, seeded."""
+    from tests.support.truth.exact import Sample
+
+    return Sample(request.param)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -1,7 +1,7 @@
-"""What a scene costs: operations and times of kernels, effect by effect, and accuracy by time."""
+"""Costs of a scene: operations and times of functions, effect by effect; accuracy against time."""
 
 from coscrew_codegen.errors import Told
 
 
 class CostError(Told, ValueError):
-    """The costs cannot be measured as asked; the message says what came and what was wanted."""
+    """The measurement is impossible with these settings; the message says what was wanted."""

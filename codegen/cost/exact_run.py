@@ -1,6 +1,6 @@
-"""A run's end with many digits: the recorded dynamics evaluated in mpmath, and extrapolated.
+"""A run's end to many digits: the dynamics' Programs evaluated in mpmath, with extrapolation.
 
-Independent of the emitted texts, of their precisions and of SciPy; not of the recorded dynamics.
+Independent of the emitted texts, of their precisions and of SciPy, but not of the Programs.
 """
 
 from collections.abc import Callable, Sequence
@@ -15,8 +15,8 @@ from coscrew_codegen.program.interpreter import by_operation, evaluate, exactly
 from coscrew_codegen.simulate.system import System
 
 _ROWS = 10  # of the extrapolation, of order 20
-_SMALLEST = 1e-5  # of the run: a step below that would take too long
-_GUARD = 10  # digits beyond those asked for
+_SMALLEST = 1e-5  # least step, as a fraction of the run: smaller ones would take too long
+_GUARD = 10  # digits beyond those wanted
 
 Numbers = list[mpf]
 Rates = Callable[[mpf, Numbers], Numbers]
@@ -27,8 +27,8 @@ MULTIPRECISE = by_operation(lambda x: mpf(x.double.numerator) / x.double.denomin
 
 
 def exact_end(system: System, until: float, digits: int) -> tuple[np.ndarray, np.ndarray, float]:
-    """q and v at the end, and about how far off they are.  Raises CostError where steps must be so
-    small that it would take too long, as of scenes that are not smooth."""
+    """q and v at the end, and an estimate of their error.  Raises CostError if that needs too small
+    steps, as for scenes that are not smooth."""
     with mpmath.workdps(digits + _GUARD):
         run = _Run(_rates(system), mpf(until), mpf(10)**-digits)
         y, apart = run.end([mpf(float(x)) for part in system.start() for x in part])
@@ -93,8 +93,8 @@ class _Run:
     tolerance: mpf
 
     def end(self, y: Numbers) -> tuple[Numbers, mpf]:
-        """y at the end, by the modified midpoint rule with 2, 4, 6, … steps, extrapolated to steps
-        of zero (Gragg, Bulirsch, Stoer), and the sum of the errors that were estimated."""
+        """y at the end, by the modified midpoint rule with 2, 4, 6, … steps extrapolated to step
+        zero (Gragg, Bulirsch, Stoer), and the sum of the estimated errors."""
         t, h, apart = mpf(0), self.until / 16, mpf(0)
         while t < self.until:
             h = min(h, self.until - t)

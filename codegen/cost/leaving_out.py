@@ -1,4 +1,4 @@
-"""A scene with all its effects, with each left out, and bare."""
+"""A scene with all its effects, without each of them, and without any."""
 
 from dataclasses import dataclass, replace
 
@@ -10,7 +10,7 @@ from coscrew_codegen.scene_functions import Function, SceneFunctions
 
 WHOLE = "all effects"
 TELLING = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
-"""The functions whose cost is told for each effect."""
+"""The functions whose cost is shown for each effect."""
 
 
 @dataclass(frozen=True)
@@ -28,9 +28,9 @@ class Part:
 
 
 def parts(scene: Scene) -> tuple[Part, ...]:
-    """The scene whole, without each of its effects, and without any.
+    """The scene with all its effects, without each of them, and without any.
 
-    Effects that decide about coordinates (mimic) always stay."""
+    Effects that change the coordinates (mimic) always stay."""
     names = tuple(dict.fromkeys(x.effect.name for x in scene.effects if _optional(x)))
     chosen = [(WHOLE, scene.effects)]
     if len(names) > 1:
@@ -47,12 +47,12 @@ def _part(words: str, scene: Scene) -> Part:
 
 
 def whole(scene: Scene) -> tuple[str, ...]:
-    """The functions of the scene with all its effects: those it asks for, those whose cost is told
-    for each effect, and all integrators."""
+    """The functions of the scene with all its effects: those it selects, those whose cost is shown
+    for each effect, and the steps of all integrators."""
     return together(asked_for(scene), TELLING, (x.step_name for x in EMITTED), ("energy",),
                     FREE)
 
 
 def _optional(applied: Applied) -> bool:
-    """Whether the effect can be left out, and costs anything where it is not asked for."""
+    """Whether the effect can be left out and adds to the cost of functions."""
     return not (applied.effect.mimic or applied.effect.reaction)

@@ -1,4 +1,4 @@
-"""C text: loops over a scene's functions and whole runs of its integrators; its library, timed."""
+"""C loops over a scene's functions, and whole runs of its integrators, compiled for timing."""
 
 import ctypes
 import time
@@ -18,7 +18,7 @@ from coscrew_codegen.simulate.native import Compiler, library
 from coscrew_codegen.targets import scene_c
 from coscrew_codegen.targets.scene_text import banner_of, c_name, outputs, size, step_inputs
 
-ELEMENTS = 64  # states a loop goes through: they stay in the first-level cache
+ELEMENTS = 64  # states of a loop: few enough for the first-level cache
 State = tuple[np.ndarray, np.ndarray]
 
 
@@ -36,7 +36,7 @@ class Compiled:
 
     def once(self, function: Function, precision: Precision, inputs: Sequence[np.ndarray]
              ) -> list[np.ndarray]:
-        """What the timed loop computes: the outputs, (ELEMENTS, numbers) each."""
+        """The outputs of the timed loop, (ELEMENTS, numbers) each."""
         made = _made(function, precision)
         loop = self._loop(function, precision, inputs, made)
         loop.function(ctypes.c_long(loop.n), loop.arguments)
@@ -49,8 +49,8 @@ class Compiled:
 
     def run(self, step: Step, precision: Precision, steps: int, h: float, p: Sequence[float],
             start: State) -> tuple[np.ndarray, np.ndarray, float]:
-        """q and v after this many steps of h from `start` at t = 0, and the seconds of processor
-        time that they took: other processes' do not count."""
+        """q and v after `steps` steps of h from `start` at t = 0, and the processor time in s (time
+        of other processes does not count)."""
         q, v = (np.array(x, precision.numpy_type) for x in start)
         parameters = np.array([*p, 0], precision.numpy_type)
         function = getattr(self.library, _run(step, precision))
@@ -70,7 +70,8 @@ def _made(function: Function, precision: Precision) -> list[np.ndarray]:
 
 
 def compiled(part: Part, functions: Sequence[Function], compiler: Compiler) -> Compiled:
-    """A part's loops over these functions, compiled as load_scene does; CompilationError if not."""
+    """A part's loops over these functions, compiled as load_scene does.  Raises CompilationError.
+    """
     name = part.functions.name
     files = {**scene_c.files(part.functions, banner_of(name)), "loops.c": text(part, functions),
              "driver.c": driver()}

@@ -1,4 +1,5 @@
-"""Measures a scene: operations and times of its functions, in parts; accuracy against time."""
+"""Measures a scene: operations and times of its functions, with and without each effect; accuracy
+against time."""
 
 import sys
 from collections.abc import Iterable, Iterator, Sequence
@@ -26,14 +27,14 @@ from coscrew_codegen.simulate.record import accelerations
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import System, system
 
-_SECONDS = 0.02  # that each function of each part is timed, in each precision
+_SECONDS = 0.02  # of timing for each function of each part in each precision
 
 Item = TypeVar("Item")
 
 
 @dataclass(frozen=True)
 class Row:
-    """What a function costs in a part of the scene."""
+    """The cost of a function in a part of the scene."""
 
     part: str
     function: str
@@ -44,7 +45,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Costs:
-    """What a scene costs, on this machine."""
+    """The costs of a scene on this machine."""
 
     scene: str
     compiler: str  # its version and flags
@@ -53,12 +54,12 @@ class Costs:
     points: tuple[Point, ...]
 
     def known(self, point: Point) -> bool:
-        """Whether a run's error is above the reference's own: below, it may be anything less."""
+        """Whether a run's error exceeds the reference's; if not, it is only known to be small."""
         return self.reference is not None and point.error > self.reference.error
 
 
 def measure(kernels: object, asked: Asked, digits: int | None) -> Costs:
-    """Measure; with `digits` the reference is computed with that many.  Raises CostError."""
+    """Measure; with `digits`, the reference is computed with so many.  Raises CostError."""
     try:
         using = native.compiler()
         chosen = parts(kernels.scene)
@@ -78,12 +79,12 @@ def measure(kernels: object, asked: Asked, digits: int | None) -> Costs:
 
 
 def _functions(part: Part) -> tuple[Function, ...]:
-    """Of the whole scene all functions, of its parts the telling ones."""
+    """All functions of the whole scene; of its other parts, the functions shown for each effect."""
     return tuple(f for f in part.public if part.words == WHOLE or f.name in TELLING)
 
 
 def _states(kernels: object, asked: Asked) -> tuple[System, Trajectory]:
-    """A run whose samples functions are timed at: as scenes meet them."""
+    """A run of the scene, from whose samples the inputs of timed functions are taken."""
     its = system(kernels, "double", dict(asked.settings))
     until = plan(its, asked.until, asked.step, asked.integrator).until
     planned = plan(its, asked.until, asked.step, asked.integrator, every=until / (ELEMENTS - 1))
@@ -95,8 +96,8 @@ def _states(kernels: object, asked: Asked) -> tuple[System, Trajectory]:
 
 
 def _rows(built: Sequence[Compiled], states: tuple[System, Trajectory]) -> Iterator[Row]:
-    """Each function of the whole scene, with what other parts have of it: timed beside each other,
-    in both precisions."""
+    """Each function of the whole scene and the same function of the other parts, timed in turn, in
+    both precisions."""
     for name in (f.name for f in _functions(built[0].part)):
         chosen = [(x, f) for x in built for f in _functions(x.part) if f.name == name]
         loops = [x.loop(f, precision, _inputs(f, *states))
@@ -120,5 +121,5 @@ def _inputs(function: Function, its: System, trajectory: Trajectory) -> list[np.
 
 
 def _progress(items: Iterable[Item], what: str, total: int | None) -> Iterator[Item]:
-    """The items, counted on standard error if that is a terminal."""
+    """The items, with a progress bar on standard error if that is a terminal."""
     yield from tqdm(items, what, total, leave=False, disable=None, file=sys.stderr)

@@ -50,7 +50,7 @@ def _bars(axes: Axes, costs: Costs) -> None:
 
 
 def _whiskers(times: Sequence[Interval]) -> list[list[float]]:
-    """How far the intervals reach below and above their medians."""
+    """The distances of the intervals' ends below and above their medians."""
     return [[x.median - x.low for x in times], [x.high - x.median for x in times]]
 
 
@@ -80,7 +80,7 @@ def _accuracy(axes: Axes, costs: Costs) -> None:
 
 def _curve(axes: Axes, points: Sequence[Point], costs: Costs, dash: str, marker: str,
            colour: str) -> None:
-    """An integrator's runs in one precision; hollow where the reference cannot tell the error."""
+    """An integrator's runs in one precision; hollow if the error is below the reference's."""
     first = points[0]
     name = f"{first.integrator} {first.precision}"
     where = [(1e6 * x.time.median, x.error) for x in points]

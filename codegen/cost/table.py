@@ -14,7 +14,7 @@ _MARKS = ("* no run is faster, the intervals apart, and as accurate\n"
 
 
 def table(costs: Costs) -> str:
-    """What costs.svg shows, and more: functions, effects, accuracy."""
+    """The figure's numbers and more: functions, effects, accuracy."""
     parts = [f"{costs.scene}: {costs.compiler}\nns per call in C: median (95 % interval) of rounds "
              "in which all parts and both precisions take turns",
              _functions(costs), _effects(costs), _accuracy(costs)]
@@ -28,7 +28,7 @@ def _functions(costs: Costs) -> str:
 
 
 def _effects(costs: Costs) -> str:
-    """A table for each telling function: its cost in each part, and what leaving out saves."""
+    """A table for each of the TELLING functions: its cost in each part, and the savings."""
     tables = []
     for name in TELLING:
         rows = [x for x in costs.rows if x.function == name]
@@ -67,6 +67,6 @@ def _mark(point: Point, costs: Costs) -> str:
 
 
 def _best(point: Point, costs: Costs) -> bool:
-    """Whether no other run is faster, the intervals apart, and as accurate."""
+    """Whether no other run is faster, with disjoint intervals, and at least as accurate."""
     return math.isfinite(point.error) and not any(
         x.time.below(point.time) and x.error <= point.error for x in costs.points)

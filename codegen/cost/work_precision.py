@@ -1,4 +1,4 @@
-"""What accuracy costs in time: errors at a run's end against the time the run took, by integrator,
+"""Accuracy against time: the error at a run's end and the time the run took, by integrator,
 precision and step."""
 
 import math
@@ -20,36 +20,36 @@ from coscrew_codegen.simulate.system import System, system
 
 _TIGHTEST, _TIGHTEST_IMPLICIT = 1e-13, 1e-11
 _ADAPTIVE = sorted(ADAPTIVE.items(), key=lambda x: x[1].implicit)
-_PATIENCE = 20.0  # s that a reference, or a run of SciPy's, may take
+_PATIENCE = 20.0  # s: limit for a reference, or for a run with SciPy
 _MOST_STEPS = 1_000_000
 _DOUBLINGS = range(-6, 5, 2)  # of the scene's step
 _TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9, 1e-11)
-_REPEATS = 3  # of SciPy's runs, unless they take longer than this many seconds:
+_REPEATS = 3  # of runs with SciPy, if they take at most _SHORT seconds
 _SHORT = 1.0
 
 
 @dataclass(frozen=True)
 class Reference:
-    """The state at the end, all but exact."""
+    """The state at the end, nearly exact."""
 
     words: str
     t: float
     q: np.ndarray
     v: np.ndarray
-    error: float  # about how far off it is
+    error: float  # estimate of its error
 
 
 @dataclass(frozen=True)
 class Point:
-    """A run: how accurate, how long."""
+    """A run: its error and its time."""
 
     integrator: str
     precision: str
-    step: float  # s; of SciPy's integrators the relative tolerance
+    step: float  # s; the relative tolerance for SciPy's integrators
     steps: int
-    time: Interval  # in s of processor time; of fewer than 6 runs, from shortest to longest
-    error: float  # the largest of a coordinate, in m or rad (quaternions: of a component)
-    by: str  # C, or Python
+    time: Interval  # processor time in s; from shortest to longest if there are fewer than 6 runs
+    error: float  # the largest error of a coordinate, in m or rad (quaternions: of a component)
+    by: str  # C or Python
 
 
 def error(system: System, q: np.ndarray, truth: Reference) -> float:
@@ -63,8 +63,8 @@ def error(system: System, q: np.ndarray, truth: Reference) -> float:
 
 
 def reference(system: System, until: float, digits: int | None) -> Reference | None:
-    """The state at the end: with `digits`, computed with that many; else by DOP853 with tolerances
-    of 1e-13, or where that takes too long by Radau's method; None if that does, too."""
+    """The state at the end: to `digits` digits, if given; else by DOP853 with tolerances of 1e-13,
+    or by Radau's method if that takes too long; None if that takes too long, too."""
     if digits:
         from coscrew_codegen.cost.exact_run import exact_end
 
@@ -115,14 +115,14 @@ def work_precision(kernels: object, library: Compiled, planned: Plan, asked: Ask
                 run = _end(its, planned.until, name, tolerance)
                 samples.append(time.thread_time() - began)
             if run is None:
-                break  # tighter ones would take longer still
+                break  # tighter tolerances would take even longer
             yield Point(name, "double", tolerance, run.steps, interval(np.array(samples)),
                         error(its, run.q[-1], truth), "Python")
 
 
 def _in_c(kernels: object, library: Compiled, planned: Plan, asked: Asked,
           truth: Reference) -> Iterator[Point]:
-    """The integrators of the scene, timed in rounds: each run once in each."""
+    """The emitted integrators, timed in rounds: each run once per round."""
     runs = [(system(kernels, precision.name, dict(asked.settings)), step, precision, steps)
             for precision in PRECISIONS for step in library.part.functions.steps
             for steps in _step_counts(planned)]
@@ -140,7 +140,7 @@ def _in_c(kernels: object, library: Compiled, planned: Plan, asked: Asked,
 
 
 def _step_counts(planned: Plan) -> list[int]:
-    """Steps of a run, from the fewest on."""
+    """Numbers of steps of a run, the fewest first."""
     first = planned.until / planned.step
     counts = {max(1, round(first * 2.0**-k)) for k in _DOUBLINGS}
     return sorted(n for n in counts if n <= _MOST_STEPS) or [_MOST_STEPS]

@@ -1,6 +1,6 @@
-"""The reference: operations, effects, keys of scene files, from the tables that they are made of.
+"""The reference documentation, generated from the tables of operations, effects and scene keys.
 
-Markdown with formulas in LaTeX, as GitHub and `make docs` show it; a JSON Schema for editors."""
+Markdown with formulas in LaTeX, as GitHub and `make docs` render it; a JSON Schema for editors."""
 
 from collections.abc import Mapping
 

@@ -7,14 +7,14 @@ from coscrew_codegen.documentation.notation import latex_name
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.quantity import Argument
 
-_WIDEST = 130  # characters of a row of the result, as SymPy writes it: more is not read
+_WIDEST = 130  # characters in a row of the result, as SymPy writes it: longer ones are unreadable
 _KNOWN = (sp.sin, sp.cos)
 _AXES = {"vec3": "xyz", "vec4": "xyzw", "quaternion": "xyzw"}
 
 
 def formulas(operation: Operation) -> tuple[str, ...]:
-    """'\\mathrm{vo} = \\begin{pmatrix} … \\end{pmatrix}' of each output; none where the components
-    are longer than people read, or choose between cases."""
+    """'\\mathrm{vo} = \\begin{pmatrix} … \\end{pmatrix}' for each output; () if components are too
+    long to read, or are piecewise."""
     values = operation.formula(*(a.value for a in operation.inputs))
     values = values if isinstance(values, tuple) else (values,)
     rows = [row for value in values for row in _rows(value)]

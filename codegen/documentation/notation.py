@@ -1,10 +1,10 @@
-"""Statements and equations of the tables, plain text, as Markdown with formulas in LaTeX.
+"""Turns plain-text statements and equations into Markdown with formulas in LaTeX.
 
     "R = exp v~, θ = |v|; singular at 2π"
     "$`R = \\exp\\tilde{v},\\;\\theta = |v|`$; singular at $`2\\pi`$"
 
-What is a formula is found word by word: names of arguments, single letters, functions, numbers and
-the signs between them; the rest is prose.
+Formulas are recognized word by word: names of arguments, single letters, functions, numbers and the
+signs between them; the rest is prose.
 """
 
 import re
@@ -24,7 +24,7 @@ _SIGNS = {"<=": r"\le", ">=": r"\ge", "×": r"\times", "·": r"\cdot", "±": r"\
           "<": "<", ">": ">", "|": "|", "!": "!", "'": "'", "*": "^{*}", "~": r"^{\sim}",
           "(": "(", ")": ")", "[": "[", "]": "]"}
 _SPACED = {"<=", ">=", "×", "·", "±", "⊙", "⊕", "=", "+", "<", ">"}
-_WORDS = {"angle", "angles", "axis", "energy", "pivot"}  # names of arguments, and English
+_WORDS = {"angle", "angles", "axis", "energy", "pivot"}  # names of arguments that are English words
 
 _TOKEN = re.compile(r"""
     (?P<units>\bkg[ ]m\^2|\brad/s|\bin[ ][WmJ]\b)
@@ -49,15 +49,15 @@ class _Token:
 
 
 def markdown(text: str, names: Collection[str], code: Collection[str] = ()) -> str:
-    """The text with its formulas between $` and `$, which GitHub and GitLab know, and in which
-    Markdown leaves backslashes alone; `names` are symbols in it, `code` names of functions."""
+    """The text with its formulas between $` and `$, as on GitHub and GitLab, where Markdown leaves
+    backslashes alone; `names` are its symbols, `code` names of functions."""
     tokens = _classified(text, names, code)
     runs = [(math, list(group)) for math, group in groupby(tokens, key=lambda token: token.math)]
     return "".join(_formula(run) if math else _prose(run, code) for math, run in runs)
 
 
 def latex_name(name: str, index: str = "") -> str:
-    """v1 → v_{1}, vo → \\mathrm{vo}, tau_c → \\tau_{c}; with a component's index behind it."""
+    """v1 → v_{1}, vo → \\mathrm{vo}, tau_c → \\tau_{c}; with a component's index as subscript."""
     base, number, below = _split(r"([^\W\d_]+?\u0304?)(\d\w*?)?(?:_(\w+))?", name)
     plain = base.removesuffix("\u0304")
     symbol = (rf"\{_GREEK[plain]}" if plain in _GREEK else
@@ -68,7 +68,7 @@ def latex_name(name: str, index: str = "") -> str:
 
 
 def _split(pattern: str, name: str) -> tuple[str, ...]:
-    """The groups of the pattern, "" for those that are not there."""
+    """The groups of the pattern, "" for missing ones."""
     if found := re.fullmatch(pattern, name):
         return found.groups("")
     raise ValueError(f"{name!r} is no symbol; wanted letters, digits, and an index behind _")
@@ -79,8 +79,8 @@ def _tokens(text: str, math: bool) -> list[_Token]:
 
 
 def _classified(text: str, names: Collection[str], code: Collection[str]) -> list[_Token]:
-    """The tokens, those of formulas marked; spaces and commas between two of these belong to them,
-    signs and brackets around prose do not."""
+    """The tokens, with those of formulas marked: also spaces and commas between two of these, but
+    not signs and brackets around prose."""
     tokens = _tokens(text, False)
     tokens = [_Token(t.kind, t.text, _is_math(tokens, n, names, code))
               for n, t in enumerate(tokens)]
@@ -108,7 +108,7 @@ def _is_math(tokens: list[_Token], n: int, names: Collection[str], code: Collect
     word = re.sub(r"(\.lin|\.ang)?[~*]?'?$", "", token.text)
     if word in code:
         return False
-    if word == "a" and word == token.text:  # the article, unless signs stand beside it
+    if word == "a" and word == token.text:  # the article, unless next to a sign
         return _is_symbol_a(tokens, n, names)
     if word in _WORDS or word in names and len(word) > 3 and word.isalpha() and word != "self":
         return any(t is not None and _is_symbol(t, names) for t in _beside(tokens, n))
@@ -118,7 +118,7 @@ def _is_math(tokens: list[_Token], n: int, names: Collection[str], code: Collect
 
 
 def _is_symbol(token: _Token, names: Collection[str]) -> bool:
-    """Whether it stands in formulas alone, not in prose."""
+    """Whether the token occurs in formulas only, never in prose."""
     word = re.sub(r"[~*]?'?$", "", token.text)
     return token.kind in ("sign", "power", "number") or token.kind == "word" and (
         word in names and len(word) < 4 or word in _GREEK)
@@ -134,14 +134,14 @@ def _is_symbol_a(tokens: list[_Token], n: int, names: Collection[str]) -> bool:
 
 
 def _beside(tokens: list[_Token], n: int) -> tuple[_Token | None, _Token | None]:
-    """The tokens before and after, spaces left out."""
+    """The tokens before and after, ignoring spaces."""
     before = (t for t in reversed(tokens[:n]) if t.kind != "space")
     after = (t for t in tokens[n + 1:] if t.kind != "space")
     return next(before, None), next(after, None)
 
 
 def _without_prose_in_brackets(tokens: list[_Token]) -> list[_Token]:
-    """Brackets around prose are prose."""
+    """The tokens, with brackets around prose marked as prose."""
     waiting: list[int] = []
     for n, token in enumerate(tokens):
         if token.text in ("(", "["):
@@ -167,7 +167,7 @@ def _prose(run: list[_Token], code: Collection[str]) -> str:
 
 
 def escaped(text: str) -> str:
-    """The text as Markdown shows it, in tables too."""
+    """The text escaped for Markdown, in tables too."""
     return re.sub(r"([\\*_$|\[\]<>])", r"\\\1", text)
 
 
@@ -178,7 +178,7 @@ def _formula(run: list[_Token]) -> str:
 
 
 def _latex(run: list[_Token]) -> str:
-    """The run in LaTeX: a space between two factors is a thin space, others go."""
+    """The run in LaTeX: a space between two factors becomes a thin space, others are dropped."""
     parts, n = [], 0
     while n < len(run):
         token = run[n]
@@ -196,7 +196,7 @@ def _latex(run: list[_Token]) -> str:
 
 
 def _closing(run: list[_Token], start: int) -> int | None:
-    """The place of the bracket that closes the one at `start`."""
+    """The index of the bracket that closes the one at `start`."""
     depth = 0
     for n in range(start, len(run)):
         depth += {"(": 1, ")": -1}.get(run[n].text, 0)

@@ -19,7 +19,7 @@ _CODE = frozenset(operation.name for operation in OPERATIONS if "_" in operation
 
 @dataclass(frozen=True)
 class Entry:
-    """What the page says of one operation."""
+    """The content of one operation's entry."""
 
     name: str
     anchor: str
@@ -28,11 +28,11 @@ class Entry:
     formulas: tuple[str, ...]  # LaTeX, of each output by components
     signature: str
     arguments: str
-    domain: str  # what each input may be
-    tiers: tuple[tuple[str, str, str], ...]  # plain first: name, cost, bound of the error
-    prototypes: tuple[str, ...]  # C, double and single
-    call: str  # Python
-    modules: str  # where Python has it
+    domain: str  # the domain of each input
+    tiers: tuple[tuple[str, str, str], ...]  # name, cost, error bound; plain first
+    prototypes: tuple[str, ...]  # in C, double and single
+    call: str  # in Python
+    modules: str  # that have it in Python
 
 
 def families_page(banner: str) -> str:
@@ -54,7 +54,7 @@ def family_page(family: str, programs: Mapping[str, Program], banner: str) -> st
 
 
 def _anchors(names: Iterator[str]) -> Iterator[str]:
-    """The headings' anchors, as GitHub and MyST make them: Ad, ad → ad, ad-1."""
+    """The anchors of headings, as GitHub and MyST generate them: Ad, ad → ad, ad-1."""
     taken: dict[str, int] = {}
     for name in (name.lower() for name in names):
         taken[name] = taken.get(name, -1) + 1
@@ -92,5 +92,5 @@ def _tiers(operation: Operation, program: Program,
 
 
 def _bound(words: str) -> str:
-    """The bound alone, without what the page says once."""
+    """The bound without the explanations that the page gives once."""
     return escaped(re.sub(r"^Error <= |, S the sum of .*|, barring over- .*|\.$", "", words))

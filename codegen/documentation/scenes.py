@@ -34,7 +34,8 @@ def integrators_page(banner: str) -> str:
 
 
 def _tableau(scheme: Scheme) -> list[list[str]]:
-    """A Butcher tableau's rows, the stages' numbers first, b last; none of other schemes."""
+    """The rows of a Butcher tableau with the numbers of the stages, b last; [] for other schemes.
+    """
     if not isinstance(scheme, Tableau):
         return []
     count = len(scheme.b)
@@ -45,7 +46,7 @@ def _tableau(scheme: Scheme) -> list[list[str]]:
 
 
 def _stages(scheme: Scheme) -> str:
-    """Drifts and kicks in order; "" of other schemes."""
+    """Drifts and kicks in order; "" for other schemes."""
     if not isinstance(scheme, Composition):
         return ""
     return ", ".join(f"drift by {_of_step(x.part)}" if isinstance(x, Drift) else

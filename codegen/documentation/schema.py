@@ -1,7 +1,7 @@
-"""The JSON Schema of scene files, for editors, from the tables the reader uses; `coscrew schema`.
+"""`coscrew schema`: the JSON Schema of scene files, for editors, from the tables the reader uses.
 
-Whatever the reader takes, the schema takes; it refuses unknown keys, wrong types and unknown words,
-and leaves to the reader what depends on the model or on other keys.
+The schema accepts whatever the reader accepts.  It refuses unknown keys, wrong types and unknown
+words; whatever depends on the model or on other keys is left to the reader.
 """
 
 import argparse
@@ -37,8 +37,8 @@ def run(_: argparse.Namespace) -> int:
 
 
 def schema_text(banner: str) -> str:
-    """The schema as a file holds it."""
-    definitions = {"number": {"type": ["number", "string"]},  # a text is a constant formula
+    """The text of the schema."""
+    definitions = {"number": {"type": ["number", "string"]},  # a string is a constant formula
                    "positive": _bounded("exclusiveMinimum"), "nonnegative": _bounded("minimum"),
                    "vector": _array(3, _NUMBER),
                    "texts": {"type": "array", "items": {"type": "string"}, "uniqueItems": True},
@@ -58,7 +58,8 @@ def _bounded(bound: str) -> Schema:
 
 
 def _told(words: str, schema: Schema) -> Schema:
-    """The schema with what editors show; beside $ref, it would be overlooked."""
+    """The schema with a description, which editors show; allOf, since keys next to $ref are
+    ignored."""
     return {"description": words} | ({"allOf": [schema]} if "$ref" in schema else schema)
 
 
@@ -101,7 +102,7 @@ def _effects() -> Schema:
 
 
 def _one(effect: Effect) -> Schema:
-    """The table of one place where the effect acts."""
+    """The table of one joint, body or pair on which the effect acts."""
     more: Schema = {"body": {"type": "string"}} if effect.place is Place.BODY else {}
     needed = [parameter.name for parameter in effect.parameters
               if parameter.required and parameter.default is None and not parameter.of]
@@ -114,7 +115,7 @@ def _one(effect: Effect) -> Schema:
 
 
 def _effect(effect: Effect) -> Schema:
-    """The table of the effect, of all places."""
+    """The table of the effect, with all joints, bodies or pairs."""
     one: Schema = {"$ref": f"#/definitions/{effect.name}"}
     if effect.place is Place.SCENE:
         return one

@@ -2,7 +2,6 @@
 
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.recording.numbers import absolute, maximum, minimum
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place, Torque, Values
 
 if TYPE_CHECKING:
@@ -10,28 +9,19 @@ if TYPE_CHECKING:
 
 
 def _torque(state, values: Values) -> Torque:
-    """sat(u) = max(-limit, min(u, limit)); u's slopes times limit / max(|u|, limit): beyond the
-    limit they bound the slope, which is zero."""
-    limit = values["limit"]
-    u, damping, stiffness = _demanded(state, values)
-    if limit is None:
-        return Torque(u, damping, stiffness)
-    share = limit / maximum(absolute(u), limit)
-    return Torque(maximum(minimum(u, limit), -limit), damping and damping * share,
-                  stiffness and stiffness * share)
+    """sat(u) = max(-limit, min(u, limit))."""
+    return Torque(_demanded(state, values), limit=values["limit"])
 
 
-def _demanded(state, values: Values) -> "tuple[Number, Number | None, Number | None]":
-    """u and its slopes -∂u/∂v, -∂u/∂q."""
-    kind = values["kind"]
-    if kind == "torque":
-        return values["torque"], None, None
-    if kind == "pd":
-        kp, kd = values["kp"], values["kd"]
-        return (kp * (values["target"] - state.q) + kd * (values["target_v"] - state.v), kd, kp)
+def _demanded(state, values: Values) -> "Number":
+    """u."""
+    if values["kind"] == "torque":
+        return values["torque"]
+    if values["kind"] == "pd":
+        return (values["kp"] * (values["target"] - state.q)
+                + values["kd"] * (values["target_v"] - state.v))
     strength = values["gear"] * values["kt"] / values["R"]
-    back = values["ke"] * values["gear"]
-    return strength * (values["voltage"] - back * state.v), strength * back, None
+    return strength * (values["voltage"] - values["ke"] * values["gear"] * state.v)
 
 
 EFFECT = Effect(

@@ -1,14 +1,12 @@
 """Coulomb friction, regularised: a constant torque against the motion, fading near rest."""
 
-from coscrew_codegen.recording.numbers import absolute, maximum, tanh
+from coscrew_codegen.recording.numbers import tanh
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place, Torque, Values
 
 
 def _torque(state, values: Values) -> Torque:
-    """-tau_c tanh(v/eps); damping tau_c / max(|v|, eps), at least the slope and |torque| / |v|."""
-    tau_c, eps = values["tau_c"], values["eps"]
-    return Torque(-(tau_c * tanh(state.v * (1 / eps))),
-                  damping=tau_c / maximum(absolute(state.v), eps))
+    """-tau_c tanh(v/eps)."""
+    return Torque(-(values["tau_c"] * tanh(state.v * (1 / values["eps"]))))
 
 
 EFFECT = Effect(

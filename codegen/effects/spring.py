@@ -6,7 +6,7 @@ from coscrew_codegen.scene.effect import Effect, ParameterOf, Place, Torque, Val
 def _torque(state, values: Values) -> Torque:
     """-k (q - q0), of energy k (q - q0)^2 / 2."""
     k, away = values["k"], state.q - values["q0"]
-    return Torque(-(k * away), stiffness=k, energy=k / 2 * (away * away))
+    return Torque(-(k * away), energy=k / 2 * (away * away))
 
 
 EFFECT = Effect(

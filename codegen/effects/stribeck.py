@@ -1,16 +1,15 @@
 """Stribeck friction, regularised: dry friction that is larger at rest than in motion."""
 
-from coscrew_codegen.recording.numbers import absolute, exp, maximum, tanh
+from coscrew_codegen.recording.numbers import exp, tanh
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place, Torque, Values
 
 
 def _torque(state, values: Values) -> Torque:
-    """-T tanh(v/eps) with T = tau_c + (tau_s - tau_c) e^(-(v/v_s)^2); damping T / max(|v|, eps), at
-    least |torque| / |v| and, where tau_s >= tau_c, the slope."""
-    v, tau_c, eps = state.v, values["tau_c"], values["eps"]
+    """-[tau_c + (tau_s - tau_c) exp(-(v/v_s)^2)] tanh(v/eps)."""
+    v, tau_c = state.v, values["tau_c"]
     ratio = v * (1 / values["v_s"])
     level = tau_c + (values["tau_s"] - tau_c) * exp(-(ratio * ratio))
-    return Torque(-(level * tanh(v * (1 / eps))), damping=level / maximum(absolute(v), eps))
+    return Torque(-(level * tanh(v * (1 / values["eps"]))))
 
 
 EFFECT = Effect(

@@ -5,7 +5,7 @@ from coscrew_codegen.scene.effect import Effect, ParameterOf, Place, Torque, Val
 
 def _torque(state, values: Values) -> Torque:
     """-d v."""
-    return Torque(-(values["d"] * state.v), damping=values["d"])
+    return Torque(-(values["d"] * state.v))
 
 
 EFFECT = Effect(

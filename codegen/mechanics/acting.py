@@ -1,19 +1,29 @@
 """What a scene's effects do to a motion: torques at joints, forces on links, energies, powers."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
 from coscrew_codegen.mechanics.motion import Motion
+from coscrew_codegen.mechanics.potentials import body_force
+from coscrew_codegen.mechanics.settings import settings
+from coscrew_codegen.mechanics.slopes import Along, Law
 from coscrew_codegen.mechanics.states import BodyOfLink
-from coscrew_codegen.program.folding import constant_pi
-from coscrew_codegen.recording import numbers as n
-from coscrew_codegen.recording.numbers import Number, Vector, add, displacement, negative
+from coscrew_codegen.recording.numbers import (
+    Number,
+    Vector,
+    add,
+    displacement,
+    dot,
+    maximum,
+    negative,
+    scaled,
+    sqrt,
+    subtract,
+)
 from coscrew_codegen.recording.recorder import Recorder
-from coscrew_codegen.scene.effect import Effect, Force, JointState, Line, Torque
-from coscrew_codegen.scene.formulas import Formula
-from coscrew_codegen.scene.model import Parameter
-from coscrew_codegen.scene.scene import Applied, Scene, Setting
+from coscrew_codegen.scene.effect import FIRST, SECOND, CoordinateState, Effect, Force, Torque
+from coscrew_codegen.scene.scene import Applied, Scene
 
 
 @dataclass(frozen=True)
@@ -41,19 +51,35 @@ class Pushed:
                                           self.state.twist(self.force.point))[0]
 
 
+CLOSEST = Fraction(1, 10**12)
+"""m: where two points are closer, the direction from one to the other fades to zero."""
+
+
 @dataclass(frozen=True)
 class Paired:
-    """How the forces between two points fall with their distance."""
+    """What acts between two points, along the line from the first to the second."""
 
     states: tuple[BodyOfLink, BodyOfLink]
     points: tuple[Vector, Vector]
-    line: Line
+    direction: Vector  # of length 1, in the world's frame
+    along: Along
+
+    @property
+    def forces(self) -> tuple[Force, Force]:
+        """On both bodies; energy and power are counted with the first."""
+        torque = self.along.torque
+        pull = scaled(-torque.torque, self.direction)
+        first, second = self.states
+        power = _own_power(torque, lambda: torque.torque * self.along.at.v)
+        zero = pull[0].like(0)
+        return (Force(self.points[0], first.own_direction(pull), energy=torque.energy, power=power),
+                Force(self.points[1], second.own_direction(negative(pull)), power=zero))
 
     @property
     def unit_wrenches(self) -> list[tuple[int, tuple[Number, ...]]]:
         """Links, with the wrench on each of forces of 1 N that push the points apart."""
         first, second = self.states
-        u = self.line.direction
+        u = self.direction
         forces = (Force(self.points[0], first.own_direction(negative(u))),
                   Force(self.points[1], second.own_direction(u)))
         return [(state.link, Pushed(state, force).on_link)
@@ -71,7 +97,7 @@ class Acting:
         self.recorder = recorder
         self.t = recorder.argument("t")[0] if recorder.has("t") else recorder.number(0)
         self.later = later or {}
-        self.torques: dict[int, list[Torque]] = {}
+        self.torques: dict[int, list[Along]] = {}
         self.pushes: dict[int, list[Pushed]] = {}
         self.pairs: list[Paired] = []
 
@@ -87,26 +113,36 @@ class Acting:
     def _apply(self, effect: Effect, applied: Applied) -> None:
         if effect.joint_torque:
             link = self.motion.tree.links.index(self.motion.tree.link_of(applied.on))
-            t = self.t + self.later.get(link, 0)
-            state = JointState(self.motion.coordinates(link)[0], self.motion.speeds(link)[0], t)
-            values = settings(self.recorder, applied.values, t)
-            self.torques.setdefault(link, []).append(effect.joint_torque(state, values))
-        values = settings(self.recorder, applied.values, self.t)
+            at = CoordinateState(self.motion.coordinates(link)[0], self.motion.speeds(link)[0],
+                            self.t + self.later.get(link, 0))
+            self.torques.setdefault(link, []).append(
+                Along(effect.joint_torque, at, applied.values, self.recorder.current))
         if effect.body_force:
             state = self._body(applied.on)
-            self._push(state, effect.body_force(state, values))
+            self._push(state, body_force(effect.body_force, state, applied.values))
         if effect.pair_force:
-            states = tuple(self._body(name) for name in applied.values["bodies"])
-            first, second, line = effect.pair_force(*states, values)
-            self._push(states[0], first)
-            self._push(states[1], second)
-            if line:
-                self.pairs.append(Paired(states, (first.point, second.point), line))
+            pair = self._pair(effect.pair_force, applied)
+            for state, force in zip(pair.states, pair.forces, strict=True):
+                self._push(state, force)
+            self.pairs.append(pair)
 
     def _body(self, name: str) -> BodyOfLink:
-        link, placement = self.motion.tree.seat_of(name)
-        place = displacement(self.recorder.numbers(placement.R), self.recorder.numbers(placement.t))
-        return BodyOfLink(self.motion, link, place, self.t)
+        (link, seat), numbers = self.motion.tree.seat_of(name), self.recorder.numbers
+        place = displacement(numbers(seat.placement.R), numbers(seat.placement.t))
+        return BodyOfLink(seat.body.inertia, self.t, self.motion, link, place)
+
+    def _pair(self, law: Law, applied: Applied) -> Paired:
+        first, second = (self._body(name) for name in applied.values["bodies"])
+        values = settings(self.recorder, applied.values, self.t)
+        a, b = values[FIRST], values[SECOND]
+        apart = first.line_to(a, second, b)
+        length = sqrt(dot(apart, apart))
+        direction = scaled(1 / maximum(length, CLOSEST), apart)
+        rate = dot(direction, subtract(second.world_direction(second.velocity(b)),
+                                       first.world_direction(first.velocity(a))))
+        return Paired((first, second), (a, b), direction,
+                      Along(law, CoordinateState(length, rate, self.t), applied.values,
+                            self.recorder.current))
 
     def _push(self, state: BodyOfLink, force: Force) -> None:
         self.pushes.setdefault(state.link, []).append(Pushed(state, force))
@@ -115,15 +151,15 @@ class Acting:
 
     def torque(self, link: int) -> Number:
         """The sum of the torques at the joint before a link with one coordinate."""
-        return self._sum(x.torque for x in self.torques.get(link, ()))
+        return self._sum(x.torque.torque for x in self.torques.get(link, ()))
 
     def damping(self, link: int) -> Number:
-        """-∂/∂v of it."""
-        return self._sum(x.damping for x in self.torques.get(link, ()) if x.damping)
+        """-∂/∂v of it, or a bound."""
+        return self._sum(x.slopes.damping for x in self.torques.get(link, ()))
 
     def stiffness(self, link: int) -> Number:
-        """-∂/∂q of it."""
-        return self._sum(x.stiffness for x in self.torques.get(link, ()) if x.stiffness)
+        """-∂/∂q of it, or a bound."""
+        return self._sum(x.slopes.stiffness for x in self.torques.get(link, ()))
 
     def force(self, link: int) -> tuple[Number, ...]:
         """The sum of the forces on a link: force; moment about its origin, in its frame."""
@@ -139,7 +175,7 @@ class Acting:
 
     def potential(self) -> Number:
         """The energy of the effects that have one."""
-        torques = [x.energy for link in sorted(self.torques) for x in self.torques[link]]
+        torques = [x.torque.energy for link in sorted(self.torques) for x in self.torques[link]]
         pushes = [x.force.energy for link in sorted(self.pushes) for x in self.pushes[link]]
         return self._sum(x for x in (*torques, *pushes) if x)
 
@@ -149,7 +185,8 @@ class Acting:
         for link in sorted(self.torques):
             speed = self.motion.speeds(link)[0]
             for x in self.torques[link]:
-                total = total + _own_power(x, lambda x=x, speed=speed: x.torque * speed)
+                torque = x.torque
+                total = total + _own_power(torque, lambda x=torque, v=speed: x.torque * v)
         for link in sorted(self.pushes):
             for push in self.pushes[link]:
                 total = total + _own_power(push.force, lambda push=push: push.power)
@@ -188,24 +225,3 @@ def joint_inertias(scene: Scene, recorder: Recorder) -> dict[str, Number]:
             own = applied.effect.joint_inertia(values)
             total[applied.on] = total[applied.on] + own if applied.on in total else own
     return total
-
-
-def settings(recorder: Recorder, values: Mapping[str, Setting], t: Number) -> dict[str, object]:
-    """The values as Numbers, tuples of them, words."""
-    return {name: _setting(recorder, value, t) for name, value in values.items()}
-
-
-def _setting(recorder: Recorder, value: Setting, t: Number) -> object:
-    if isinstance(value, Formula):
-        return value.value(t, _functions(recorder))
-    if isinstance(value, (Fraction, Parameter)):
-        return recorder.number(value)
-    if isinstance(value, Sequence) and not isinstance(value, str):
-        return tuple(_setting(recorder, x, t) for x in value)
-    return value
-
-
-def _functions(recorder: Recorder) -> dict[str, object]:
-    return {"sin": n.sin, "cos": n.cos, "exp": n.exp, "tanh": n.tanh, "sqrt": n.sqrt,
-            "abs": n.absolute, "min": n.minimum, "max": n.maximum, "number": recorder.number,
-            "pi": recorder.number(constant_pi())}

@@ -176,12 +176,12 @@ def _with_pair(motion: Motion, pair: Paired, now: Paired, weights: Weights, solv
             wrenches[link] = add(wrenches[link], wrench)
     e = inverse.joint_torques(motion, inverse.transmitted(motion, wrenches), None, {})
     w = solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), still)
-    line, product = pair.line, _product(e, w)
-    mass, fall = weights(line.damping, line.stiffness, line.damping * product)
+    slopes, rate, product = pair.along.slopes, pair.along.at.v, _product(e, w)
+    mass, fall = weights(slopes.damping, slopes.stiffness, slopes.damping * product)
     share = mass / (1 + mass * product)
-    pull = fall * line.rate
+    pull = fall * rate
     if now is not pair:
-        pull = pull - line.damping * (now.line.rate - line.rate)
+        pull = pull - slopes.damping * (now.along.at.v - rate)
     less = scaled(pull, e)
 
     def coupled(joint: Joint, wrenches: Sequence[Wrench]) -> list[Number]:

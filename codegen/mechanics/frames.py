@@ -10,8 +10,9 @@ from coscrew_codegen.recording.numbers import Number, add, displacement, scaled
 
 def _seat(x: Recording, body: str) -> tuple[int, Displacement]:
     """The link a body belongs to, and its D in it."""
-    number, placement = x.tree.seat_of(body)
-    return number, displacement(x.recorder.numbers(placement.R), x.recorder.numbers(placement.t))
+    number, seat = x.tree.seat_of(body)
+    R, t = x.recorder.numbers(seat.placement.R), x.recorder.numbers(seat.placement.t)
+    return number, displacement(R, t)
 
 
 def pose(x: Recording, motion: Motion, body: str) -> Displacement:

@@ -16,11 +16,12 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from coscrew_codegen.mechanics import forward
-from coscrew_codegen.mechanics.acting import Acting, settings
+from coscrew_codegen.mechanics.acting import Acting
 from coscrew_codegen.mechanics.recorded import Recording
+from coscrew_codegen.mechanics.settings import settings
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.recording.numbers import Number, add, less, scaled, sqrt, where
-from coscrew_codegen.scene.effect import Contact, JointState
+from coscrew_codegen.scene.effect import Contact, CoordinateState
 
 FINE = 12
 """A step is split so that a contact's frequency ω at its deepest times a part's length s is at most
@@ -114,10 +115,10 @@ def _contacts(x: Recording) -> Iterator[tuple[int, Contact, Contact]]:
             with recorder.part(x.names[link], "own", x.tree.links[link].name):
                 values = settings(recorder, applied.values, zero)
                 q, v = motion.coordinates(link)[0], motion.speeds(link)[0]
-                before = applied.effect.joint_torque(JointState(q, v, zero), values).contact
+                before = applied.effect.joint_torque(CoordinateState(q, v, zero), values).contact
                 if before:
                     h, = recorder.argument("h")
-                    after = applied.effect.joint_torque(JointState(q + h * v, v, zero), values)
+                    after = applied.effect.joint_torque(CoordinateState(q + h * v, v, zero), values)
                     yield link, before, after.contact
 
 

@@ -3,7 +3,7 @@
 What a scene says must be 0 or normal in its precisions: what is larger would become infinite, what
 is smaller would lose digits or become 0.  What its numbers are multiplied to may also be subnormal,
 as products of what files hold where they mean zero are: 1.7e-19 kg m².  Quotients are no constants
-where a denominator is max(|v|, eps): they are looked at where everything is at rest.
+where a denominator may change: they are looked at where everything is at rest.
 """
 
 import math

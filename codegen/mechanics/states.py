@@ -15,16 +15,61 @@ from coscrew_codegen.recording.numbers import (
     subtract,
 )
 from coscrew_codegen.scene.effect import BodyState
+from coscrew_codegen.scene.model import Inertia
 
 
 @dataclass(frozen=True)
-class BodyOfLink(BodyState):
+class BodyInWorld(BodyState):
+    """A body whose pose in the world is known."""
+
+    own: Inertia | None
+    t: Number
+
+    @property
+    def pose(self) -> Displacement:
+        """D of the body in the world."""
+        raise TypeError("a body has a pose")
+
+    @property
+    def mass(self) -> Number:
+        """In kg; zero if the model gives none."""
+        return self.t.recorder.number(self.own.mass if self.own else 0)
+
+    @property
+    def centre_of_mass(self) -> Vector:
+        """In m."""
+        return self.t.recorder.numbers(self.own.com if self.own else (0,) * 3)
+
+    @property
+    def inertia(self) -> tuple[Number, ...]:
+        """Moments xx, yy, zz, xy, xz, yz about the centre of mass, in kg m²."""
+        return self.t.recorder.numbers(self.own.moments if self.own else (0,) * 6)
+
+    def world_direction(self, vector: Vector) -> Vector:
+        """R x: a vector of the body as the world sees it."""
+        return rotated(rotation(self.pose), vector)
+
+    def own_direction(self, vector: Vector) -> Vector:
+        """R^T x: a vector of the world as the body sees it."""
+        return rotated_back(rotation(self.pose), vector)
+
+    def world_position(self, point: Vector) -> Vector:
+        """R x + t: where a point of the body is."""
+        return _at(self.pose, point)
+
+
+@dataclass(frozen=True)
+class BodyOfLink(BodyInWorld):
     """A body as part of a link, which tells where it is and how it moves."""
 
     motion: Motion
     link: int
     place: Displacement  # of the body in its link
-    t: Number
+
+    @property
+    def pose(self) -> Displacement:
+        """D of the body in the world."""
+        return self.t.recorder.call("product_dd", self.motion.pose(self.link), self.place)
 
     @property
     def gravity(self) -> Vector:
@@ -32,16 +77,16 @@ class BodyOfLink(BodyState):
         return self.motion.gravity
 
     def world_direction(self, vector: Vector) -> Vector:
-        """R x: a vector of the body as the world sees it."""
+        """R x, by way of the link."""
         return rotated(rotation(self.motion.pose(self.link)), rotated(rotation(self.place), vector))
 
     def own_direction(self, vector: Vector) -> Vector:
-        """R^T x: a vector of the world as the body sees it."""
+        """R^T x, by way of the link."""
         in_link = rotated_back(rotation(self.motion.pose(self.link)), vector)
         return rotated_back(rotation(self.place), in_link)
 
     def world_position(self, point: Vector) -> Vector:
-        """R x + t: where a point of the body is."""
+        """R x + t, by way of the link."""
         return _at(self.motion.pose(self.link), self.in_link(point))
 
     def velocity(self, point: Vector) -> Vector:

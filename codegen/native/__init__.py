@@ -1,1 +1,1 @@
-"""Native code and other calls, timed beside each other."""
+"""Timing of native code and Python calls; the cache of compiled and derived files."""

@@ -1,7 +1,7 @@
-"""Arrays for timed loops: where they lie decides what they cost, so it is the same in every run.
+"""Arrays for timed loops: times depend on their addresses, so every run uses the same layout.
 
-Everything starts at a multiple of a cache line, and blocks start at a page.  Planes are an odd
-number of lines apart, so that of a first-level cache's 64 sets no two of 64 planes begin in one.
+Arrays start at a multiple of a cache line, blocks at a page.  Planes are an odd number of lines
+apart, so that 64 planes begin in 64 different sets of a first-level cache.
 """
 
 from collections.abc import Sequence
@@ -13,13 +13,13 @@ _PAGE = 4096
 
 
 def plane_length(elements: int, size: int) -> int:
-    """How many numbers of `size` bytes it is from one plane of `elements` to the next."""
+    """The distance, in numbers of `size` bytes, from one plane of `elements` to the next."""
     return (-(-elements * size // LINE) | 1) * LINE // size
 
 
 def planes(arrays: Sequence[np.ndarray]) -> list[np.ndarray]:
-    """Arrays (n, …) of one type, component by component, row by row, all in one block: each as
-    (components, plane_length); what lies between planes is 1."""
+    """Arrays (n, …) of one type as planes of components, (components, plane_length) each, all in
+    one block; padding between planes is 1."""
     length = plane_length(len(arrays[0]), arrays[0].itemsize)
     columns = [x.reshape(len(x), -1).T for x in arrays]
     block = _aligned((sum(map(len, columns)), length), arrays[0].dtype, _PAGE)
@@ -34,7 +34,7 @@ def planes(arrays: Sequence[np.ndarray]) -> list[np.ndarray]:
 
 
 def aligned(array: np.ndarray) -> np.ndarray:
-    """A copy in C's order that starts at a multiple of a cache line."""
+    """A C-ordered copy that starts at a multiple of a cache line."""
     copy = _aligned(array.shape, array.dtype, LINE)
     copy[...] = array
     return copy

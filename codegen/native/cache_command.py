@@ -1,4 +1,4 @@
-"""`coscrew cache`: shows what is kept of scenes that were loaded, and empties it."""
+"""`coscrew cache`: shows the cache of loaded scenes, or empties it."""
 
 import argparse
 
@@ -8,11 +8,11 @@ from coscrew_codegen.native import cache
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add `cache` to the command line."""
     parser = commands.add_parser(
-        "cache", help="show or empty what is kept of loaded scenes",
-        description="Show what is kept of scenes that were derived and compiled: folder, entries, "
+        "cache", help="show or empty the cache of loaded scenes",
+        description="Show the cache of scenes that were derived and compiled: folder, entries, "
         f"bytes, limit.  The limit is ${cache.LIMIT}, {cache.DEFAULT_LIMIT} if that is not set; "
-        "entries used least recently go when there is more.")
-    parser.add_argument("--clear", action="store_true", help="empty it")
+        "when it is exceeded, the least recently used entries are removed.")
+    parser.add_argument("--clear", action="store_true", help="empty the cache")
     parser.set_defaults(run=run)
 
 
@@ -32,7 +32,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def shown(size: int) -> str:
-    """Bytes in words: 12.3 MB."""
+    """A number of bytes as text: 12.3 MB."""
     for unit, factor in (("GB", 10**9), ("MB", 10**6), ("KB", 10**3)):
         if size >= factor:
             return f"{size / factor:.3g} {unit}"

@@ -1,9 +1,9 @@
-"""Medians with intervals that hold whatever the times' distribution is.
+"""Medians with distribution-free confidence intervals.
 
 The interval of a median reaches from the k-th shortest to the k-th longest sample, k the largest
-with P(B < k) <= 2.5 %, B binomial of n and 1/2: of 100 such intervals 95 hold the true median, if
-samples are independent.  Fewer than 6 samples cannot promise that; theirs reaches from the shortest
-to the longest.
+with P(B < k) <= 2.5 %, B binomial with n and 1/2: of 100 such intervals 95 hold the true median, if
+samples are independent.  With fewer than 6 samples that is impossible; the interval then reaches
+from the shortest to the longest.
 """
 
 from dataclasses import dataclass
@@ -13,21 +13,21 @@ from math import comb
 import numpy as np
 
 FEWEST = 6
-"""Samples that an interval of 95 % needs."""
+"""The number of samples that an interval of 95 % needs."""
 
-_TAIL = 40  # one in so many lies on either side
+_TAIL = 40  # one in 40 lies on either side
 
 
 @dataclass(frozen=True)
 class Interval:
-    """A median, and the interval that holds the true one."""
+    """A median and its confidence interval."""
 
     median: float
     low: float
     high: float
 
     def below(self, other: "Interval") -> bool:
-        """Whether the intervals are apart, this one below."""
+        """Whether this interval lies below the other, without overlap."""
         return self.high < other.low
 
 

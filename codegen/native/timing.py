@@ -1,7 +1,7 @@
-"""Times of variants beside each other, in ns.
+"""Times of several variants, in ns, measured in turn.
 
-In every round each variant is timed once, after a call that is not, and the order turns from round
-to round: what slows the machine down slows all of them.  Ratios are of times in the same round.
+In every round each variant is timed once, after an untimed call, and the order rotates from round
+to round, so that disturbances affect all of them.  Ratios are of times in the same round.
 """
 
 import ctypes
@@ -17,10 +17,10 @@ from coscrew_codegen.native.intervals import FEWEST, Interval, interval
 from coscrew_codegen.render import render
 
 DRIVER = "native/driver.c"
-"""The template of what libraries with timed loops have besides; it has no holes."""
+"""The template of the driver in libraries with timed loops; it has no holes."""
 
 SAMPLE = 20e3
-"""ns that a sample takes at least, many times what clocks resolve."""
+"""Least duration of a sample in ns, many times the resolution of clocks."""
 
 _MOST_ROUNDS = 4000
 _ROUNDS_TO_CALIBRATE = 5
@@ -28,18 +28,18 @@ _ROUNDS_TO_CALIBRATE = 5
 
 @dataclass(frozen=True, eq=False)
 class Timing:
-    """What a variant took in each round."""
+    """The times of a variant, one per round."""
 
     rounds: np.ndarray
 
     @property
     def time(self) -> Interval:
-        """Its median."""
+        """The median time."""
         return interval(self.rounds)
 
     @property
     def minimum(self) -> float:
-        """The shortest."""
+        """The shortest time."""
         return float(self.rounds.min())
 
     def ratio(self, other: "Timing") -> Interval:
@@ -49,7 +49,7 @@ class Timing:
 
 @dataclass(frozen=True)
 class Loop:
-    """A compiled `void f(long n, void *const *arguments)` that goes through n elements."""
+    """A compiled `void f(long n, void *const *arguments)`, a loop over n elements."""
 
     function: "ctypes._NamedFuncPointer"
     n: int
@@ -57,12 +57,12 @@ class Loop:
 
 
 def driver() -> str:
-    """The C text that libraries of timed loops contain."""
+    """The C text of the driver, for libraries of timed loops."""
     return render(DRIVER)
 
 
 def pointers(arrays: Sequence[np.ndarray]) -> ctypes.Array:
-    """void *[] to these arrays, which it keeps."""
+    """void *[] to these arrays, to which it also holds references."""
     array = (ctypes.c_void_p * len(arrays))(*(a.ctypes.data for a in arrays))
     array.kept = tuple(arrays)
     return array
@@ -76,7 +76,7 @@ def timed_loops(library: ctypes.CDLL, loops: Sequence[Loop], ns: float) -> list[
         first = _rounds(library, loops, calls, _ROUNDS_TO_CALIBRATE).min(axis=0)
         samples = [t * x.n * count for t, x, count in zip(first, loops, calls, strict=True)]
         if min(samples) >= SAMPLE / 2:
-            each = sum(sample * (1 + 1 / count)  # with the calls that are not timed
+            each = sum(sample * (1 + 1 / count)  # including untimed calls
                        for sample, count in zip(samples, calls, strict=True))
             break
         calls = [count if sample >= SAMPLE / 2 else
@@ -102,7 +102,7 @@ def _rounds(library: ctypes.CDLL, loops: Sequence[Loop], calls: Sequence[int],
 
 def timed_calls(calls: Sequence[Callable[[], object]], ns: float,
                 sample: float = SAMPLE) -> list[Timing]:
-    """Times of a call of Python's, in rounds of about `ns` altogether."""
+    """Times of Python calls, in rounds of about `ns` altogether."""
     with _no_collection():
         numbers = [_number(call, sample) for call in calls]
         each = sum(number * _elapsed(call, number) for call, number in zip(calls, numbers,
@@ -121,7 +121,7 @@ def _round_count(ns: float, each: float) -> int:
 
 
 def _number(call: Callable[[], object], sample: float) -> int:
-    """How many calls make a sample."""
+    """The number of calls in a sample."""
     call()
     number = 1
     while number * (each := _elapsed(call, number)) < sample / 2:
@@ -130,7 +130,7 @@ def _number(call: Callable[[], object], sample: float) -> int:
 
 
 def _elapsed(call: Callable[[], object], number: int) -> float:
-    """ns of one of so many calls."""
+    """The time of one of `number` calls, in ns."""
     start = time.perf_counter_ns()
     for _ in range(number):
         call()

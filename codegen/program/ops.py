@@ -3,8 +3,10 @@
 A target knows how its language spells them, an Arithmetic how its numbers compute them.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
+from typing import Any, Protocol
 
 
 class Rounding(Enum):
@@ -15,12 +17,27 @@ class Rounding(Enum):
     LIBRARY = "as the language's library rounds it"
 
 
+class Functions(Protocol):
+    """The functions that partial derivatives need, on some kind of numbers with + - * /."""
+
+    def sin(self, x: Any, /) -> Any: ...
+    def cos(self, x: Any, /) -> Any: ...
+    def less(self, a: Any, b: Any, /) -> Any: ...
+    def where(self, test: Any, a: Any, b: Any, /) -> Any: ...
+
+
+Slopes = Callable[..., tuple[Any, ...]]
+"""From Functions, the operands and the result to the partial derivative by each operand."""
+
+
 @dataclass(frozen=True)
 class Meaning:
-    """How many operands an operation has, and how its result is rounded."""
+    """How many operands an operation has, how its result is rounded, and its partial derivatives:
+    None where it has none that are numbers (comparisons; a choice has those of what it chooses)."""
 
     arity: int
     rounding: Rounding
+    slopes: Slopes | None
     commutes: bool = False
 
 
@@ -65,17 +82,46 @@ class Op(Enum):
         return self.meaning.rounding is not Rounding.EXACT
 
 
+def _sum(*signs: int) -> Slopes:
+    return lambda f, *x: signs
+
+
+def _product(sign: int, *more: int) -> Slopes:
+    """Of ±a b and further terms."""
+    if sign < 0:
+        return lambda f, a, b, *x: (-b, -a, *more)
+    return lambda f, a, b, *x: (b, a, *more)
+
+
+def _arctangent(f: Functions, y: Any, x: Any, angle: Any) -> tuple[Any, Any]:
+    square = x * x + y * y
+    return x / square, -(y / square)
+
+
 _MEANINGS = {
-    Op.ADD: Meaning(2, _ONCE, commutes=True), Op.SUB: Meaning(2, _ONCE),
-    Op.MUL: Meaning(2, _ONCE, commutes=True), Op.DIV: Meaning(2, _ONCE),
-    Op.NEG: Meaning(1, _EXACT), Op.ABS: Meaning(1, _EXACT), Op.SQRT: Meaning(1, _ONCE),
-    Op.SIN: Meaning(1, _LIBRARY), Op.COS: Meaning(1, _LIBRARY), Op.ATAN2: Meaning(2, _LIBRARY),
-    Op.EXP: Meaning(1, _LIBRARY), Op.TANH: Meaning(1, _LIBRARY), Op.SCALE: Meaning(2, _EXACT),
-    Op.FMA: Meaning(3, _ONCE), Op.FMS: Meaning(3, _ONCE), Op.FNMA: Meaning(3, _ONCE),
-    Op.EXACT_ADD: Meaning(2, _EXACT), Op.EXACT_SUB: Meaning(2, _EXACT),
-    Op.PRODUCT_ERROR: Meaning(3, _EXACT), Op.PRODUCT_REST: Meaning(4, _ONCE),
-    Op.LESS: Meaning(2, _EXACT), Op.EQUAL: Meaning(2, _EXACT, commutes=True),
-    Op.SELECT: Meaning(3, _EXACT)}
+    Op.ADD: Meaning(2, _ONCE, _sum(1, 1), commutes=True),
+    Op.SUB: Meaning(2, _ONCE, _sum(1, -1)),
+    Op.MUL: Meaning(2, _ONCE, _product(1), commutes=True),
+    Op.DIV: Meaning(2, _ONCE, lambda f, a, b, y: (1 / b, -(y / b))),
+    Op.NEG: Meaning(1, _EXACT, _sum(-1)),
+    Op.ABS: Meaning(1, _EXACT, lambda f, x, y: (f.where(f.less(x, 0), -1, 1),)),
+    Op.SQRT: Meaning(1, _ONCE, lambda f, x, y: (1 / (2 * y),)),
+    Op.SIN: Meaning(1, _LIBRARY, lambda f, x, y: (f.cos(x),)),
+    Op.COS: Meaning(1, _LIBRARY, lambda f, x, y: (-f.sin(x),)),
+    Op.ATAN2: Meaning(2, _LIBRARY, _arctangent),
+    Op.EXP: Meaning(1, _LIBRARY, lambda f, x, y: (y,)),
+    Op.TANH: Meaning(1, _LIBRARY, lambda f, x, y: (1 - y * y,)),
+    Op.SCALE: Meaning(2, _EXACT, _product(1)),
+    Op.FMA: Meaning(3, _ONCE, _product(1, 1)),
+    Op.FMS: Meaning(3, _ONCE, _product(1, -1)),
+    Op.FNMA: Meaning(3, _ONCE, _product(-1, 1)),
+    Op.EXACT_ADD: Meaning(2, _EXACT, _sum(1, 1)),
+    Op.EXACT_SUB: Meaning(2, _EXACT, _sum(1, -1)),
+    Op.PRODUCT_ERROR: Meaning(3, _EXACT, _product(1, -1)),
+    Op.PRODUCT_REST: Meaning(4, _ONCE, _product(1, 0, -1)),
+    Op.LESS: Meaning(2, _EXACT, None),
+    Op.EQUAL: Meaning(2, _EXACT, None, commutes=True),
+    Op.SELECT: Meaning(3, _EXACT, None)}
 
 COMPARISONS = frozenset({Op.LESS, Op.EQUAL})
 """The operations whose results are truth values, for SELECT."""

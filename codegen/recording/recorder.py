@@ -92,8 +92,18 @@ class Recorder:
     @contextmanager
     def part(self, owner: str, symbol: str = "", heading: str = "") -> Iterator[None]:
         """Name the instructions issued in this block by owner and symbol, below a heading."""
-        before = self._part
-        self._part = Part(owner, symbol, heading or before.heading)
+        with self.resumed(Part(owner, symbol, heading or self._part.heading)):
+            yield
+
+    @property
+    def current(self) -> Part:
+        """The part that instructions issued now belong to."""
+        return self._part
+
+    @contextmanager
+    def resumed(self, part: Part) -> Iterator[None]:
+        """Name the instructions issued in this block after this part."""
+        before, self._part = self._part, part
         try:
             yield
         except ZeroDivisionError:
@@ -115,10 +125,27 @@ class Recorder:
 
     def call(self, operation: str, *arguments: Number | Numbers) -> tuple[Number, ...]:
         """All components of the operation's outputs; records its plain program on the arguments."""
-        given = [[x.operand for x in ([a] if isinstance(a, Number) else a)] for a in arguments]
         if operation not in self._replays:
             self._replays[operation] = interpreter(library_program(operation), self._arithmetic)
-        return tuple(Number(self, x) for x in self._replays[operation](given))
+        return self._replayed(self._replays[operation], arguments)
+
+    def replay(self, program: Program, *arguments: Number | Numbers) -> tuple[Number, ...]:
+        """All components of the program's outputs; records it on these arguments."""
+        return self._replayed(interpreter(program, self._arithmetic), arguments)
+
+    def _replayed(self, run: Callable[[Sequence[Sequence[Operand]]], list[Operand]],
+                  arguments: Sequence[Number | Numbers]) -> tuple[Number, ...]:
+        given = [[x.operand for x in ([a] if isinstance(a, Number) else a)] for a in arguments]
+        return tuple(Number(self, x) for x in run(given))
+
+    @property
+    def arithmetic(self) -> Arithmetic[Number]:
+        """What interprets a program on Numbers of this recording."""
+        return Arithmetic(
+            lambda x: Number(self, x),
+            lambda step, _: lambda *numbers: Number(self, self.issue(
+                step.op, tuple(x.operand for x in numbers))),
+            Number(self, NotANumber()))
 
     def _issued_of(self, op: Op, *operands: Operand) -> Operand:
         return self.issue(op, operands)

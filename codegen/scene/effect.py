@@ -7,6 +7,7 @@ and answers with accelerations, forces and inertias.  Slots it leaves None cost 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import Enum
+from fractions import Fraction
 from typing import Protocol
 
 from coscrew_codegen.recording.numbers import Number, Vector
@@ -44,8 +45,10 @@ class ParameterOf:
 
 
 @dataclass(frozen=True)
-class JointState:
-    """A joint with one coordinate: q in rad or m, v, time t in s."""
+class CoordinateState:
+    """What a torque or force acts along: a joint's coordinate, or the distance between two points.
+
+    Its value q in rad or m, its rate v = q', the time t in s."""
 
     q: Number
     v: Number
@@ -53,11 +56,23 @@ class JointState:
 
 
 class BodyState(Protocol):
-    """A body: where it is and how it moves; time t in s.
+    """A body: what it is, where it is and how it moves; time t in s.
 
     Points and vectors are in the body's frame unless a name says `world`."""
 
     t: Number
+
+    @property
+    def mass(self) -> Number:
+        """In kg; zero if the model gives none."""
+
+    @property
+    def centre_of_mass(self) -> Vector:
+        """In m."""
+
+    @property
+    def inertia(self) -> tuple[Number, ...]:
+        """Moments xx, yy, zz, xy, xz, yz about the centre of mass, in kg m²."""
 
     @property
     def gravity(self) -> Vector:
@@ -79,9 +94,6 @@ class BodyState(Protocol):
     def velocity(self, point: Vector) -> Vector:
         """v + ω × x of a point of the body."""
 
-    def line_to(self, point: Vector, other: "BodyState", other_point: Vector) -> Vector:
-        """From a point of this body to one of another, in the world's frame."""
-
 
 @dataclass(frozen=True)
 class Contact:
@@ -93,46 +105,48 @@ class Contact:
 
 @dataclass(frozen=True)
 class Torque:
-    """What acts on a joint: force or torque; -∂/∂v and -∂/∂q of it, or bounds of these, all at
-    least 0, for implicit steps; its potential energy, where it has one; the power of what has none
-    (left out: all of the torque's power if there is no energy, else none).
+    """What acts along a coordinate: a torque at a joint, or a force that pushes two points apart.
 
-    A bound may be larger than the slope where the torque saturates: |torque| / |v| keeps a step
-    from leaping across the point where the torque changes sign, a vanishing slope would not."""
+    Without a `torque`, it is -∂energy/∂q.  `limit`: it acts as max(-limit, min(torque, limit)).
+    `energy`: potential energy, where it has one.  `power`: that of what has none; left out it is
+    all of the torque's power if there is no energy, else zero.
 
-    torque: Number
-    damping: Number | None = None
-    stiffness: Number | None = None
+    Implicit steps take -∂torque/∂v and -∂torque/∂q from the torque itself (`mechanics/slopes.py`
+    says how they are bounded).  `damping`, `stiffness`: these, at least 0, from an effect that
+    knows a shorter form."""
+
+    torque: Number | None = None
+    limit: Number | None = None
     energy: Number | None = None
     power: Number | None = None
     contact: Contact | None = None
+    damping: Number | None = None
+    stiffness: Number | None = None
 
 
 @dataclass(frozen=True)
 class Force:
-    """What acts on a body: a force at a point of it, and a moment, in the body's frame; energy and
+    """What acts on a body: a force at a point of it and a moment, in the body's frame; energy and
     power as of Torque.
+
+    Without point, force and moment they follow from the energy: -∂energy/∂(position, rotation).
+    Such an energy may depend on the body's pose and on time, not on its motion.
 
     `damping` is a bound of -∂force/∂(the point's velocity), in N s/m: implicit steps take it in as
     a point mass h · damping there."""
 
-    point: Vector
-    force: Vector
+    point: Vector | None = None
+    force: Vector | None = None
     moment: Vector | None = None
     energy: Number | None = None
     power: Number | None = None
     damping: Number | None = None
 
 
-@dataclass(frozen=True)
-class Line:
-    """How the pull between two points grows along the line from the first to the second, for
-    implicit steps: with the rate l' at which they part, and with their distance l."""
-
-    direction: Vector  # of length 1, in the world's frame
-    rate: Number  # l'
-    damping: Number  # ∂pull/∂l', at least 0
-    stiffness: Number  # ∂pull/∂l, at least 0
+FIRST, SECOND = "first", "second"
+POINTS = tuple(ParameterOf(name, "m", f"where it is fixed to the {name} body, in its frame",
+                           "vector", (Fraction(0),) * 3) for name in (FIRST, SECOND))
+"""The parameters of an effect on two bodies that say between which points it acts."""
 
 
 @dataclass(frozen=True)
@@ -148,10 +162,9 @@ class Effect:
     ascending: tuple[str, str] | None = None  # the ends of the range it keeps a
     # joint in, of which the first is not above the second
     gravity: Callable[[Values], Vector] | None = None  # in the world's frame
-    joint_torque: Callable[[JointState, Values], Torque] | None = None
+    joint_torque: Callable[[CoordinateState, Values], Torque] | None = None
     joint_inertia: Callable[[Values], Number] | None = None
     body_force: Callable[[BodyState, Values], Force] | None = None
-    pair_force: Callable[[BodyState, BodyState, Values],
-                         tuple[Force, Force, Line | None]] | None = None
+    pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
     reaction: bool = False  # asks for the joint's reaction function
     mimic: bool = False  # lets followers follow

@@ -69,14 +69,14 @@ class Tree:
         """The link behind the joint of this name."""
         return next(link for link in self.links if link.joint.name == joint)
 
-    def seat_of(self, body: str) -> tuple[int, Placement]:
-        """The link a body belongs to (-1: the world, a body here as well), and its frame in it."""
+    def seat_of(self, body: str) -> tuple[int, Seat]:
+        """The link a body belongs to (-1: the world, a body here as well), and its seat there."""
         if body == WORLD:
-            return -1, HERE
+            return -1, Seat(Body(WORLD), HERE)
         for number, seats in [(-1, self.ground), *((i, x.seats) for i, x in enumerate(self.links))]:
             for seat in seats:
                 if seat.body.name == body:
-                    return number, seat.placement
+                    return number, seat
         raise KeyError(body)
 
 

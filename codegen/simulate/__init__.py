@@ -4,4 +4,4 @@ from coscrew_codegen.errors import Told
 
 
 class SimulateError(Told, ValueError):
-    """The run cannot be made as asked; the message says what came and what was wanted."""
+    """The run is impossible with these settings; the message says what came and what was wanted."""

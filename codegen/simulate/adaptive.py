@@ -1,8 +1,8 @@
 """Integration by SciPy, which chooses its steps by tolerances.
 
-Integrated is y = (q; v), with q' = v of angles and lengths, and for quaternions r' = r (ω; 0) / 2,
-which keeps |r| but for the tolerance: r is normalized before the dynamics see it, and where it is
-sampled.
+The state is y = (q; v), with q' = v for angles and lengths and r' = r (ω; 0) / 2 for quaternions.
+That keeps |r| only within the tolerance; so r is normalized before the dynamics use it, and in
+samples.
 """
 
 from collections.abc import Callable, Iterator
@@ -21,7 +21,8 @@ Rates = Callable[[float, np.ndarray], np.ndarray]
 
 def adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
              watch: Watch | None = None) -> Iterator[tuple[np.ndarray, np.ndarray, int, str]]:
-    """(q, v, steps so far, "") at each sample after the first, or where and why it stopped."""
+    """(q, v, steps so far, "") at each sample after the first; instead of "" the place and reason
+    if the run stopped early."""
     rates, steps, sample = rates_of(system), 0, 1
     scheme = ADAPTIVE[plan.integrator]
     options = {"jac": jacobian_of(system, rates)} if scheme.implicit else {}
@@ -64,7 +65,7 @@ def rates_of(system: System) -> Rates:
 
 
 def _q_rates(system: System, r: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """q' of coordinates r, whose quaternions normalized are q's."""
+    """The rates of the coordinates r; q is r with normalized quaternions."""
     result = np.empty(q.shape)
     for c in system.functions.coordinates:
         if c.kind in ("spherical", "free"):
@@ -81,8 +82,10 @@ def _q_rates(system: System, r: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.
 
 
 def jacobian_of(system: System, rates: Rates) -> Rates:
-    """(t, y) -> ∂y'/∂y by central differences, all in one call, with steps for the precision that
-    the dynamics are computed in: SciPy's, made for double, would see only noise in single."""
+    """(t, y) -> ∂y'/∂y by central differences, all in one call.
+
+    Their steps suit the precision of the dynamics: SciPy's steps, made for double, would give only
+    noise in single."""
     step = float(np.cbrt(np.finfo(system.dtype).eps))
 
     def jacobian(t: float, y: np.ndarray) -> np.ndarray:
@@ -95,16 +98,16 @@ def jacobian_of(system: System, rates: Rates) -> Rates:
 
 
 def _step(solver: OdeSolver) -> str:
-    """Take a step; returns why it failed, or ""."""
+    """Take a step; returns the reason if it failed, else ""."""
     try:
         solver.step()
-    except (ValueError, np.linalg.LinAlgError):  # Radau's linear algebra, given what is not finite
+    except (ValueError, np.linalg.LinAlgError):  # from Radau's linear algebra
         return "the solver met a state that is not finite"
     return "the solver's steps became too small" if solver.status == "failed" else ""
 
 
 def _trouble(system: System, solver: OdeSolver) -> str:
-    """The joint whose acceleration is not finite, or else is the largest."""
+    """A sentence on the joint whose acceleration is not finite, or else the largest."""
     a = solver.fun(solver.t, solver.y)[system.functions.nq:]
     finite = np.where(np.isfinite(a), np.abs(a), np.inf)
     worst = int(np.argmax(finite))

@@ -1,12 +1,12 @@
-"""Alarm: says while a run goes on that its motion is not the scene's, why, and what helps.
+"""Alarm: reports during a run that its motion is wrong, the reason, and a remedy.
 
-Looked at are, about 500 times a run, at its end, and at least twice:
-- momentum of what floats free, which is known for all times: the energy of the motion that is too
-  much, against the largest kinetic energy so far;
-- energy, where nothing feeds it in or dissipates it: its change, against the same;
-- the step itself: one of h against two of the default integrator's of h/2 from the same state.
-  Where the step resolves neither stiffness nor turns they differ by a good part of the speeds,
-  again and again.  (Two of its own tell less: a saturated motor may stop steps of h and of h/2
+About 500 times in a run, at its end, and at least twice it checks
+- the momentum of floating bases, which is known at all times: the kinetic energy of the excess
+  motion, relative to the largest kinetic energy so far;
+- the energy, if nothing feeds it in or dissipates it: its change, relative to the same;
+- the step: one of h compared with two of h/2 by the default integrator from the same state.  If the
+  step is too long for stiffness or rotation, velocities differ by a large fraction, repeatedly.
+  (Two half steps of the same integrator show less: a saturated motor may stop steps of h and of h/2
   alike.)
 """
 
@@ -20,17 +20,17 @@ from coscrew_codegen.simulate.plan import Plan
 from coscrew_codegen.simulate.system import State, System
 
 ALLOWED = 1e-2
-"""Of the largest kinetic energy so far, by which energy may change that has no reason to; and of
-the largest speeds, by which momentum may be off.  `check` allows a tenth."""
+"""Allowed change of an energy that should be constant, relative to the largest kinetic energy so
+far; and allowed error of momentum, relative to the largest speeds.  `check` allows a tenth."""
 ROUGH, RESOLVED = 0.3, 0.05
-"""By how much of the speeds one step may differ from two halves, for methods of order 1 and others:
-so much do they where an undamped spring moves by about 1 rad a step."""
+"""Allowed difference between one step and two halves, relative to the velocities, for methods of
+order 1 and others: that of an undamped spring whose phase advances by about 1 rad per step."""
 _SLOW = 1e-3
-"""Of the largest kinetic energy: with less, speeds count as this large."""
-_AGAIN = 2  # looks in a row that find the step too large: one may meet a jolt
-_LOOKS = 500  # at a run
-_APART = 50  # steps between two of them, at least
-_SETTLED = 1000  # steps until energies of methods of order 1 say something
+"""Velocities count as no smaller than those of this fraction of the largest kinetic energy."""
+_AGAIN = 2  # consecutive checks that must find the step too large: one may meet a jolt
+_LOOKS = 500  # checks in a run
+_APART = 50  # least number of steps between two checks
+_SETTLED = 1000  # steps before the energy of methods of order 1 is meaningful
 
 
 @dataclass
@@ -40,9 +40,9 @@ class Alarm:
     system: System
     plan: Plan
     start: State
-    of_steps_alone: bool = False  # for who judges energy and momentum himself
-    kinetic: float = field(init=False, default=0.0)  # the largest so far
-    _rounding: float = field(init=False, default=0.0)  # the largest of energies so far
+    of_steps_alone: bool = False  # check the step only, not energy and momentum
+    kinetic: float = field(init=False, default=0.0)  # largest kinetic energy so far
+    _rounding: float = field(init=False, default=0.0)  # largest rounding error of energy so far
     _steps: int = field(init=False, default=0)
     _looks: int = field(init=False, default=0)
     _next: int = field(init=False, default=_APART)
@@ -57,7 +57,7 @@ class Alarm:
         self._conservative = not its.computes("power")
 
     def __call__(self, steps: int, t: float, h: float, q: np.ndarray, v: np.ndarray) -> str:
-        """What is wrong at t, after so many steps more, the last of them of h; else ""."""
+        """The problem at t, or "", after `steps` further steps, the last one of length h."""
         self._steps += steps
         last = t >= self.plan.until
         if self._steps < self._next and not last:
@@ -73,7 +73,7 @@ class Alarm:
         if not self.of_steps_alone:
             found = self._of_momentum(t, q, v) or self._of_energy(kinetic + potential)
         found = found or self._of_step(t, h, q, v)
-        if not found and last and self._looks < _AGAIN:  # the only look: at one step more
+        if not found and last and self._looks < _AGAIN:  # the only check: take one more step
             q, v = self._stepped(t, h, q, v)
             found = self._of_step(t + h, h, q, v)
         return f"{found[0]} at t = {t:.9g} s: {found[1]}" if found else ""
@@ -86,8 +86,8 @@ class Alarm:
         if off <= ALLOWED:
             return None
         joint = self._joint(np.abs(np.asarray(right, float) - v))
-        return "momentum is not kept", (f"what floats free at joint {joint} is off by {off:.2g} of "
-                                        f"its speed; {self._remedy(off / ALLOWED)}")
+        return "momentum is not kept", (f"the speed of what floats free at joint {joint} is off by "
+                                        f"{off:.2g} of itself; {self._remedy(off / ALLOWED)}")
 
     def _of_energy(self, energy: float) -> tuple[str, str] | None:
         if not self._conservative or (self._integrator.order == 1 and self._steps < _SETTLED):
@@ -127,7 +127,7 @@ class Alarm:
         return float(np.sqrt(own / kinetic)) if kinetic > 0 else 0.0
 
     def _mass(self, q: np.ndarray) -> np.ndarray:
-        """M; of so many joints that nobody asked for it, of ones."""
+        """M; the identity if the scene has no mass matrix, since it has too many joints."""
         if not self.system.has("mass_matrix"):
             return np.eye(self.system.functions.nv)
         return np.asarray(self.system.call("mass_matrix", q=q), float)
@@ -137,7 +137,7 @@ class Alarm:
         return next(c.joint for c in self.system.functions.coordinates if worst in c.v)
 
     def _remedy(self, times: float) -> str:
-        """A step for which errors of the integrator's order would be half of what is allowed."""
+        """A step for which an error of the integrator's order would be half the allowed one."""
         h = self.plan.step * (0.5 / times)**(1 / self._integrator.order)
         smaller = f"step of {h:.1g} s" if np.isfinite(h) else "smaller step"
         other = "" if self._integrator.name == DEFAULT else f", or integrator {DEFAULT}"

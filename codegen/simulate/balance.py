@@ -1,11 +1,11 @@
 """The balance of energy along a trajectory: E(t) - E(0) = ∫ P dt, P the power of all effects that
-have no potential energy; and momentum of what floats free, which nothing changes but gravity.
+have no potential energy; and the momentum of floating bases, which only gravity changes.
 
-The power between two samples is Simpson's rule's, over neighbours.  Where that does not account for
-the change of energy, it is that of small steps from the first to the second: a bounce may begin and
-end between them.  Small steps that start where a limit is closed go on from those before them, not
-from the sample: within a bounce samples are off by some 0.1 % of what it holds, all of them to the
-same side, and work counted from them would be so, though the bounce ends with the right speed."""
+Work between two samples is computed by Simpson's rule.  Where that does not account for the change
+of energy, it is computed by small steps from one sample to the next, since a bounce may begin and
+end between them.  Small steps during a contact continue from the previous small steps, not from the
+sample: within a bounce the samples have errors of about 0.1 % of its energy, all of the same sign,
+which the work would inherit although the bounce ends with the right speed."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -18,44 +18,44 @@ from coscrew_codegen.simulate.record import largest
 from coscrew_codegen.simulate.system import System
 
 ROUNDINGS = 4
-"""Of how many spacings of the potential energy its rounding is, at most, about."""
-_UNCLEAR = 1e-6  # of the energies moved: more between two samples is looked at more closely, where
-# limits are closed also less, so that what is not looked at adds up to no more,
-_MOST = 2000  # at most between so many,
-_FINE = 256  # with so many steps; where limits are closed,
-_LEAST, _FINER = 64, 8  # with so many, or so many times the integrator's parts;
-_LONGEST = 32  # and these go on for so many samples: longer contacts are slow ones, of true samples
+"""Estimate of the largest rounding error of the potential energy, in spacings of its numbers."""
+_UNCLEAR = 1e-6  # defect between two samples, relative to the energies moved, that is refined; less
+# during contacts, so that the defects that are not refined add up to no more
+_MOST = 2000  # largest number of intervals that are refined
+_FINE = 256  # small steps in an interval without contact
+_LEAST, _FINER = 64, 8  # least number of small steps during contact; steps per integrator's part
+_LONGEST = 32  # samples that they may continue for: in longer, slow contacts samples are accurate
 
 
 @dataclass(frozen=True)
 class Balance:
-    """Energies in J; `work` is ∫ P dt to the end, by Simpson's rule over the samples."""
+    """The balance of energy, in J; `work` is ∫ P dt over the whole run."""
 
     before: float
     after: float
     work: float
     defect: float  # the largest |E(t) - E(0) - ∫ P dt|
-    at: float  # where, in s
+    at: float  # its time, in s
     scale: float  # the largest of kinetic energy, change of energy, and work
-    rounding: float = 0.0  # of energy, ROUNDINGS
-    part: float = np.inf  # the shortest in which a step was taken that was split, in s
-    momentum: float = 0.0  # the largest √(T(v - v')/T), v' with the momentum there should be, T the
-    # largest kinetic energy
+    rounding: float = 0.0  # estimated rounding error of energy
+    part: float = np.inf  # shortest part of a split step, in s
+    momentum: float = 0.0  # the largest √(T(v - v')/T), v' with the correct momentum, T the largest
+    # kinetic energy
 
     @property
     def rounded(self) -> bool:
-        """Whether the defect is no more than rounding of energies."""
+        """Whether the defect is within the rounding error of energies."""
         return self.defect <= self.rounding
 
     @property
     def relative(self) -> float:
-        """The defect relative to the energies that were moved; as it is where none were."""
+        """The defect relative to `scale`; absolute if that is zero."""
         return self.defect / self.scale if self.scale > 0 else self.defect
 
 
 def balance(system: System, trajectory: Trajectory, among: np.ndarray | None = None) -> Balance:
-    """The balance over the samples, which must be dense for ∫ P dt to be right; not finite where
-    energies overflow.  With `among`, the defect is the largest of samples at these times."""
+    """The balance over the samples, which must be dense enough for ∫ P dt; not finite if energies
+    overflow.  With `among`, the defect is the largest at these times only."""
     with np.errstate(all="ignore"):
         return _balance(system, trajectory, among)
 
@@ -85,16 +85,16 @@ def _balance(system: System, trajectory: Trajectory, among: np.ndarray | None) -
 
 
 def rounding(system: System, potential: np.ndarray) -> float:
-    """What rounding may be of energies that change by much less than the potential energy is; of
-    one that overflows, nothing."""
+    """The rounding error of energy that comes from a large potential energy; 0 if that overflows.
+    """
     largest = float(np.max(np.abs(potential)))
     eps = float(np.finfo(system.dtype).eps)
     return ROUNDINGS * eps * largest if np.isfinite(largest) else 0.0
 
 
 def _parts(system: System, trajectory: Trajectory) -> np.ndarray:
-    """In how many parts the default integrator goes from each sample to the next, if limits close
-    on the way; else 0."""
+    """The number of parts of the default integrator from each sample to the next, if a limit is hit
+    between them; else 0."""
     t, q, v = trajectory.t, trajectory.q[:-1], trajectory.v[:-1]
     if not system.has("parts"):
         return np.zeros(len(t) - 1)
@@ -110,7 +110,7 @@ def _shortest(trajectory: Trajectory, parts: np.ndarray) -> float:
 
 def _refined(system: System, trajectory: Trajectory, change: np.ndarray, work: np.ndarray,
              scale: float, parts: np.ndarray) -> np.ndarray:
-    """The work up to each sample, between some of them by small steps."""
+    """The work up to each sample, with some intervals refined by small steps."""
     works = np.diff(work)
     apart = np.abs(change - works)
     closing = parts > 0
@@ -127,8 +127,8 @@ def _refined(system: System, trajectory: Trajectory, change: np.ndarray, work: n
 
 
 def _rounds(system: System, trajectory: Trajectory, unclear: np.ndarray) -> Iterator[np.ndarray]:
-    """Which of the unclear are looked at together: first those that start from samples, then those
-    that go on from the first, and so on."""
+    """The intervals to refine, in groups: first those that start from samples, then those that
+    continue from an interval of the previous group."""
     q, v = (x[unclear] for x in (trajectory.q, trajectory.v))
     before = np.zeros(len(unclear), int)
     if system.has("parts"):
@@ -140,7 +140,7 @@ def _rounds(system: System, trajectory: Trajectory, unclear: np.ndarray) -> Iter
 
 def _closely(system: System, t: np.ndarray, interval: np.ndarray, count: np.ndarray, q: np.ndarray,
              v: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The work from each t on for an interval, in so many small steps, and q, v there."""
+    """(work, q, v) after an interval from each t, in `count` small steps."""
     h, total, before = interval / count, np.zeros(len(t)), _power(system, t, q, v)
     for k in range(count.max(initial=0)):
         i = np.flatnonzero(k < count)
@@ -157,7 +157,7 @@ def _power(system: System, t: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.nd
 
 
 def _momentum(system: System, t: np.ndarray, q: np.ndarray, v: np.ndarray, kinetic: float) -> float:
-    """The largest of the energies of motion that is too much, against this one."""
+    """The largest √(T(v - v')/kinetic), v' the velocities with the correct momentum."""
     if not system.has("free_momentum"):
         return 0.0
     c = system.call("free_momentum", q=q[0], v=v[0])

@@ -1,4 +1,4 @@
-"""Compiled functions as Python calls them: arrays in, arrays out, broadcast over leading axes."""
+"""Compiled functions as Python callables on arrays, which broadcast over leading axes."""
 
 import ctypes
 import functools
@@ -18,18 +18,18 @@ from coscrew_codegen.scene_functions import SceneInterface, Signature
 from coscrew_codegen.targets.scene_text import c_name
 
 _PLAIN = frozenset((float, np.float64, np.float32, np.int64, np.int32))
-"""Types of t and h that C takes as they are."""
+"""Types of t and h that are passed to C without a check."""
 
 Real = TypeVar("Real", bound=np.floating, covariant=True)
 
 
 class Function(Protocol[Real]):
-    """A function of a scene with one result: its docstring tells the arguments."""
+    """A function of a scene with one result; its docstring names the arguments."""
 
     def __call__(self, *arguments: ArrayLike,
                  out: np.ndarray | tuple[np.ndarray | None] | None = ...,
                  **named: ArrayLike) -> NDArray[Real]:
-        """The result, in `out` if that is given."""
+        """The result, written to `out` if that is given."""
 
 
 class Step(Protocol[Real]):
@@ -38,13 +38,13 @@ class Step(Protocol[Real]):
     def __call__(self, *arguments: ArrayLike,
                  out: tuple[np.ndarray | None, np.ndarray | None] | None = ...,
                  **named: ArrayLike) -> tuple[NDArray[Real], NDArray[Real]]:
-        """q and v after the step, in `out` if that is given."""
+        """q and v after the step, written to `out` if that is given."""
 
 
 class Functions(Generic[Real]):
     """The functions of one precision as attributes."""
 
-    if TYPE_CHECKING:  # what scenes have; others, jacobian_hand, are a Function too
+    if TYPE_CHECKING:  # functions of most scenes; others, such as jacobian_hand, are Functions too
         inverse_dynamics: Function[Real]
         forward_dynamics: Function[Real]
         mass_matrix: Function[Real]
@@ -64,7 +64,7 @@ class Functions(Generic[Real]):
     def __init__(self, scene: str, precision: Precision):
         self._about = f"{scene} in {precision.name} precision"
         self._precision = precision.name
-        self._kernels: object = None  # what they are functions of, for pickle
+        self._kernels: object = None  # the Kernels that they belong to, for pickle
 
     def __dir__(self) -> list[str]:
         return [name for name in self.__dict__ if not name.startswith("_")]
@@ -97,7 +97,7 @@ class Functions(Generic[Real]):
 
 
 class _Callable:
-    """A function of a scene: an object, so that pickle and cloudpickle ask it what it is."""
+    """A function of a scene, as an object whose __reduce__ pickle and cloudpickle use."""
 
     def __init__(self, of: Functions, function: Callable):
         self.__dict__.update(vars(function))
@@ -113,7 +113,7 @@ class _Callable:
 
 def gathered(scene: SceneInterface, precision: Precision,
              functions: Mapping[str, Callable]) -> Functions:
-    """The functions, each taking `self` first, as attributes of one object."""
+    """The functions, whose first argument is `self`, as methods of one object."""
     found = Functions(scene.name, precision)
     for name, function in functions.items():
         members = {"__call__": function, "__doc__": function.__doc__, "__module__": __name__}
@@ -136,7 +136,7 @@ def _checks() -> ModuleType:
 
 def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
              precision: Precision) -> Callable:
-    """A function of the library of the same name and arguments, behind `self`."""
+    """A function of the library, with the same name and arguments after `self`."""
     kind, name = np.dtype(precision.numpy_type), c_name(scene, described.name, precision)
     getattr(library, f"know_{precision.name}")(ctypes.py_object(np.ndarray))
     call = getattr(library, f"call_{name}")
@@ -154,7 +154,7 @@ def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
 
 
 def in_numpy(twin: Callable, described: Signature) -> Callable:
-    """A function of a generated package with the same name and arguments, behind `self`."""
+    """A function of a generated package, with the same name and arguments after `self`."""
     given = ", ".join(x for x, _ in described.inputs)
     names = {"twin": twin}
     exec(f"def {described.name}(self, {given}, *, out=None):\n    return twin({given}, out=out)\n",
@@ -183,12 +183,12 @@ def _repeated(library: ctypes.PyDLL, name: str, kind: np.dtype) -> Callable:
 
 
 def _text(described: Signature) -> str:
-    """The text of a function: with arguments spelled out, it takes half a microsecond less than
+    """The text of a function.  With its arguments spelled out it is half a microsecond faster than
     with *values, and Python itself refuses missing and unknown ones."""
     given = [x for x, _ in described.inputs]
     results = [f"result_{n}" for n in range(len(described.outputs))]
     made = [f"{x}.copy()" if described.moved else f"empty({shape}, kind)"
-            for x, shape in described.outputs]  # copies, which a step moves; or results' room
+            for x, shape in described.outputs]  # copies that a step changes, or empty results
     if len(made) == 1:
         made = [f"{made[0]} if out is None else out"]
     wanted = [f"type({x}) in plain" for x, shape in described.read if not shape]
@@ -203,13 +203,13 @@ def _text(described: Signature) -> str:
         f"        if {' and '.join(wanted)}:",
         f"            return {found}",
         "    except (Refused, AttributeError, TypeError):",
-        "        pass  # of what has no copy(), or is no number: the checks tell",
+        "        pass  # an argument without copy(), or not a number: the checks below say so",
         f"    return many({{{', '.join(f'{x!r}: {x}' for x in given)}}}, out)", ""))
 
 
 def _many(library: ctypes.PyDLL, name: str, described: Signature, kind: np.dtype,
           call: Callable) -> Callable:
-    """The function for any arguments: checked, cast, and broadcast."""
+    """The function for any arguments, which it checks, casts and broadcasts."""
     loop = getattr(_unlocked(library._name), f"many_{name}")
     loop.restype = None
     pointer, stride = ctypes.c_void_p, ctypes.c_ssize_t
@@ -236,14 +236,14 @@ def _many(library: ctypes.PyDLL, name: str, described: Signature, kind: np.dtype
 
 
 def _is_place(x: np.ndarray | None, kind: np.dtype, arrays: list[np.ndarray]) -> bool:
-    """Whether C may write there while it reads the arrays."""
+    """Whether C may write to `x` while it reads the arrays."""
     return (x is not None and x.dtype == kind and x.flags.carray
             and not any(np.may_share_memory(x, array) for array in arrays))
 
 
 def _over(loop: Callable, lead: tuple[int, ...], given: dict[str, np.ndarray],
           described: Signature, results: list[np.ndarray]) -> None:
-    """Signature the loop over all states."""
+    """Call the loop over all states."""
     words: list[int] = [prod(lead)]
     kept = []
     for x, shape in described.read:
@@ -257,5 +257,5 @@ def _over(loop: Callable, lead: tuple[int, ...], given: dict[str, np.ndarray],
 
 @functools.cache
 def _unlocked(path: str) -> ctypes.CDLL:
-    """The library again, its functions called without Python's lock."""
+    """The library opened so that its functions run without Python's global lock."""
     return ctypes.CDLL(path)

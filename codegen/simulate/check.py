@@ -1,5 +1,5 @@
-"""Checks a scene's run against what must hold: the balance of energy, the scene's expectations, the
-same motion in both precisions, forward dynamics as the inverse of inverse dynamics."""
+"""Checks a scene's run: the balance of energy, the scene's expectations, the same motion in both
+precisions, forward dynamics as the inverse of inverse dynamics."""
 
 import math
 from collections.abc import Callable
@@ -22,15 +22,16 @@ from coscrew_codegen.simulate.recording import Column, Recording
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import System, system
 
-_MOST_STEPS = 200_000  # samples whose energies are summed
-_STATES = 1000  # along the run, at which matrices are looked at
-_TIGHTER = 16  # how much smaller tolerances are the second time
+_MOST_STEPS = 200_000  # most samples in the balance of energy
+_STATES = 1000  # states along the run at which matrices are checked
+_TIGHTER = 16  # divisor of tolerances for the second run
 
 
 def check(kernels: object, asked: Asked) -> Findings:
-    """Run the scene in its precisions, or the one asked for, with its steps and with smaller ones.
-    Expectations are of double precision, unless the scene or `asked` is of single.  Raises
-    SimulateError."""
+    """Run the scene in its precisions, or in the selected one, with its steps and smaller ones.
+
+    Expectations are checked in double precision, unless only single is run.  Raises SimulateError.
+    """
     one = asked.precision in ("double", "single")
     names = (asked.precision,) if one else kernels.scene.precisions
     runs = {name: _run(kernels, name, asked) for name in names}
@@ -45,7 +46,7 @@ def check(kernels: object, asked: Asked) -> Findings:
 
 
 def _run(kernels: object, precision: str, asked: Asked) -> tuple[System, Plan, Trajectory]:
-    """A run that is sampled at every step; SciPy's as densely."""
+    """A run that is sampled at every step; with SciPy's solvers, equally densely."""
     its = system(kernels, precision, dict(asked.settings))
     rough = plan(its, asked.until, asked.step, asked.integrator)
     count = max(2, min(math.ceil(rough.until / rough.step), _MOST_STEPS))
@@ -87,16 +88,16 @@ def _along(system: System, planned: Plan, trajectory: Trajectory) -> Along:
         finest = _finer(system, planned, FINEST)
         along = replace(along, finest=balance(system, finest, trajectory.t))
     if along.integrator.splits and along.shrinks and coarse.part < planned.step:
-        # whether it is the step that is too long, or parts of steps
+        # is the step too long, or are its parts?
         alone = balance(system, _finer(system, planned, FINER, parts=1), trajectory.t)
         along = replace(along, part=math.inf if along.less(alone) else coarse.part)
     return along
 
 
 def _finer(system: System, planned: Plan, times: int, parts: int = 0) -> Trajectory:
-    """The run with steps so many times smaller, and parts of steps too, or so many times; sampled
-    so many times as often."""
-    finer = replace(planned, every=planned.every / times)  # or else Simpson's error would stay
+    """The run with steps `times` smaller and as many times more samples; parts of split steps are
+    smaller by `parts`, or by `times` if that is 0."""
+    finer = replace(planned, every=planned.every / times)  # so that Simpson's error shrinks, too
     if planned.adaptive:
         finer = replace(finer, rtol=planned.rtol / _TIGHTER, atol=planned.atol / _TIGHTER)
     else:
@@ -105,8 +106,8 @@ def _finer(system: System, planned: Plan, times: int, parts: int = 0) -> Traject
 
 
 def _apart(system: System, coarse: Trajectory, finer: Trajectory) -> tuple[float, str]:
-    """By how much a joint's speed differs from that with smaller steps, at most, of its largest;
-    and which joint's."""
+    """The largest difference of a joint's velocity from that with smaller steps, relative to its
+    largest; and the joint's name."""
     _, here, there = np.intersect1d(coarse.t, finer.t, assume_unique=True, return_indices=True)
     with np.errstate(all="ignore"):
         off = np.abs(coarse.v[here].astype(float) - finer.v[there]).max(0)
@@ -118,7 +119,7 @@ def _apart(system: System, coarse: Trajectory, finer: Trajectory) -> tuple[float
 
 def _matrices(system: System, trajectory: Trajectory) -> tuple[float, float, float]:
     """Round trip in unit roundoffs, condition of the mass matrix, and where that is largest."""
-    with np.errstate(all="ignore"):  # a run that stopped ends with huge numbers
+    with np.errstate(all="ignore"):  # a run that stopped may end with huge numbers
         return _looked_at(system, trajectory)
 
 
@@ -127,7 +128,7 @@ def _looked_at(system: System, trajectory: Trajectory) -> tuple[float, float, fl
     free = accelerations(system, t, q, v)
     size = np.abs(free).max(-1, keepdims=True, initial=1)
     other = size * np.cos(np.arange(1, free.shape[-1] + 1))
-    a = (free + other).astype(system.dtype)  # other than that of the effects alone
+    a = (free + other).astype(system.dtype)  # differs from the acceleration at tau = 0
     tau = system.call("inverse_dynamics", t=t, q=q, v=v, a=a)
     again = system.call("forward_dynamics", t=t, q=q, v=v, tau=tau)
     roundoff = float(np.finfo(system.dtype).eps) / 2
@@ -141,7 +142,7 @@ def _looked_at(system: System, trajectory: Trajectory) -> tuple[float, float, fl
 
 
 def _some(trajectory: Trajectory) -> np.ndarray:
-    """Numbers of at most _STATES samples, the first and the last among them."""
+    """Indices of at most _STATES samples, including the first and the last."""
     n = len(trajectory.t)
     return np.unique(np.linspace(0, n - 1, min(n, _STATES)).round().astype(int))
 
@@ -151,7 +152,7 @@ def _chosen(trajectory: Trajectory, samples: np.ndarray) -> Trajectory:
 
 
 def _sparse(system: System, trajectory: Trajectory) -> Recording:
-    """The state and what the scene records, at some of the samples."""
+    """The state and the recorded quantities, at some of the samples."""
     some = _chosen(trajectory, _some(trajectory))
     texts = dict.fromkeys(("q", "v", *system.scene.record))
     asked = [recorded(text, system.scene) for text in texts]

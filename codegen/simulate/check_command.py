@@ -12,18 +12,18 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         description="Check a scene's run: its expectations, the balance of energy, both "
         "precisions, inverse and forward dynamics.",
         epilog="The exit status is 0 if all expectations are met; 1 if one is not, or a run stops "
-        "before its end, or energy or the momentum of what floats free is off by more than 0.001; "
+        "before its end, or energy or the momentum of a floating base is off by more than 0.001; "
         "2 for an error; 130 for an interrupt.")
     add_scene(parser)
     parser.add_argument("--strict", action="store_true",
-                        help="exit with 1 also if energy is off by more than rounding and more "
-                             "than 1e-5, or no less with smaller steps")
+                        help="also exit with 1 if energy is off by more than 1e-5 and not by "
+                             "rounding, or if smaller steps do not reduce its error")
     parser.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace) -> int:
-    """Check; returns the exit status: 0, or 1 if an expectation is not met, a run stops early,
-    energy or momentum is not kept, or with --strict not kept well."""
+    """Check the scene; returns the exit status: 0, or 1 if an expectation is not met, a run stops
+    early, or energy or momentum is not kept (with --strict, within narrower limits)."""
     from coscrew_codegen.simulate import check, needs, outcome, verdict
     from coscrew_codegen.simulate.load import kernels_for
 

@@ -1,6 +1,6 @@
 """`coscrew simulate`: options, the run or runs, files, a short table.
 
-Imports what simulates only when it is asked to, since the generator does without."""
+Imports the simulation only when it runs, since the generator does not need it."""
 
 import argparse
 import math
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from coscrew_codegen.scene.scene import Scene
     from coscrew_codegen.simulate.outcome import Outcome
 
-_FIRST = 5  # unused numbers that are told
+_FIRST = 5  # unused numbers that are listed
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -25,10 +25,10 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         description="Integrate a scene's motion, and write, plot or show what it records.")
     add_scene(parser)
     parser.add_argument("--output", metavar="FILE", type=Path,
-                        help="what is recorded: .csv, .npz or .parquet; with --precision both, "
+                        help="write the recording: .csv, .npz or .parquet; with --precision both, "
                              "single precision goes to FILE's name with .single before its ending")
-    parser.add_argument("--plot", metavar="FILE", type=Path, help="a plot of it: .svg or .png")
-    parser.add_argument("--view", metavar="FILE", type=Path, help="a playback in space: .html")
+    parser.add_argument("--plot", metavar="FILE", type=Path, help="write a plot: .svg or .png")
+    parser.add_argument("--view", metavar="FILE", type=Path, help="write a 3D playback: .html")
     parser.add_argument("--unused", action="store_true",
                         help="list all numbers of the model that nothing here uses, not just "
                              f"{_FIRST}")
@@ -36,10 +36,10 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 
 def add_scene(parser: argparse.ArgumentParser) -> None:
-    """Add the scene, and the options that replace what it says of its run."""
+    """Add the scene, and the options that replace its own settings of the run."""
     parser.add_argument("scene", metavar="SCENE", type=Path,
                         help="a scene file (.toml) or a URDF, which alone has no effects")
-    parser.add_argument("--until", metavar="T", type=_positive, help="end, in s, of the run")
+    parser.add_argument("--until", metavar="T", type=_positive, help="end of the run, in s")
     parser.add_argument("--step", metavar="H", type=_positive,
                         help="longest step, in s, of the emitted integrators")
     parser.add_argument("--integrator", metavar="NAME",
@@ -52,16 +52,17 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
 
 
 def add_implausible(parser: argparse.ArgumentParser) -> None:
-    """Add what to do about bodies that cannot exist."""
+    """Add the option for bodies that cannot exist."""
     parser.add_argument("--implausible", choices=("error", "warn"),
-                        help="what to do about inertias that are impossible, massless or "
-                             "incomplete: refuse the scene (error) or tell of them (warn)")
+                        help="for inertias that are impossible, massless or incomplete: refuse "
+                             "the scene (error) or report them (warn)")
 
 
 def scene_of(options: argparse.Namespace, precision: str | None,
              functions: tuple[str, ...] = ()) -> "Scene":
-    """The scene of the options, with these functions instead of its own if there are any; what is
-    let through in it goes to standard error."""
+    """The scene of the options, with `functions` instead of its own if there are any.
+
+    Implausible bodies that it allows are reported on standard error."""
     from coscrew_codegen.scene_files.toml_scene import Said, read_scene
 
     scene = read_scene(options.scene, said=Said(precision, options.implausible, functions))
@@ -95,7 +96,8 @@ def _setting(text: str) -> tuple[str, float]:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Simulate; returns the exit status: 0, 1 if a run stopped early, 130 if it was interrupted."""
+    """Simulate the scene; returns the exit status: 0, 1 if a run stopped early, 130 if it was
+    interrupted."""
     from coscrew_codegen.simulate import needs, outcome, write
     from coscrew_codegen.simulate.load import BOTH, kernels_for
 
@@ -133,7 +135,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _notes(scene: "Scene", all_unused: bool) -> Iterator[str]:
-    """What people may not expect: nothing acts, or numbers of the model are not used."""
+    """Warnings: nothing acts in the scene, or numbers of the model are not used."""
     if all(applied.effect.reaction for applied in scene.effects):
         yield "no effects: nothing acts, gravity included"
     count = len(scene.unused)
@@ -143,12 +145,12 @@ def _notes(scene: "Scene", all_unused: bool) -> Iterator[str]:
 
 
 def _outputs(path: Path) -> tuple[Path, Path]:
-    """Where double (or the only) precision goes, and single beside it."""
+    """The files for double (or the only) precision and for single."""
     return path, path.with_name(f"{path.stem}.single{path.suffix}")
 
 
 def _status(outcomes: "tuple[Outcome, ...]") -> int:
-    """Say on standard error where runs stopped."""
+    """The exit status; reports on standard error where runs stopped."""
     for x in outcomes:
         if x.trajectory.stopped:
             print(f"coscrew: {x.system.precision.name}: {x.trajectory.stopped}; "

@@ -1,4 +1,4 @@
-"""Findings of a check, and what they amount to: frozen data."""
+"""Findings of a check, and the conclusions from them: frozen data."""
 
 import math
 from dataclasses import dataclass
@@ -10,19 +10,19 @@ from coscrew_codegen.simulate.balance import Balance
 from coscrew_codegen.simulate.record import Difference
 
 ALLOWED = 1e-3
-"""By how much energy may be off from the work of effects, relative to the energies moved; and
-momentum of what floats free, to that of the largest speeds."""
+"""Allowed defect of energy, relative to the energies moved; and allowed error of the momentum of
+floating bases, relative to that of the largest velocities."""
 FINER = 2
-"""How much smaller steps are the second time,"""
+"""Divisor of the step in the second run."""
 FINEST = 8
-"""and a third time, if these did not help where energy is off."""
+"""Divisor of the step in the third run, made if the second did not reduce the defect of energy."""
 STRICTLY = 1e-5
-"""By how much energy may be off with --strict, where that is not rounding."""
+"""Allowed defect of energy with --strict, unless it is rounding."""
 
 
 @dataclass(frozen=True)
 class Met:
-    """An expectation, and what came."""
+    """An expectation and the value that was reached."""
 
     wanted: Expectation
     came: float  # NaN if the run did not get there
@@ -37,27 +37,27 @@ class Met:
 
 @dataclass(frozen=True)
 class Along:
-    """What one precision's run showed."""
+    """Results of the runs in one precision."""
 
     precision: str
     step: str  # in words
     stopped: str
-    coarse: Balance  # of energy
-    fine: Balance  # the same with smaller steps
-    finest: Balance | None  # with much smaller ones, where these did not help and energy is off
+    coarse: Balance  # of energy, with the given steps
+    fine: Balance  # with steps smaller by FINER
+    finest: Balance | None  # with steps smaller by FINEST, if `fine` did not reduce the defect
     round_trip: float  # the largest |aba(rnea(a)) - a| / (|a| + |aba(0)|), in unit roundoffs
     condition: float  # of the mass matrix, the largest along the run
     at: float  # where that is, in s
     integrator: Integrator
     limits: bool  # whether the scene has limits
-    speeds: tuple[float, str] = (0.0, "")  # by how much a joint's speed differs from that with
-    # smaller steps, of its largest, at most, and which joint's
-    part: float = math.inf  # of steps in which limits close, in s, if energy is off for its length
-    double: "Along | None" = None  # what double precision showed, beside single
+    speeds: tuple[float, str] = (0.0, "")  # the largest difference of a joint's velocity from that
+    # with smaller steps, relative to its largest; and the joint
+    part: float = math.inf  # length in s of parts of split steps, if it causes the defect of energy
+    double: "Along | None" = None  # in single precision: the results in double
 
     @property
     def as_double(self) -> bool:
-        """Whether the defect of energy is that of double precision."""
+        """Whether the defect of energy is the same in double precision."""
         return bool(self.double and self.double.coarse.relative >= 0.5 * self.coarse.relative)
 
     @property
@@ -68,56 +68,56 @@ class Along:
 
     @property
     def fine_helps(self) -> bool:
-        """Whether the first that are smaller do."""
+        """Whether steps smaller by FINER make it smaller."""
         return self.less(self.fine)
 
     def less(self, other: Balance, times: float = 0.75) -> bool:
-        """Whether the other's defect is at most this part of that of the steps asked for."""
+        """Whether the other's defect is at most `times` that of the given steps."""
         return other.relative <= times * self.coarse.relative
 
     @property
     def rounded(self) -> bool:
-        """Whether it is no more than rounding of energies, and not that of double precision."""
+        """Whether the defect is within the rounding error of energies, and not also in double."""
         return self.coarse.rounded and not self.as_double
 
     @property
     def rounding(self) -> bool:
-        """Whether it is no more than rounding adds up to, and neither the step's nor that of double
-        precision."""
+        """Whether the defect can be accumulated rounding: it depends neither on the step nor is it
+        the same in double precision."""
         u = float(BY_NAME[self.precision].u)
         return self.rounded or (self.coarse.relative <= 1e4 * u
                                        and not (self.shrinks or self.as_double))
 
     @property
     def untold(self) -> bool:
-        """Whether rounding of the potential energy is more than all energy that was moved, so that
-        energies tell nothing."""
+        """Whether the rounding error of the potential energy exceeds all energy that was moved, so
+        that the balance is meaningless."""
         return self.rounded and self.coarse.rounding > self.coarse.scale
 
     @property
     def doubtful(self) -> bool:
-        """Whether it is neither rounding nor the integrator's, which shrinks with steps."""
+        """Whether the defect is neither rounding nor the integrator's, which shrinks with steps."""
         return not (self.rounding or self.shrinks)
 
     @property
     def true(self) -> bool:
-        """Whether energy and momentum are within ALLOWED, with smaller steps as well, as far as
-        rounding lets energies tell."""
+        """Whether energy and momentum are within ALLOWED, also with smaller steps, as far as
+        rounding allows a statement."""
         return self.energy and self.fine_energy and self.coarse.momentum <= ALLOWED
 
     @property
     def energy(self) -> bool:
-        """Whether energy is, with the steps asked for,"""
+        """Whether energy is within ALLOWED with the given steps."""
         return self.rounded or self.coarse.relative <= ALLOWED
 
     @property
     def fine_energy(self) -> bool:
-        """and with the first that are smaller."""
+        """Whether energy is within ALLOWED with steps smaller by FINER."""
         return self.fine.rounded or self.fine.relative <= ALLOWED
 
     @property
     def strictly_true(self) -> bool:
-        """Whether they are within STRICTLY or rounding, and nothing is doubtful."""
+        """Whether energy and momentum are within STRICTLY or rounding, and nothing is doubtful."""
         energy = self.rounding or self.coarse.relative <= STRICTLY
         return energy and self.true and not self.doubtful
 
@@ -127,18 +127,18 @@ class Findings:
     """All checks of a scene."""
 
     met: tuple[Met, ...]
-    along: tuple[Along, ...]  # double, single, or one of them
-    apart: tuple[Difference, ...]  # of both
+    along: tuple[Along, ...]  # in double, single, or one of them
+    apart: tuple[Difference, ...]  # between both
     outside: str = ""  # joints that start outside their ranges, in words
 
     @property
     def passed(self) -> bool:
-        """Whether all expectations are met, by runs that got to their ends and kept energy and
+        """Whether all expectations are met, and all runs reached their ends and kept energy and
         momentum."""
         return all(x.passed for x in self.met) and all(
             x.true and not x.stopped for x in self.along)
 
     @property
     def strictly_passed(self) -> bool:
-        """Whether energies are also within STRICTLY, none of them doubtful."""
+        """Whether energies are also within STRICTLY and not doubtful."""
         return self.passed and all(x.strictly_true for x in self.along)

@@ -31,28 +31,28 @@ BOTH = tuple(p.name for p in PRECISIONS)
 
 @dataclass(frozen=True, repr=False)
 class Kernels:
-    """A scene's functions, callable, in `double` and `single` precision; and which entries of q, v
-    and p belong to what:
+    """A scene's functions, callable, in `double` and `single` precision; and the meaning of the
+    entries of q, v and p:
 
-        NQ, NV       how many numbers q and v hold
+        NQ, NV       lengths of q and v
         joints       names of the joints that move, in the order of q and v
-        bodies       names, in the order of body_poses' and body_twists' rows
-        parameters   names and default values of p's elements: the scene's `runtime`
-        neutral_q    q where every joint is at rest in its placement.  (NQ)
+        bodies       names of bodies, in the order of the rows of body_poses and body_twists
+        parameters   names and default values of the elements of p: the scene's `runtime`
+        neutral_q    the q at which every joint's displacement is the identity.  (NQ)
     """
 
     scene: Scene | None
     interface: SceneInterface
     double: calls.Functions[np.float64]
     single: calls.Functions[np.float32]
-    compiler: str  # its version and flags; "" where the generated Python runs
+    compiler: str  # its version and flags; "" if the generated Python runs
     library: str = ""  # its key in the cache
-    asked: tuple[str, ...] = ()  # names of functions; none: as the scene says
+    asked: tuple[str, ...] = ()  # names of the selected functions; (): those of the scene
     _derived: SceneFunctions | None = None
 
     @functools.cached_property
     def functions(self) -> SceneFunctions:
-        """The functions as Programs, derived anew where kernels were found in the cache."""
+        """The functions as Programs, derived again if the kernels came from the cache."""
         if self._derived:
             return self._derived
         from coscrew_codegen.mechanics import derive
@@ -60,12 +60,12 @@ class Kernels:
 
     @property
     def NQ(self) -> int:
-        """How many numbers q holds."""
+        """The length of q."""
         return self.interface.nq
 
     @property
     def NV(self) -> int:
-        """How many numbers v, a and tau hold."""
+        """The length of v, a and tau."""
         return self.interface.nv
 
     @property
@@ -75,7 +75,7 @@ class Kernels:
 
     @property
     def bodies(self) -> tuple[str, ...]:
-        """Bodies' names, in the order of body_poses' and body_twists' rows."""
+        """Names of bodies, in the order of the rows of body_poses and body_twists."""
         return self.interface.bodies
 
     @property
@@ -85,12 +85,12 @@ class Kernels:
 
     @property
     def neutral_q(self) -> NDArray[np.float64]:
-        """q where every joint is at rest in its placement, in double.  (NQ)."""
+        """The q at which every joint's displacement is the identity, in double.  (NQ)."""
         return np.array(self.interface.neutral, float)
 
     @property
     def compiled(self) -> bool:
-        """Whether compiled C runs, and not generated Python."""
+        """Whether the functions are compiled C, not generated Python."""
         return bool(self.compiler)
 
     @functools.cached_property
@@ -99,8 +99,8 @@ class Kernels:
         return zlib.compress(pickle.dumps((self.scene, self.asked, functions)))
 
     def __reduce__(self) -> tuple[Callable, tuple[bytes]]:
-        """Of the scene and its functions; where they are unpickled, they are compiled, or found
-        among kept libraries."""
+        """Pickle the scene and the selected functions; unpickling compiles them, or finds them in
+        the cache."""
         return restored, (self._pickled,)
 
     def __copy__(self) -> Kernels:
@@ -118,14 +118,14 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
     """The kernels of a scene or of a scene file: `.double` and `.single` hold the functions of its
     header.
 
-    They are generated and compiled with the system's C compiler, $CC if set; libraries are kept in
-    $XDG_CACHE_HOME or ~/.cache.  Without a compiler that works, which a warning tells, the
-    generated Python runs.  `precision` and `implausible` stand in for what the file says of them:
-    a scene of precision "double" has no `single`; what implausible "warn" lets through is warned
-    of.  `functions` are those wanted, by name, instead of those that the scene asks for; "default"
-    stands for those of a scene that asks for none, "all" for all it can have.  Raises AskedError
-    for names of none, TypeError for what is neither file nor Scene, ValueError for unknown words,
-    RangeError for numbers that a precision cannot hold, and what reading the scene raises.
+    They are generated and compiled with the system's C compiler, $CC if set; libraries are cached
+    in $XDG_CACHE_HOME or ~/.cache.  Without a working compiler, a warning is issued and the
+    generated Python runs.  `precision` and `implausible` override the file's: a scene of precision
+    "double" has no `single`; with implausible "warn", implausible bodies cause warnings.
+    `functions` names functions to use instead of the scene's own selection; "default" stands for
+    those of a scene that selects none, "all" for all it can have.  Raises AskedError for unknown
+    functions, TypeError for anything but a file or a Scene, ValueError for unknown words,
+    RangeError for numbers that a precision cannot hold, and the errors of reading the scene.
     """
     functions = _names(functions)
     if isinstance(scene, (str, Path)):
@@ -146,7 +146,7 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
 
 
 def _names(functions: Sequence[str]) -> tuple[str, ...]:
-    """The names, as one may write them by mistake: "energy"."""
+    """The names; refuses a single text, as "energy" for ["energy"]."""
     if isinstance(functions, str) or not all(isinstance(name, str) for name in functions):
         raise TypeError(f'functions: wanted a list of names, as ["energy"]; got {functions!r}')
     return tuple(functions)
@@ -154,7 +154,7 @@ def _names(functions: Sequence[str]) -> tuple[str, ...]:
 
 def kernels_for(scene: Scene, functions: Collection[str] = (),
                 precisions: tuple[str, ...] = BOTH) -> Kernels:
-    """The kernels of the functions that a scene asks for, or of those of these names that it has,
+    """The kernels of the scene's selected functions, or of those with these names that it has,
     compiled in these precisions: found in the cache, or made."""
     compiler = _compiler(scene.name)
     key = compiler and _key(scene, functions, precisions, compiler)
@@ -172,12 +172,12 @@ def kernels_for(scene: Scene, functions: Collection[str] = (),
 
 
 def kernels_of(functions: SceneFunctions, scene: Scene | None = None) -> Kernels:
-    """The kernels of functions, wherever they come from."""
+    """The kernels of derived functions."""
     return _made(functions, scene, (), BOTH, _compiler(functions.name))
 
 
 def _compiler(name: str) -> native.Compiler | None:
-    """The compiler; None if there is none that works, which a warning tells."""
+    """The compiler; None, with a warning, if none works."""
     try:
         return native.compiler()
     except native.CompilationError as error:
@@ -191,7 +191,7 @@ def _warn(name: str, error: native.CompilationError) -> None:
 
 
 def _frames() -> Iterator[str]:
-    """The files of the functions that call each other, from `_warn` on."""
+    """The files of the functions on the call stack, from `_warn` outwards."""
     frame = sys._getframe(1)
     while frame:
         yield frame.f_code.co_filename
@@ -200,8 +200,8 @@ def _frames() -> Iterator[str]:
 
 def _key(scene: Scene, functions: Collection[str], precisions: tuple[str, ...],
          compiler: native.Compiler) -> str:
-    """Names all that kernels are made from; "" where an effect is not of the catalogue, since its
-    name does not tell what it does."""
+    """The cache key: a hash of all that the kernels are made from.  "" if an effect is not in the
+    catalogue, since its name does not identify its equations."""
     from coscrew_codegen.effects import EFFECTS
 
     if any(not any(x.effect is effect for effect in EFFECTS) for x in scene.effects):
@@ -211,13 +211,13 @@ def _key(scene: Scene, functions: Collection[str], precisions: tuple[str, ...],
 
 
 def _kept(key: str) -> tuple[SceneInterface, native.Library] | None:
-    """What the cache has of this key, if that can be read and its library is there."""
+    """The cache's entry of this key, if it can be read and its library exists."""
     path = cache.found(key, ".scene")
     if path is None:
         return None
     try:
         interface, library_key = pickle.loads(path.read_bytes())
-    except Exception:  # of what is no pickle of ours, pickle raises anything
+    except Exception:  # for a foreign file, pickle may raise any error
         path.unlink(missing_ok=True)
         return None
     library = native.kept(library_key)
@@ -226,7 +226,7 @@ def _kept(key: str) -> tuple[SceneInterface, native.Library] | None:
 
 def _made(functions: SceneFunctions, scene: Scene | None, asked: tuple[str, ...],
           precisions: tuple[str, ...], compiler: native.Compiler | None) -> Kernels:
-    """The kernels: compiled, or where that fails generated Python."""
+    """The kernels: compiled or, if that fails, generated Python."""
     from coscrew_codegen.targets.scene_calls import interface
 
     found = interface(functions)
@@ -262,7 +262,7 @@ def _kernels(scene: Scene | None, asked: tuple[str, ...], found: SceneInterface,
 
 @functools.lru_cache(maxsize=32)
 def restored(pickled: bytes) -> Kernels:
-    """The kernels of a scene and its functions, pickled: made once in a process."""
+    """The kernels of a pickled scene and its selected functions; made once per process."""
     scene, asked, functions = pickle.loads(zlib.decompress(pickled))
     return kernels_of(functions, scene) if functions else kernels_for(scene, asked)
 
@@ -283,7 +283,7 @@ def _library(functions: SceneFunctions, compiler: native.Compiler, precisions: t
 
 
 def _modules(functions: SceneFunctions) -> dict[str, ModuleType]:
-    """The generated package's modules, imported from a folder where it stays."""
+    """The modules of the generated package, imported from a folder that is kept."""
     from coscrew_codegen import emit
     from coscrew_codegen.targets import scene_python
     from coscrew_codegen.targets.scene_text import banner_of

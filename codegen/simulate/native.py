@@ -1,6 +1,6 @@
-"""The system's C compiler, and libraries it made, kept in the cache.
+"""Compiles C texts with the system's compiler to libraries, which are cached.
 
-Knows C texts and folders; nothing of scenes.
+Knows nothing of scenes.
 """
 
 import ctypes
@@ -18,25 +18,25 @@ from shutil import which
 from coscrew_codegen.console import doing
 from coscrew_codegen.native import cache
 
-# Straight-line code gains nothing from more: of clang's levels, -O1 compiles a third faster
-# than -O3 and runs as fast or, on 35 joints, faster (2.0 for 2.6 us); gcc at -O1 is 5 %
-# slower, and without -ftree-ter, which lengthens live ranges, its registers are assigned in
-# three quarters of the time.
+# Higher levels gain nothing for straight-line code.  clang's -O1 compiles a third faster than -O3,
+# and its code is as fast or, for 35 joints, faster (2.0 instead of 2.6 us).  gcc's code at -O1 is
+# 5 % slower; -ftree-ter lengthens live ranges, and without it register allocation takes three
+# quarters of the time.
 _LEVELS = {"clang": ("-O1",), "Free Software Foundation": ("-O2", "-fno-tree-ter"), "": ("-O2",)}
 _FLAGS = ("-std=c11", "-march=native", "-ffp-contract=off", "-DKSL_CONTRACT_OFF", "-fPIC")
 _LINK = ("-undefined", "dynamic_lookup") if platform.system() == "Darwin" else ()
 
 
 class CompilationError(RuntimeError):
-    """The compiler refused, or there is none that works; says what it said."""
+    """Compiling failed, or there is no working compiler; the message is the compiler's."""
 
 
 @dataclass(frozen=True)
 class Compiler:
-    """A compiler that answers to --version."""
+    """A compiler that understands --version."""
 
     command: tuple[str, ...]
-    version: str  # the first line it says
+    version: str  # the first line it prints
     flags: tuple[str, ...]
 
     def __str__(self) -> str:
@@ -44,7 +44,7 @@ class Compiler:
 
 
 def compiler() -> Compiler:
-    """$CC, or else clang, gcc or cc: of long straight-line functions clang makes code in a third of
+    """$CC, or else clang, gcc or cc: clang compiles long straight-line functions in a third of
     gcc's time.  Raises CompilationError."""
     wanted = os.environ.get("CC", "").strip()
     names = [wanted] if wanted else ["clang", "gcc", "cc"]
@@ -80,8 +80,9 @@ class Library:
 
 def library(units: Mapping[str, Sequence[str]], files: Mapping[str, str],
             using: Compiler) -> Library:
-    """The library of `units`: for each object file, its source and its own flags; compiled side by
-    side.  `files` are all texts by name.  Raises CompilationError."""
+    """The library of `units`: object file → its source and additional flags, compiled in parallel.
+
+    `files` maps names to all texts.  Raises CompilationError."""
     key = _key(units, files, using)
     if library := kept(key):
         return library
@@ -104,13 +105,12 @@ def kept(key: str) -> Library | None:
 
 
 def place(using: Compiler) -> tuple[str, ...]:
-    """What compiled code depends on beside its text: compiler, flags and, as code is for this
-    processor, the processor."""
+    """What compiled code depends on besides its text: compiler, flags and processor."""
     return (using.version, *using.command, *using.flags, _processor())
 
 
 def _key(units: Mapping[str, Sequence[str]], files: Mapping[str, str], using: Compiler) -> str:
-    """Names content and place."""
+    """The cache key: a hash of the texts and of `place`."""
     parts = [*place(using)]
     parts += [x for name, flags in sorted(units.items()) for x in (name, *flags)]
     parts += [x for pair in sorted(files.items()) for x in pair]
@@ -119,7 +119,7 @@ def _key(units: Mapping[str, Sequence[str]], files: Mapping[str, str], using: Co
 
 @functools.cache
 def _processor() -> str:
-    """What -march=native depends on."""
+    """The processor's model and features, on which -march=native depends."""
     try:
         lines = Path("/proc/cpuinfo").read_text(errors="replace").splitlines()
     except OSError:
@@ -129,8 +129,8 @@ def _processor() -> str:
 
 
 def _opened(path: Path) -> ctypes.PyDLL | None:
-    """The library, or None where it is none.  (The cache has looked whether it is what it was: to
-    open a truncated one may end the process.)"""
+    """The library, or None if it cannot be opened.  (The cache has compared its hash: opening a
+    truncated library may end the process.)"""
     try:
         return ctypes.PyDLL(str(path))
     except OSError:
@@ -155,7 +155,7 @@ def _object(using: Compiler, work: Path, unit: str, source: str, *flags: str) ->
 
 
 def _run(using: Compiler, words: Sequence[str], work: Path) -> None:
-    """Run the compiler; where it does not know -march=native, without."""
+    """Run the compiler; without -march=native if it does not know that."""
     try:
         for given in (words, [word for word in words if word != "-march=native"]):
             done = subprocess.run([*using.command, *given], cwd=work, capture_output=True,

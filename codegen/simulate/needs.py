@@ -1,4 +1,4 @@
-"""Which of a scene's functions a run of it calls: no others are derived and compiled for it."""
+"""The functions of a scene that a run needs; no others are derived and compiled."""
 
 from collections.abc import Iterable
 
@@ -13,14 +13,14 @@ _OF_QUANTITY = {"q": (), "v": (), "a": ("forward_dynamics",), "energy": ("energy
 
 
 def of_run(scene: Scene, integrator: str | None, view: bool = False) -> tuple[str, ...]:
-    """Of `simulate`: what integrates, what watches it, what is recorded, and is shown by `view`."""
+    """For `simulate`: integration, the Alarm, recorded quantities, and the playback if `view`."""
     return together(_of_motion(scene, integrator),
                     *(_of(scene, recorded(text, scene)) for text in scene.record),
                     ("body_poses",) if view else ())
 
 
 def of_check(scene: Scene, integrator: str | None) -> tuple[str, ...]:
-    """Of `check`."""
+    """For `check`."""
     return together(of_run(scene, integrator),
                     ("inverse_dynamics", "forward_dynamics", "mass_matrix", "power", *CONTACTS,
                      *FREE),
@@ -28,7 +28,7 @@ def of_check(scene: Scene, integrator: str | None) -> tuple[str, ...]:
 
 
 def _of_motion(scene: Scene, integrator: str | None) -> Iterable[str]:
-    """What integrates, and for the Alarm the default integrator beside it."""
+    """For integration, and for the Alarm, which also uses the default integrator."""
     name = integrator or scene.run.integrator
     own = named(name if name in NAMES else DEFAULT)
     if not own.emitted:

@@ -1,4 +1,4 @@
-"""Runs of a scene in the precisions asked for, what they recorded, and a short table of them."""
+"""Runs of a scene in the selected precisions, their recordings, and a short table of them."""
 
 import math
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ from coscrew_codegen.simulate.system import System, system
 
 @dataclass(frozen=True)
 class Asked:
-    """What stands in for what the scene says of its run; None: as it says."""
+    """Settings that override the scene's own; None: the scene's."""
 
     until: float | None = None
     step: float | None = None
@@ -42,8 +42,8 @@ class Outcome:
 
 def simulated(kernels: object, asked: Asked, also: tuple[float, ...] = (), told: bool = True
               ) -> tuple[Outcome, ...]:
-    """The runs, double first.  `also` are further times to sample at; without `told`, recordings do
-    not say where they come from.  Raises SimulateError."""
+    """The runs, double first.  `also` are further times to sample at; without `told`, recordings
+    have no provenance.  Raises SimulateError."""
     precision = asked.precision or kernels.scene.precision
     names = ("double", "single") if precision == "both" else (precision,)
     outcomes: list[Outcome] = []
@@ -62,14 +62,14 @@ def _run(kernels: object, precision: str, asked: Asked, also: tuple[float, ...],
         trajectory = integrate(its, planned, watch, Alarm)
     origin = ()
     if told:
-        from coscrew_codegen.simulate.provenance import provenance  # asks Git
+        from coscrew_codegen.simulate.provenance import provenance  # slow: runs Git
 
         origin = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy")
     return Outcome(its, planned, trajectory, record(its, trajectory, origin))
 
 
 def summary(outcomes: tuple[Outcome, ...]) -> str:
-    """The final state and the energies of each run, and how far the precisions are apart."""
+    """The final state and the energies of each run, and the differences between precisions."""
     first = outcomes[0]
     parts = [_heading(first), _states(outcomes), _energies(outcomes)]
     if len(outcomes) == 2:
@@ -78,15 +78,15 @@ def summary(outcomes: tuple[Outcome, ...]) -> str:
 
 
 def gaps(found: tuple[Difference, ...]) -> str:
-    """The table of how far the precisions are apart."""
+    """The table of differences between the precisions."""
     rows = [(x.quantity, x.unit, x.size, x.apart, x.column, x.t) for x in found]
     return tabulate(rows, ("quantity", "unit", "max |double|", "max |double - single|", "in",
                            "at t, s"), floatfmt=("", "", ".3g", ".3g", "", "g"))
 
 
 def bounces(outcome: Outcome) -> str:
-    """Says that bounces are lost, where the integrator that loses them had limits close in a sample
-    for which the default would split its step; else ""."""
+    """A warning that bounces are lost, if the integrator does not resolve them and a limit is hit
+    in a step that the default integrator would split; else ""."""
     its, planned, run = outcome.system, outcome.plan, outcome.trajectory
     if not (named(planned.integrator).damps_bounces and its.has("parts")):
         return ""
@@ -100,8 +100,8 @@ def bounces(outcome: Outcome) -> str:
 
 
 def outside(its: System) -> str:
-    """Says which joints start outside the ranges that effects keep them in, so that these push from
-    the start; else ""."""
+    """A warning that names joints that start outside the range of a limit, which then acts from the
+    start; else ""."""
     names = (name for name, _ in its.functions.parameters)
     start = {c.joint: its.scene.start_q.get(c.joint, (its.functions.neutral[c.q.start],))[0]
              for c in its.functions.coordinates}
@@ -117,7 +117,7 @@ def outside(its: System) -> str:
 
 
 def _within(x: float, low: float, high: float) -> bool:
-    """Whether x is in the range, or off by no more than rounding: followers are a sum away."""
+    """Whether x is in the range, except for rounding: a follower's position is computed."""
     return low <= x <= high or any(math.isclose(x, end, rel_tol=1e-12) for end in (low, high))
 
 
@@ -146,13 +146,13 @@ def _digits(outcome: Outcome) -> str:
 
 
 def _energies(outcomes: tuple[Outcome, ...]) -> str:
-    """Energies at both ends.  What was work between them, samples do not tell."""
-    with np.errstate(all="ignore"):  # a run that stopped ends with huge numbers
+    """Energies at both ends.  The samples are too sparse for the work between them."""
+    with np.errstate(all="ignore"):  # a run that stopped may end with huge numbers
         found = [_ends(x) for x in outcomes]
     rows = [(f"energy at the {where}", *(x[i] for x in found))
             for i, where in enumerate(("start", "end"))]
     table = tabulate(rows, ("J", *(x.system.precision.name for x in outcomes)), floatfmt=".9g")
-    return f"{table}\n(`coscrew check` tells if the work of effects accounts for the change.)"
+    return f"{table}\n(`coscrew check` compares the change with the work of effects.)"
 
 
 def _ends(outcome: Outcome) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""Plan and trajectory: what a run is asked to do, and what it returns.  Frozen data."""
+"""Plan and trajectory: the settings of a run, and its result.  Frozen data."""
 
 import math
 from dataclasses import dataclass
@@ -11,18 +11,18 @@ from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.system import System
 
 _ROUND_OFF = 1e-6  # of a step: 0.01 / 1e-3 is 10 steps, not 11
-_SAME = 1e-6  # of `every`: times closer than that are the same
+_SAME = 1e-6  # of `every`: times closer than this count as one
 MOST_SAMPLES = 10_000_000
 MOST_STEPS = 10**12  # weeks of the fastest scenes
 
 
 @dataclass(frozen=True)
 class Plan:
-    """How long to integrate, when to sample (s), how: `step` is of emitted integrators, rtol and
-    atol of SciPy's; `also` are further times to sample at.
+    """How long to integrate, when to sample, in s, and how: `step` is for emitted integrators, rtol
+    and atol for SciPy's; `also` are further times to sample at.
 
-    The default integrator splits steps in which limits close into parts that hardly depend on the
-    step.  With `finer` = 2 they are half as long: a step has as many as one twice as long."""
+    The default integrator splits a step in which a limit is hit into parts, whose length hardly
+    depends on the step.  With `finer` = 2 the parts are half as long."""
 
     until: float
     every: float
@@ -39,15 +39,15 @@ class Plan:
         return self.integrator in ADAPTIVE
 
     def steps(self, interval: float) -> tuple[int, float]:
-        """How many steps are taken from a sample to the next, and how long each is: as few as are
-        no longer than `step`, of equal length."""
+        """(number, length) of the steps from one sample to the next: the fewest of equal length
+        that are no longer than `step`."""
         count = max(1, math.ceil(interval / self.step - _ROUND_OFF))
         h = interval / count
         return count, self.step if math.isclose(h, self.step, rel_tol=_ROUND_OFF) else h
 
     @property
     def samples(self) -> np.ndarray:
-        """The times of the samples: 0, multiples of `every`, those besides, and the end."""
+        """The times of the samples: 0, multiples of `every`, `also`, and the end."""
         grid = self.every * np.arange(math.floor(self.until / self.every) + 2)
         also = [t for t in self.also if 0 < t < self.until]
         inner = np.sort(np.concatenate((grid[1:], also)))
@@ -58,13 +58,13 @@ class Plan:
 
 @dataclass(frozen=True)
 class Trajectory:
-    """States at the times of samples; `stopped` says why and where, if before the end."""
+    """States at the times of samples; `stopped` says where and why, if before the end."""
 
     t: np.ndarray  # (n)
     q: np.ndarray  # (n, nq)
     v: np.ndarray  # (n, nv)
     steps: int
-    seconds: float  # that integrating took
+    seconds: float  # that the integration took
     stopped: str = ""
     interrupted: bool = False
 
@@ -72,7 +72,7 @@ class Trajectory:
 def plan(system: System, until: float | None = None, step: float | None = None,
          integrator: str | None = None, every: float | None = None,
          also: tuple[float, ...] = ()) -> Plan:
-    """The scene's plan, with what is given here instead.  Raises SimulateError."""
+    """The scene's plan, with these settings instead of its own.  Raises SimulateError."""
     run = system.scene.run
     every = system.scene.every if every is None else every
     made = Plan(run.duration if until is None else until, every,
@@ -98,7 +98,8 @@ def plan(system: System, until: float | None = None, step: float | None = None,
 
 
 def tolerances(system: System) -> tuple[float, float]:
-    """The scene's, but no finer than 16 spacings of the precision: below, estimates of errors are
-    noise, and steps would shrink without end.  SciPy takes no rtol below 100 spacings in double."""
+    """The scene's (rtol, atol), but at least 16 spacings of the precision: with less, estimates of
+    errors are noise and steps shrink without end.  SciPy accepts no rtol below 100 spacings in
+    double."""
     least = max(16 * float(np.finfo(system.dtype).eps), 100 * float(np.finfo(float).eps))
     return max(system.scene.run.rtol, least), max(system.scene.run.atol, least)

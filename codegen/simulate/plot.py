@@ -12,7 +12,7 @@ from coscrew_codegen.report.figures import STYLE
 from coscrew_codegen.simulate.recording import Column, Recording
 from coscrew_codegen.simulate.write import delivered
 
-_MOST_NAMED = 12  # lines of a panel that its legend names
+_MOST_NAMED = 12  # most lines in the legend of a panel
 _DASHES = ("-", "--")
 
 
@@ -50,5 +50,5 @@ def _lines(axes: Axes, recordings: Sequence[Recording], columns: Sequence[Column
 
 
 def _escaped(name: str) -> str:
-    """The name without what Matplotlib takes for mathematics."""
+    """The name with characters escaped that Matplotlib reads as mathematics."""
     return name.replace("$", r"\$")

@@ -9,11 +9,11 @@ from tqdm import tqdm
 
 from coscrew_codegen.simulate.system import System
 
-_EVERY = 0.1  # s between two looks at the energy
+_EVERY = 0.1  # s between two updates
 
 
 class Progress:
-    """Watches a run: `t 3.2/10 s  32 %  41x real time  dE/E 2e-11  ETA 4 s`."""
+    """Shows a run: `t 3.2/10 s  32 %  41x real time  dE/E 2e-11  ETA 4 s`."""
 
     def __init__(self, system: System, until: float) -> None:
         self._system, self._until = system, until
@@ -41,7 +41,8 @@ class Progress:
 
 
 def line(t: float, until: float, elapsed: float, drift: float) -> str:
-    """The line at time t of a run that has taken `elapsed` s; `drift` is the energy's, relative."""
+    """The line at time t of a run that has taken `elapsed` s; `drift` is the relative change of
+    energy."""
     speed = t / elapsed if elapsed > 0 else 0
     left = f"{(until - t) / speed:.0f} s" if speed > 0 else "?"
     return (f"t {t:.3g}/{until:g} s  {100 * t / until:.0f} %  {speed:.3g}x real time  "

@@ -1,4 +1,4 @@
-"""Where recordings come from: scene, kernels, integrator, compiler, version; no hosts, no dates."""
+"""Provenance of recordings: scene, kernels, integrator, compiler, version; no hosts, no dates."""
 
 from coscrew_codegen.report.machine import coscrew_version
 from coscrew_codegen.scene.content import content_hash
@@ -9,7 +9,7 @@ from coscrew_codegen.tiers import PLAIN
 
 
 def provenance(system: System, plan: Plan, trajectory: Trajectory, compiled: str) -> Provenance:
-    """(what, its value), as files carry them; `compiled` is the compiler and its flags."""
+    """Pairs (name, value) for recorded files; `compiled` is the compiler and its flags."""
     how = (f"rtol {plan.rtol:g}, atol {plan.atol:g}" if plan.adaptive else _steps(plan))
     parameters = ", ".join(f"{name} = {value:g}" for (name, _), value in
                            zip(system.functions.parameters, system.p, strict=True))

@@ -1,4 +1,4 @@
-"""What `[outputs] record` asks for, computed along a trajectory, from its states."""
+"""Computes the quantities of `[outputs] record` along a trajectory, from its states."""
 
 from dataclasses import dataclass, replace
 
@@ -11,16 +11,17 @@ from coscrew_codegen.simulate.plan import Trajectory
 from coscrew_codegen.simulate.recording import Column, Provenance, Recording
 from coscrew_codegen.simulate.system import System
 
-_AT_ONCE = 4096  # samples: what pure NumPy holds besides stays within megabytes
+_AT_ONCE = 4096  # samples per call, so that temporaries of pure NumPy stay within megabytes
 
 
 def record(system: System, trajectory: Trajectory, provenance: Provenance) -> Recording:
-    """The columns that the scene asks for.  Raises SimulateError for what it has no function of."""
+    """The columns that the scene records.  Raises SimulateError for a quantity whose function was
+    not selected."""
     asked = [recorded(text, system.scene) for text in system.scene.record]
     columns = {name: Column(name, unit, x.quantity)
                for x in asked for name, unit in zip(x.names, x.units, strict=True)}
     names = [name for x in asked for name in x.names]
-    first = [names.index(name) for name in columns]  # what is asked for twice is recorded once
+    first = [names.index(name) for name in columns]  # duplicates are recorded once
     values = np.concatenate([quantity(system, trajectory, x) for x in asked], 1)
     return Recording(trajectory.t, tuple(columns.values()), values[:, first], provenance)
 

@@ -15,17 +15,17 @@ from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.recording import Recording
 
 FIGURES = (".svg", ".png")
-"""Endings of the names of plots."""
+"""File name endings of plots."""
 
 
 def write(recording: Recording, path: Path) -> None:
-    """Write the recording in the format that the name's ending says.  Raises SimulateError."""
+    """Write the recording in the format of the name's ending.  Raises SimulateError."""
     with delivered(path) as temporary:
         FORMATS[path.suffix](recording, temporary)
 
 
 def check_target(path: Path, endings: tuple[str, ...]) -> None:
-    """Find out, before anything is computed, if `path` can be written.  Raises SimulateError."""
+    """Raise SimulateError if `path` cannot be written; called before anything is computed."""
     if path.suffix not in endings:
         raise SimulateError(f"{path}: wanted a name that ends in {' or '.join(endings)}")
     if path.suffix == ".parquet" and find_spec("pyarrow") is None:
@@ -65,7 +65,7 @@ def as_csv(recording: Recording, path: Path) -> None:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(("t [s]", *(f"{c.name} [{c.unit}]" for c in recording.columns)))
         for t, row in zip(recording.t.tolist(), recording.values, strict=True):
-            writer.writerow((t, *map(str, row)))  # shortest in the precision they are of
+            writer.writerow((t, *map(str, row)))  # shortest decimals in their own precision
 
 
 def as_npz(recording: Recording, path: Path) -> None:

@@ -4,8 +4,8 @@
 /* All headers of plain kernels in one file, for vendoring; it may be included together with
    them. */
 
-/* What keeps every operation rounded once, in the order written, under every flag that compiles.
-   KSL_ALLOW_FAST_MATH lets flags through that break that. */
+/* Keeps every operation rounded once, in the order written, under every set of flags that compiles.
+   Flags that would break this are refused, unless KSL_ALLOW_FAST_MATH is defined. */
 #ifndef KSL_ROUNDING_H
 #define KSL_ROUNDING_H
 
@@ -48,8 +48,8 @@ typedef char
 #endif
 #endif
 
-/* Whether the target has an instruction that fuses a product into a sum: in double precision, and
-   (KSL_HAS_FMAF) in single.  Who includes this may know better. */
+/* Whether the target has a fused multiply-add instruction, in double precision (KSL_HAS_FMA) and in
+   single (KSL_HAS_FMAF).  Both may be defined before this is included. */
 #ifndef KSL_HAS_FMA
 #if defined(__FMA__) || defined(__FMA4__) || defined(__FP_FAST_FMA) || defined(__aarch64__) || \
     defined(__s390x__) || defined(__powerpc64__) || \
@@ -68,24 +68,24 @@ typedef char
 #endif
 #endif
 
-/* gcc contracts across statements, and must not.  A flag -fassociative-math alone, which gcc does
-   not heed, any such pragma would put in force.  This one is in force to the end of the file that
-   is compiled, or nothing would be inlined. */
+/* Keeps gcc from contracting across statements.  gcc ignores a lone flag -fassociative-math, but any
+   such pragma would put it in force; hence no-associative-math.  The pragma holds to the end of the
+   compiled file: functions with different options would not be inlined. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("fp-contract=off", "no-associative-math")
 #elif defined(_MSC_VER) && !defined(__clang__)
 #pragma fp_contract(off)
 #endif
 #if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 14 && defined(__riscv_vector)
-#pragma GCC optimize("no-tree-vectorize") /* the vectoriser contracts in spite of that */
+#pragma GCC optimize("no-tree-vectorize") /* the vectoriser contracts in spite of the pragma */
 #endif
 
 #ifndef KSL_MUL
 /* KSL_MUL(a, b) is a b, rounded to double on its own: never fused into a sum. */
 #if defined(__clang__) && KSL_HAS_FMA && !defined(KSL_CONTRACT_OFF)
-/* With -ffp-contract=fast, which has no macro, clang fuses any product it sees.  So it sees an fma
-   with -0, which changes no bit of the product, and cannot see that it is -0.  Defining
-   KSL_CONTRACT_OFF says that the flag is not given, and saves the time. */
+/* With -ffp-contract=fast, which no macro reveals, clang fuses every product into a sum.  So the
+   product is written as an fma with -0, which changes no bit, hidden so that clang cannot fold it.
+   Defining KSL_CONTRACT_OFF says that the flag is not given, and saves this time. */
 static inline double ksl_minus_zero(void) {
   double zero = -0.0;
 #if defined(__x86_64__) || defined(__i386__)
@@ -100,8 +100,8 @@ static inline double ksl_minus_zero(void) {
 #define KSL_MUL(a, b) __builtin_fma(a, b, ksl_minus_zero())
 #elif defined(__GNUC__) && !defined(__clang__) && (__GNUC__ == 12 || __GNUC__ == 13) && \
     (defined(__x86_64__) || defined(__i386__))
-/* The vectoriser of these contracts in spite of flag and pragma where sums and differences take
-   turns. */
+/* The vectoriser of these versions contracts in spite of flag and pragma where sums and differences
+   alternate. */
 #define KSL_MUL(a, b) __builtin_assoc_barrier((a) * (b))
 #else
 #define KSL_MUL(a, b) ((a) * (b))
@@ -111,9 +111,9 @@ static inline double ksl_minus_zero(void) {
 #ifndef KSL_MULF
 /* KSL_MULF(a, b) is a b, rounded to float on its own: never fused into a sum. */
 #if defined(__clang__) && KSL_HAS_FMAF && !defined(KSL_CONTRACT_OFF)
-/* With -ffp-contract=fast, which has no macro, clang fuses any product it sees.  So it sees an fma
-   with -0, which changes no bit of the product, and cannot see that it is -0.  Defining
-   KSL_CONTRACT_OFF says that the flag is not given, and saves the time. */
+/* With -ffp-contract=fast, which no macro reveals, clang fuses every product into a sum.  So the
+   product is written as an fma with -0, which changes no bit, hidden so that clang cannot fold it.
+   Defining KSL_CONTRACT_OFF says that the flag is not given, and saves this time. */
 static inline float ksl_minus_zerof(void) {
   float zero = -0.0f;
 #if defined(__x86_64__) || defined(__i386__)
@@ -128,8 +128,8 @@ static inline float ksl_minus_zerof(void) {
 #define KSL_MULF(a, b) __builtin_fmaf(a, b, ksl_minus_zerof())
 #elif defined(__GNUC__) && !defined(__clang__) && (__GNUC__ == 12 || __GNUC__ == 13) && \
     (defined(__x86_64__) || defined(__i386__))
-/* The vectoriser of these contracts in spite of flag and pragma where sums and differences take
-   turns. */
+/* The vectoriser of these versions contracts in spite of flag and pragma where sums and differences
+   alternate. */
 #define KSL_MULF(a, b) __builtin_assoc_barrier((a) * (b))
 #else
 #define KSL_MULF(a, b) ((a) * (b))
@@ -140,13 +140,12 @@ static inline float ksl_minus_zerof(void) {
 
 /* Types of the spatial algebra, in double and single precision.
 
-   Every quantity is a union, so that it can be reached several ways.  Matrices are stored column by
-   column.  Screws s = (v; ω) and coscrews c = (f; τ) have the linear part on top, so that power is
-   their dot product.
+   Every quantity is a union of several views.  Matrices are stored column by column.  Screws
+   s = (v; ω) and coscrews c = (f; τ) have the linear part on top, so that power is their dot product.
 
    All functions: pointers must point to valid objects; an output may be the same object as an
    input; nothing else is read or written.  Every operation is rounded once, in the order written, so
-   that results are the same bits everywhere, under every flag that compiles.
+   that results have the same bits on every machine, under every set of flags that compiles.
 
    Error bounds are derived from that order, to first order in u: u = 2^-53 in double and 2^-24 in
    single precision. */
@@ -406,8 +405,8 @@ typedef union ksl_spatial_inertiaf_t {
   };
 } ksl_spatial_inertiaf_t;
 
-/* Sequences of axes of Euler angles: the first turn is about the first axis, the others about those
-   of the body as the turns before have left it. */
+/* Sequences of axes of Euler angles.  Each rotation is about a current axis of the body, that is, as
+   rotated by those before it. */
 typedef enum ksl_axis_enum_t {
   KSL_AXIS_XYZ,
   KSL_AXIS_YZX,
@@ -1408,7 +1407,7 @@ static inline ksl_vec3i_t *ksl_vec3i_alloc(int n) {
 
 /* What KSL declares beside formulas. */
 
-/* The axes of a sequence, x 0, y 1, z 2; those of KSL_AXIS_INVALID are -1. */
+/* The axes of a sequence, x 0, y 1, z 2; -1 for KSL_AXIS_INVALID. */
 static inline ksl_vec3i_t ksl_axis_getVector(ksl_axis_enum_t axisType) {
   switch (axisType) {
     case KSL_AXIS_XYZ: return ksl_vec3i(0, 1, 2);
@@ -1429,7 +1428,7 @@ static inline ksl_vec3i_t ksl_axis_getVector(ksl_axis_enum_t axisType) {
   return ksl_vec3i(-1, -1, -1);
 }
 
-/* The sequence of three axes, x 0, y 1, z 2; KSL_AXIS_INVALID where they are no Euler angles'. */
+/* The sequence of three axes, x 0, y 1, z 2; KSL_AXIS_INVALID if Euler angles do not have it. */
 static inline ksl_axis_enum_t ksl_axis_getEulerAngles(ksl_vec3i_t angles) {
   if (angles.x == 0 && angles.y == 1 && angles.z == 2) {
     return KSL_AXIS_XYZ;
@@ -1502,7 +1501,7 @@ static inline void ksl_swapi(int *a, int *b) {
   *b = first;
 }
 
-/* y = a x + y, n numbers each; x and y are the same or apart. */
+/* y = a x + y, n numbers each; x and y are the same array or don't overlap. */
 static inline void ksl_axpy(
     const int n, const double a, const double *x, double *y) {
   for (int i = 0; i < n; i++) {
@@ -1511,7 +1510,7 @@ static inline void ksl_axpy(
   }
 }
 
-/* Exchanges n numbers of a, from stride to stride, with as many of b. */
+/* Exchanges n numbers of a with n numbers of b, each with its stride. */
 static inline void ksl_swapArray(
     const int n, double *a, const int a_stride, double *b, const int b_stride) {
   for (int i = 0; i < n; i++) {
@@ -1519,7 +1518,7 @@ static inline void ksl_swapArray(
   }
 }
 
-/* y = a x + y, n numbers each; x and y are the same or apart. */
+/* y = a x + y, n numbers each; x and y are the same array or don't overlap. */
 static inline void ksl_axpyf(
     const int n, const float a, const float *x, float *y) {
   for (int i = 0; i < n; i++) {
@@ -1528,7 +1527,7 @@ static inline void ksl_axpyf(
   }
 }
 
-/* Exchanges n numbers of a, from stride to stride, with as many of b. */
+/* Exchanges n numbers of a with n numbers of b, each with its stride. */
 static inline void ksl_swapArrayf(
     const int n, float *a, const int a_stride, float *b, const int b_stride) {
   for (int i = 0; i < n; i++) {
@@ -3963,27 +3962,27 @@ static inline ksl_mat3x3f_t *ksl_mat3x3f_alloc(int n) {
 /* What KSL declares beside formulas. */
 
 
-/* self = self^-1; returns 0, or -3 where self is singular to rounding, and then NaN.  A determinant
-   that is 0 does not tell, for it may have underflowed. */
+/* self = self^-1; returns 0, or -3 with self = NaN if self is singular to rounding.  (A determinant
+   of 0 would not be enough: it may have underflowed.) */
 static inline int ksl_mat3x3_invert(ksl_mat3x3_t *R) {
   ksl_mat3x3_inverse(R, R);
   return R->m00 == R->m00 ? 0 : -3;
 }
 
-/* ro = ri^-1; returns 0, or -3 where ri is singular to rounding, and ro NaN. */
+/* ro = ri^-1; returns 0, or -3 with ro = NaN if ri is singular to rounding. */
 static inline int ksl_mat3x3_inverted(
     const ksl_mat3x3_t *ri, ksl_mat3x3_t *ro) {
   ksl_mat3x3_inverse(ri, ro);
   return ro->m00 == ro->m00 ? 0 : -3;
 }
 
-/* Axis and angle of the rotation r, as ksl_axis_angle_from_mat3x3 has them. */
+/* Axis and angle of the rotation r, by ksl_axis_angle_from_mat3x3. */
 static inline void ksl_mat3x3_getAxisAngle(
     const ksl_mat3x3_t *r, ksl_vec3_t *axis, double *angle) {
   *angle = ksl_axis_angle_from_mat3x3(r, axis);
 }
 
-/* The rotation about an axis of any length but zero; of that, the identity. */
+/* The rotation about an axis of any length; the identity for the zero vector. */
 static inline void ksl_mat3x3_setFromAxisAngle(
     ksl_mat3x3_t *r, const ksl_vec3_t *axis, const double angle) {
   ksl_vec3_t unit;
@@ -3991,14 +3990,14 @@ static inline void ksl_mat3x3_setFromAxisAngle(
   ksl_mat3x3_from_axis_angle(&unit, angle, r);
 }
 
-/* Principal axes: A becomes the diagonal matrix of its eigenvalues, the largest first, and the
-   columns of v the eigenvectors, a rotation: A before = v A v^T.  A symmetric, its lower triangle
+/* Principal axes A = v D v^T: A is replaced by the diagonal matrix D of its eigenvalues, the largest
+   first; v is a rotation, its columns are the eigenvectors.  A is symmetric, only its lower triangle
    is read. */
 static inline void ksl_mat3x3_pca(ksl_mat3x3_t *A, ksl_mat3x3_t *v) {
   static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
   ksl_mat3x3_setIdentity(v);
-  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
-     u^2 of the largest entry. */
+  /* Off-diagonal entries decrease cubically; after 12 cycles of three planes none is above
+     u^2 times the largest entry. */
   for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
     ksl_mat3x3_jacobi(A, v);
   }
@@ -4015,27 +4014,27 @@ static inline void ksl_mat3x3_pca(ksl_mat3x3_t *A, ksl_mat3x3_t *v) {
   }
 }
 
-/* self = self^-1; returns 0, or -3 where self is singular to rounding, and then NaN.  A determinant
-   that is 0 does not tell, for it may have underflowed. */
+/* self = self^-1; returns 0, or -3 with self = NaN if self is singular to rounding.  (A determinant
+   of 0 would not be enough: it may have underflowed.) */
 static inline int ksl_mat3x3f_invert(ksl_mat3x3f_t *R) {
   ksl_mat3x3f_inverse(R, R);
   return R->m00 == R->m00 ? 0 : -3;
 }
 
-/* ro = ri^-1; returns 0, or -3 where ri is singular to rounding, and ro NaN. */
+/* ro = ri^-1; returns 0, or -3 with ro = NaN if ri is singular to rounding. */
 static inline int ksl_mat3x3f_inverted(
     const ksl_mat3x3f_t *ri, ksl_mat3x3f_t *ro) {
   ksl_mat3x3f_inverse(ri, ro);
   return ro->m00 == ro->m00 ? 0 : -3;
 }
 
-/* Axis and angle of the rotation r, as ksl_axis_angle_from_mat3x3f has them. */
+/* Axis and angle of the rotation r, by ksl_axis_angle_from_mat3x3f. */
 static inline void ksl_mat3x3f_getAxisAngle(
     const ksl_mat3x3f_t *r, ksl_vec3f_t *axis, float *angle) {
   *angle = ksl_axis_angle_from_mat3x3f(r, axis);
 }
 
-/* The rotation about an axis of any length but zero; of that, the identity. */
+/* The rotation about an axis of any length; the identity for the zero vector. */
 static inline void ksl_mat3x3f_setFromAxisAngle(
     ksl_mat3x3f_t *r, const ksl_vec3f_t *axis, const float angle) {
   ksl_vec3f_t unit;
@@ -4043,14 +4042,14 @@ static inline void ksl_mat3x3f_setFromAxisAngle(
   ksl_mat3x3f_from_axis_angle(&unit, angle, r);
 }
 
-/* Principal axes: A becomes the diagonal matrix of its eigenvalues, the largest first, and the
-   columns of v the eigenvectors, a rotation: A before = v A v^T.  A symmetric, its lower triangle
+/* Principal axes A = v D v^T: A is replaced by the diagonal matrix D of its eigenvalues, the largest
+   first; v is a rotation, its columns are the eigenvectors.  A is symmetric, only its lower triangle
    is read. */
 static inline void ksl_mat3x3f_pca(ksl_mat3x3f_t *A, ksl_mat3x3f_t *v) {
   static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
   ksl_mat3x3f_setIdentity(v);
-  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
-     u^2 of the largest entry. */
+  /* Off-diagonal entries decrease cubically; after 12 cycles of three planes none is above
+     u^2 times the largest entry. */
   for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
     ksl_mat3x3f_jacobi(A, v);
   }
@@ -4068,8 +4067,8 @@ static inline void ksl_mat3x3f_pca(ksl_mat3x3f_t *A, ksl_mat3x3f_t *v) {
 }
 
 
-/* r = R_i(x) R_j(y) R_k(z) of angles (x, y, z), the axes i, j, k those of the sequence: each turn is
-   about an axis of the body as the turns before have left it.  NaN for KSL_AXIS_INVALID. */
+/* r = R_i(x) R_j(y) R_k(z) for the angles (x, y, z) and the axes i, j, k of the sequence; each
+   rotation is about a current axis of the body.  NaN for KSL_AXIS_INVALID. */
 static inline void ksl_mat3x3_setFromEulerAngles(
     ksl_mat3x3_t *r, const ksl_axis_enum_t axisType, const ksl_vec3_t *angles) {
   const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
@@ -4093,15 +4092,15 @@ static inline void ksl_mat3x3_setFromEulerAngles(
   }
 }
 
-/* How many turns bring the angle to `below` or less under the reference, or just above that. */
+/* How many whole turns to add to the angle so that it is at least reference - below. */
 static inline double ksl_turns(
     const double reference, const double below, const double angle, const double turn) {
   const double least = reference - below, way = least - angle, turns = way / turn;
   return ceil(turns);
 }
 
-/* The angles next to those of `near` that turn as sign times `found` do; `proper`: the axes i and k
-   are the same. */
+/* The angles close to those of `near` with the same rotation as sign times `found`; `proper`: the
+   axes i and k are the same. */
 static inline void ksl_nextAngles(const ksl_vec3_t *found, const double sign, const int proper,
     const ksl_vec3_t *near, ksl_vec3_t *angles) {
   const double eighth = 0.7853981633974483, half = 3.141592653589793, whole = 6.283185307179586;
@@ -4120,10 +4119,10 @@ static inline void ksl_nextAngles(const ksl_vec3_t *found, const double sign, co
   angles->z = z + to_z;
 }
 
-/* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), the axes i, j, k those of the
-   sequence, next to those of the reference (ksl_vec3_t *) that follows, zeros for NULL: z from 1/8
-   turn below it to 3/8 above, x and y from 1/8 turn below to 7/8 above.  In gimbal lock z is a
-   multiple of half a turn.  NaN for KSL_AXIS_INVALID. */
+/* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), for the axes i, j, k of the
+   sequence, close to the reference angles (ksl_vec3_t *, the last argument; zeros for NULL): z is
+   from 1/8 turn below the reference to 3/8 above it, x and y from 1/8 turn below to 7/8 above.  In
+   gimbal lock z is a multiple of half a turn.  NaN for KSL_AXIS_INVALID. */
 static inline void ksl_mat3x3_getEulerAnglesWithReference(
     const ksl_mat3x3_t *r, const ksl_axis_enum_t axisType, ksl_vec3_t *angles, ...) {
   const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
@@ -4152,12 +4151,12 @@ static inline void ksl_mat3x3_getEulerAnglesWithReference(
   ksl_nextAngles(&found, sign, axes.x == axes.z, &near, angles);
 }
 
-/* The same; the reference may be left out. */
+/* The same with an optional reference. */
 #define ksl_mat3x3_getEulerAngles(r, ...) \
   ksl_mat3x3_getEulerAnglesWithReference(r, __VA_ARGS__, (ksl_vec3_t *)NULL)
 
-/* r = R_i(x) R_j(y) R_k(z) of angles (x, y, z), the axes i, j, k those of the sequence: each turn is
-   about an axis of the body as the turns before have left it.  NaN for KSL_AXIS_INVALID. */
+/* r = R_i(x) R_j(y) R_k(z) for the angles (x, y, z) and the axes i, j, k of the sequence; each
+   rotation is about a current axis of the body.  NaN for KSL_AXIS_INVALID. */
 static inline void ksl_mat3x3f_setFromEulerAngles(
     ksl_mat3x3f_t *r, const ksl_axis_enum_t axisType, const ksl_vec3f_t *angles) {
   const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
@@ -4181,15 +4180,15 @@ static inline void ksl_mat3x3f_setFromEulerAngles(
   }
 }
 
-/* How many turns bring the angle to `below` or less under the reference, or just above that. */
+/* How many whole turns to add to the angle so that it is at least reference - below. */
 static inline float ksl_turnsf(
     const float reference, const float below, const float angle, const float turn) {
   const float least = reference - below, way = least - angle, turns = way / turn;
   return ceilf(turns);
 }
 
-/* The angles next to those of `near` that turn as sign times `found` do; `proper`: the axes i and k
-   are the same. */
+/* The angles close to those of `near` with the same rotation as sign times `found`; `proper`: the
+   axes i and k are the same. */
 static inline void ksl_nextAnglesf(const ksl_vec3f_t *found, const float sign, const int proper,
     const ksl_vec3f_t *near, ksl_vec3f_t *angles) {
   const float eighth = 0.7853982f, half = 3.1415927f, whole = 6.2831855f;
@@ -4208,10 +4207,10 @@ static inline void ksl_nextAnglesf(const ksl_vec3f_t *found, const float sign, c
   angles->z = z + to_z;
 }
 
-/* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), the axes i, j, k those of the
-   sequence, next to those of the reference (ksl_vec3f_t *) that follows, zeros for NULL: z from 1/8
-   turn below it to 3/8 above, x and y from 1/8 turn below to 7/8 above.  In gimbal lock z is a
-   multiple of half a turn.  NaN for KSL_AXIS_INVALID. */
+/* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), for the axes i, j, k of the
+   sequence, close to the reference angles (ksl_vec3f_t *, the last argument; zeros for NULL): z is
+   from 1/8 turn below the reference to 3/8 above it, x and y from 1/8 turn below to 7/8 above.  In
+   gimbal lock z is a multiple of half a turn.  NaN for KSL_AXIS_INVALID. */
 static inline void ksl_mat3x3f_getEulerAnglesWithReference(
     const ksl_mat3x3f_t *r, const ksl_axis_enum_t axisType, ksl_vec3f_t *angles, ...) {
   const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
@@ -4240,7 +4239,7 @@ static inline void ksl_mat3x3f_getEulerAnglesWithReference(
   ksl_nextAnglesf(&found, sign, axes.x == axes.z, &near, angles);
 }
 
-/* The same; the reference may be left out. */
+/* The same with an optional reference. */
 #define ksl_mat3x3f_getEulerAngles(r, ...) \
   ksl_mat3x3f_getEulerAnglesWithReference(r, __VA_ARGS__, (ksl_vec3f_t *)NULL)
 
@@ -8729,18 +8728,17 @@ static inline void ksl_dcf(const float theta, float dc[2]) {
 /* What KSL declares beside formulas. */
 
 
-/* The angle in [0, 360) that is whole turns away; exactly, but for one rounding of
-   negative ones. */
+/* The angle modulo 360, in [0, 360); exact, except for one rounding if the angle is negative. */
 static inline double ksl_normalizeDegrees(double angle) {
   const double turn = 360.0, rest = fmod(angle, turn), above = rest + turn;
   const double zero = 0;
   return rest < zero ? (above < turn ? above : zero) : rest + zero;
 }
 
-/* The angle in [0, 2 π) that is whole turns away, off by 1.2e-15 + 2e-32 |angle| at most,
-   modulo 2 π; as it is where it is there and below the number next to 2 π. */
+/* The angle modulo 2 π, in [0, 2 π); error <= 1.2e-15 + 2e-32 |angle|, modulo 2 π.  Unchanged
+   if it is in that interval and below the floating-point number nearest to 2 π. */
 static inline double ksl_normalizeRadians(double angle) {
-  /* 2 π is the number next to it and this much, but for 6e-33. */
+  /* 2 π = turn + beyond, except for 6e-33. */
   const double turn = 6.283185307179586, beyond = 2.4492935982947064e-16, zero = 0;
   const double rest = fmod(angle, turn), whole = angle - rest, turns = whole / turn;
   const double gathered = KSL_MUL(turns, beyond), less = fmod(gathered, turn);
@@ -8749,18 +8747,17 @@ static inline double ksl_normalizeRadians(double angle) {
   return part < zero ? (above < turn ? above : zero) : part + zero;
 }
 
-/* The angle in [0, 360) that is whole turns away; exactly, but for one rounding of
-   negative ones. */
+/* The angle modulo 360, in [0, 360); exact, except for one rounding if the angle is negative. */
 static inline float ksl_normalizeDegreesf(float angle) {
   const float turn = 360.0f, rest = fmodf(angle, turn), above = rest + turn;
   const float zero = 0;
   return rest < zero ? (above < turn ? above : zero) : rest + zero;
 }
 
-/* The angle in [0, 2 π) that is whole turns away, off by 8e-7 + 7e-15 |angle| at most,
-   modulo 2 π; as it is where it is there and below the number next to 2 π. */
+/* The angle modulo 2 π, in [0, 2 π); error <= 8e-7 + 7e-15 |angle|, modulo 2 π.  Unchanged
+   if it is in that interval and below the floating-point number nearest to 2 π. */
 static inline float ksl_normalizeRadiansf(float angle) {
-  /* 2 π is the number next to it and this much, but for 7e-15. */
+  /* 2 π = turn + beyond, except for 7e-15. */
   const float turn = 6.2831855f, beyond = -1.7484555e-07f, zero = 0;
   const float rest = fmodf(angle, turn), whole = angle - rest, turns = whole / turn;
   const float gathered = KSL_MULF(turns, beyond), less = fmodf(gathered, turn);
@@ -11287,7 +11284,7 @@ static inline void ksl_screwf_ncopy_cmo(
   }
 }
 
-/* ksl_hsrxinvf, as KSL spells it, too. */
+/* KSL's other spelling of ksl_hsrxinvf. */
 static inline void ksl_hrxinvf(const ksl_SE3f_t *Di, ksl_screwf_t *ho) {
   ksl_hsrxinvf(Di, ho);
 }
@@ -17046,19 +17043,19 @@ static inline void ksl_quaternion_toMat3x3(ksl_quaternion_t *qi,
 }
 
 /* qo = q1i (q1i* q2i)^t along the arc from q1i to q2i, which is the longer one where q1i·q2i < 0: q1i
-     at t = 0, q2i at t = 1.  |q1i| = |q2i| = 1; not defined where q2i = -q1i.
-     ksl_quaternion_interpolated goes the shorter way. */
+     at t = 0, q2i at t = 1.  |q1i| = |q2i| = 1; undefined for q2i = -q1i.
+     ksl_quaternion_interpolated takes the shorter arc. */
 static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1i,
     const ksl_quaternion_t *q2i, double *t, ksl_quaternion_t *qo) {
   const double k = *t, twice = KSL_MUL(2, k);
   if (ksl_dot_qq(q1i, q2i) >= 0) {
     ksl_quaternion_interpolated(q1i, q2i, k, qo);
-  } else { /* by way of the middle: either half is the shorter arc */
+  } else { /* through the middle: either half is the shorter arc */
     ksl_quaternion_t middle = *q2i;
     ksl_axpy_qq(1.0, q1i, &middle);
     ksl_quaternion_normalize(&middle);
-    { /* next to -q1i its rounding could make a half the longer arc; of 16 u more than 6 are left:
-         dot products, here and there, are within 4 u, the sum within 2 u */
+    { /* near -q1i the rounding of the middle could make a half the longer arc.  A margin of 16 u
+         suffices: two dot products have errors of 4 u each, the sum of 2 u. */
       const ksl_quaternion_t *end = twice <= 1 ? q1i : q2i;
       const double short_of = 1.7763568394002505e-15 - ksl_dot_qq(end, &middle);
       if (short_of > 0) {
@@ -17099,7 +17096,7 @@ static inline void ksl_quaternion_nlerp(
   *qo = o;
 }
 
-/* qo = q1i^-1 q2i, q1i^-1 = q1i* / q1i·q1i: q1i of any norm but zero whose square neither over- nor
+/* qo = q1i^-1 q2i, q1i^-1 = q1i* / q1i·q1i, for any nonzero q1i whose square neither overflows nor
      underflows. */
 static inline void ksl_quaternion_product_uqinverseq(
     ksl_quaternion_t *q1i, ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
@@ -17122,19 +17119,19 @@ static inline void ksl_quaternionf_toMat3x3f(ksl_quaternionf_t *qi,
 }
 
 /* qo = q1i (q1i* q2i)^t along the arc from q1i to q2i, which is the longer one where q1i·q2i < 0: q1i
-     at t = 0, q2i at t = 1.  |q1i| = |q2i| = 1; not defined where q2i = -q1i.
-     ksl_quaternionf_interpolated goes the shorter way. */
+     at t = 0, q2i at t = 1.  |q1i| = |q2i| = 1; undefined for q2i = -q1i.
+     ksl_quaternionf_interpolated takes the shorter arc. */
 static inline void ksl_slerpf(const ksl_quaternionf_t *q1i,
     const ksl_quaternionf_t *q2i, float *t, ksl_quaternionf_t *qo) {
   const float k = *t, twice = KSL_MULF(2, k);
   if (ksl_dot_qqf(q1i, q2i) >= 0) {
     ksl_quaternionf_interpolated(q1i, q2i, k, qo);
-  } else { /* by way of the middle: either half is the shorter arc */
+  } else { /* through the middle: either half is the shorter arc */
     ksl_quaternionf_t middle = *q2i;
     ksl_axpy_qqf(1.0f, q1i, &middle);
     ksl_quaternionf_normalize(&middle);
-    { /* next to -q1i its rounding could make a half the longer arc; of 16 u more than 6 are left:
-         dot products, here and there, are within 4 u, the sum within 2 u */
+    { /* near -q1i the rounding of the middle could make a half the longer arc.  A margin of 16 u
+         suffices: two dot products have errors of 4 u each, the sum of 2 u. */
       const ksl_quaternionf_t *end = twice <= 1 ? q1i : q2i;
       const float short_of = 9.536743e-07f - ksl_dot_qqf(end, &middle);
       if (short_of > 0) {
@@ -17175,7 +17172,7 @@ static inline void ksl_nlerpf(
   *qo = o;
 }
 
-/* qo = q1i^-1 q2i, q1i^-1 = q1i* / q1i·q1i: q1i of any norm but zero whose square neither over- nor
+/* qo = q1i^-1 q2i, q1i^-1 = q1i* / q1i·q1i, for any nonzero q1i whose square neither overflows nor
      underflows. */
 static inline void ksl_product_uqinverseqf(
     ksl_quaternionf_t *q1i, ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
@@ -23637,11 +23634,11 @@ static inline ksl_inertiaf_t *ksl_inertiaf_alloc(int n) {
 /* What KSL declares beside formulas. */
 
 
-/* Factors: of the matrix I of self's moments, lower triangular L with L L^T = I takes their places:
-     L_yx that of Ixy, L_zy that of Iyz, L_zx that of Izx, none of L_xx, L_yy, L_zz negative.
-     Returns the rank of I to rounding: 3, 2 (a rod), 1, or 0 (a point mass); or -1 where I has a
-     negative eigenvalue, and L is NaN.  Eigenvalues within 128 u of zero, beside the largest, count
-     as zero; |L L^T - I| <= 160 u of the largest moment; searched, not proved. */
+/* Cholesky factorization L L^T = I of the matrix I of self's moments: the entries of L replace the
+     moments, L_yx that of Ixy, L_zy that of Iyz, L_zx that of Izx; L_xx, L_yy, L_zz >= 0.
+     Returns the rank of I to rounding: 3, 2 (a rod), 1, or 0 (a point mass); or -1, with L = NaN, if
+     I has a negative eigenvalue.  Eigenvalues up to 128 u times the largest count as zero;
+     |L L^T - I| <= 160 u times the largest moment; searched, not proved. */
 static inline int ksl_inertia_factor(ksl_inertia_t *self) {
   static const int planes[3][2] = {{0, 1}, {0, 2}, {1, 2}};
   ksl_mat3x3_t D = ksl_mat3x3(
@@ -23661,7 +23658,7 @@ static inline int ksl_inertia_factor(ksl_inertia_t *self) {
     ksl_vec3_scale(&L.v[i], counts ? sqrt(D.at[i][i]) : 0);
     rank += counts;
   }
-  for (int n = 0; n < 3; n++) { /* columns turn in their plane until the upper entry is zero */
+  for (int n = 0; n < 3; n++) { /* rotate two columns so that the upper entry becomes zero */
     const int i = planes[n][0], j = planes[n][1];
     const ksl_vec3_t a = L.v[i], b = L.v[j];
     ksl_vec3_t turn = ksl_vec3(a.at[i], b.at[i], 0);
@@ -23684,11 +23681,11 @@ static inline int ksl_inertia_factor(ksl_inertia_t *self) {
   return rank;
 }
 
-/* Factors: of the matrix I of self's moments, lower triangular L with L L^T = I takes their places:
-     L_yx that of Ixy, L_zy that of Iyz, L_zx that of Izx, none of L_xx, L_yy, L_zz negative.
-     Returns the rank of I to rounding: 3, 2 (a rod), 1, or 0 (a point mass); or -1 where I has a
-     negative eigenvalue, and L is NaN.  Eigenvalues within 128 u of zero, beside the largest, count
-     as zero; |L L^T - I| <= 160 u of the largest moment; searched, not proved. */
+/* Cholesky factorization L L^T = I of the matrix I of self's moments: the entries of L replace the
+     moments, L_yx that of Ixy, L_zy that of Iyz, L_zx that of Izx; L_xx, L_yy, L_zz >= 0.
+     Returns the rank of I to rounding: 3, 2 (a rod), 1, or 0 (a point mass); or -1, with L = NaN, if
+     I has a negative eigenvalue.  Eigenvalues up to 128 u times the largest count as zero;
+     |L L^T - I| <= 160 u times the largest moment; searched, not proved. */
 static inline int ksl_inertiaf_factor(ksl_inertiaf_t *self) {
   static const int planes[3][2] = {{0, 1}, {0, 2}, {1, 2}};
   ksl_mat3x3f_t D = ksl_mat3x3f(
@@ -23708,7 +23705,7 @@ static inline int ksl_inertiaf_factor(ksl_inertiaf_t *self) {
     ksl_vec3f_scale(&L.v[i], counts ? sqrtf(D.at[i][i]) : 0);
     rank += counts;
   }
-  for (int n = 0; n < 3; n++) { /* columns turn in their plane until the upper entry is zero */
+  for (int n = 0; n < 3; n++) { /* rotate two columns so that the upper entry becomes zero */
     const int i = planes[n][0], j = planes[n][1];
     const ksl_vec3f_t a = L.v[i], b = L.v[j];
     ksl_vec3f_t turn = ksl_vec3f(a.at[i], b.at[i], 0);
@@ -25096,10 +25093,10 @@ static inline ksl_spatial_inertiaf_t *ksl_spatial_inertiaf_alloc(int n) {
 #define KSL_SELFCHECK_H
 
 
-/* NULL if arithmetic on double is rounded operation by operation where this is compiled; else
-   what is wrong.  Looks for contraction, reassociation, reciprocals in place of quotients, signs of
-   zeros and NaN that get lost, approximate functions, flush-to-zero, excess precision, and an fma
-   (which the fused tier calls) that rounds twice. */
+/* NULL if every operation on double is rounded once in the file that includes this; else what is
+   wrong.  Looks for contraction, reassociation, reciprocals in place of quotients, lost signs of zero
+   and lost NaN, approximate functions, flush-to-zero, excess precision, and an fma (which the fused
+   tier calls) that rounds twice. */
 static inline const char *ksl_selfcheck(void) {
   const volatile double given[] = {0.0, 0.5, 1.0, 2.0, 1.0000000074505806, 1.0000000149011612,
       2.2250738585072014e-308, 1.7976931348623157e+308, 1.110223057712381e-16, 1.4142135623730951,
@@ -25145,10 +25142,10 @@ static inline const char *ksl_selfcheck(void) {
   return NULL;
 }
 
-/* NULL if arithmetic on float is rounded operation by operation where this is compiled; else
-   what is wrong.  Looks for contraction, reassociation, reciprocals in place of quotients, signs of
-   zeros and NaN that get lost, approximate functions, flush-to-zero, excess precision, and an fma
-   (which the fused tier calls) that rounds twice. */
+/* NULL if every operation on float is rounded once in the file that includes this; else what is
+   wrong.  Looks for contraction, reassociation, reciprocals in place of quotients, lost signs of zero
+   and lost NaN, approximate functions, flush-to-zero, excess precision, and an fma (which the fused
+   tier calls) that rounds twice. */
 static inline const char *ksl_selfcheckf(void) {
   const volatile float given[] = {0.0f, 0.5f, 1.0f, 2.0f, 1.0002441f, 1.0004883f, 1.1754944e-38f,
       3.4028235e+38f, 5.963375e-08f, 1.4142135f, 41.0f, 4109.0f, 6.937586e+10f};

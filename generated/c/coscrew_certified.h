@@ -4,8 +4,8 @@
 /* All headers of certified kernels in one file, for vendoring; it may be included together with
    them. */
 
-/* What keeps every operation rounded once, in the order written, under every flag that compiles.
-   KSL_ALLOW_FAST_MATH lets flags through that break that. */
+/* Keeps every operation rounded once, in the order written, under every set of flags that compiles.
+   Flags that would break this are refused, unless KSL_ALLOW_FAST_MATH is defined. */
 #ifndef KSL_ROUNDING_H
 #define KSL_ROUNDING_H
 
@@ -48,8 +48,8 @@ typedef char
 #endif
 #endif
 
-/* Whether the target has an instruction that fuses a product into a sum: in double precision, and
-   (KSL_HAS_FMAF) in single.  Who includes this may know better. */
+/* Whether the target has a fused multiply-add instruction, in double precision (KSL_HAS_FMA) and in
+   single (KSL_HAS_FMAF).  Both may be defined before this is included. */
 #ifndef KSL_HAS_FMA
 #if defined(__FMA__) || defined(__FMA4__) || defined(__FP_FAST_FMA) || defined(__aarch64__) || \
     defined(__s390x__) || defined(__powerpc64__) || \
@@ -68,24 +68,24 @@ typedef char
 #endif
 #endif
 
-/* gcc contracts across statements, and must not.  A flag -fassociative-math alone, which gcc does
-   not heed, any such pragma would put in force.  This one is in force to the end of the file that
-   is compiled, or nothing would be inlined. */
+/* Keeps gcc from contracting across statements.  gcc ignores a lone flag -fassociative-math, but any
+   such pragma would put it in force; hence no-associative-math.  The pragma holds to the end of the
+   compiled file: functions with different options would not be inlined. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("fp-contract=off", "no-associative-math")
 #elif defined(_MSC_VER) && !defined(__clang__)
 #pragma fp_contract(off)
 #endif
 #if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 14 && defined(__riscv_vector)
-#pragma GCC optimize("no-tree-vectorize") /* the vectoriser contracts in spite of that */
+#pragma GCC optimize("no-tree-vectorize") /* the vectoriser contracts in spite of the pragma */
 #endif
 
 #ifndef KSL_MUL
 /* KSL_MUL(a, b) is a b, rounded to double on its own: never fused into a sum. */
 #if defined(__clang__) && KSL_HAS_FMA && !defined(KSL_CONTRACT_OFF)
-/* With -ffp-contract=fast, which has no macro, clang fuses any product it sees.  So it sees an fma
-   with -0, which changes no bit of the product, and cannot see that it is -0.  Defining
-   KSL_CONTRACT_OFF says that the flag is not given, and saves the time. */
+/* With -ffp-contract=fast, which no macro reveals, clang fuses every product into a sum.  So the
+   product is written as an fma with -0, which changes no bit, hidden so that clang cannot fold it.
+   Defining KSL_CONTRACT_OFF says that the flag is not given, and saves this time. */
 static inline double ksl_minus_zero(void) {
   double zero = -0.0;
 #if defined(__x86_64__) || defined(__i386__)
@@ -100,8 +100,8 @@ static inline double ksl_minus_zero(void) {
 #define KSL_MUL(a, b) __builtin_fma(a, b, ksl_minus_zero())
 #elif defined(__GNUC__) && !defined(__clang__) && (__GNUC__ == 12 || __GNUC__ == 13) && \
     (defined(__x86_64__) || defined(__i386__))
-/* The vectoriser of these contracts in spite of flag and pragma where sums and differences take
-   turns. */
+/* The vectoriser of these versions contracts in spite of flag and pragma where sums and differences
+   alternate. */
 #define KSL_MUL(a, b) __builtin_assoc_barrier((a) * (b))
 #else
 #define KSL_MUL(a, b) ((a) * (b))
@@ -111,9 +111,9 @@ static inline double ksl_minus_zero(void) {
 #ifndef KSL_MULF
 /* KSL_MULF(a, b) is a b, rounded to float on its own: never fused into a sum. */
 #if defined(__clang__) && KSL_HAS_FMAF && !defined(KSL_CONTRACT_OFF)
-/* With -ffp-contract=fast, which has no macro, clang fuses any product it sees.  So it sees an fma
-   with -0, which changes no bit of the product, and cannot see that it is -0.  Defining
-   KSL_CONTRACT_OFF says that the flag is not given, and saves the time. */
+/* With -ffp-contract=fast, which no macro reveals, clang fuses every product into a sum.  So the
+   product is written as an fma with -0, which changes no bit, hidden so that clang cannot fold it.
+   Defining KSL_CONTRACT_OFF says that the flag is not given, and saves this time. */
 static inline float ksl_minus_zerof(void) {
   float zero = -0.0f;
 #if defined(__x86_64__) || defined(__i386__)
@@ -128,8 +128,8 @@ static inline float ksl_minus_zerof(void) {
 #define KSL_MULF(a, b) __builtin_fmaf(a, b, ksl_minus_zerof())
 #elif defined(__GNUC__) && !defined(__clang__) && (__GNUC__ == 12 || __GNUC__ == 13) && \
     (defined(__x86_64__) || defined(__i386__))
-/* The vectoriser of these contracts in spite of flag and pragma where sums and differences take
-   turns. */
+/* The vectoriser of these versions contracts in spite of flag and pragma where sums and differences
+   alternate. */
 #define KSL_MULF(a, b) __builtin_assoc_barrier((a) * (b))
 #else
 #define KSL_MULF(a, b) ((a) * (b))
@@ -140,13 +140,12 @@ static inline float ksl_minus_zerof(void) {
 
 /* Types of the spatial algebra, in double and single precision.
 
-   Every quantity is a union, so that it can be reached several ways.  Matrices are stored column by
-   column.  Screws s = (v; ω) and coscrews c = (f; τ) have the linear part on top, so that power is
-   their dot product.
+   Every quantity is a union of several views.  Matrices are stored column by column.  Screws
+   s = (v; ω) and coscrews c = (f; τ) have the linear part on top, so that power is their dot product.
 
    All functions: pointers must point to valid objects; an output may be the same object as an
    input; nothing else is read or written.  Every operation is rounded once, in the order written, so
-   that results are the same bits everywhere, under every flag that compiles.
+   that results have the same bits on every machine, under every set of flags that compiles.
 
    Error bounds are derived from that order, to first order in u: u = 2^-53 in double and 2^-24 in
    single precision. */
@@ -406,8 +405,8 @@ typedef union ksl_spatial_inertiaf_t {
   };
 } ksl_spatial_inertiaf_t;
 
-/* Sequences of axes of Euler angles: the first turn is about the first axis, the others about those
-   of the body as the turns before have left it. */
+/* Sequences of axes of Euler angles.  Each rotation is about a current axis of the body, that is, as
+   rotated by those before it. */
 typedef enum ksl_axis_enum_t {
   KSL_AXIS_XYZ,
   KSL_AXIS_YZX,

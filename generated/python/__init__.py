@@ -3,18 +3,18 @@
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
 """Spatial algebra on screws (twists) and coscrews (wrenches), linear part on top.
 
-Operations are NumPy generalized ufuncs: they broadcast over leading axes, take `out=`, keep float32
-in float32 and compute anything else in float64.  Displacements are (…,3,4) arrays [R | t]; screws
-(v; ω) and coscrews (f; τ) are (…,6).  Without a compiled extension (`COMPILED` is False) the same
-names run in pure NumPy; `coscrew.double` and `coscrew.single` always do.  Error bounds are to
-first order in u: 2^-53 in float64, 2^-24 in float32.
+Operations are NumPy generalized ufuncs: they broadcast over leading axes, take `out=`, compute
+float32 arguments in float32 and all others in float64.  Displacements are (…,3,4) arrays [R | t];
+screws (v; ω) and coscrews (f; τ) are (…,6).  Without a compiled extension (`COMPILED` is False) the
+same functions run in pure NumPy; `coscrew.double` and `coscrew.single` always do.  Error bounds are
+to first order in u: 2^-53 in float64, 2^-24 in float32.
 """
 from pathlib import Path
 
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "f3e604906cb4b24e")
+COMPILED: bool = is_compiled("coscrew._gufunc", "55a1196f52e52c97")
 
 if COMPILED:
     from coscrew._gufunc import (
@@ -657,7 +657,7 @@ else:
 
 
 def get_include() -> str:
-    """The folder to put on a C compiler's include path, for `#include <ksl/coscrew.h>`."""
+    """The folder for a C compiler's include path, for `#include <ksl/coscrew.h>`."""
     return str(Path(c.__file__).parent / "include")
 
 

@@ -1,7 +1,7 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
-"""Arrays in and out of the kernels: precision, last axes, components, `out=`."""
+"""Checks and converts the arguments and results of kernels: precision, last axes, `out=`."""
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,8 +18,8 @@ WANTED = "float64, float32 or integers up to 64 bits"
 
 
 def numbers(value, name, objects=False):
-    """The argument as an array of its own numbers: float64, float32, integers; of `objects`, too,
-    where they can compute.  Raises TypeError for all else."""
+    """The argument as an array of float64, float32 or integers, or if `objects` of any objects with
+    arithmetic.  Raises TypeError for everything else."""
     if isinstance(value, np.ndarray) and type(value) is not np.ndarray and isinstance(
             value, np.ma.MaskedArray):
         raise TypeError(f"{name}: a masked array came; {WANTED}, without a mask, are wanted")
@@ -28,7 +28,7 @@ def numbers(value, name, objects=False):
                         f"of {WANTED}")
     try:
         found = np.asarray(value)
-    except Exception as error:  # of rows of different lengths, of a tracer, of a tensor elsewhere
+    except Exception as error:  # rows of different lengths, a tracer, a tensor on another device
         reason = str(error).partition("\n")[0]
         raise TypeError(f"{name}: {type(value).__name__} came, of which NumPy makes no array "
                         f"({reason}); {WANTED} are wanted") from error
@@ -42,8 +42,8 @@ def numbers(value, name, objects=False):
 
 
 def cast(array, name, kind):
-    """The numbers in this precision; objects as they are.  Raises ValueError for a number that is
-    finite, but not in this precision."""
+    """The numbers in this precision; objects unchanged.  Raises ValueError for a finite number that
+    overflows in this precision."""
     if array.dtype == kind or array.dtype == object:
         return array
     if array.dtype.kind != "f" or array.itemsize <= np.dtype(kind).itemsize:
@@ -58,7 +58,7 @@ def cast(array, name, kind):
 
 
 def array(value: ArrayLike, name: str, core: Shape, function: str, objects: bool) -> np.ndarray:
-    """The argument as an array of its own numbers, its last axes checked."""
+    """The argument as an array in its own precision, with its last axes checked."""
     found = numbers(value, f"{function}: {name}", objects)
     if found.shape[max(found.ndim - len(core), 0):] != core:
         raise ValueError(f"{function}: {name} has shape {found.shape}; "
@@ -67,20 +67,20 @@ def array(value: ArrayLike, name: str, core: Shape, function: str, objects: bool
 
 
 def overrides(value: object) -> bool:
-    """Whether it answers calls of ufuncs itself, as dask's arrays do; pandas' tables may not."""
+    """Whether its type handles ufuncs itself, as dask's arrays do; pandas' objects do not count."""
     return not hasattr(type(value), "__pandas_priority__") and getattr(type(value), "__array_ufunc__", np.ndarray.__array_ufunc__) is not (
         np.ndarray.__array_ufunc__)
 
 
 def components(array: np.ndarray, core: Shape) -> np.ndarray | tuple[np.ndarray, ...]:
-    """The components, row by row; a scalar argument is passed as it is."""
+    """The components, row by row; a scalar argument unchanged."""
     if not core:
         return array
     return tuple(array[(..., *index)] for index in np.ndindex(*core))
 
 
 def deliver(result: np.ndarray, out: np.ndarray | None, function: str) -> np.ndarray:
-    """Put the result into `out` if there is one."""
+    """The result, copied to `out` if that is given."""
     if out is None:
         return result[()]
     if not isinstance(out, np.ndarray):

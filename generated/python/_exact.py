@@ -1,10 +1,10 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
-"""Exact rounding errors, for compensated kernels: the same bits as fma's, whatever the numbers.
+"""Exact rounding errors, for compensated kernels: the same bits as fma for all numbers.
 
-NumPy has no fma.  Products are split in halves of 26 bits; where that over- or underflows, element
-by element, in rationals.
+NumPy has no fma.  Factors are split into halves of 26 bits; elements for which that overflows or
+underflows are computed in rationals.
 """
 
 from fractions import Fraction
@@ -14,7 +14,7 @@ import numpy as np
 from numpy import absolute
 
 _SPLITTER = 134217729.0  # 2^27 + 1
-_LEAST, _MOST = 2.0**-968, 2.0**996  # between them halves and products of halves are exact
+_LEAST, _MOST = 2.0**-968, 2.0**996  # between these, halves and products of halves are exact
 
 
 def product_error(a, b, p):
@@ -31,7 +31,7 @@ def product_rest(a, b, p, h):
 
 
 def _split(a, b, p):
-    """Where halves do."""
+    """Where the computation by halves is exact."""
     size = absolute(p)
     return (((size >= _LEAST) | (a == 0) | (b == 0)) & (size <= _MOST)
             & (absolute(a) <= _MOST) & (absolute(b) <= _MOST))
@@ -53,7 +53,7 @@ def _halves(a):
 
 
 def _elsewhere(where, found, a, b, c):
-    """`found` where it is right, else a b - c."""
+    """`found` where the mask `where` holds, else a b - c rounded once."""
     if where.all():
         return found
     found, rest = np.array(found), ~where
@@ -63,7 +63,7 @@ def _elsewhere(where, found, a, b, c):
 
 
 def _fused(a, b, c):
-    """a b - c rounded once, of three floats."""
+    """a b - c rounded once, for three floats."""
     if not (isfinite(a) and isfinite(b)):
         return a * b - c
     if not isfinite(c):

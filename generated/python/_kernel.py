@@ -1,7 +1,7 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
-"""Makes functions of components functions of arrays, and chooses between the precisions."""
+"""Turns functions of components into functions of arrays, and chooses the precision."""
 
 import functools
 import inspect
@@ -22,7 +22,7 @@ def _kernel(signature: str, dtype, working=None) -> Callable[[Callable], Callabl
         name, arguments = function.__name__, tuple(inspect.signature(function).parameters)
 
         def checked(values, objects=True):
-            """Leading axes together, and the arguments as arrays."""
+            """(broadcast leading axes, the arguments as arrays)."""
             if len(values) != len(inputs):
                 raise TypeError(f"{name}: takes {len(inputs)} arguments ({', '.join(arguments)}); "
                                 f"got {len(values)}")
@@ -68,12 +68,12 @@ wide_kernel = functools.partial(_kernel, dtype=np.float32, working=np.float64)
 
 
 def dispatch(module: str, *kernels: Callable) -> Callable:
-    """The first kernel, except that arguments of float32 alone go to the second, and `dtype=`
-    decides where it is given; for `module`."""
+    """A function of `module` that calls the second kernel if all arrays are float32, else the
+    first; `dtype=` overrides that."""
     wide, narrow = kernels[0], kernels[-1]
 
     def check(*values):
-        """Raises what `on_any` does of wrong arguments."""
+        """Raise the errors that `on_any` raises for wrong arguments."""
         if not any(map(_arrays.overrides, values)):
             wide.checked(values, objects=False)
 

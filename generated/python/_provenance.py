@@ -1,14 +1,14 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
-"""Whether an extension module is there, and was built from these very kernels."""
+"""Checks that an extension module exists and was built from these kernels."""
 
 import importlib
 import warnings
 
 
 def is_compiled(extension: str, provenance: str) -> bool:
-    """Whether it is; warns, as a message to whoever imports the caller, where it is a wrong one."""
+    """Whether it does; if it exists but cannot be used, warns at the import of the caller."""
     try:
         module = importlib.import_module(extension)
     except ModuleNotFoundError:

@@ -1,7 +1,7 @@
 # Made by `coscrew generate`; changes are overwritten.
 # SPDX-License-Identifier: MIT
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
-"""Detects an extension, or a process, that breaks the promised bits."""
+"""Detects a build of the extension, or a state of the process, that breaks the promised bits."""
 
 import numpy as np
 
@@ -9,10 +9,10 @@ import coscrew
 
 
 def selfcheck() -> list[str]:
-    """What is wrong with floating-point arithmetic here, in words; empty if nothing is.
+    """Problems of floating-point arithmetic in this process, in words; empty if there are none.
 
-    Looks at contraction (fused products and sums), flush-to-zero (which another library compiled with
-    -ffast-math sets for the whole process), and at the bits of a kernel against its NumPy twin.
+    Tests for contraction (fused products and sums) and flush-to-zero (which a library compiled with
+    -ffast-math sets for the whole process), and compares the bits of a kernel with its NumPy twin.
     """
     found = []
     for twin in (coscrew.double, coscrew.single, ):

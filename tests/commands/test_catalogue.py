@@ -8,7 +8,8 @@ from coscrew_codegen.effects import EFFECTS
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 from coscrew_codegen.scene_files.catalogue import described
 
-NAMES = ("actuator", "armature", "buoyancy", "coulomb", "drag", "gravity", "limit", "mimic",
+NAMES = ("actuator", "armature", "buoyancy", "coulomb", "drag", "field", "gravity", "joint_drag",
+         "limit", "mimic",
          "reaction", "spring", "spring_damper", "stribeck", "viscous", "wrench")
 
 

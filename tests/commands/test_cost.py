@@ -32,6 +32,7 @@ from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.system import system
 from coscrew_codegen.targets import scene_c
 from coscrew_codegen.targets.scene_text import banner_of
+from tests.support.each import each_precision
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.asking import STEPPED
 
@@ -80,7 +81,7 @@ def test_operations_are_those_of_the_terms(tmp_path):
 
 # what is timed
 
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda x: x.name)
+@each_precision
 @pytest.mark.parametrize("name", ("SPRING", "BRICK"))
 def test_the_loops_call_the_scenes_functions(kernels, name, precision):
     """What a timed loop has computed are the functions' values at its inputs, to the last bit."""

@@ -7,9 +7,9 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.targets import scene_calls
 from tests.support.compiled.c_harness import COMPILERS, DIALECTS, EXACT, STRICT, run
+from tests.support.each import each_precision
 from tests.support.scenes.generated_scenes import imported
 from tests.support.scenes.scene_values import UNIT, inputs, same_bits
 
@@ -163,7 +163,7 @@ def test_bodies_and_joints_may_be_called_anything(folder: Path):
     assert np.all(np.linalg.norm(found - a, axis=-1) <= bound)
 
 
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+@each_precision
 def test_derived_dynamics_have_the_same_bits_in_c_and_numpy(folder: Path, precision):
     """At shoulder angle 0, where sine and cosine are exact; the wrist's quaternions are any."""
     kernels = load_scene("arm.toml")

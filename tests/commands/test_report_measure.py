@@ -11,7 +11,7 @@ import pytest
 from gmpy2 import mpq
 
 from coscrew_codegen.exact import truth, ulp
-from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
+from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
 from coscrew_codegen.native.timing import Timing
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.operations.operation import Normwise
@@ -20,13 +20,13 @@ from coscrew_codegen.report.c_text import Variant, last_component
 from coscrew_codegen.report.drift import deviations, drifts, power
 from coscrew_codegen.report.timing import Timed, python_function
 from coscrew_codegen.report.variants import variants_of
+from tests.support.each import each_precision
 from tests.support.truth.exact import FORMULAS
 
 BY_NAME = {operation.name: operation for operation in OPERATIONS}
 DIGITS = {"double": 53, "single": 24}
 NAMES = ("product_CoAdc", "cross_sc", "dot_cs", "product_dd", "mat3x3_determinant", "vec3_swap")
 
-precisions = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 
 
 def exactly(operation: Operation, rows: np.ndarray) -> list[list[Fraction]]:
@@ -50,7 +50,7 @@ def spacing(x: Fraction, precision: Precision) -> Fraction:
     return Fraction(float(np.spacing(abs(near))))
 
 
-@precisions
+@each_precision
 @pytest.mark.parametrize("name", NAMES)
 def test_truth_is_what_fractions_say(name: str, precision: Precision):
     operation = BY_NAME[name]
@@ -75,7 +75,7 @@ def test_ulp_is_of_the_binade_a_number_lies_in():
     assert ulp(mpq(1, 3 * 2**130), SINGLE) == mpq(1, 2**149)
 
 
-@precisions
+@each_precision
 def test_truth_of_a_norm_is_the_integer_root(precision: Precision):
     """floor(2^400 |v|) by integers lies where the report's truth does."""
     operation = BY_NAME["vec3_l2norm"]
@@ -89,7 +89,7 @@ def test_truth_of_a_norm_is_the_integer_root(precision: Precision):
         assert abs(ours - root) <= Fraction(float(unit)) / 2**50
 
 
-@precisions
+@each_precision
 def test_a_wrong_kernel_shows_its_error(precision: Precision):
     """Three numbers above the nearest one: 2.5 to 3.5 ulp, as fractions count."""
     operation = BY_NAME["cross_sc"]
@@ -187,14 +187,14 @@ def test_normwise_errors_are_relative_to_the_largest_component(named: tuple[str,
             assert unit[part].tolist() == [float(largest)] * size
 
 
-@precisions
+@each_precision
 def test_the_same_seed_gives_the_same_errors(precision: Precision):
     task = measure.Task("product_dv", precision, 50, 3, (), None)
     assert task.run() == task.run()
     assert task.run() != replace(task, seed=4).run()
 
 
-@precisions
+@each_precision
 def test_compiled_kernels_give_the_packages_bits(precision: Precision, tmp_path: Path):
     """In both compilers, and called by rows: columns and rows of matrices are where they belong."""
     names = ("product_dd", "product_drdrx", "SE3_invert", "coscrew_to_angular_first", "dot_cs")

@@ -12,6 +12,7 @@ from coscrew_codegen.operations import OPERATIONS
 from tests.support.compiled.bits_program import Kernel, kernels, text, wanted
 from tests.support.compiled.c_harness import COMPILERS, INCLUDE, run
 from tests.support.compiled.flags import FMA, TUNED, UNHEEDED
+from tests.support.each import each_compiler
 
 # Of every shape there is: sums of two and three products, differences, chains, quotients, roots.
 CHOSEN = ("cross_vv", "dot_vv", "vec3_normalized", "product_drv", "mat3x3_determinant",
@@ -71,7 +72,7 @@ PRAGMA = '#pragma GCC optimize("fp-contract=off", "no-associative-math")'
 
 
 @pytest.mark.skipif(not FMA, reason="nothing fuses here")
-@pytest.mark.parametrize("compiler", COMPILERS)
+@each_compiler
 def test_a_fused_product_would_be_noticed(compiler: str, tmp_path: Path):
     """With products spelled a * b, and the pragma gone, the flags change bits."""
     include = tmp_path / "include"

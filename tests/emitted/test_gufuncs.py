@@ -15,11 +15,11 @@ import pytest
 
 import coscrew
 from coscrew_codegen.operations import OPERATIONS, Operation
+from tests.support.each import each_operation
 from tests.support.truth.attack import TIERED
 
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")
 
-by_operation = pytest.mark.parametrize("operation", OPERATIONS, ids=lambda op: op.name)
 by_dtype = pytest.mark.parametrize("dtype", (np.float64, np.float32))
 by_namespace = pytest.mark.parametrize("namespace", ("gufunc", "dispatch"))
 
@@ -52,7 +52,7 @@ def test_the_extension_is_compiled():
     assert coscrew.COMPILED
 
 
-@by_operation
+@each_operation
 def test_the_signature_is_the_operations(operation):
     ufunc = gufunc(operation)
     assert isinstance(ufunc, np.ufunc)
@@ -63,7 +63,7 @@ def test_the_signature_is_the_operations(operation):
     assert " ".join(operation.statement.split()) in " ".join(ufunc.__doc__.split())
 
 
-@by_operation
+@each_operation
 @by_namespace
 def test_float32_stays_float32_and_everything_else_becomes_float64(operation, namespace):
     call = function(namespace, operation.name)
@@ -92,7 +92,7 @@ def test_python_numbers_take_the_precision_of_the_arrays_beside_them(namespace):
     assert product_ac(2.0, [1, 2, 3, 4, 5, 6]).dtype == np.float64
 
 
-@by_operation
+@each_operation
 @by_dtype
 @by_namespace
 def test_leading_axes_broadcast(operation, dtype, namespace):
@@ -110,7 +110,7 @@ def test_leading_axes_broadcast(operation, dtype, namespace):
             assert same_bits(call(*fixed), call(*repeated))
 
 
-@by_operation
+@each_operation
 @by_dtype
 @by_namespace
 def test_any_strides_give_the_same_bits(operation, dtype, namespace):
@@ -144,7 +144,7 @@ def test_any_strides_give_the_same_bits(operation, dtype, namespace):
     assert same_bits(tuple(map(np.ascontiguousarray, outs)), expected)
 
 
-@by_operation
+@each_operation
 @by_dtype
 @by_namespace
 def test_out_may_be_an_input(operation, dtype, namespace):
@@ -163,7 +163,7 @@ def test_out_may_be_an_input(operation, dtype, namespace):
                 assert same_bits(np.ascontiguousarray(result), np.ascontiguousarray(expected))
 
 
-@by_operation
+@each_operation
 @by_namespace
 def test_zero_elements_give_zero_results(operation, namespace):
     arguments = inputs(operation, (0, 4))
@@ -172,7 +172,7 @@ def test_zero_elements_give_zero_results(operation, namespace):
         assert result.shape == (0, 4, *output.quantity.shape)
 
 
-@by_operation
+@each_operation
 @by_namespace
 def test_bad_arguments_are_refused(operation, namespace):
     call = function(namespace, operation.name)
@@ -229,7 +229,7 @@ def test_subclasses_are_kept():
     assert coscrew.product_CoAdc(D, Override()) == ("product_CoAdc", "__call__")
 
 
-@by_operation
+@each_operation
 def test_dask_applies_every_operation(operation):
     signature = operation.signature
     sizes = {str(n): n for output in operation.outputs for n in output.quantity.shape}

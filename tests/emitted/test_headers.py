@@ -20,6 +20,7 @@ from tests.support.compiled.c_harness import (
     STRICT,
     run,
 )
+from tests.support.each import each_compiler
 
 KSL = INCLUDE / "ksl"
 HEADERS = tuple(sorted({path.stem for path in KSL.glob("*.h")} - {*REFUSED}))
@@ -60,7 +61,6 @@ dialects = pytest.mark.parametrize("compiler, language", DIALECTS,
 # Of C and of C++ one: what a header includes is the same to every compiler.
 first_and_last = pytest.mark.parametrize("compiler, language", (DIALECTS[0], DIALECTS[-1]),
                                          ids=("C", "C++"))
-compilers = pytest.mark.parametrize("compiler", COMPILERS)
 
 
 @pytest.fixture(scope="module")
@@ -125,7 +125,7 @@ def test_two_translation_units_link(header, compiler, language, tmp_path):
     run([main])
 
 
-@compilers
+@each_compiler
 @pytest.mark.parametrize("header", ["headers", "amalgamation"])
 def test_no_alloc_leaves_out_the_heap(header, compiler, tmp_path):
     source = _source(tmp_path, "user", _included(header))
@@ -179,7 +179,7 @@ def _double_instructions(binary: Path) -> list[str]:
             if len(words) > 1 and DOUBLE_INSTRUCTION.fullmatch(words[1])]
 
 
-@compilers
+@each_compiler
 def test_single_precision_executes_no_double_arithmetic(compiler, single_only, tmp_path):
     binary = _object(compiler, single_only / "include", tmp_path)
     symbols = {line.split()[-1].lstrip("_") for line in run(("nm", "-u", binary)).splitlines()}
@@ -188,7 +188,7 @@ def test_single_precision_executes_no_double_arithmetic(compiler, single_only, t
         assert not _double_instructions(binary)
 
 
-@compilers
+@each_compiler
 def test_double_arithmetic_would_be_noticed(compiler, tmp_path):
     """The headers of both precisions do hold what the single-precision ones must not."""
     binary = _object(compiler, INCLUDE, tmp_path, "-O0")
@@ -210,7 +210,7 @@ def _code(folder: Path) -> str:
     return re.sub(r'/\*.*?\*/|#error "[^"]*"', "", text, flags=re.DOTALL)
 
 
-@compilers
+@each_compiler
 def test_a_selection_compiles_and_runs(compiler, tmp_path):
     """One family in one precision, from its folder of headers and from its amalgamation."""
     folder = _generated(tmp_path, "--family", "coscrew", "--precision", "single")

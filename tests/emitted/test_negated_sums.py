@@ -6,13 +6,14 @@ from fractions import Fraction
 
 import pytest
 
-from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
+from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.operations import OPERATIONS
 from coscrew_codegen.program import Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.targets.c_statements import Statements
 from coscrew_codegen.tiers import MARKED, tier_named
 from coscrew_codegen.tiers.negation import negating_terms
 from coscrew_codegen.tiers.tier import Tier
+from tests.support.each import each_precision
 from tests.support.scenes.evaluation import evaluator, rational
 from tests.support.truth.attack import plain_program
 
@@ -42,7 +43,7 @@ def negated_fused_sums(program: Program) -> list[str]:
             if isinstance(x, Ref) and x.name in fused]
 
 
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+@each_precision
 @pytest.mark.parametrize("tier", MARKED, ids=lambda tier: tier.name)
 def test_no_fused_sum_is_negated(tier: Tier, precision: Precision):
     plain = [p for p in map(plain_program, OPERATIONS) if tier.has(p)]

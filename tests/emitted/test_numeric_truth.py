@@ -18,13 +18,14 @@ import pytest
 import sympy as sp
 
 import coscrew
-from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
+from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
 from coscrew_codegen.kernel import Kernel, kernel_of
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.passes import simplified
 from coscrew_codegen.program import Op
 from coscrew_codegen.targets.c import c_name
 from tests.support.compiled.c_reader import Header, Place, header, sign_flips
+from tests.support.each import each_precision
 from tests.support.motion_inputs import motions_of
 from tests.support.sampling import inputs_of
 from tests.support.truth.attack import plain_program
@@ -51,7 +52,6 @@ SIGNED = tuple(op for op in NUMERIC if op.name != "spatial_inertia_consistency")
 FREE = ("theta_shifted", "exp_theta_shifted", "permanent")
 
 each_operation = pytest.mark.parametrize("operation", NUMERIC, ids=lambda op: op.name)
-each_precision = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 
 
 @pytest.fixture(autouse=True)

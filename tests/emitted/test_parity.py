@@ -15,10 +15,11 @@ import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Op
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness, run
+from tests.support.each import each_compiler, each_precision
 from tests.support.sampling import inputs_of
 from tests.support.truth.attack import plain_program
 
@@ -107,11 +108,10 @@ def _outputs(module: ModuleType, operation: Operation, inputs: Arrays, order: st
 IMPLEMENTATIONS = ("gufunc", "gufunc, strided",
                    *(" ".join((name, *flags)) for name, flags in BUILDS))
 implementations = pytest.mark.parametrize("implementation", IMPLEMENTATIONS)
-precisions = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 
 
 @implementations
-@precisions
+@each_precision
 @pytest.mark.parametrize("operation", EXACT_OPERATIONS, ids=lambda op: op.name)
 def test_bits_equal_those_of_the_twin(operation: Operation, precision: Precision,
                                       evaluate: Evaluate):
@@ -121,8 +121,8 @@ def test_bits_equal_those_of_the_twin(operation: Operation, precision: Precision
     fail_for(mismatch(operation, inputs, got, want))
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
-@precisions
+@each_compiler
+@each_precision
 def test_contraction_would_be_noticed(precision: Precision, compiler: str, folder: Path):
     """Where there is an FMA, contracted CoAd(D) c has other bits; the headers contract nothing,
     unless KSL_CONTRACT_OFF tells clang, wrongly here, that its flags see to that."""
@@ -143,7 +143,7 @@ def _has_fma(compiler: str) -> bool:
 
 
 @implementations
-@precisions
+@each_precision
 @pytest.mark.parametrize("operation", PLATFORMS, ids=lambda op: op.name)
 def test_bits_are_the_same_in_c_and_gufunc(operation: Operation, precision: Precision,
                                            evaluate: Evaluate):
@@ -154,7 +154,7 @@ def test_bits_are_the_same_in_c_and_gufunc(operation: Operation, precision: Prec
 
 
 @implementations
-@precisions
+@each_precision
 def test_dc_is_within_1_ulp(precision: Precision, evaluate: Evaluate):
     """|err| <= 1 ulp of (sin θ, cos θ), for θ of any size, against mpmath at 50 digits."""
     angles, exact = _angles(precision)
@@ -162,7 +162,7 @@ def test_dc_is_within_1_ulp(precision: Precision, evaluate: Evaluate):
     _assert_within(1, precision, angles, got, exact)
 
 
-@precisions
+@each_precision
 def test_dc_of_the_twin_is_within_numpys_bound(precision: Precision):
     """NumPy's sin and cos: 1 ulp in double; in single 1.49 (numpy pull request 13368), so 2."""
     angles, exact = _angles(precision)

@@ -7,6 +7,7 @@ import pytest
 
 import coscrew
 from tests.support.compiled.c_harness import C11, COMPILERS, EXACT, INCLUDE, run
+from tests.support.each import each_compiler
 
 PROGRAM = """
 #include <ksl/ksl.h>
@@ -18,7 +19,6 @@ int main(void) {
 }
 """
 
-compilers = pytest.mark.parametrize("compiler", COMPILERS)
 
 
 def verdicts(folder: Path, compiler: str, *flags: str, text: str = PROGRAM) -> list[str]:
@@ -29,13 +29,13 @@ def verdicts(folder: Path, compiler: str, *flags: str, text: str = PROGRAM) -> l
     return [line.split(":")[0] for line in run([folder / "main"]).splitlines()]
 
 
-@compilers
+@each_compiler
 @pytest.mark.parametrize("flags", [("-O0",), ("-O2",), ("-O3", "-march=native")])
 def test_a_right_build_is_fine(compiler, flags, tmp_path):
     assert verdicts(tmp_path, compiler, *flags, EXACT) == ["fine", "fine"]
 
 
-@compilers
+@each_compiler
 def test_contraction_is_detected(compiler, tmp_path):
     flags = ("-std=gnu11", "-O3", "-march=native", "-ffp-contract=fast")
     macros = run((compiler, "-march=native", "-dM", "-E", "-x", "c", "/dev/null"))
@@ -46,7 +46,7 @@ def test_contraction_is_detected(compiler, tmp_path):
     assert verdicts(tmp_path, compiler, *flags, told) == [word, word]
 
 
-@compilers
+@each_compiler
 def test_fast_math_is_detected(compiler, tmp_path):
     flags = ("-O2", "-ffast-math", "-DKSL_ALLOW_FAST_MATH")
     assert "fine" not in verdicts(tmp_path, compiler, *flags)
@@ -64,7 +64,7 @@ def test_what_has_no_macro_is_detected(flag, word, tmp_path):
 
 @pytest.mark.skipif(platform.machine() not in ("x86_64", "AMD64"), reason="sets x86's MXCSR")
 @pytest.mark.parametrize("bits", ["0x8000", "0x40"], ids=["results", "operands"])
-@compilers
+@each_compiler
 def test_flush_to_zero_is_detected(compiler, bits, tmp_path):
     """Of subnormal results, and of operands: any library linked in can set either."""
     start = f"int main(void) {{ _mm_setcsr(_mm_getcsr() | {bits});"

@@ -18,6 +18,7 @@ from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.operations import FAMILIES, NORM_THRESHOLD, OPERATIONS, Operation
 from tests.support.compiled.c_reader import FAMILIES as HEADERS
 from tests.support.compiled.c_reader import Header, Place, Value, functions_in, header, sign_flips
+from tests.support.each import each_operation, each_precision
 from tests.support.truth.multiprecision import NUMERIC
 
 THRESHOLDS = {DOUBLE: sp.Rational(1, 10**9), SINGLE: sp.Rational(1, 10**6)}
@@ -29,9 +30,7 @@ NAMES = {"vec3": ["x", "y", "z"], "vec4": ["x", "y", "z", "w"],
          "spatial_inertia": ["m", "hx", "hy", "hz", "xx", "yy", "zz", "xy", "xz", "yz"]}
 
 COMPARED = tuple(op for op in OPERATIONS if op not in NUMERIC)  # the others: test_numeric_truth
-each_operation = pytest.mark.parametrize("operation", OPERATIONS, ids=lambda op: op.name)
 each_compared = pytest.mark.parametrize("operation", COMPARED, ids=lambda op: op.name)
-each_precision = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 
 
 @cache

@@ -8,22 +8,11 @@ import pytest
 
 import coscrew
 import coscrew.accurate
-from coscrew_codegen.formats import PRECISIONS
+from tests.support.each import each_precision
 from tests.support.truth.bodies import operator, pivots, pseudo_inertia, second_moments
-from tests.support.truth.exact import Exact, Matrix, Sample, array, eye
+from tests.support.truth.exact import Matrix, Sample, array, eye
 
-each_precision = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 each_kind = pytest.mark.parametrize("kind, n", [("mat3x3", 3), ("mat6x6", 6)])
-
-
-@pytest.fixture(params=[coscrew.double, coscrew.single], ids=["double", "single"])
-def k(request: pytest.FixtureRequest) -> Exact:
-    return Exact(request.param)
-
-
-@pytest.fixture(params=range(3))
-def sample(request: pytest.FixtureRequest) -> Sample:
-    return Sample(request.param)
 
 
 def physical(sample: Sample) -> Matrix:

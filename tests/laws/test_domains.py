@@ -34,6 +34,7 @@ from coscrew_codegen.quantity import (
     Domain,
 )
 from coscrew_codegen.report.inputs import benign, split
+from tests.support.each import each_precision
 
 ROOT = Path(__file__).parents[2]
 INPUTS = tuple({(a.name, a.quantity, a.domain): (op, n) for op in OPERATIONS
@@ -96,12 +97,11 @@ def accepted(x: np.ndarray, argument: Argument, precision: Precision) -> np.ndar
     return IS_IN[argument.domain](x, float(precision.u), precision.name)
 
 
-precisions = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 inputs = pytest.mark.parametrize("operation, place", INPUTS, ids=lambda x: (
     x.name if isinstance(x, Operation) else str(x)))
 
 
-@precisions
+@each_precision
 @inputs
 def test_what_is_drawn_is_in_its_domain(operation: Operation, place: int, precision: Precision):
     argument, dtype = operation.inputs[place], np.dtype(precision.numpy_type)

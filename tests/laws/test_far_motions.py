@@ -8,6 +8,7 @@ import coscrew
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.operations.exponential import FAR
 from tests.hard_cases.corpus import TABLE
+from tests.support.each import each_precision
 from tests.support.motion_inputs import axes, motions_of
 from tests.support.truth import judge
 
@@ -17,7 +18,6 @@ SHORTER = 2.0**-900
 TWIN_IN_SINGLE = 4  # u that NumPy's own sine and arctangent may be off by
 
 each_name = pytest.mark.parametrize("name", NAMES)
-each_precision = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 
 
 def far(name: str, precision: Precision) -> tuple[np.ndarray, ...]:

@@ -12,14 +12,14 @@ import pytest
 
 import coscrew
 import coscrew.accurate
-from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.formats import Precision
+from tests.support.each import each_precision
 
 REACH = {"double": Fraction(1, 2**700), "single": Fraction(1, 2**80)}
 SPOILED = {"double": Fraction(1, 2**760), "single": Fraction(1, 2**96)}
 EDGE = {"double": (47453132, 47453133), "single": (2047, 2049)}
 """x with det [[x - 2, x], [x, x + 2]] = -4 just above, and just below, 8 u (2 x² - 4)."""
 
-each_precision = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 each_tier = pytest.mark.parametrize("tier", [coscrew, coscrew.accurate], ids=["plain", "accurate"])
 
 

@@ -7,7 +7,6 @@ import mpmath
 import numpy as np
 import pytest
 
-import coscrew
 from tests.support.truth import exact
 from tests.support.truth.bodies import POSITIVE_DEFINITE
 from tests.support.truth.exact import (
@@ -15,7 +14,6 @@ from tests.support.truth.exact import (
     IRRATIONAL,
     JOINTS,
     TABLE,
-    Exact,
     Matrix,
     Sample,
     array,
@@ -31,16 +29,6 @@ NEGATED = tuple(name for name in INVERTED if name not in UNDONE)  # these in a v
 each_group = pytest.mark.parametrize("group", ["t", "r", ""])
 each_space = pytest.mark.parametrize("Ad, x", [("Ad", "s"), ("CoAd", "c")])
 each_joint = pytest.mark.parametrize("joint", range(6), ids=JOINTS)
-
-
-@pytest.fixture(params=[coscrew.double, coscrew.single], ids=["double", "single"])
-def k(request: pytest.FixtureRequest) -> Exact:
-    return Exact(request.param)
-
-
-@pytest.fixture(params=range(3))
-def sample(request: pytest.FixtureRequest) -> Sample:
-    return Sample(request.param)
 
 
 def same(x: object, y: object) -> bool:

@@ -13,6 +13,7 @@ from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
 from tests.support.domains import angle
+from tests.support.each import each_precision
 from tests.support.motion_inputs import axes, displacements, motions_of, rotation_vectors, rotations
 from tests.support.truth.motion_errors import (
     Objects,
@@ -35,7 +36,6 @@ TWIN_IN_SINGLE = 3  # u more than stated
 LARGEST_ANGLE = {"double": 1e13, "single": 1e5}  # of bounds of what turns by any angle
 
 each_motion = pytest.mark.parametrize("operation", MOTIONS, ids=lambda op: op.name)
-each_precision = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 
 
 def tuple_of(found: np.ndarray | Arrays) -> Arrays:

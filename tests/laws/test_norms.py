@@ -10,10 +10,11 @@ import pytest
 
 import coscrew
 import coscrew.accurate
-from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
+from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.tiers import tier_named
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
+from tests.support.each import each_precision
 from tests.support.truth.attack import plain_program
 
 KINDS = {"vec3": (slice(0, 3), slice(0, 3)), "vec4": (slice(0, 4), slice(0, 4)),
@@ -85,7 +86,7 @@ def evaluates(tier: str, folder: Path) -> dict[str, Evaluate]:
 
 
 @pytest.mark.parametrize("tier", ULPS)
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+@each_precision
 @pytest.mark.parametrize("name", NAMES)
 def test_norms_over_the_whole_range(name: str, precision: Precision, tier: str, folder: Path):
     x = rows(name.partition("_")[0], precision)

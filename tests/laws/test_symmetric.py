@@ -8,15 +8,15 @@ from gmpy2 import mpq
 
 import coscrew
 import coscrew.accurate
-from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import OPERATIONS
 from coscrew_codegen.operations.symmetric import BACKWARD, FACTOR
+from tests.support.each import each_precision
 
 ROWS = 4000
 WELL = {"double": 14, "single": 5}  # decimal digits of the condition up to which nothing is refused
 BITS = {"double": 11, "single": 4}  # of integers whose products' sums are exact
 
-each_precision = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 each_kind = pytest.mark.parametrize("kind, n", [("mat3x3", 3), ("mat6x6", 6)])
 each_tier = pytest.mark.parametrize("tier", [coscrew, coscrew.accurate], ids=["plain", "accurate"])
 

@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.formats import Precision
+from tests.support.each import each_precision
 from tests.support.truth.motions import DIGITS, SE3_exp, ad, exponential_series, skew
 
 TARGETS = {"SO3_exp": 5, "SO3_log": 4, "SE3_exp": 6, "SE3_log": 6, "SO3_leftJacobian": 3,
@@ -50,7 +51,7 @@ def motion_jacobian(s: np.ndarray) -> mp.matrix:
     return exponential_series(ad(mp.matrix(s)), 1)
 
 
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+@each_precision
 @pytest.mark.parametrize("name", TARGETS)
 def test_swept_errors_are_within_the_targets(name: str, precision: Precision):
     u, real = 2.0**-{"double": 53, "single": 24}[precision.name], precision.numpy_type

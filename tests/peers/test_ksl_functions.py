@@ -18,11 +18,11 @@ from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations.euler import BACKWARD
 from coscrew_codegen.targets.c_ksl import SEQUENCES
 from tests.support.compiled.c_harness import C11, COMPILERS, EXACT, INCLUDE, STRICT, run
+from tests.support.each import each_precision
 
 SOURCE = Path(__file__).with_name("ksl_functions.c")
 ROWS = 90
 PI = np.pi
-each_precision = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 each_sequence = pytest.mark.parametrize("number, name, axes", [
     (n, name, axes) for n, (name, axes) in enumerate(SEQUENCES)], ids=[s for s, _ in SEQUENCES])
 

@@ -10,30 +10,20 @@ import pytest
 
 import coscrew
 import coscrew.accurate
-from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import OPERATIONS
 from coscrew_codegen.operations.inertia import MERGED
 from coscrew_codegen.operations.spatial_inertia import CONVERTED
 from tests.support.compiled.c_harness import C11, COMPILERS, EXACT, INCLUDE, STRICT, run
+from tests.support.each import each_precision
 from tests.support.truth import bodies
-from tests.support.truth.exact import Exact, Matrix, Sample
+from tests.support.truth.exact import Matrix, Sample
 
 SOURCE = Path(__file__).with_name("ksl_functions.c")
 FACTORED = 160  # in u: what L L^T is off by, of the largest moment
 ROWS = 120
 TIERS = {"plain": coscrew, "accurate": coscrew.accurate}
-each_precision = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 each_tier = pytest.mark.parametrize("tier", TIERS)
-
-
-@pytest.fixture(params=[coscrew.double, coscrew.single], ids=["double", "single"])
-def k(request: pytest.FixtureRequest) -> Exact:
-    return Exact(request.param)
-
-
-@pytest.fixture(params=range(3))
-def sample(request: pytest.FixtureRequest) -> Sample:
-    return Sample(request.param)
 
 
 def points(sample: Sample) -> Matrix:

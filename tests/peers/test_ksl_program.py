@@ -11,8 +11,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.formats import Precision
 from tests.support.compiled.c_harness import DIALECTS, EXACT, INCLUDE, STRICT, run
+from tests.support.each import each_precision
 
 PROGRAM = Path(__file__).with_name("ksl_program.c")
 BITS = {"double": 53, "single": 24}
@@ -169,7 +170,7 @@ def printed(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     return {(precision, what): numbers for precision, what, *numbers in lines}
 
 
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+@each_precision
 @pytest.mark.parametrize("what", EXPECTED)
 def test_program_prints_the_rounded_truth(what: str, precision: Precision,
                                           printed: dict[tuple[str, str], list[str]]):
@@ -178,7 +179,7 @@ def test_program_prints_the_rounded_truth(what: str, precision: Precision,
     assert [(x + 0.0).hex() for x in got] == want  # -0 equals 0 here
 
 
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+@each_precision
 def test_program_prints_sine_and_cosine_within_1_ulp(
         precision: Precision, printed: dict[tuple[str, str], list[str]]):
     number = np.dtype(precision.numpy_type).type
@@ -188,7 +189,7 @@ def test_program_prints_sine_and_cosine_within_1_ulp(
             assert abs(float.fromhex(text) - truth) <= float(np.spacing(number(truth))), text
 
 
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+@each_precision
 @pytest.mark.parametrize("what", HALFWAY)
 def test_program_prints_quarter_turns(what: str, precision: Precision,
                                       printed: dict[tuple[str, str], list[str]]):

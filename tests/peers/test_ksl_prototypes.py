@@ -12,9 +12,9 @@ import pytest
 from coscrew_codegen.targets.c_ksl import REFUSED
 from tests.support.compiled.c_harness import C11, COMPILERS, CXX17, DIALECTS, INCLUDE, STRICT, run
 from tests.support.compiled.ksl_interface import Prototype, prototypes
+from tests.support.each import each_compiler
 
 HEADERS = tuple(dict.fromkeys(p.header for p in prototypes()))
-compilers = pytest.mark.parametrize("compiler", COMPILERS)
 
 # Pairs that these read only are pairs of const here: callers need not know.
 TO_CONST = ("ksl_quaternion_product_q", "ksl_product_q")
@@ -31,7 +31,7 @@ def source(wanted: tuple[Prototype, ...], includes: tuple[str, ...]) -> str:
     return "\n".join([*lines, ""])
 
 
-@compilers
+@each_compiler
 @pytest.mark.parametrize("header", HEADERS)
 def test_prototypes_are_ksls(header, compiler, tmp_path):
     """Each header alone has what KSL's has."""
@@ -61,7 +61,7 @@ def test_another_prototype_is_noticed(tmp_path):
         run((COMPILERS[0], *C11, *STRICT, "-I", INCLUDE, "-fsyntax-only", path))
 
 
-@compilers
+@each_compiler
 @pytest.mark.parametrize("language", [C11, CXX17], ids=["C", "C++"])
 @pytest.mark.parametrize("header", sorted(REFUSED))
 def test_headers_that_are_not_here_say_what_to_do(header, language, compiler, tmp_path):

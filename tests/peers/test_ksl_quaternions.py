@@ -7,10 +7,10 @@ from collections.abc import Callable, Sequence
 
 import mpmath as mp
 import numpy as np
-import pytest
 
-from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
+from coscrew_codegen.formats import DOUBLE, Precision
 from tests.support.compiled.c_harness import C11, COMPILERS, INCLUDE, STRICT, run
+from tests.support.each import each_compiler, each_precision
 from tests.support.truth.motions import DIGITS, Matrix, conjugate, matrix_of, norm, product
 
 NUMBERS = ((0.1, -0.7, 0.3, 0.6), (0.5, 0.2, -0.4, 0.3), (-0.6, 0.1, 0.2, -0.5),
@@ -87,8 +87,8 @@ def wanted(rounded: Callable[[float], mp.mpf]) -> list[list[mp.mpf]]:
     return [list(x) for x in found]
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+@each_compiler
+@each_precision
 def test_they_are_their_formulas(precision, compiler, tmp_path):
     """To 64 u; q[0]·q[2] and q[0]·q[4] are negative: slerp takes the long way, nlerp the short."""
     source = tmp_path / "program.c"
@@ -106,7 +106,7 @@ def test_they_are_their_formulas(precision, compiler, tmp_path):
             assert worst <= 64 * u, (number, float(worst / u))
 
 
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+@each_precision
 def test_slerp_goes_on_beyond_half_a_turn_up_to_the_opposite(precision, tmp_path):
     """From q to -q but for ever less, down to 64 u: at a quarter of the way the turn has a quarter
     of its angle, about either axis that rounding may leave, never three quarters."""

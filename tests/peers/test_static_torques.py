@@ -18,7 +18,8 @@ import pytest
 from numpy.typing import NDArray
 
 import coscrew
-from tests.support.compiled.c_harness import C11, COMPILERS, EXACT, INCLUDE, STRICT, run
+from tests.support.compiled.c_harness import C11, EXACT, INCLUDE, STRICT, run
+from tests.support.each import each_compiler
 
 if sys.platform != "win32":
     import pinocchio
@@ -177,7 +178,7 @@ def test_example_is_the_panda_without_hand_and_with_the_payload(real, example):
     assert_within_bound(torques, by_pinocchio(model, q), scales(*tree(model, q, example), example))
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
+@each_compiler
 def test_example_agrees_in_c_and_python(compiler, example, tmp_path):
     program = tmp_path / "static_torques"
     run((compiler, *C11, "-O2", EXACT, *STRICT, "-I", INCLUDE, EXAMPLES / "static_torques.c",

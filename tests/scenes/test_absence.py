@@ -28,9 +28,10 @@ ROOT = Path(__file__).parents[2]
 
 ZEROS: Mapping[str, tuple[str, ...]] = {
     "actuator": ("torque", "kp", "kd", "kt"), "armature": ("inertia", "rotor"),
-    "buoyancy": ("rho",), "coulomb": ("tau_c",), "drag": ("rho", "b"), "gravity": ("g",),
-    "limit": ("k",), "spring": ("k",), "spring_damper": ("k", "d"), "stribeck": ("tau_c", "tau_s"),
-    "viscous": ("d",), "wrench": ("force", "torque")}
+    "buoyancy": ("rho",), "coulomb": ("tau_c",), "drag": ("rho", "b"), "field": ("mu",),
+    "gravity": ("g",), "joint_drag": ("c",), "limit": ("k",), "spring": ("k",),
+    "spring_damper": ("k", "d"), "stribeck": ("tau_c", "tau_s"), "viscous": ("d",),
+    "wrench": ("force", "torque")}
 """The parameters without which an effect does nothing."""
 
 

@@ -10,6 +10,7 @@ import pytest
 from mpmath import mpf
 
 from coscrew_codegen.scene.model import HERE, Body, Joint, Kind, Model, Parameter
+from coscrew_codegen.scene.scene import Applied
 from tests.support.scenes.effect_laws import assert_reaches, assert_same, moving, multiprecise
 from tests.support.scenes.mechanisms import (
     Formula,
@@ -122,6 +123,65 @@ def test_buoyancy_lifts_at_its_centre() -> None:
     assert_same([high - low], [(4 - mpf("2.5")) * mpf("9.81")])
     weightless = multiprecise(free_body(4), lift)
     assert weightless("bias_torques", q=[0, 0, 0, 0, 0, 0, 1], v=[0] * 6) == [0] * 6
+
+
+PLACE = [mpf(3), mpf(-5), mpf(7)]
+
+
+def pull_of_field(body: Model, *effects: Applied) -> list[mpf]:
+    """Force and moment about the body's origin, in its frame, at rest."""
+    return [-x for x in multiprecise(body, *effects)("bias_torques", q=[*PLACE, *QUATERNION],
+                                                      v=[0] * 6)]
+
+
+def test_field_pulls_and_turns_by_the_gravity_gradient() -> None:
+    """f = -mu m r/r³ + mu/2 [15 (r·I r) r/r² - 6 I r - 3 tr(I) r]/r⁵, moment 3 mu r × I r/r⁵ about
+    the centre of mass."""
+    com, moments, mu = (1, 0, -2), (3, 4, 5, HALF, Fraction(1, 3), Fraction(-1, 4)), 11
+    model = chain((Kind.FREE, Z, HERE, inertia(2, com, moments)))
+    found = pull_of_field(model, applied("field", "b0", mu=mu, centre=(1, 1, 2)))
+    R, c = rotation_of(array(QUATERNION)), array([mpf(x) for x in com])
+    r = R.T @ (array(PLACE) + R @ c - array([mpf(1), mpf(1), mpf(2)]))
+    xx, yy, zz, xy, xz, yz = (mpf(x.numerator) / x.denominator for x in map(Fraction, moments))
+    I = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]], object)
+    size, I_r = mpmath.norm(r.tolist()), I @ r
+    force = -mu * 2 * r / size**3 + mpf(mu) / 2 / size**5 * (
+        15 * (r @ I_r) * r / size**2 - 6 * I_r - 3 * (xx + yy + zz) * r)
+    assert_same(found, [*force, *(3 * mu * skew(r) @ I_r / size**5 + skew(c) @ force)])
+
+
+def test_field_is_newtons_on_six_points() -> None:
+    """Of 1 kg each, two on each axis at other distances: left out is (a/r)⁴ of the whole."""
+    arms, mu = [Fraction(n, 10**9) for n in (1, 2, 3)], 11
+    squares = [2 * a**2 for a in arms]
+    moments = (*(sum(squares) - x for x in squares), 0, 0, 0)
+    body = chain((Kind.FREE, Z, HERE, inertia(6, (0, 0, 0), moments)))
+    found = pull_of_field(body, applied("field", "b0", mu=mu))
+    R = rotation_of(array(QUATERNION))
+    force, moment = array([mpf(0)] * 3), array([mpf(0)] * 3)
+    for axis, length in enumerate(arms):
+        for side in (1, -1):
+            arm = array([mpf(0)] * 3)
+            arm[axis] = side * mpf(length.numerator) / length.denominator
+            r = R.T @ array(PLACE) + arm
+            pull = -mu * r / mpmath.norm(r.tolist())**3
+            force, moment = force + pull, moment + skew(arm) @ pull
+    part = 3 * mpf(10)**-9 / mpmath.norm(PLACE)
+    for x, y in zip(found, [*force, *moment], strict=True):
+        assert abs(x - y) <= 10 * part**4 * mu
+    assert max(abs(x) for x in found[3:]) > part**2 / 10
+
+
+def test_field_moves_bodies_on_ellipses() -> None:
+    """mu = a = 1, e = 1/2: from the pericentre to the apocentre in half the period, π."""
+    sphere = free_body(3, moments=(1, 1, 1, 0, 0, 0))
+    effect, start = applied("field", "b0", mu=1), [0.5, 0, 0, 0, 0, 0, 1]
+
+    def across(n: int) -> float:
+        return moving(sphere, effect, q=start, v=[0, 3**0.5, 0, 0, 0, 0]).rk4(
+            float(mpmath.pi) / n, n).q[1]
+
+    assert_reaches(0, across, 400)
 
 
 def two_free_bodies() -> Model:

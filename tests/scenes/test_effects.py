@@ -75,6 +75,15 @@ def test_viscous_friction_decays_exponentially() -> None:
         rotor(2), effect, v=[5]).rk4(3 / n, n).v[0], 60)
 
 
+def test_joint_drag_slows_hyperbolically() -> None:
+    """J v' = -c v²: v = v0/(1 + c v0 t/J), the other way round alike."""
+    effect = applied("joint_drag", "j0", c=Fraction(3, 4))
+    exact = mpf(5) / (1 + mpf("0.75") * 15 / 2)
+    for sign in (1, -1):
+        assert_reaches(sign * exact, lambda n, sign=sign: moving(
+            rotor(2), effect, v=[sign * 5]).rk4(3 / n, n).v[0], 200)
+
+
 def test_coulomb_friction_stops_in_time() -> None:
     """sinh(v/ε) e^(t tau_c/(J ε)) stays the same, so that J ω0/tau_c is when 0.48 ε is left."""
     J, tau_c, eps, start = 2, Fraction(1, 2), Fraction(1, 10), 1

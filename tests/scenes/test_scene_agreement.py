@@ -13,9 +13,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.simulate.load import Kernels, kernels_of
 from coscrew_codegen.targets import scene_calls
+from tests.support.each import each_precision
 from tests.support.scenes.generated_scenes import CASES, imported
 from tests.support.scenes.scene_values import UNIT, inputs, same_bits
 
@@ -39,7 +39,7 @@ def both(scenes, name: str, precision: str):
 
 
 @pytest.mark.parametrize("lead", ((), (0,), (5,), (2, 3)), ids=str)
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+@each_precision
 def test_arithmetic_gives_the_same_bits(scenes, precision, lead):
     for function, compiled, twin in both(scenes, "slider", precision.name):
         for special in (False, True):
@@ -48,7 +48,7 @@ def test_arithmetic_gives_the_same_bits(scenes, precision, lead):
             assert same_bits(found, wanted), (function.name, arguments, found, wanted)
 
 
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+@each_precision
 def test_polynomials_of_the_spinner_give_the_same_bits(scenes, precision):
     for function, compiled, twin in both(scenes, "spinner", precision.name):
         if function.name == "forward_dynamics":
@@ -56,7 +56,7 @@ def test_polynomials_of_the_spinner_give_the_same_bits(scenes, precision):
             assert same_bits(compiled(*arguments), twin(*arguments))
 
 
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+@each_precision
 def test_transcendental_functions_agree_to_a_few_ulp(scenes, precision):
     kernels, package = scenes["pendulum"]
     draw = np.random.default_rng(1)
@@ -76,7 +76,7 @@ def test_transcendental_functions_agree_to_a_few_ulp(scenes, precision):
     assert np.all(np.abs(found - wanted) <= (5 + roundings) * 2 * UNIT[precision.name] * 2)
 
 
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+@each_precision
 def test_leading_axes_broadcast(scenes, precision):
     """Rows of one call are calls for each row, whichever argument has the rows."""
     kind = precision.numpy_type

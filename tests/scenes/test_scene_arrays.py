@@ -13,16 +13,16 @@ import numpy as np
 import pytest
 
 import coscrew_codegen
-from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.simulate import calls
 from coscrew_codegen.simulate.load import Kernels, kernels_of, restored
 from coscrew_codegen.targets import scene_calls
+from tests.support.each import each_precision
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.generated_scenes import ARGUMENTS, pendulum, slider
 from tests.support.scenes.scene_values import same_bits
 
 LEADS = ((), (0,), (3,), (2, 3))
-by_precision = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 by_lead = pytest.mark.parametrize("lead", LEADS, ids=str)
 
 
@@ -74,7 +74,7 @@ def swapped(x: np.ndarray) -> np.ndarray:
 
 
 @by_lead
-@by_precision
+@each_precision
 def test_results_go_where_out_says(kernels: Kernels, precision: Precision, lead):
     for described, function, arguments in every(kernels, precision, lead):
         wanted = tuple_of(function(*arguments))
@@ -93,7 +93,7 @@ def test_results_go_where_out_says(kernels: Kernels, precision: Precision, lead)
 
 
 @by_lead
-@by_precision
+@each_precision
 def test_out_may_overlap_inputs(kernels: Kernels, precision: Precision, lead):
     count = 0
     for described, function, arguments in every(kernels, precision, lead):
@@ -164,7 +164,7 @@ def test_out_is_given_by_name(kernels: Kernels):
 
 
 @by_lead
-@by_precision
+@each_precision
 def test_the_other_precision_and_any_strides_are_read(kernels: Kernels, precision, lead):
     other = "float32" if precision.name == "double" else "float64"
     for described, function, arguments in every(kernels, precision, lead, other):

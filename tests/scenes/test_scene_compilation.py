@@ -12,6 +12,7 @@ from coscrew_codegen.targets import scene_c_parts, scene_calls
 from coscrew_codegen.targets.scene_text import c_name, count
 from tests.support.compiled.c_harness import C11, COMPILERS, DIALECTS, EXACT, STRICT, run
 from tests.support.compiled.flags import SANITIZERS, has_sanitizers
+from tests.support.each import each_compiler, each_precision
 from tests.support.scenes.generated_scenes import CASES, files, written
 
 # x86 instructions that compute in double precision, or leave single precision
@@ -41,7 +42,7 @@ def test_both_files_compile_without_a_warning(case, compiler: str, language: tup
         run([compiler, *language, *STRICT, level, "-c", tmp_path / source, "-o", tmp_path / "x.o"])
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
+@each_compiler
 def test_what_python_calls_compiles_without_a_warning(case, compiler: str, tmp_path: Path):
     written(case, tmp_path)
     (tmp_path / "calls.c").write_text(scene_calls.source(case))
@@ -65,8 +66,8 @@ def test_fast_math_is_refused_unless_allowed(flag: str, tmp_path: Path):
     run([*command, "-DSLIDER_ALLOW_FAST_MATH"])
 
 
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
-@pytest.mark.parametrize("compiler", COMPILERS)
+@each_precision
+@each_compiler
 def test_objects_hold_no_state_and_call_only_mathematics(case, compiler: str, precision: Precision,
                                                          tmp_path: Path):
     symbols = [line.split() for line in run(["nm", _object(case, compiler, precision, tmp_path)])
@@ -80,7 +81,7 @@ def test_objects_hold_no_state_and_call_only_mathematics(case, compiler: str, pr
 
 @pytest.mark.skipif(platform.machine() not in ("x86_64", "AMD64"),
                     reason="knows the instructions of x86-64; -Wdouble-promotion looks everywhere")
-@pytest.mark.parametrize("compiler", COMPILERS)
+@each_compiler
 def test_single_precision_holds_no_operation_in_double(case, compiler: str, tmp_path: Path):
     found = {p: _double_operations(_object(case, compiler, p, tmp_path)) for p in PRECISIONS}
     assert not found[SINGLE]
@@ -105,7 +106,7 @@ BUILDS = (*((name, SANITIZERS) for name in COMPILERS if has_sanitizers(name)),
           *((name, ("-O3",)) for name in COMPILERS))
 
 
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+@each_precision
 @pytest.mark.parametrize("compiler, flags", BUILDS, ids=lambda x: x if isinstance(x, str) else x[0])
 def test_outputs_may_overlap_inputs(case, compiler: str, flags: tuple[str, ...],
                                     precision: Precision, tmp_path: Path):

@@ -6,6 +6,7 @@ import pytest
 
 from tests.support.compiled.c_harness import COMPILERS, run
 from tests.support.compiled.flags import FMA, TUNED, UNHEEDED
+from tests.support.each import each_compiler
 from tests.support.scenes import scene_bits
 
 FLAGS = {
@@ -45,7 +46,7 @@ def test_bits_are_those_of_the_package(compiler: str, flags: tuple[str, ...], ri
 
 
 @pytest.mark.skipif(not FMA, reason="nothing fuses here")
-@pytest.mark.parametrize("compiler", COMPILERS)
+@each_compiler
 def test_a_fused_product_would_be_noticed(compiler: str, right: list[str], tmp_path: Path):
     """With products spelled a * b, and without the pragma."""
     command = (compiler, "-O2", *FMA, "-ffp-contract=fast")

@@ -7,13 +7,14 @@ import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
+from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
 from tests.hard_cases import climb
 from tests.hard_cases.climb import NAMES, SAME, Found, after, compiled
 from tests.hard_cases.climb_case import parts
 from tests.hard_cases.corpus import TABLE
 from tests.search import split
 from tests.support.domains import domains
+from tests.support.each import each_precision
 
 EVALUATE = "static void evaluate(const REAL *x, REAL *y) {"
 
@@ -26,7 +27,7 @@ def test_what_is_said_to_be_searched_is():
         assert TABLE[name].rounding == TABLE[other].rounding
 
 
-@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
+@each_precision
 @pytest.mark.parametrize("name", SAME)
 def test_what_is_not_searched_again_has_the_same_bits(name: str, precision: Precision):
     """Right Jacobians are the left ones of -v, but for the signs of zeros."""

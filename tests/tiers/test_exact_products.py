@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from coscrew._exact import product_error, product_rest
-from tests.support.compiled.c_harness import COMPILERS, EXACT, INCLUDE, run
+from tests.support.compiled.c_harness import EXACT, INCLUDE, run
+from tests.support.each import each_compiler
 
 FLAGS = ("-march=x86-64", "-march=native") if machine() == "x86_64" else ("-march=native",)
 IEEE = gmpy2.context(precision=53, emax=1024, emin=-1073, subnormalize=True)
@@ -91,7 +92,7 @@ def right(rows: tuple[np.ndarray, ...]) -> tuple[np.ndarray, np.ndarray]:
 
 
 @pytest.mark.parametrize("flag", FLAGS)
-@pytest.mark.parametrize("compiler", COMPILERS)
+@each_compiler
 def test_c_rounds_once(compiler: str, flag: str, rows, right, tmp_path: Path):
     library = compiled(tmp_path, compiler, flag)
     found = [np.empty_like(rows[0]) for _ in right]
@@ -120,7 +121,7 @@ def short_factors() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 @pytest.mark.parametrize("flag", FLAGS)
-@pytest.mark.parametrize("compiler", COMPILERS)
+@each_compiler
 def test_sums_with_exact_products_round_once(compiler: str, flag: str, tmp_path: Path):
     a, b, c = short_factors()
     found = np.empty_like(a)

@@ -16,6 +16,7 @@ from tests.hard_cases.corpus import TABLE, Case, CorpusError
 from tests.search import search, split
 from tests.support.compiled.calls import TIER_NAMES, of_tier, tiers_of
 from tests.support.compiled.implementations import twin
+from tests.support.each import each_precision
 from tests.support.truth.attack import Arrays, Implementation
 from tests.support.truth.judge import JUDGED, ratio
 
@@ -27,7 +28,6 @@ for _case in corpus.load():
 OF_NUMPY = 4
 
 operations = pytest.mark.parametrize("operation", JUDGED, ids=lambda op: op.name)
-precisions = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 
 
 @pytest.fixture(scope="session")
@@ -45,7 +45,7 @@ def results(implementation: Implementation, cases: list[Case]) -> list[list[floa
     return np.hstack([np.asarray(x).reshape(len(rows), -1) for x in outputs]).tolist()
 
 
-@precisions
+@each_precision
 @operations
 def test_no_hard_case_exceeds_the_bound(operation: Operation, precision: Precision,
                                         ways: dict[str, Implementation]):
@@ -57,7 +57,7 @@ def test_no_hard_case_exceeds_the_bound(operation: Operation, precision: Precisi
             assert found <= 1, f"{tier}: {found:.4g} of the bound, {case.line}"
 
 
-@precisions
+@each_precision
 @operations
 def test_pure_numpy_is_as_good(operation: Operation, precision: Precision):
     """... but for NumPy's own float32 functions."""
@@ -133,7 +133,7 @@ def _arccosine(operation: Operation, precision: Precision, inputs: Arrays) -> Ar
     return (k[:, None] * v,)
 
 
-@precisions
+@each_precision
 @pytest.mark.parametrize("name, kernel", [("dot_vv", _broken), ("SO3_log", _arccosine)])
 def test_search_finds_what_is_broken(name: str, kernel: Implementation, precision: Precision):
     rounds = search(TABLE[name], precision, "plain", kernel, seed=1)

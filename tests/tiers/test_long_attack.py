@@ -13,6 +13,7 @@ from coscrew_codegen.operations import Operation
 from tests.long_attack import attack_at_length
 from tests.search import joined, split
 from tests.support.compiled.implementations import gufuncs
+from tests.support.each import each_precision
 from tests.support.truth.attack import (
     TIERED,
     Arrays,
@@ -32,7 +33,6 @@ WAYS = {"plain": gufuncs(coscrew), "accurate": gufuncs(coscrew.accurate),
         "certified": gufuncs(coscrew.certified)}
 
 operations = pytest.mark.parametrize("operation", TIERED, ids=lambda op: op.name)
-precisions = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 
 
 def exactly(x: np.longdouble) -> mpq:
@@ -41,7 +41,7 @@ def exactly(x: np.longdouble) -> mpq:
     return mpq(int(fraction * WIDE(2)**64)) * mpq(2)**(int(exponent) - 64)
 
 
-@precisions
+@each_precision
 @operations
 def test_truth_is_enclosed(operation: Operation, precision: Precision):
     """In a radius far below any bound; S to 2^-50."""
@@ -74,7 +74,7 @@ def nudged(way: Implementation, by: int) -> Implementation:
     return evaluate
 
 
-@precisions
+@each_precision
 @pytest.mark.parametrize("tier, by", [("plain", 4), ("accurate", 1), ("certified", 8)])
 def test_what_is_broken_does_not_pass(tier: str, by: int, precision: Precision):
     operation, way = BY_NAME["dot_cs"], WAYS[tier]
@@ -84,7 +84,7 @@ def test_what_is_broken_does_not_pass(tier: str, by: int, precision: Precision):
     assert wrong.violations > 0 and wrong.worst.ratio > 1 > right.worst.ratio > 0.5
 
 
-@precisions
+@each_precision
 def test_cases_are_judged_with_the_rest(precision: Precision):
     operation = BY_NAME["dot_vv"]
     case = np.array([[1, 2, 3, 4, 5, 6]], precision.numpy_type)

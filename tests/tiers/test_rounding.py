@@ -10,9 +10,10 @@ import pytest
 import sympy as sp
 
 import coscrew
-from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Op
+from tests.support.each import each_precision
 from tests.support.sampling import inputs_of
 from tests.support.truth.attack import plain_program
 from tests.support.truth.exact import FORMULAS, Matrix, array
@@ -24,7 +25,6 @@ SPATIAL_NORMS = (("screw_norm", ANGULAR, LINEAR), ("coscrew_norm", LINEAR, ANGUL
 POLYNOMIAL = [op for op in OPERATIONS
               if set(plain_program(op).counts) <= {Op.ADD, Op.SUB, Op.MUL, Op.NEG}]
 
-each_precision = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 each_norm = pytest.mark.parametrize("name, first", [
     ("vec3_l2norm", LINEAR), ("vec4_l2norm", slice(0, 4)), ("quaternion_norm", slice(0, 4)),
     *((name, first) for name, first, _ in SPATIAL_NORMS)])

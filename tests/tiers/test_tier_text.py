@@ -30,6 +30,7 @@ from coscrew_codegen.quantity import Argument
 from coscrew_codegen.targets.c import c_name, member, returned
 from coscrew_codegen.tiers import MARKED, tier_named
 from tests.support.compiled.c_reader import INCLUDE
+from tests.support.each import each_precision
 from tests.support.truth.attack import TIERED, bounds, plain_program
 
 EXACTLY = {
@@ -55,7 +56,6 @@ MOST_SIGNS = 30  # flipped in a text
 TAU = sp.Symbol("tau", positive=True)  # what is added for underflow
 
 operations = pytest.mark.parametrize("operation", TIERED, ids=lambda op: op.name)
-precisions = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 tiers = pytest.mark.parametrize("tier", TEXT)
 
 
@@ -166,7 +166,7 @@ class Size:
     __neg__ = __abs__
 
 
-@precisions
+@each_precision
 @operations
 def test_a_certified_bound_is_a_multiple_of_the_terms(operation: Operation, precision: Precision):
     """C S for τ = 0; C / u is plain's c1 and the last rounding, and hardly more.  Where products
@@ -192,7 +192,7 @@ def test_a_certified_bound_is_a_multiple_of_the_terms(operation: Operation, prec
 
 
 @tiers
-@precisions
+@each_precision
 @operations
 def test_c_is_its_truth(operation: Operation, precision: Precision, tier: str):
     variables, truth = polynomials(operation)
@@ -237,7 +237,7 @@ def test_a_flipped_sign_is_noticed(operation: Operation, tier: str):
         assert first_order_error(flipped, operation), flipped
 
 
-@precisions
+@each_precision
 @operations
 def test_python_is_its_truth(operation: Operation, precision: Precision,
                              monkeypatch: pytest.MonkeyPatch):

@@ -13,13 +13,13 @@ from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
 from tests.support.compiled.c_harness import COMPILERS
 from tests.support.compiled.implementations import compiled, implementations, twin
+from tests.support.each import each_precision
 from tests.support.truth.attack import TIERED, Arrays, attack, bounds, extreme_rows, rows
 
 ROWS = 240  # a sample; `make attack` takes many more
 SEED = 7
 
 operations = pytest.mark.parametrize("operation", TIERED, ids=lambda op: op.name)
-precisions = pytest.mark.parametrize("precision", PRECISIONS, ids=lambda p: p.name)
 
 # Measured at most 0.5 + rounding of the measure; targets: double 0.6 ulp, single 0.51 ulp.
 PROVED_CONDITION = 10**14
@@ -32,7 +32,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("tiers")
 
 
-@precisions
+@each_precision
 @operations
 def test_no_error_exceeds_its_bound(operation: Operation, precision: Precision, folder: Path):
     inputs = rows(operation, precision, ROWS, SEED)
@@ -91,7 +91,7 @@ def test_shares_of_a_sum_are_exact():
     assert (s - a != t).any()  # t itself is not
 
 
-@precisions
+@each_precision
 @operations
 def test_certified_bounds_hold_for_any_numbers(operation: Operation, precision: Precision):
     """Also where products underflow; and the bound is finite unless something may overflow."""
@@ -121,7 +121,7 @@ def same_bits(got: Arrays, want: Arrays) -> bool:
     return True
 
 
-@precisions
+@each_precision
 @operations
 @pytest.mark.parametrize("tier", (coscrew.accurate, coscrew.certified),
                          ids=lambda module: module.__name__)
@@ -142,7 +142,7 @@ def test_c_gufunc_and_numpy_agree_in_bits(tier: ModuleType, operation: Operation
             assert same_bits(got, want), (compiler, flags)
 
 
-@precisions
+@each_precision
 def test_fma_is_where_fused_is_better(precision: Precision, folder: Path):
     """Fused c1 is never larger than plain's."""
     for operation in TIERED:

@@ -1,7 +1,7 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
-/* What the gufunc sources share: reading and writing quantities through strides. */
+/* Shared by the gufunc sources: reading and writing quantities through strides. */
 #ifndef COSCREW_GUFUNC_H
 #define COSCREW_GUFUNC_H
 
@@ -15,8 +15,8 @@
 #include <numpy/dtype_api.h>
 #include <numpy/ufuncobject.h>
 
-/* On x86-64 every loop is compiled twice, also for AVX2 with FMA; the processor decides, the bits
-   agree. */
+/* On x86-64 every loop is compiled twice, the second time for AVX2 with FMA, and chosen at run time; both
+   give the same bits. */
 #if defined(__x86_64__) && defined(__GNUC__)
 #define COSCREW_HAS_AVX2 1
 #else

@@ -17,7 +17,7 @@ static const coscrew_gufunc *const avx2[] = {coscrew_vec3_gufuncs_avx2, coscrew_
     coscrew_spatial_inertia_gufuncs_avx2};
 #endif
 
-/* The loops that suit this processor best; COSCREW_BASELINE in the environment asks for others. */
+/* The fastest loops for this processor, or the baseline if COSCREW_BASELINE is in the environment. */
 static const coscrew_gufunc *const *best_families(void) {
 #if COSCREW_HAS_AVX2
   __builtin_cpu_init();
@@ -77,7 +77,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "6ae58cbde80c4eed") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "4caef92984d14ba0") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

@@ -1,22 +1,21 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
-/* Which loop NumPy takes for arguments of other types than those the loops have, and which it
-   refuses. */
+/* Chooses the loop for arguments of types that no loop has, or refuses them. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"
 
-/* Whether arguments of this type are taken: of wider types float64 would lose digits, float16 is no
-   precision of these kernels, and bool is no number. */
+/* Whether arguments of this type are accepted.  float64 would lose digits of wider types, float16 is
+   not a precision of these kernels, and bool is not a number. */
 static int is_taken(const PyArray_DTypeMeta *dtype) {
   return dtype == &PyArray_DoubleDType || dtype == &PyArray_FloatDType
       || dtype == &PyArray_PyLongDType || dtype == &PyArray_PyFloatDType
       || PyTypeNum_ISINTEGER(dtype->type_num);
 }
 
-/* float32 stays float32, also beside Python's int and float; other mixtures with integers become
-   float64; other types are refused unless the call says what to compute in (dtype=, signature=). */
+/* float32, alone or with Python's int and float, stays float32; other mixtures, also with integer
+   arrays, become float64; other types are refused unless the call gives dtype= or signature=. */
 static int promote(PyObject *ufunc, PyArray_DTypeMeta *const given[],
     PyArray_DTypeMeta *const signature[], PyArray_DTypeMeta *chosen[]) {
   const int inputs = ((PyUFuncObject *)ufunc)->nin, arguments = ((PyUFuncObject *)ufunc)->nargs;
@@ -45,8 +44,8 @@ static int promote(PyObject *ufunc, PyArray_DTypeMeta *const given[],
   return 0;
 }
 
-/* Raises what the function without compilation says of these arguments; leaves the error that is set
-   where it has nothing to say. */
+/* Raises the error that the pure-NumPy function raises for these arguments, which names them; leaves
+   the current error if it raises none. */
 static void explain(const PyUFuncObject *ufunc, PyObject *const *given, size_t inputs) {
   PyObject *type, *value, *trace;
   PyErr_Fetch(&type, &value, &trace);
@@ -69,9 +68,8 @@ static void explain(const PyUFuncObject *ufunc, PyObject *const *given, size_t i
 
 static vectorcallfunc call_of_numpy;
 
-/* What a call of a gufunc comes to: NumPy's, but that masked arrays are refused, whose masks it does
-   not see, and pandas' tables, which pass themselves on with their axes swapped and reordered; and
-   that errors name the argument. */
+/* NumPy's call of a gufunc, with errors that name the argument.  Refuses masked arrays, whose masks
+   NumPy would ignore, and pandas' objects, which would reorder the axes. */
 static PyObject *call(PyObject *self, PyObject *const *given, size_t flags, PyObject *names) {
   const PyUFuncObject *ufunc = (const PyUFuncObject *)self;
   const size_t count = (size_t)PyVectorcall_NARGS(flags);
@@ -95,7 +93,7 @@ static PyObject *call(PyObject *self, PyObject *const *given, size_t flags, PyOb
   return result;
 }
 
-/* The promoter for whatever types no loop has, and the call. */
+/* Registers the promoter, for all types, and the call above. */
 int coscrew_add_promoter(PyObject *ufunc) {
   call_of_numpy = ((PyUFuncObject *)ufunc)->vectorcall;
   ((PyUFuncObject *)ufunc)->vectorcall = call;

@@ -1,8 +1,8 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
-/* Gufunc loops of the quaternion operations.  NumPy copies operands that overlap, unless an output
-   is an input element by element; so no element depends on another. */
+/* Gufunc loops of the quaternion operations.  NumPy copies operands that overlap, except outputs
+   identical to an input; so no element depends on another. */
 #define NO_IMPORT_UFUNC
 #define NO_IMPORT_ARRAY
 #include "_gufunc.h"

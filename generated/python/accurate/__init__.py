@@ -4,9 +4,9 @@
 """The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed in
 float64 and rounded once.  The same bits as the C kernels, with fma or without.
 
-Compiled (`COMPILED`) or in pure NumPy, as `coscrew` itself; `double` and `single` are always NumPy.
-Cost and bounds in docstrings are those of double precision.  Operations that round
-nothing, or are not polynomials, are those of `coscrew`.
+Compiled (`COMPILED`) or in pure NumPy, like `coscrew` itself; `double` and `single` are always
+NumPy.  Costs and bounds in docstrings are those of double precision.  Operations that
+this tier does not have, since they round nothing or for another reason, are in `coscrew`.
 """
 
 import sys
@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "dc32e995065686fb")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "f8da7653ade4ef7f")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (
@@ -499,7 +499,7 @@ else:
 
 
 def __getattr__(name: str) -> object:
-    """Tells of operations that have no such tier."""
+    """Raise AttributeError; for an operation without this tier it names `coscrew`'s."""
     import coscrew
 
     hint = f"; coscrew.{name} is there" if name in coscrew.__all__ else ""

@@ -5,9 +5,9 @@
 bound on each component's error.  It holds for all numbers, underflow included.  Where something
 overflowed, the bound is infinite or NaN: no statement is made.
 
-Compiled (`COMPILED`) or in pure NumPy, as `coscrew` itself; `double` and `single` are always NumPy.
-Cost and bounds in docstrings are those of double precision.  Operations that round
-nothing, or are not polynomials, are those of `coscrew`.
+Compiled (`COMPILED`) or in pure NumPy, like `coscrew` itself; `double` and `single` are always
+NumPy.  Costs and bounds in docstrings are those of double precision.  Operations that
+this tier does not have, since they round nothing or for another reason, are in `coscrew`.
 """
 
 import sys
@@ -15,7 +15,7 @@ import sys
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "6ae58cbde80c4eed")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "4caef92984d14ba0")
 
 if COMPILED:
     from coscrew.certified._gufunc import (
@@ -418,7 +418,7 @@ else:
 
 
 def __getattr__(name: str) -> object:
-    """Tells of operations that have no such tier."""
+    """Raise AttributeError; for an operation without this tier it names `coscrew`'s."""
     import coscrew
 
     hint = f"; coscrew.{name} is there" if name in coscrew.__all__ else ""

@@ -32,7 +32,7 @@ static inline void ksl_swapi(int *a, int *b) {
   *b = first;
 }
 
-/* y = a x + y, n numbers each; x and y are the same or apart. */
+/* y = a x + y, n numbers each; x and y are the same array or don't overlap. */
 static inline void ksl_axpy(
     const int n, const double a, const double *x, double *y) {
   for (int i = 0; i < n; i++) {
@@ -41,7 +41,7 @@ static inline void ksl_axpy(
   }
 }
 
-/* Exchanges n numbers of a, from stride to stride, with as many of b. */
+/* Exchanges n numbers of a with n numbers of b, each with its stride. */
 static inline void ksl_swapArray(
     const int n, double *a, const int a_stride, double *b, const int b_stride) {
   for (int i = 0; i < n; i++) {
@@ -49,7 +49,7 @@ static inline void ksl_swapArray(
   }
 }
 
-/* y = a x + y, n numbers each; x and y are the same or apart. */
+/* y = a x + y, n numbers each; x and y are the same array or don't overlap. */
 static inline void ksl_axpyf(
     const int n, const float a, const float *x, float *y) {
   for (int i = 0; i < n; i++) {
@@ -58,7 +58,7 @@ static inline void ksl_axpyf(
   }
 }
 
-/* Exchanges n numbers of a, from stride to stride, with as many of b. */
+/* Exchanges n numbers of a with n numbers of b, each with its stride. */
 static inline void ksl_swapArrayf(
     const int n, float *a, const int a_stride, float *b, const int b_stride) {
   for (int i = 0; i < n; i++) {

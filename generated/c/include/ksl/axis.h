@@ -10,7 +10,7 @@
 
 /* What KSL declares beside formulas. */
 
-/* The axes of a sequence, x 0, y 1, z 2; those of KSL_AXIS_INVALID are -1. */
+/* The axes of a sequence, x 0, y 1, z 2; -1 for KSL_AXIS_INVALID. */
 static inline ksl_vec3i_t ksl_axis_getVector(ksl_axis_enum_t axisType) {
   switch (axisType) {
     case KSL_AXIS_XYZ: return ksl_vec3i(0, 1, 2);
@@ -31,7 +31,7 @@ static inline ksl_vec3i_t ksl_axis_getVector(ksl_axis_enum_t axisType) {
   return ksl_vec3i(-1, -1, -1);
 }
 
-/* The sequence of three axes, x 0, y 1, z 2; KSL_AXIS_INVALID where they are no Euler angles'. */
+/* The sequence of three axes, x 0, y 1, z 2; KSL_AXIS_INVALID if Euler angles do not have it. */
 static inline ksl_axis_enum_t ksl_axis_getEulerAngles(ksl_vec3i_t angles) {
   if (angles.x == 0 && angles.y == 1 && angles.z == 2) {
     return KSL_AXIS_XYZ;

@@ -894,11 +894,11 @@ static inline ksl_inertiaf_t *ksl_inertiaf_alloc(int n) {
 /* What KSL declares beside formulas. */
 
 
-/* Factors: of the matrix I of self's moments, lower triangular L with L L^T = I takes their places:
-     L_yx that of Ixy, L_zy that of Iyz, L_zx that of Izx, none of L_xx, L_yy, L_zz negative.
-     Returns the rank of I to rounding: 3, 2 (a rod), 1, or 0 (a point mass); or -1 where I has a
-     negative eigenvalue, and L is NaN.  Eigenvalues within 128 u of zero, beside the largest, count
-     as zero; |L L^T - I| <= 160 u of the largest moment; searched, not proved. */
+/* Cholesky factorization L L^T = I of the matrix I of self's moments: the entries of L replace the
+     moments, L_yx that of Ixy, L_zy that of Iyz, L_zx that of Izx; L_xx, L_yy, L_zz >= 0.
+     Returns the rank of I to rounding: 3, 2 (a rod), 1, or 0 (a point mass); or -1, with L = NaN, if
+     I has a negative eigenvalue.  Eigenvalues up to 128 u times the largest count as zero;
+     |L L^T - I| <= 160 u times the largest moment; searched, not proved. */
 static inline int ksl_inertia_factor(ksl_inertia_t *self) {
   static const int planes[3][2] = {{0, 1}, {0, 2}, {1, 2}};
   ksl_mat3x3_t D = ksl_mat3x3(
@@ -918,7 +918,7 @@ static inline int ksl_inertia_factor(ksl_inertia_t *self) {
     ksl_vec3_scale(&L.v[i], counts ? sqrt(D.at[i][i]) : 0);
     rank += counts;
   }
-  for (int n = 0; n < 3; n++) { /* columns turn in their plane until the upper entry is zero */
+  for (int n = 0; n < 3; n++) { /* rotate two columns so that the upper entry becomes zero */
     const int i = planes[n][0], j = planes[n][1];
     const ksl_vec3_t a = L.v[i], b = L.v[j];
     ksl_vec3_t turn = ksl_vec3(a.at[i], b.at[i], 0);
@@ -941,11 +941,11 @@ static inline int ksl_inertia_factor(ksl_inertia_t *self) {
   return rank;
 }
 
-/* Factors: of the matrix I of self's moments, lower triangular L with L L^T = I takes their places:
-     L_yx that of Ixy, L_zy that of Iyz, L_zx that of Izx, none of L_xx, L_yy, L_zz negative.
-     Returns the rank of I to rounding: 3, 2 (a rod), 1, or 0 (a point mass); or -1 where I has a
-     negative eigenvalue, and L is NaN.  Eigenvalues within 128 u of zero, beside the largest, count
-     as zero; |L L^T - I| <= 160 u of the largest moment; searched, not proved. */
+/* Cholesky factorization L L^T = I of the matrix I of self's moments: the entries of L replace the
+     moments, L_yx that of Ixy, L_zy that of Iyz, L_zx that of Izx; L_xx, L_yy, L_zz >= 0.
+     Returns the rank of I to rounding: 3, 2 (a rod), 1, or 0 (a point mass); or -1, with L = NaN, if
+     I has a negative eigenvalue.  Eigenvalues up to 128 u times the largest count as zero;
+     |L L^T - I| <= 160 u times the largest moment; searched, not proved. */
 static inline int ksl_inertiaf_factor(ksl_inertiaf_t *self) {
   static const int planes[3][2] = {{0, 1}, {0, 2}, {1, 2}};
   ksl_mat3x3f_t D = ksl_mat3x3f(
@@ -965,7 +965,7 @@ static inline int ksl_inertiaf_factor(ksl_inertiaf_t *self) {
     ksl_vec3f_scale(&L.v[i], counts ? sqrtf(D.at[i][i]) : 0);
     rank += counts;
   }
-  for (int n = 0; n < 3; n++) { /* columns turn in their plane until the upper entry is zero */
+  for (int n = 0; n < 3; n++) { /* rotate two columns so that the upper entry becomes zero */
     const int i = planes[n][0], j = planes[n][1];
     const ksl_vec3f_t a = L.v[i], b = L.v[j];
     ksl_vec3f_t turn = ksl_vec3f(a.at[i], b.at[i], 0);

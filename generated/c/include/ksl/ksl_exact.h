@@ -3,15 +3,15 @@
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Exact rounding errors in double precision, for compensated kernels.
 
-   Exact where a product does not overflow and is zero or at least 2^-968 = 4.1e-292; a smaller one's
-   error is rounded to a multiple of the least subnormal number. */
+   Exact where a product does not overflow and is zero or at least 2^-968 = 4.1e-292; the error of a
+   smaller product is rounded to a multiple of the least subnormal number. */
 #ifndef KSL_EXACT_H
 #define KSL_EXACT_H
 
 #include "ksl_types.h"
 
 #if !KSL_HAS_FMA
-/* Whether halves of 26 bits, their products and sums neither over- nor underflow. */
+/* Whether the halves of 26 bits, their products and their sums neither overflow nor underflow. */
 static inline int ksl_splits(const double a, const double b, const double p) {
   const double least = 4.008336720017946e-292; /* 2^-968 */
   const double most = 6.696928794914171e+299;  /* 2^996 */
@@ -21,9 +21,9 @@ static inline int ksl_splits(const double a, const double b, const double p) {
 }
 #endif
 
-/* a b - p rounded once, p the rounded product: by fma where that is an instruction, else in halves
-   (Veltkamp, Dekker); where they over- or underflow, by the C library's fma, which the C standard
-   wants to round once.  All give the same bits. */
+/* a b - p rounded once, p the rounded product: by fma where that is an instruction, else by halves
+   (Veltkamp, Dekker), or where these overflow or underflow by the C library's fma, which the C
+   standard requires to round once.  All give the same bits. */
 static inline double ksl_product_error(const double a, const double b, const double p) {
 #if KSL_HAS_FMA
   return fma(a, b, -p);
@@ -39,7 +39,7 @@ static inline double ksl_product_error(const double a, const double b, const dou
 #endif
 }
 
-/* a b + c rounded once, where a b is exact: with fma and without, the same bits. */
+/* a b + c rounded once, where a b is exact; the same bits with fma and without. */
 static inline double ksl_product_sum(const double a, const double b, const double c) {
 #if KSL_HAS_FMA
   return fma(a, b, c);

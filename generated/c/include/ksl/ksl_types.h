@@ -3,13 +3,12 @@
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
 /* Types of the spatial algebra, in double and single precision.
 
-   Every quantity is a union, so that it can be reached several ways.  Matrices are stored column by
-   column.  Screws s = (v; ω) and coscrews c = (f; τ) have the linear part on top, so that power is
-   their dot product.
+   Every quantity is a union of several views.  Matrices are stored column by column.  Screws
+   s = (v; ω) and coscrews c = (f; τ) have the linear part on top, so that power is their dot product.
 
    All functions: pointers must point to valid objects; an output may be the same object as an
    input; nothing else is read or written.  Every operation is rounded once, in the order written, so
-   that results are the same bits everywhere, under every flag that compiles.
+   that results have the same bits on every machine, under every set of flags that compiles.
 
    Error bounds are derived from that order, to first order in u: u = 2^-53 in double and 2^-24 in
    single precision. */
@@ -270,8 +269,8 @@ typedef union ksl_spatial_inertiaf_t {
   };
 } ksl_spatial_inertiaf_t;
 
-/* Sequences of axes of Euler angles: the first turn is about the first axis, the others about those
-   of the body as the turns before have left it. */
+/* Sequences of axes of Euler angles.  Each rotation is about a current axis of the body, that is, as
+   rotated by those before it. */
 typedef enum ksl_axis_enum_t {
   KSL_AXIS_XYZ,
   KSL_AXIS_YZX,

@@ -1942,27 +1942,27 @@ static inline ksl_mat3x3f_t *ksl_mat3x3f_alloc(int n) {
 /* What KSL declares beside formulas. */
 
 
-/* self = self^-1; returns 0, or -3 where self is singular to rounding, and then NaN.  A determinant
-   that is 0 does not tell, for it may have underflowed. */
+/* self = self^-1; returns 0, or -3 with self = NaN if self is singular to rounding.  (A determinant
+   of 0 would not be enough: it may have underflowed.) */
 static inline int ksl_mat3x3_invert(ksl_mat3x3_t *R) {
   ksl_mat3x3_inverse(R, R);
   return R->m00 == R->m00 ? 0 : -3;
 }
 
-/* ro = ri^-1; returns 0, or -3 where ri is singular to rounding, and ro NaN. */
+/* ro = ri^-1; returns 0, or -3 with ro = NaN if ri is singular to rounding. */
 static inline int ksl_mat3x3_inverted(
     const ksl_mat3x3_t *ri, ksl_mat3x3_t *ro) {
   ksl_mat3x3_inverse(ri, ro);
   return ro->m00 == ro->m00 ? 0 : -3;
 }
 
-/* Axis and angle of the rotation r, as ksl_axis_angle_from_mat3x3 has them. */
+/* Axis and angle of the rotation r, by ksl_axis_angle_from_mat3x3. */
 static inline void ksl_mat3x3_getAxisAngle(
     const ksl_mat3x3_t *r, ksl_vec3_t *axis, double *angle) {
   *angle = ksl_axis_angle_from_mat3x3(r, axis);
 }
 
-/* The rotation about an axis of any length but zero; of that, the identity. */
+/* The rotation about an axis of any length; the identity for the zero vector. */
 static inline void ksl_mat3x3_setFromAxisAngle(
     ksl_mat3x3_t *r, const ksl_vec3_t *axis, const double angle) {
   ksl_vec3_t unit;
@@ -1970,14 +1970,14 @@ static inline void ksl_mat3x3_setFromAxisAngle(
   ksl_mat3x3_from_axis_angle(&unit, angle, r);
 }
 
-/* Principal axes: A becomes the diagonal matrix of its eigenvalues, the largest first, and the
-   columns of v the eigenvectors, a rotation: A before = v A v^T.  A symmetric, its lower triangle
+/* Principal axes A = v D v^T: A is replaced by the diagonal matrix D of its eigenvalues, the largest
+   first; v is a rotation, its columns are the eigenvectors.  A is symmetric, only its lower triangle
    is read. */
 static inline void ksl_mat3x3_pca(ksl_mat3x3_t *A, ksl_mat3x3_t *v) {
   static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
   ksl_mat3x3_setIdentity(v);
-  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
-     u^2 of the largest entry. */
+  /* Off-diagonal entries decrease cubically; after 12 cycles of three planes none is above
+     u^2 times the largest entry. */
   for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
     ksl_mat3x3_jacobi(A, v);
   }
@@ -1994,27 +1994,27 @@ static inline void ksl_mat3x3_pca(ksl_mat3x3_t *A, ksl_mat3x3_t *v) {
   }
 }
 
-/* self = self^-1; returns 0, or -3 where self is singular to rounding, and then NaN.  A determinant
-   that is 0 does not tell, for it may have underflowed. */
+/* self = self^-1; returns 0, or -3 with self = NaN if self is singular to rounding.  (A determinant
+   of 0 would not be enough: it may have underflowed.) */
 static inline int ksl_mat3x3f_invert(ksl_mat3x3f_t *R) {
   ksl_mat3x3f_inverse(R, R);
   return R->m00 == R->m00 ? 0 : -3;
 }
 
-/* ro = ri^-1; returns 0, or -3 where ri is singular to rounding, and ro NaN. */
+/* ro = ri^-1; returns 0, or -3 with ro = NaN if ri is singular to rounding. */
 static inline int ksl_mat3x3f_inverted(
     const ksl_mat3x3f_t *ri, ksl_mat3x3f_t *ro) {
   ksl_mat3x3f_inverse(ri, ro);
   return ro->m00 == ro->m00 ? 0 : -3;
 }
 
-/* Axis and angle of the rotation r, as ksl_axis_angle_from_mat3x3f has them. */
+/* Axis and angle of the rotation r, by ksl_axis_angle_from_mat3x3f. */
 static inline void ksl_mat3x3f_getAxisAngle(
     const ksl_mat3x3f_t *r, ksl_vec3f_t *axis, float *angle) {
   *angle = ksl_axis_angle_from_mat3x3f(r, axis);
 }
 
-/* The rotation about an axis of any length but zero; of that, the identity. */
+/* The rotation about an axis of any length; the identity for the zero vector. */
 static inline void ksl_mat3x3f_setFromAxisAngle(
     ksl_mat3x3f_t *r, const ksl_vec3f_t *axis, const float angle) {
   ksl_vec3f_t unit;
@@ -2022,14 +2022,14 @@ static inline void ksl_mat3x3f_setFromAxisAngle(
   ksl_mat3x3f_from_axis_angle(&unit, angle, r);
 }
 
-/* Principal axes: A becomes the diagonal matrix of its eigenvalues, the largest first, and the
-   columns of v the eigenvectors, a rotation: A before = v A v^T.  A symmetric, its lower triangle
+/* Principal axes A = v D v^T: A is replaced by the diagonal matrix D of its eigenvalues, the largest
+   first; v is a rotation, its columns are the eigenvectors.  A is symmetric, only its lower triangle
    is read. */
 static inline void ksl_mat3x3f_pca(ksl_mat3x3f_t *A, ksl_mat3x3f_t *v) {
   static const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 1}};
   ksl_mat3x3f_setIdentity(v);
-  /* Off-diagonal entries fall cubically; 12 cycles of three planes leave none above
-     u^2 of the largest entry. */
+  /* Off-diagonal entries decrease cubically; after 12 cycles of three planes none is above
+     u^2 times the largest entry. */
   for (int n = 0; n < 36 && (A->m10 != 0 || A->m20 != 0 || A->m21 != 0); n++) {
     ksl_mat3x3f_jacobi(A, v);
   }
@@ -2047,8 +2047,8 @@ static inline void ksl_mat3x3f_pca(ksl_mat3x3f_t *A, ksl_mat3x3f_t *v) {
 }
 
 
-/* r = R_i(x) R_j(y) R_k(z) of angles (x, y, z), the axes i, j, k those of the sequence: each turn is
-   about an axis of the body as the turns before have left it.  NaN for KSL_AXIS_INVALID. */
+/* r = R_i(x) R_j(y) R_k(z) for the angles (x, y, z) and the axes i, j, k of the sequence; each
+   rotation is about a current axis of the body.  NaN for KSL_AXIS_INVALID. */
 static inline void ksl_mat3x3_setFromEulerAngles(
     ksl_mat3x3_t *r, const ksl_axis_enum_t axisType, const ksl_vec3_t *angles) {
   const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
@@ -2072,15 +2072,15 @@ static inline void ksl_mat3x3_setFromEulerAngles(
   }
 }
 
-/* How many turns bring the angle to `below` or less under the reference, or just above that. */
+/* How many whole turns to add to the angle so that it is at least reference - below. */
 static inline double ksl_turns(
     const double reference, const double below, const double angle, const double turn) {
   const double least = reference - below, way = least - angle, turns = way / turn;
   return ceil(turns);
 }
 
-/* The angles next to those of `near` that turn as sign times `found` do; `proper`: the axes i and k
-   are the same. */
+/* The angles close to those of `near` with the same rotation as sign times `found`; `proper`: the
+   axes i and k are the same. */
 static inline void ksl_nextAngles(const ksl_vec3_t *found, const double sign, const int proper,
     const ksl_vec3_t *near, ksl_vec3_t *angles) {
   const double eighth = 0.7853981633974483, half = 3.141592653589793, whole = 6.283185307179586;
@@ -2099,10 +2099,10 @@ static inline void ksl_nextAngles(const ksl_vec3_t *found, const double sign, co
   angles->z = z + to_z;
 }
 
-/* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), the axes i, j, k those of the
-   sequence, next to those of the reference (ksl_vec3_t *) that follows, zeros for NULL: z from 1/8
-   turn below it to 3/8 above, x and y from 1/8 turn below to 7/8 above.  In gimbal lock z is a
-   multiple of half a turn.  NaN for KSL_AXIS_INVALID. */
+/* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), for the axes i, j, k of the
+   sequence, close to the reference angles (ksl_vec3_t *, the last argument; zeros for NULL): z is
+   from 1/8 turn below the reference to 3/8 above it, x and y from 1/8 turn below to 7/8 above.  In
+   gimbal lock z is a multiple of half a turn.  NaN for KSL_AXIS_INVALID. */
 static inline void ksl_mat3x3_getEulerAnglesWithReference(
     const ksl_mat3x3_t *r, const ksl_axis_enum_t axisType, ksl_vec3_t *angles, ...) {
   const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
@@ -2131,12 +2131,12 @@ static inline void ksl_mat3x3_getEulerAnglesWithReference(
   ksl_nextAngles(&found, sign, axes.x == axes.z, &near, angles);
 }
 
-/* The same; the reference may be left out. */
+/* The same with an optional reference. */
 #define ksl_mat3x3_getEulerAngles(r, ...) \
   ksl_mat3x3_getEulerAnglesWithReference(r, __VA_ARGS__, (ksl_vec3_t *)NULL)
 
-/* r = R_i(x) R_j(y) R_k(z) of angles (x, y, z), the axes i, j, k those of the sequence: each turn is
-   about an axis of the body as the turns before have left it.  NaN for KSL_AXIS_INVALID. */
+/* r = R_i(x) R_j(y) R_k(z) for the angles (x, y, z) and the axes i, j, k of the sequence; each
+   rotation is about a current axis of the body.  NaN for KSL_AXIS_INVALID. */
 static inline void ksl_mat3x3f_setFromEulerAngles(
     ksl_mat3x3f_t *r, const ksl_axis_enum_t axisType, const ksl_vec3f_t *angles) {
   const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
@@ -2160,15 +2160,15 @@ static inline void ksl_mat3x3f_setFromEulerAngles(
   }
 }
 
-/* How many turns bring the angle to `below` or less under the reference, or just above that. */
+/* How many whole turns to add to the angle so that it is at least reference - below. */
 static inline float ksl_turnsf(
     const float reference, const float below, const float angle, const float turn) {
   const float least = reference - below, way = least - angle, turns = way / turn;
   return ceilf(turns);
 }
 
-/* The angles next to those of `near` that turn as sign times `found` do; `proper`: the axes i and k
-   are the same. */
+/* The angles close to those of `near` with the same rotation as sign times `found`; `proper`: the
+   axes i and k are the same. */
 static inline void ksl_nextAnglesf(const ksl_vec3f_t *found, const float sign, const int proper,
     const ksl_vec3f_t *near, ksl_vec3f_t *angles) {
   const float eighth = 0.7853982f, half = 3.1415927f, whole = 6.2831855f;
@@ -2187,10 +2187,10 @@ static inline void ksl_nextAnglesf(const ksl_vec3f_t *found, const float sign, c
   angles->z = z + to_z;
 }
 
-/* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), the axes i, j, k those of the
-   sequence, next to those of the reference (ksl_vec3f_t *) that follows, zeros for NULL: z from 1/8
-   turn below it to 3/8 above, x and y from 1/8 turn below to 7/8 above.  In gimbal lock z is a
-   multiple of half a turn.  NaN for KSL_AXIS_INVALID. */
+/* The angles (x, y, z) of the rotation r = R_i(x) R_j(y) R_k(z), for the axes i, j, k of the
+   sequence, close to the reference angles (ksl_vec3f_t *, the last argument; zeros for NULL): z is
+   from 1/8 turn below the reference to 3/8 above it, x and y from 1/8 turn below to 7/8 above.  In
+   gimbal lock z is a multiple of half a turn.  NaN for KSL_AXIS_INVALID. */
 static inline void ksl_mat3x3f_getEulerAnglesWithReference(
     const ksl_mat3x3f_t *r, const ksl_axis_enum_t axisType, ksl_vec3f_t *angles, ...) {
   const ksl_vec3i_t axes = ksl_axis_getVector(axisType);
@@ -2219,7 +2219,7 @@ static inline void ksl_mat3x3f_getEulerAnglesWithReference(
   ksl_nextAnglesf(&found, sign, axes.x == axes.z, &near, angles);
 }
 
-/* The same; the reference may be left out. */
+/* The same with an optional reference. */
 #define ksl_mat3x3f_getEulerAngles(r, ...) \
   ksl_mat3x3f_getEulerAnglesWithReference(r, __VA_ARGS__, (ksl_vec3f_t *)NULL)
 

@@ -2917,19 +2917,19 @@ static inline void ksl_quaternion_toMat3x3(ksl_quaternion_t *qi,
 }
 
 /* qo = q1i (q1i* q2i)^t along the arc from q1i to q2i, which is the longer one where q1i·q2i < 0: q1i
-     at t = 0, q2i at t = 1.  |q1i| = |q2i| = 1; not defined where q2i = -q1i.
-     ksl_quaternion_interpolated goes the shorter way. */
+     at t = 0, q2i at t = 1.  |q1i| = |q2i| = 1; undefined for q2i = -q1i.
+     ksl_quaternion_interpolated takes the shorter arc. */
 static inline void ksl_quaternion_slerp(const ksl_quaternion_t *q1i,
     const ksl_quaternion_t *q2i, double *t, ksl_quaternion_t *qo) {
   const double k = *t, twice = KSL_MUL(2, k);
   if (ksl_dot_qq(q1i, q2i) >= 0) {
     ksl_quaternion_interpolated(q1i, q2i, k, qo);
-  } else { /* by way of the middle: either half is the shorter arc */
+  } else { /* through the middle: either half is the shorter arc */
     ksl_quaternion_t middle = *q2i;
     ksl_axpy_qq(1.0, q1i, &middle);
     ksl_quaternion_normalize(&middle);
-    { /* next to -q1i its rounding could make a half the longer arc; of 16 u more than 6 are left:
-         dot products, here and there, are within 4 u, the sum within 2 u */
+    { /* near -q1i the rounding of the middle could make a half the longer arc.  A margin of 16 u
+         suffices: two dot products have errors of 4 u each, the sum of 2 u. */
       const ksl_quaternion_t *end = twice <= 1 ? q1i : q2i;
       const double short_of = 1.7763568394002505e-15 - ksl_dot_qq(end, &middle);
       if (short_of > 0) {
@@ -2970,7 +2970,7 @@ static inline void ksl_quaternion_nlerp(
   *qo = o;
 }
 
-/* qo = q1i^-1 q2i, q1i^-1 = q1i* / q1i·q1i: q1i of any norm but zero whose square neither over- nor
+/* qo = q1i^-1 q2i, q1i^-1 = q1i* / q1i·q1i, for any nonzero q1i whose square neither overflows nor
      underflows. */
 static inline void ksl_quaternion_product_uqinverseq(
     ksl_quaternion_t *q1i, ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
@@ -2993,19 +2993,19 @@ static inline void ksl_quaternionf_toMat3x3f(ksl_quaternionf_t *qi,
 }
 
 /* qo = q1i (q1i* q2i)^t along the arc from q1i to q2i, which is the longer one where q1i·q2i < 0: q1i
-     at t = 0, q2i at t = 1.  |q1i| = |q2i| = 1; not defined where q2i = -q1i.
-     ksl_quaternionf_interpolated goes the shorter way. */
+     at t = 0, q2i at t = 1.  |q1i| = |q2i| = 1; undefined for q2i = -q1i.
+     ksl_quaternionf_interpolated takes the shorter arc. */
 static inline void ksl_slerpf(const ksl_quaternionf_t *q1i,
     const ksl_quaternionf_t *q2i, float *t, ksl_quaternionf_t *qo) {
   const float k = *t, twice = KSL_MULF(2, k);
   if (ksl_dot_qqf(q1i, q2i) >= 0) {
     ksl_quaternionf_interpolated(q1i, q2i, k, qo);
-  } else { /* by way of the middle: either half is the shorter arc */
+  } else { /* through the middle: either half is the shorter arc */
     ksl_quaternionf_t middle = *q2i;
     ksl_axpy_qqf(1.0f, q1i, &middle);
     ksl_quaternionf_normalize(&middle);
-    { /* next to -q1i its rounding could make a half the longer arc; of 16 u more than 6 are left:
-         dot products, here and there, are within 4 u, the sum within 2 u */
+    { /* near -q1i the rounding of the middle could make a half the longer arc.  A margin of 16 u
+         suffices: two dot products have errors of 4 u each, the sum of 2 u. */
       const ksl_quaternionf_t *end = twice <= 1 ? q1i : q2i;
       const float short_of = 9.536743e-07f - ksl_dot_qqf(end, &middle);
       if (short_of > 0) {
@@ -3046,7 +3046,7 @@ static inline void ksl_nlerpf(
   *qo = o;
 }
 
-/* qo = q1i^-1 q2i, q1i^-1 = q1i* / q1i·q1i: q1i of any norm but zero whose square neither over- nor
+/* qo = q1i^-1 q2i, q1i^-1 = q1i* / q1i·q1i, for any nonzero q1i whose square neither overflows nor
      underflows. */
 static inline void ksl_product_uqinverseqf(
     ksl_quaternionf_t *q1i, ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {

@@ -2520,7 +2520,7 @@ static inline void ksl_screwf_ncopy_cmo(
   }
 }
 
-/* ksl_hsrxinvf, as KSL spells it, too. */
+/* KSL's other spelling of ksl_hsrxinvf. */
 static inline void ksl_hrxinvf(const ksl_SE3f_t *Di, ksl_screwf_t *ho) {
   ksl_hsrxinvf(Di, ho);
 }

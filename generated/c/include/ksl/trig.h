@@ -30,18 +30,17 @@ static inline void ksl_dcf(const float theta, float dc[2]) {
 /* What KSL declares beside formulas. */
 
 
-/* The angle in [0, 360) that is whole turns away; exactly, but for one rounding of
-   negative ones. */
+/* The angle modulo 360, in [0, 360); exact, except for one rounding if the angle is negative. */
 static inline double ksl_normalizeDegrees(double angle) {
   const double turn = 360.0, rest = fmod(angle, turn), above = rest + turn;
   const double zero = 0;
   return rest < zero ? (above < turn ? above : zero) : rest + zero;
 }
 
-/* The angle in [0, 2 π) that is whole turns away, off by 1.2e-15 + 2e-32 |angle| at most,
-   modulo 2 π; as it is where it is there and below the number next to 2 π. */
+/* The angle modulo 2 π, in [0, 2 π); error <= 1.2e-15 + 2e-32 |angle|, modulo 2 π.  Unchanged
+   if it is in that interval and below the floating-point number nearest to 2 π. */
 static inline double ksl_normalizeRadians(double angle) {
-  /* 2 π is the number next to it and this much, but for 6e-33. */
+  /* 2 π = turn + beyond, except for 6e-33. */
   const double turn = 6.283185307179586, beyond = 2.4492935982947064e-16, zero = 0;
   const double rest = fmod(angle, turn), whole = angle - rest, turns = whole / turn;
   const double gathered = KSL_MUL(turns, beyond), less = fmod(gathered, turn);
@@ -50,18 +49,17 @@ static inline double ksl_normalizeRadians(double angle) {
   return part < zero ? (above < turn ? above : zero) : part + zero;
 }
 
-/* The angle in [0, 360) that is whole turns away; exactly, but for one rounding of
-   negative ones. */
+/* The angle modulo 360, in [0, 360); exact, except for one rounding if the angle is negative. */
 static inline float ksl_normalizeDegreesf(float angle) {
   const float turn = 360.0f, rest = fmodf(angle, turn), above = rest + turn;
   const float zero = 0;
   return rest < zero ? (above < turn ? above : zero) : rest + zero;
 }
 
-/* The angle in [0, 2 π) that is whole turns away, off by 8e-7 + 7e-15 |angle| at most,
-   modulo 2 π; as it is where it is there and below the number next to 2 π. */
+/* The angle modulo 2 π, in [0, 2 π); error <= 8e-7 + 7e-15 |angle|, modulo 2 π.  Unchanged
+   if it is in that interval and below the floating-point number nearest to 2 π. */
 static inline float ksl_normalizeRadiansf(float angle) {
-  /* 2 π is the number next to it and this much, but for 7e-15. */
+  /* 2 π = turn + beyond, except for 7e-15. */
   const float turn = 6.2831855f, beyond = -1.7484555e-07f, zero = 0;
   const float rest = fmodf(angle, turn), whole = angle - rest, turns = whole / turn;
   const float gathered = KSL_MULF(turns, beyond), less = fmodf(gathered, turn);

@@ -1,0 +1,28 @@
+"""Field: the gravity of a distant sphere, which pulls at a body and turns it."""
+
+from fractions import Fraction
+
+from coscrew_codegen.recording.numbers import dot, sqrt, subtract
+from coscrew_codegen.scene.effect import Effect, Force, ParameterOf, Place, Values
+
+
+def _force(state, values: Values) -> Force:
+    """The energy alone: MacCullagh's formula, true to the second order in the body's size by r.
+    Force and moment, the gravity gradient's, follow from it."""
+    offset = subtract(state.world_position(state.centre_of_mass), values["centre"])
+    square = dot(offset, offset)
+    xx, yy, zz, xy, xz, yz = state.inertia
+    x, y, z = r = state.own_direction(offset)
+    I_r = (xx * x + xy * y + xz * z, xy * x + yy * y + yz * z, xz * x + yz * y + zz * z)
+    shape = (xx + yy + zz) - dot(r, I_r) * 3 / square
+    return Force(energy=-(values["mu"] * (state.mass + shape / (square * 2)) / sqrt(square)))
+
+
+EFFECT = Effect(
+    "field", "gravity of a distant sphere: pulls at a body, and turns its long axis towards it",
+    "V = -mu [m/r + (tr I - 3 e.I e)/(2 r^3)], r e from the centre to the body's centre of mass; "
+    "f = -dV/dx", Place.BODY,
+    (ParameterOf("mu", "m^3/s^2", "gravitational parameter G M of the sphere", nonnegative=True),
+     ParameterOf("centre", "m", "centre of the sphere, in the world's frame", "vector",
+                 (Fraction(0),) * 3)),
+    body_force=_force)

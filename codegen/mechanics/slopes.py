@@ -1,0 +1,167 @@
+"""What an effect's law leaves to be derived: the torque of an energy, and slopes of torques.
+
+A law is recorded by itself, as a function of what it acts along, and differentiated.
+
+Implicit steps take in the damping d and the stiffness k of a torque u(q, v):
+
+    d = -∂u/∂v,  k = -∂u/∂q
+
+where these do not depend on q and v.  Else none is below 0: a negative slope is left to the step's
+explicit part.  And where u saturates, slopes vanish, though a step may still leap across the point
+where u changes sign.  There the bound is the slope of the line through that point:
+
+    dry friction (u is 0 at v = 0):       d = max(-∂u/∂v, |u|/|v|)
+    a limit (sat u, |sat u| <= limit):    d and k of u, times limit/max(|u|, limit)
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property
+
+from coscrew_codegen.mechanics.settings import settings
+from coscrew_codegen.program import Program, differentiate
+from coscrew_codegen.program.differentiate import Dual
+from coscrew_codegen.recording import numbers
+from coscrew_codegen.recording.naming import Part
+from coscrew_codegen.recording.numbers import Number, absolute, maximum, minimum
+from coscrew_codegen.recording.recorder import Recorder, array
+from coscrew_codegen.scene.effect import CoordinateState, Torque, Values
+from coscrew_codegen.scene.scene import Setting
+
+Law = Callable[[CoordinateState, Values], Torque]
+
+_AT_REST = Fraction(1, 10**30)
+"""rad/s or m/s: speeds below it count as it in |u|/|v|, so that there is no 0/0."""
+
+
+@dataclass(frozen=True)
+class Slopes:
+    """-∂torque/∂v and -∂torque/∂q, or bounds of them; at least 0."""
+
+    damping: Number
+    stiffness: Number
+
+
+@dataclass(frozen=True)
+class Along:
+    """An effect's law where it acts: what is asked for is evaluated once, as part of the effect."""
+
+    law: Law
+    at: CoordinateState
+    values: Mapping[str, Setting]
+    part: Part
+
+    @cached_property
+    def torque(self) -> Torque:
+        """What the law says, with the torque that acts: an energy's slope, within its limit."""
+        found = self._said
+        torque = found.torque
+        with self.at.q.recorder.resumed(self.part):
+            if torque is None:
+                torque = self._replayed(self._own.torque)
+            if found.limit is not None:
+                torque = maximum(minimum(torque, found.limit), -found.limit)
+            return replace(found, torque=torque)
+
+    @cached_property
+    def slopes(self) -> Slopes:
+        """How the torque falls with speed and coordinate."""
+        d, k = self._said.damping, self._said.stiffness
+        with self.at.q.recorder.resumed(self.part):
+            return Slopes(self._replayed(self._own.damping) if d is None else d,
+                          self._replayed(self._own.stiffness) if k is None else k)
+
+    @cached_property
+    def _said(self) -> Torque:
+        recorder = self.at.q.recorder
+        with recorder.resumed(self.part):
+            return self.law(self.at, settings(recorder, self.values, self.at.t))
+
+    @cached_property
+    def _own(self) -> "_Law":
+        return _recorded(self.law, self.values, self.at.q.recorder)
+
+    def _replayed(self, value: Number) -> Number:
+        """A value of the law recorded by itself, where it acts."""
+        recorder, at = self.at.q.recorder, self.at
+        p = [recorder.argument("p")] if recorder.has("p") else []
+        return recorder.replay(self._own.program(value), at.q, at.v, at.t, *p)[0]
+
+
+def _recorded(law: Law, values: Mapping[str, Setting], beside: Recorder) -> "_Law":
+    """The law as a function of q, v, t and the parameters of another recording."""
+    recorder = Recorder([array("q", ()), array("v", ()), array("t", ()), *(
+        a for a in beside.inputs if a.name == "p")])
+    at = CoordinateState(*(recorder.argument(name)[0] for name in "qvt"))
+    return _Law(at, law(at, settings(recorder, values, at.t)))
+
+
+@dataclass(frozen=True)
+class _Law:
+    """A law recorded by itself, with what follows from it."""
+
+    at: CoordinateState
+    said: Torque
+
+    @property
+    def recorder(self) -> Recorder:
+        """That holds it."""
+        return self.at.q.recorder
+
+    @cached_property
+    def torque(self) -> Number:
+        """Before it meets its limit."""
+        if self.said.torque is not None:
+            return self.said.torque
+        if self.said.energy is None:
+            raise TypeError("an effect gives a torque or an energy; this one gives neither")
+        return -self._slope(self.said.energy, "q")
+
+    @property
+    def damping(self) -> Number:
+        """d."""
+        slope = -self._slope(self.torque, "v")
+        if self._moves(slope):
+            slope = maximum(slope, self._secant() if self._rests() else 0)
+        return slope * self._share()
+
+    @property
+    def stiffness(self) -> Number:
+        """k."""
+        slope = -self._slope(self.torque, "q")
+        if self._moves(slope):
+            slope = maximum(slope, 0)
+        return slope * self._share()
+
+    def program(self, value: Number) -> Program:
+        """What computes a value of it."""
+        return self.recorder.program("law", [(array("value", ()), [value])])
+
+    def _slope(self, value: Number, by: str) -> Number:
+        """∂value/∂q or ∂v."""
+        recorder = self.recorder
+        one = recorder.number(1)
+        inputs = [[Dual(x, (one if a.name == by else None,)) for x in recorder.argument(a.name)]
+                  for a in recorder.inputs]
+        (found,) = differentiate.tangent(self.program(value), recorder.arithmetic, numbers, inputs)
+        return recorder.number(0) if found.slopes[0] is None else found.slopes[0]
+
+    def _secant(self) -> Number:
+        """|u|/|v|."""
+        return absolute(self.torque) / maximum(absolute(self.at.v), _AT_REST)
+
+    def _share(self) -> Number | int:
+        """Of the slopes, where the torque is over its limit."""
+        limit = self.said.limit
+        return 1 if limit is None else limit / maximum(absolute(self.torque), limit)
+
+    def _moves(self, value: Number) -> bool:
+        """Whether it depends on q or v."""
+        return bool({self.at.q.operand, self.at.v.operand} & self.program(value).used_inputs())
+
+    def _rests(self) -> bool:
+        """Whether the torque is 0 at v = 0, whatever else."""
+        given = [self.recorder.numbers([0]) if a.name == "v" else self.recorder.argument(a.name)
+                 for a in self.recorder.inputs]
+        return self.recorder.replay(self.program(self.torque), *given)[0].is_zero

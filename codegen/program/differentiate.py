@@ -1,0 +1,127 @@
+"""Derivatives of a Program on any kind of numbers: tangents forward, adjoints backward.
+
+Both run the one interpreter, on numbers that carry derivatives; the partial derivatives are those
+of the table of operations.  Derivatives are those of the exact operations: where a Program compares
+(|x|, a choice) they are one-sided, at √0 and 0/0 there is none.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+from coscrew_codegen.program.interpreter import Arithmetic, interpreter
+from coscrew_codegen.program.ops import COMPARISONS, Functions, Op
+from coscrew_codegen.program.program import Constant, Instruction, Program
+
+V = TypeVar("V")
+
+
+@dataclass(frozen=True)
+class Dual(Generic[V]):
+    """A number with its derivative along each direction; None is zero."""
+
+    value: V
+    slopes: tuple[V | None, ...]
+
+
+def tangent(program: Program, arithmetic: Arithmetic[V], functions: Functions,
+            inputs: Sequence[Sequence[Dual[V]]]) -> list[Dual[V]]:
+    """The results with their derivatives along the directions that the inputs carry."""
+    count = len(next(x for given in inputs for x in given).slopes)
+
+    def constant(x: Constant) -> Dual[V]:
+        return Dual(arithmetic.constant(x), (None,) * count)
+
+    def function(step: Instruction, number: int):
+        compute = arithmetic.function(step, number)
+
+        def apply(*operands: Dual[V]) -> Dual[V]:
+            values = [x.value for x in operands]
+            y = compute(*values)
+            if step.op is Op.SELECT:
+                test, a, b = operands
+                return Dual(y, tuple(_chosen(functions, test.value, *pair)
+                                     for pair in zip(a.slopes, b.slopes, strict=True)))
+            if step.op in COMPARISONS or all(s is None for x in operands for s in x.slopes):
+                return Dual(y, (None,) * count)
+            partials = step.op.meaning.slopes(functions, *values, y)
+            return Dual(y, tuple(_along(partials, slopes) for slopes in zip(
+                *(x.slopes for x in operands), strict=True)))
+
+        return apply
+
+    nan = arithmetic.not_a_number
+    duals = Arithmetic(constant, function, None if nan is None else Dual(nan, (None,) * count))
+    return interpreter(program, duals)(inputs)
+
+
+def _chosen(functions: Functions, test: V, a: V | None, b: V | None) -> V | None:
+    if a is None and b is None:
+        return None
+    return functions.where(test, 0 if a is None else a, 0 if b is None else b)
+
+
+def _along(partials: Sequence[V | int], slopes: Sequence[V | None]) -> V | None:
+    """Σ ∂y/∂x_i x_i'."""
+    total = None
+    for partial, slope in zip(partials, slopes, strict=True):
+        if slope is not None and not (isinstance(partial, int) and partial == 0):
+            total = partial * slope if total is None else total + partial * slope
+    return total
+
+
+@dataclass(frozen=True, eq=False)
+class _Node(Generic[V]):
+    """A number of the forward run, what it was computed from and how."""
+
+    value: V
+    step: Instruction | None = None
+    operands: tuple["_Node[V]", ...] = ()
+
+
+def adjoint(program: Program, arithmetic: Arithmetic[V], functions: Functions,
+            inputs: Sequence[Sequence[V]], weights: Sequence[V]
+            ) -> tuple[list[V], list[list[V | None]]]:
+    """The results, and the derivatives of Σ weight · result by each input's components; None is
+    zero.  One run forward and one back, whatever the number of inputs."""
+    made: list[_Node[V]] = []
+
+    def function(step: Instruction, number: int):
+        compute = arithmetic.function(step, number)
+
+        def apply(*operands: _Node[V]) -> _Node[V]:
+            made.append(_Node(compute(*(x.value for x in operands)), step, operands))
+            return made[-1]
+
+        return apply
+
+    nan = arithmetic.not_a_number
+    tape = Arithmetic(lambda x: _Node(arithmetic.constant(x)), function,
+                      None if nan is None else _Node(nan))
+    given = [[_Node(x) for x in components] for components in inputs]
+    results = interpreter(program, tape)(given)
+    adjoints: dict[_Node[V], V] = {}
+    for node, weight in zip(results, weights, strict=True):
+        _gain(adjoints, node, weight)
+    for node in reversed(made):
+        if node in adjoints:
+            _hand_back(functions, adjoints, node)
+    return [x.value for x in results], [[adjoints.get(x) for x in row] for row in given]
+
+
+def _hand_back(functions: Functions, adjoints: dict[_Node[V], V], node: _Node[V]) -> None:
+    """A number's adjoint, times its partial derivatives, to its operands."""
+    own, operands = adjoints[node], node.operands
+    if node.step.op is Op.SELECT:
+        test, a, b = operands
+        _gain(adjoints, a, functions.where(test.value, own, 0))
+        _gain(adjoints, b, functions.where(test.value, 0, own))
+    elif node.step.op not in COMPARISONS:
+        partials = node.step.op.meaning.slopes(functions, *(x.value for x in operands), node.value)
+        for partial, x in zip(partials, operands, strict=True):
+            if not (isinstance(partial, int) and partial == 0):
+                _gain(adjoints, x, partial * own)
+
+
+def _gain(adjoints: dict[_Node[V], V], node: _Node[V], more: V) -> None:
+    adjoints[node] = adjoints[node] + more if node in adjoints else more
