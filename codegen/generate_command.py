@@ -4,15 +4,15 @@ Imports what derives only when it is asked to, so that other commands start at o
 
 import argparse
 import sys
-from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from coscrew_codegen.console import doing
+from coscrew_codegen.native import cache
 from coscrew_codegen.simulate.command import add_implausible, scene_of
 
 if TYPE_CHECKING:
-    from coscrew_codegen.layout import Programs
-    from coscrew_codegen.selection import Selection
+    from coscrew_codegen.targets.target import Files
 
 DEFAULT_OUTPUT = "generated"
 
@@ -20,7 +20,8 @@ DEFAULT_OUTPUT = "generated"
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add `generate` to the command line."""
     parser = commands.add_parser("generate", help="write the kernels, or check them",
-                                 description="Write the kernels, or check that they are current.")
+                                 description="Write the kernels, or check that they are current.",
+                                 formatter_class=_Help)
     parser.add_argument("scene", metavar="SCENE", nargs="?", type=Path,
                         help="a scene file: write its dynamics instead of the library's kernels")
     parser.add_argument("-o", "--output", metavar="DIR",
@@ -32,11 +33,20 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("--precision", metavar="NAME",
                         help="double, single or both (default)")
     parser.add_argument("--language", metavar="NAME",
-                        help="c or python (default: both, and the extension)")
+                        help="{languages} (default: all, and what takes several)")
     parser.add_argument("--functions", metavar="NAME", nargs="+", action="extend",
                         help="of a scene, only these functions; default and all stand for several")
     add_implausible(parser)
     parser.set_defaults(run=run)
+
+
+class _Help(argparse.HelpFormatter):
+    """Asks targets for their languages, when help is asked for: to import them takes long."""
+
+    def _get_help_string(self, action: argparse.Action) -> str | None:
+        from coscrew_codegen.targets import languages
+
+        return action.help and action.help.replace("{languages}", " or ".join(languages()))
 
 
 def run(options: argparse.Namespace) -> int:
@@ -45,8 +55,11 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _library(options: argparse.Namespace) -> int:
+    sources = None if options.check else _sources()
+
     from coscrew_codegen.documentation import reference_files
     from coscrew_codegen.emit import stale_files
+    from coscrew_codegen.kept import Kept
     from coscrew_codegen.layout import generated_files
     from coscrew_codegen.selection import Selection, SelectionError, select
 
@@ -54,13 +67,16 @@ def _library(options: argparse.Namespace) -> int:
         raise SelectionError("--functions selects functions of a scene, and no scene is given")
     selection = select(options.family or [], options.precision or "both", options.language)
     folder, check = Path(options.output or DEFAULT_OUTPUT), options.check
-    programs = _programs(selection)
-    files = generated_files(selection, programs)
     whole = selection == Selection()
-    files |= reference_files(programs, selection.banner) if whole else {}
+    with doing("generating") as tell:
+        kept = Kept(sources, selection.command, tell)
+        library = selection.library(kept)
+        files = generated_files(library) | (reference_files(library) if whole else {})
+    kept.save()
     stale = stale_files(files, folder) if whole else ()
     option = "" if folder == Path(DEFAULT_OUTPUT) else f" --output {folder}"
-    return _deliver(selection.command + option, files, folder, stale, check, str(folder))
+    return _deliver(selection.command + option, files, folder, stale, check, str(folder),
+                    kept.derived)
 
 
 def _scene(options: argparse.Namespace) -> int:
@@ -93,14 +109,15 @@ def _scene(options: argparse.Namespace) -> int:
                     stale_files(files, folder), options.check, str(folder))
 
 
-def _deliver(command: str, files: Mapping[str, str], folder: Path, stale: tuple[str, ...],
-             check: bool, output: str) -> int:
+def _deliver(command: str, files: "Files", folder: Path, stale: tuple[str, ...],
+             check: bool, output: str, derived: tuple[str, ...] = ()) -> int:
     """Write the files, or show what is out of date and the command that mends it."""
     from coscrew_codegen.emit import differences, write
 
     if not check:
         changed = write(files, folder, stale)
-        print(f"{output}: {len(files)} files, {len(changed)} changed")
+        again = f"; derived: {', '.join(derived)}" if derived else ""
+        print(f"{output}: {len(files)} files, {len(changed)} changed{again}")
         return 0
     diffs = differences(files, folder, stale)
     if not diffs:
@@ -111,11 +128,7 @@ def _deliver(command: str, files: Mapping[str, str], folder: Path, stale: tuple[
     return 1
 
 
-def _programs(selection: "Selection") -> "Programs":
-    from tqdm import tqdm
-
-    from coscrew_codegen.programs import program_of
-
-    progress = tqdm(selection.operations, desc="deriving", unit="operation", leave=False,
-                    disable=None, file=sys.stderr)
-    return {operation.name: program_of(operation) for operation in progress}
+def _sources() -> dict[str, bytes] | None:
+    """The generator's sources as they stand; None where this process has imported operations and so
+    may hold what they were."""
+    return None if "coscrew_codegen.operations" in sys.modules else cache.sources()

@@ -3,21 +3,15 @@
 from collections.abc import Iterable
 
 from coscrew_codegen.library import Library
-from coscrew_codegen.program import Program
 from coscrew_codegen.scene_functions import SceneFunctions
-from coscrew_codegen.selection import Selection
 from coscrew_codegen.targets import targets
 from coscrew_codegen.targets.scene_text import banner_of
 from coscrew_codegen.targets.target import Files
 
-Programs = dict[str, Program]
 
-
-def generated_files(selection: Selection, programs: Programs) -> Files:
-    """Every file of the selection, by its path in the output folder."""
-    library = Library(selection.operations, programs, selection.families, selection.precisions,
-                      selection.languages, selection.banner)
-    asked = set(selection.languages)
+def generated_files(library: Library) -> Files:
+    """Every file of the library, by its path in the output folder."""
+    asked = set(library.languages)
     return _gathered((target.name, target.library(library)) for target in targets()
                      if target.asked and target.library and asked.issuperset(target.languages))
 

@@ -5,6 +5,7 @@ from difflib import get_close_matches
 
 from coscrew_codegen.errors import Told
 from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.library import Keep, Library
 from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation
 from coscrew_codegen.targets import languages
 
@@ -28,6 +29,11 @@ class Selection:
         """The selected operations, in the table's order."""
         return tuple(op for op in OPERATIONS if op.family in self.families)
 
+    def library(self, keep: Keep) -> Library:
+        """What targets are given of it."""
+        return Library(self.operations, self.families, self.precisions, self.languages,
+                       self.banner, keep)
+
     @property
     def command(self) -> str:
         """The command that generates exactly this."""
@@ -50,7 +56,7 @@ def select(families: list[str], precision: str, language: str | None) -> Selecti
     """The Selection of these names.  Raises SelectionError for an unknown one."""
     for family in families:
         _known("family", family, FAMILIES)
-    _known("precision", precision, ("double", "single", "both"))
+    _known("precision", precision, (*(p.name for p in PRECISIONS), "both"))
     if language is not None:
         _known("language", language, LANGUAGES)
     return Selection(

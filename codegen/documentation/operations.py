@@ -7,12 +7,13 @@ from dataclasses import dataclass
 from coscrew_codegen.documentation.formula import formulas
 from coscrew_codegen.documentation.notation import escaped, markdown
 from coscrew_codegen.formats import DOUBLE, PRECISIONS
-from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation, family_title
+from coscrew_codegen.library import FamilyKernels, Library
+from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation, family_named
 from coscrew_codegen.program import Program, bounds, counts_in_words
 from coscrew_codegen.quantity import in_words
 from coscrew_codegen.render import render
 from coscrew_codegen.targets import c
-from coscrew_codegen.tiers import PLAIN, TIERS, Tier
+from coscrew_codegen.tiers import PLAIN, TIERS
 
 _CODE = frozenset(operation.name for operation in OPERATIONS if "_" in operation.name)
 
@@ -37,20 +38,20 @@ class Entry:
 
 def families_page(banner: str) -> str:
     """The list of families, in Markdown."""
-    families = [{"name": family, "title": escaped(family_title(family)),
+    families = [{"name": family, "title": escaped(family_named(family).title),
                  "count": sum(operation.family == family for operation in OPERATIONS)}
                 for family in FAMILIES]
     return render("docs/operations.md", banner=banner, families=families)
 
 
-def family_page(family: str, programs: Mapping[str, Program], banner: str) -> str:
+def family_page(family: str, library: Library) -> str:
     """The page of a family, in Markdown."""
     operations = [op for op in OPERATIONS if op.family == family]
-    anchors = _anchors(op.name for op in operations)
-    entries = [_entry(op, programs[op.name], anchor)
+    anchors, derived = _anchors(op.name for op in operations), library.made(_derived)[family]
+    entries = [_entry(op, derived[op.name], anchor)
                for op, anchor in zip(operations, anchors, strict=True)]
-    return render("docs/family.md", banner=banner, family=family, title=family_title(family),
-                  entries=entries)
+    return render("docs/family.md", banner=library.banner, family=family,
+                  title=family_named(family).title, entries=entries)
 
 
 def _anchors(names: Iterator[str]) -> Iterator[str]:
@@ -61,29 +62,41 @@ def _anchors(names: Iterator[str]) -> Iterator[str]:
         yield f"{name}-{taken[name]}" if taken[name] else name
 
 
-def _entry(operation: Operation, program: Program, anchor: str) -> Entry:
+@dataclass(frozen=True)
+class Derived:
+    """What is shown of an operation that takes deriving it: fields of its Entry."""
+
+    formulas: tuple[str, ...]
+    tiers: tuple[tuple[str, str, str], ...]
+
+
+def _derived(kernels: FamilyKernels) -> Mapping[str, Derived]:
+    return {op.name: Derived(formulas(op), tuple(_tiers(op, program)))
+            for op, program in kernels.plain.items()}
+
+
+def _entry(operation: Operation, derived: Derived, anchor: str) -> Entry:
     arguments = tuple({a.name: a for a in (*operation.inputs, *operation.outputs)}.values())
     names = {a.name for a in arguments} | {part.name for a in arguments
                                            for part in a.quantity.parts if part.name}
     remark = f"  {operation.remark}" if operation.remark else ""
-    tiers = [tier for tier in TIERS if tier.has(program)]
-    packages = [tier.package for tier in tiers if tier.in_python]
+    held = {name for name, _, _ in derived.tiers}
+    packages = [tier.package for tier in TIERS if tier.in_python and tier.name in held]
     modules = [*packages[:1], *(f"{packages[0]}.{p.name}" for p in PRECISIONS), *packages[1:]]
     return Entry(
         operation.name, anchor, escaped(operation.statement),
         f"{markdown(operation.statement, names, _CODE)}.{escaped(remark)}",
-        formulas(operation), operation.signature, escaped(in_words(arguments)),
+        derived.formulas, operation.signature, escaped(in_words(arguments)),
         escaped("; ".join(dict.fromkeys(a.domain_in_words for a in operation.inputs))),
-        tuple(_tiers(operation, program, tiers)),
+        derived.tiers,
         tuple(f"{c.prototype(operation, precision)};" for precision in PRECISIONS),
         f"{operation.name}({', '.join(a.name for a in operation.inputs)}, out=None)",
         ", ".join(f"`{module}`" for module in modules))
 
 
-def _tiers(operation: Operation, program: Program,
-           tiers: list[Tier]) -> Iterator[tuple[str, str, str]]:
+def _tiers(operation: Operation, program: Program) -> Iterator[tuple[str, str, str]]:
     """Rows of the table of tiers, in double precision."""
-    for tier in tiers:
+    for tier in (tier for tier in TIERS if tier.has(program)):
         made = tier.program(program, DOUBLE)
         returned = "returned beside the result" if len(made.outputs) > len(program.outputs) else ""
         tested = operation.tested_bounds if tier is PLAIN else ""

@@ -13,7 +13,7 @@ import re
 import shutil
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -44,13 +44,18 @@ class Entry:
 def folder() -> Path:
     """$XDG_CACHE_HOME/coscrew or ~/.cache/coscrew; where neither can be written to, a folder of
     this process."""
+    return wanted_folder() if lasts() else _own_folder()
+
+
+def lasts() -> bool:
+    """Whether later processes will find what this one keeps: the folder can be written to."""
     place = wanted_folder()
     try:
         place.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=place):
-            return place
+            return True
     except OSError:
-        return _own_folder()
+        return False
 
 
 def wanted_folder() -> Path:
@@ -91,8 +96,7 @@ def found(key: str, suffix: str) -> Path | None:
             if hashed(path.read_bytes()) == path.name.removesuffix(suffix).rpartition("-")[2]:
                 os.utime(path)
                 return path
-        with suppress(OSError):
-            path.unlink()
+        _remove(path)
     return None
 
 
@@ -175,13 +179,23 @@ def _size(path: Path) -> int:
 @functools.cache
 def generator() -> str:
     """The hash of the generator's own sources and templates: what it makes may change with any."""
-    package = Path(__file__).resolve().parents[1]
+    return digest(sources())
+
+
+def sources() -> dict[str, bytes]:
+    """The generator's own sources and templates as they stand now, by path."""
+    roots = {"codegen": Path(__file__).resolve().parents[1], "templates": _templates()}
+    return {f"{name}/{path.relative_to(root).as_posix()}": path.read_bytes()
+            for name, root in roots.items() for path in sorted(root.rglob("*"))
+            if path.suffix in (".py", ".jinja")}
+
+
+def digest(contents: Mapping[str, bytes]) -> str:
+    """The hash of files, by their paths."""
     total = hashlib.sha256()
-    for root in (package, _templates()):
-        for path in sorted(root.rglob("*")):
-            if path.suffix in (".py", ".jinja"):
-                total.update(f"{path.relative_to(root)}\0".encode())
-                total.update(path.read_bytes())
+    for path, content in sorted(contents.items()):
+        total.update(f"{path}\0{len(content)}\0".encode())
+        total.update(content)
     return total.hexdigest()
 
 

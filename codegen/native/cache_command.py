@@ -1,4 +1,4 @@
-"""`coscrew cache`: shows the cache of loaded scenes, or empties it."""
+"""`coscrew cache`: shows the cache of scenes and of the library, or empties it."""
 
 import argparse
 
@@ -8,10 +8,11 @@ from coscrew_codegen.native import cache
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add `cache` to the command line."""
     parser = commands.add_parser(
-        "cache", help="show or empty the cache of loaded scenes",
-        description="Show the cache of scenes that were derived and compiled: folder, entries, "
-        f"bytes, limit.  The limit is ${cache.LIMIT}, {cache.DEFAULT_LIMIT} if that is not set; "
-        "when it is exceeded, the least recently used entries are removed.")
+        "cache", help="show or empty the cache of scenes and of the library",
+        description="Show the cache of scenes that were derived and compiled, and of families of "
+        "operations that were derived: folder, entries, bytes, limit.  The limit is "
+        f"${cache.LIMIT}, {cache.DEFAULT_LIMIT} if that is not set; when it is exceeded, the least "
+        "recently used entries are removed.")
     parser.add_argument("--clear", action="store_true", help="empty the cache")
     parser.set_defaults(run=run)
 

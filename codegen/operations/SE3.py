@@ -5,6 +5,7 @@ from functools import partial
 import sympy as sp
 
 from coscrew_codegen.algebra import I3, displacement, homogeneous, inverse, rotation, translation
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import (
     ANY,
@@ -16,12 +17,12 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "SE3"
+_NAME = "SE3"
 
 _D, _self, _Do = (Argument(name, SE3) for name in ("D", "self", "Do"))
 _R, _t = Argument("R", MAT3X3, ROTATION), Argument("t", VEC3, ANY)
 _M = Argument("M", MAT4X4)
-_op = partial(Operation, FAMILY)
+_op = partial(Operation, _NAME)
 
 OPERATIONS = (
     _op("SE3_fromRt", "D = [R | t]", (_R, _t), (_D,), displacement, by_value=True),
@@ -34,3 +35,5 @@ OPERATIONS = (
     _op("SE3_toMat4x4", "M = [[R, t], [0, 1]] of D = [R | t]", (_D,), (_M,), homogeneous),
     _op("SE3_inverted", "Do = D^-1 = [R^T | -R^T t]", (_D,), (_Do,), inverse),
 )
+
+FAMILY = Family(_NAME, 40, __doc__, OPERATIONS, includes=("mat3x3",))

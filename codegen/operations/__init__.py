@@ -1,22 +1,7 @@
-"""The table of operations, family by family; everything generated is made from it."""
+"""The table of operations, one file per family; everything generated is made from it."""
 
-from coscrew_codegen.operations import (
-    SE3,
-    coscrew,
-    exponential,
-    inertia,
-    mat3x3,
-    mat4x4,
-    mat6x6,
-    matrix,
-    quaternion,
-    screw,
-    spatial_inertia,
-    symmetric,
-    trig,
-    vec3,
-    vec4,
-)
+from coscrew_codegen.found import found
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.operation import (
     NORM_THRESHOLD,
     PER_PRECISION,
@@ -25,11 +10,12 @@ from coscrew_codegen.operations.operation import (
     scaled,
 )
 
-_MODULES = (vec3, vec4, mat3x3, SE3, mat4x4, mat6x6, matrix, trig, screw, coscrew, quaternion,
-            exponential, symmetric, inertia, spatial_inertia)
+_TABLE = {family.name: family for family in sorted(
+    found(__name__, __path__, "FAMILY", Family), key=lambda family: family.order)}
 
-FAMILIES: tuple[str, ...] = tuple(module.FAMILY for module in _MODULES)
-OPERATIONS: tuple[Operation, ...] = tuple(op for module in _MODULES for op in module.OPERATIONS)
+FAMILIES: tuple[str, ...] = tuple(_TABLE)
+OPERATIONS: tuple[Operation, ...] = tuple(op for family in _TABLE.values()
+                                          for op in family.operations)
 
 _names = [op.name for op in OPERATIONS]
 if len(set(_names)) < len(_names):
@@ -37,11 +23,16 @@ if len(set(_names)) < len(_names):
                      f"{sorted({n for n in _names if _names.count(n) > 1})}")
 
 
-def family_title(family: str) -> str:
-    """The first line of the family's documentation."""
-    module = next(module for module in _MODULES if family == module.FAMILY)
-    return str(module.__doc__).splitlines()[0]
+def family_named(name: str) -> Family:
+    """The family of this name; a KeyError if there is none."""
+    return _TABLE[name]
 
 
-__all__ = ["FAMILIES", "NORM_THRESHOLD", "OPERATIONS", "PER_PRECISION", "Operation", "components",
-           "family_title", "scaled"]
+def contributors(name: str) -> tuple[str, ...]:
+    """The families whose files hold operations of this one: itself, and others at times."""
+    return tuple(family.name for family in _TABLE.values()
+                 if any(op.family == name for op in family.operations))
+
+
+__all__ = ["FAMILIES", "NORM_THRESHOLD", "OPERATIONS", "PER_PRECISION", "Family", "Operation",
+           "components", "contributors", "family_named", "scaled"]

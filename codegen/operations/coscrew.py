@@ -17,12 +17,13 @@ from coscrew_codegen.algebra import (
     turned,
     working_projector,
 )
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.norm import Let
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.operations.spatial import JOINTS, Space, space_operations
 from coscrew_codegen.quantity import ANGULAR_FIRST, COSCREW, MAT6X6, SCALAR, SCREW, SE3, Argument
 
-FAMILY = "coscrew"
+_NAME = "coscrew"
 
 _SPACE = Space(COSCREW, "c", CoAd, "CoAd", "[Ad]*", lin, ang,
                "|f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6)")
@@ -56,3 +57,5 @@ OPERATIONS = (
     *(_projected(joint, "working", working_projector) for joint in range(6)),
     _SPACE.op("coad", "M = [ad]*(s) = [Ad]*' [Ad]*^-1 = [[ω~, 0], [v~, ω~]]", (_s,), (_M,), coad),
 )
+
+FAMILY = Family(_NAME, 100, __doc__, OPERATIONS, includes=("screw",))

@@ -22,6 +22,7 @@ from coscrew_codegen.algebra import (
     translation,
 )
 from coscrew_codegen.operations import special
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.norm import Let, prefixed, unnamed
 from coscrew_codegen.operations.operation import Normwise, Operation
 from coscrew_codegen.operations.quaternion import PRINCIPAL, axis_and_angle, axis_angle
@@ -45,7 +46,7 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "exponential"
+_NAME = "exponential"
 
 _v, _small_v, _vo = Argument("v", VEC3, TURN), Argument("v", VEC3, HALF_TURN), Argument("vo", VEC3)
 _axis, _axis_out = Argument("axis", VEC3, UNIT_VECTOR), Argument("axis", VEC3)
@@ -56,7 +57,7 @@ _s, _small_s = Argument("s", SCREW, TURN), Argument("s", SCREW, HALF_TURN)
 _so = Argument("so", SCREW)
 _Do, _M = Argument("Do", SE3), Argument("M", MAT6X6)
 _angle, _k = Argument("angle", SCALAR, ANGLE), Argument("k", SCALAR, FRACTION)
-_op = partial(Operation, FAMILY)
+_op = partial(Operation, _NAME)
 
 
 # Rotations.  `sign` is 1 for left Jacobians, -1 for right ones: J_r(v) = J_l(-v).
@@ -273,3 +274,5 @@ _DISPLACEMENTS = (
 )
 
 OPERATIONS = (*_ROTATIONS, *_DISPLACEMENTS)
+
+FAMILY = Family(_NAME, 120, __doc__, OPERATIONS, includes=("quaternion", "SE3", "screw"))

@@ -11,6 +11,7 @@ from functools import partial
 import sympy as sp
 
 from coscrew_codegen.algebra import rotation, translation
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import Let, unnamed
 from coscrew_codegen.operations.operation import Operation
@@ -26,7 +27,7 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "inertia"
+_NAME = "inertia"
 
 _Ji, _Jo, _self = (Argument(name, INERTIA) for name in ("Ji", "Jo", "self"))
 _Jj, _J = Argument("Jj", INERTIA), Argument("J", INERTIA)
@@ -41,7 +42,7 @@ PLACES = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
 
 MERGED = 18
 """In u: the error bound of a component of joined bodies, from a count of its roundings."""
-_op = partial(Operation, FAMILY)
+_op = partial(Operation, _NAME)
 
 
 def first(J: sp.Matrix) -> sp.Matrix:
@@ -112,7 +113,7 @@ OPERATIONS = (
     _op("inertia", "J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, "
         "entries of the moments' matrix about it in kg m^2, Ixy = -∫ x y dm",
         (_m, _t, *_NUMBERS), (_J,), _made, by_value=True),
-    *(op for op in linear_space(FAMILY, INERTIA, "J") if op.name == "inertia_copy"),
+    *(op for op in linear_space(_NAME, INERTIA, "J") if op.name == "inertia_copy"),
     *_in_place_too("rotate", "{} rotated by R: m, R mt, R I R^T", _R, partial(_rotated, unnamed),
                    _rotated),
     *_in_place_too("translate", "{} translated by t: m, mt + m t, I", _t, _translated),
@@ -127,3 +128,5 @@ OPERATIONS = (
         rounding=f"Error <= {MERGED} u times the sum of the absolute values of all terms, for "
         "masses that are not negative, barring over- and underflow."),
 )
+
+FAMILY = Family(_NAME, 140, __doc__, OPERATIONS, includes=("SE3",))

@@ -6,6 +6,7 @@ import sympy as sp
 
 from coscrew_codegen.algebra import I3, skew
 from coscrew_codegen.operations import eigen, euler, special
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.norm import (
     Let,
     divided,
@@ -37,7 +38,7 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "mat3x3"
+_NAME = "mat3x3"
 
 _R, _self, _Ro = (Argument(name, MAT3X3, ROTATION) for name in ("R", "self", "Ro"))
 _near, _own_near = (Argument(name, MAT3X3, NEAR_ROTATION) for name in ("R", "self"))
@@ -46,7 +47,7 @@ _axis, _regular = Argument("axis", VEC3, UNIT_VECTOR), Argument("R", MAT3X3, REG
 _x, _y, _z = (Argument(name, VEC3, ANY) for name in "xyz")
 _w, _dw = Argument("w", VEC3, ANY), Argument("dw", VEC3, ANY)
 _det = Argument("det", SCALAR)
-_op = partial(Operation, FAMILY)
+_op = partial(Operation, _NAME)
 
 
 def _entries(function: type[sp.Function], R: sp.Matrix) -> sp.Matrix:
@@ -179,3 +180,5 @@ OPERATIONS = (
         _bound_about, order=("R", "axis", "dc")),
     *euler.OPERATIONS, *eigen.OPERATIONS,
 )
+
+FAMILY = Family(_NAME, 30, __doc__, OPERATIONS, includes=("vec3",))

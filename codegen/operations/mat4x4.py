@@ -5,6 +5,7 @@ from functools import partial
 import sympy as sp
 
 from coscrew_codegen.algebra import displacement, homogeneous
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import (
     ANY,
@@ -16,11 +17,11 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "mat4x4"
+_NAME = "mat4x4"
 
 _M, _self = Argument("M", MAT4X4, ANY), Argument("self", MAT4X4, ANY)
 _D, _R, _t = Argument("D", SE3), Argument("R", MAT3X3, ROTATION), Argument("t", VEC3, ANY)
-_op = partial(Operation, FAMILY)
+_op = partial(Operation, _NAME)
 
 OPERATIONS = (
     _op("mat4x4_fromSE3", "M = [[R, t], [0, 1]] of D = [R | t]", (_D,), (_M,), homogeneous,
@@ -33,3 +34,5 @@ OPERATIONS = (
     _op("mat4x4_getTranslation", "t, the first three entries of the last column of M", (_M,),
         (_t,), lambda M: M[:3, 3]),
 )
+
+FAMILY = Family(_NAME, 50, __doc__, OPERATIONS, includes=("SE3", "vec4"))

@@ -5,11 +5,12 @@ from collections.abc import Callable
 import sympy as sp
 
 from coscrew_codegen.algebra import CoAd, blocks, shifted, skew, turned
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.norm import Let
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import ANY, MAT3X3, MAT6X6, ROTATION, SYMMETRIC, VEC3, Argument
 
-FAMILY = "mat6x6"
+_NAME = "mat6x6"
 
 _M, _self, _Mo = (Argument(name, MAT6X6, ANY) for name in ("M", "self", "Mo"))
 _articulated = Argument("M", MAT6X6, SYMMETRIC)
@@ -48,16 +49,18 @@ def _moved(name: str, of: Argument, displacement: Callable[[sp.Matrix], sp.Matri
            derivation: Callable[..., sp.Matrix]) -> Operation:
     x = of.name
     return Operation(
-        FAMILY, f"mat6x6_{name}", f"Mo = [Ad]*({x}) M [Ad]^-1({x}), the articulated inertia M "
+        _NAME, f"mat6x6_{name}", f"Mo = [Ad]*({x}) M [Ad]^-1({x}), the articulated inertia M "
         f"{name} by {x}; M is symmetric, only its lower triangle is read",
         (of, _articulated), (_Mo,),
         lambda x, M: CoAd(displacement(x)) * _symmetric(M) * CoAd(displacement(x)).T, derivation)
 
 
 OPERATIONS = (
-    Operation(FAMILY, "mat6x6_copy", "Mo = M", (_M,), (_Mo,), lambda M: M),
-    Operation(FAMILY, "mat6x6_setIdentity", "self = I", (_self,), (_self,), lambda M: sp.eye(6)),
-    Operation(FAMILY, "mat6x6_transposed", "Mo = M^T", (_M,), (_Mo,), lambda M: M.T),
+    Operation(_NAME, "mat6x6_copy", "Mo = M", (_M,), (_Mo,), lambda M: M),
+    Operation(_NAME, "mat6x6_setIdentity", "self = I", (_self,), (_self,), lambda M: sp.eye(6)),
+    Operation(_NAME, "mat6x6_transposed", "Mo = M^T", (_M,), (_Mo,), lambda M: M.T),
     _moved("rotated", _R, turned, _rotated),
     _moved("shifted", _t, shifted, _shifted),
 )
+
+FAMILY = Family(_NAME, 60, __doc__, OPERATIONS)

@@ -20,6 +20,7 @@ from coscrew_codegen.algebra import (
     turned,
     unit,
 )
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.norm import Let
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import (
@@ -33,13 +34,13 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "matrix"
+_NAME = "matrix"
 
 _R, _R1, _R2, _Ro = (Argument(name, MAT3X3, ROTATION) for name in ("R", "R1", "R2", "Ro"))
 _D, _D1, _D2, _Do = (Argument(name, SE3) for name in ("D", "D1", "D2", "Do"))
 _v, _t, _vo = (Argument(name, VEC3, ANY) for name in ("v", "t", "vo"))
 _k, _dc = Argument("k", SCALAR, ANY), Argument("dc", DC)
-_op = partial(Operation, FAMILY)
+_op = partial(Operation, _NAME)
 
 _VECTORS = (
     _op("product_drv", "vo = R v", (_R, _v), (_vo,), lambda R, v: R * v),
@@ -114,3 +115,5 @@ def _about_axis(axis: int, inverted: bool) -> tuple[Operation, ...]:
 
 OPERATIONS = (*_VECTORS, *_ROTATIONS, *_DISPLACEMENTS,
               *(op for axis in range(3) for inv in (False, True) for op in _about_axis(axis, inv)))
+
+FAMILY = Family(_NAME, 70, __doc__, OPERATIONS, includes=("SE3", "trig"))

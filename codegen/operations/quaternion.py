@@ -8,6 +8,7 @@ from functools import partial
 import sympy as sp
 
 from coscrew_codegen.operations import special
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import (
     Let,
@@ -53,7 +54,7 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "quaternion"
+_NAME = "quaternion"
 
 _any, _self = Argument("q", QUATERNION, ANY), Argument("self", QUATERNION, ANY)
 _q, _qo = Argument("q", QUATERNION), Argument("qo", QUATERNION)
@@ -67,7 +68,7 @@ _R, _R_out = Argument("R", MAT3X3, ROTATION), Argument("R", MAT3X3)
 _ordinary = Argument("q", QUATERNION, ORDINARY)
 
 PRINCIPAL = "0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0"
-_op = partial(Operation, FAMILY)
+_op = partial(Operation, _NAME)
 
 
 def _normalized(q: sp.Matrix) -> sp.Matrix:
@@ -193,6 +194,8 @@ _CONVERSIONS = (
         _slerp, (Normwise("qo", 16),)),
 )
 
-OPERATIONS = (*(op for op in linear_space(FAMILY, QUATERNION, "q")
+OPERATIONS = (*(op for op in linear_space(_NAME, QUATERNION, "q")
                 if op.name in ("quaternion_copy", "quaternion_scale", "axpy_qq")),
               *_PRODUCTS, *PRODUCTS, *_CONVERSIONS)
+
+FAMILY = Family(_NAME, 110, __doc__, OPERATIONS, includes=("mat3x3",))

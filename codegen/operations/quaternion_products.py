@@ -21,7 +21,7 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "quaternion"
+_NAME = "quaternion"
 
 _q1, _q2, _qi, _qo, _dqo = (Argument(name, QUATERNION)
                             for name in ("q1i", "q2i", "qi", "qo", "dqo"))
@@ -30,7 +30,7 @@ _vi, _w, _dpi = (Argument(name, VEC3, ANY) for name in ("vi", "w", "dpi"))
 
 # name in operations, text in equations, argument, conversion to a quaternion
 Factor = tuple[str, str, Argument, Callable[[sp.Matrix], sp.Matrix]]
-_op = partial(Operation, FAMILY)
+_op = partial(Operation, _NAME)
 
 
 def _pure(v: sp.Matrix) -> sp.Matrix:

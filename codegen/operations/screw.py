@@ -3,6 +3,7 @@
 import sympy as sp
 
 from coscrew_codegen.algebra import Ad, ad, ang, lin, rotation, stack, translation
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.norm import Let
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.operations.spatial import Space, space_operations
@@ -17,7 +18,7 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "screw"
+_NAME = "screw"
 
 _SPACE = Space(SCREW, "s", Ad, "Ad", "[Ad]", ang, lin,
                "|ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6)")
@@ -34,7 +35,7 @@ def _about(let: Let, D: sp.Matrix, axis: sp.Matrix) -> sp.Matrix:
 OPERATIONS = (
     *space_operations(_SPACE),
     _SPACE.op("dot_cs", "power = f·v + τ·ω, in W", (_c, _s), (_power,), lambda c, s: c.dot(s)),
-    Operation(FAMILY, "cross_ss", "so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2)", (_s1, _s2), (_so,),
+    Operation(_NAME, "cross_ss", "so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2)", (_s1, _s2), (_so,),
               lambda s1, s2: ad(s1) * s2,
               remark="Exactly zero for s1 = s2, unless products overflow."),
     _SPACE.op("cross_sst", "so = (ω1×v2 ; 0)", (_s1, _s2), (_so,),
@@ -50,3 +51,5 @@ OPERATIONS = (
               lambda D, axis: -Ad(D) * stack(axis, sp.zeros(3, 1))),
     _SPACE.op("ad", "M = [ad](s) = [Ad]' [Ad]^-1 = [[ω~, v~], [0, ω~]]", (_s,), (_M,), ad),
 )
+
+FAMILY = Family(_NAME, 90, __doc__, OPERATIONS, includes=("matrix", "mat6x6"))

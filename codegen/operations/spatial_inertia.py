@@ -10,6 +10,7 @@ import sympy as sp
 
 from coscrew_codegen.algebra import I3, ang, blocks, lin, rotation, skew, stack, translation
 from coscrew_codegen.operations import inertia as centroidal
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.mat3x3 import acceleration_tensor, products_of
 from coscrew_codegen.operations.norm import Let, unnamed
@@ -32,7 +33,7 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "spatial_inertia"
+_NAME = "spatial_inertia"
 
 _B, _Bo = Argument("B", SPATIAL_INERTIA), Argument("Bo", SPATIAL_INERTIA)
 _J, _Jo, _m = Argument("J", INERTIA), Argument("Jo", INERTIA), Argument("m", SCALAR, MASS)
@@ -45,7 +46,7 @@ _vo, _Ro, _Mo = Argument("vo", VEC3), Argument("Ro", MAT3X3), Argument("Mo", MAT
 
 _CYCLES = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
 _UPPER = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
-_op = partial(Operation, FAMILY)
+_op = partial(Operation, _NAME)
 
 
 def _first(B: sp.Matrix) -> sp.Matrix:
@@ -188,7 +189,7 @@ _CONVERTED = (f"Error of a moment <= {CONVERTED} u times the sum of its |terms|,
 
 
 OPERATIONS = (
-    *(op for op in linear_space(FAMILY, SPATIAL_INERTIA, "B")
+    *(op for op in linear_space(_NAME, SPATIAL_INERTIA, "B")
       if op.name in ("spatial_inertia_copy", "spatial_inertia_scale", "add_BB", "subtract_BB")),
     _op("spatial_inertia_from_com", "Bo: mass m, centre of mass com, second moments Ic about it "
         "(kg m^2; only the upper triangle is read): h = m com, I = Ic - m com~ com~",
@@ -223,3 +224,5 @@ OPERATIONS = (
         "inertia", (_B,), (_pivot,),
         lambda B: smallest_pivot(*lower_triangle(_pseudo_inertia(unnamed, B))), _consistency),
 )
+
+FAMILY = Family(_NAME, 150, __doc__, OPERATIONS, includes=("inertia", "coscrew"))

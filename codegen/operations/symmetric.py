@@ -9,6 +9,7 @@ from functools import partial
 
 import sympy as sp
 
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.norm import Let, prefixed, unnamed
 from coscrew_codegen.operations.operation import REGULAR, Operation
 from coscrew_codegen.operations.special import factor, smallest_pivot, solution, vector
@@ -26,7 +27,7 @@ from coscrew_codegen.quantity import (
     Quantity,
 )
 
-FAMILY = "symmetric"
+_NAME = "symmetric"
 
 
 def lower_triangle(A: sp.Matrix) -> list[sp.Expr]:
@@ -132,7 +133,7 @@ def _operations(matrix: Quantity, right: Quantity, left: Quantity) -> tuple[Oper
         unit = sp.Matrix(n, n, lambda i, j: 1 if i == j else L[i, j] if j < i else 0)
         return substituted(let, unit, [L[i, i] for i in range(n)], b)
 
-    op = partial(Operation, FAMILY)
+    op = partial(Operation, _NAME)
     return (
         op(name=f"{matrix.name}_ldl", statement="L, D with L D L^T = A: unit lower triangular L, "
            "with D on its diagonal; only the lower triangle of A is read.  Returns the smallest "
@@ -164,3 +165,5 @@ def _backward(matrix: str) -> str:
 
 
 OPERATIONS = (*_operations(MAT3X3, VEC3, VEC3), *_operations(MAT6X6, COSCREW, SCREW))
+
+FAMILY = Family(_NAME, 130, __doc__, OPERATIONS, includes=("mat6x6", "screw", "coscrew"))

@@ -2,6 +2,7 @@
 
 import sympy as sp
 
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import (
     ANY,
@@ -10,11 +11,13 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "trig"
+_NAME = "trig"
 
 _theta, _dc = Argument("theta", SCALAR, ANY), Argument("dc", DC)
 
 OPERATIONS = (
-    Operation(FAMILY, "dc", "dc = (sin θ, cos θ), θ in rad; accurate as the platform's sin and cos",
+    Operation(_NAME, "dc", "dc = (sin θ, cos θ), θ in rad; accurate as the platform's sin and cos",
               (_theta,), (_dc,), lambda theta: sp.Matrix([sp.sin(theta), sp.cos(theta)])),
 )
+
+FAMILY = Family(_NAME, 80, __doc__, OPERATIONS)

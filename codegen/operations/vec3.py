@@ -5,6 +5,7 @@ from functools import partial
 import sympy as sp
 
 from coscrew_codegen.algebra import unit
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import (
     Let,
@@ -23,13 +24,13 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "vec3"
+_NAME = "vec3"
 
 _v, _self, _vo = (Argument(name, VEC3, ANY) for name in ("v", "self", "vo"))
 _v1, _v2 = Argument("v1", VEC3, ANY), Argument("v2", VEC3, ANY)
 _k = Argument("k", SCALAR, ANY)
 _norm, _dot, _angle = (Argument(name, SCALAR) for name in ("norm", "dot", "angle"))
-_op = partial(Operation, FAMILY)
+_op = partial(Operation, _NAME)
 
 
 def _normalized(let: Let, v: sp.Matrix) -> sp.Matrix:
@@ -68,5 +69,7 @@ def _shift(axis: int, sign: int) -> Operation:
     return _op(name, statement, (_v, _k), (_vo,), lambda v, k: v + sign * k * sp.Matrix(unit(axis)))
 
 
-OPERATIONS = (*linear_space(FAMILY, VEC3, "v"), *_PRODUCTS,
+OPERATIONS = (*linear_space(_NAME, VEC3, "v"), *_PRODUCTS,
               *(_shift(axis, sign) for axis in range(3) for sign in (1, -1)))
+
+FAMILY = Family(_NAME, 10, __doc__, OPERATIONS)

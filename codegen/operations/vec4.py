@@ -4,6 +4,7 @@ from functools import partial
 
 import sympy as sp
 
+from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.linear import linear_space
 from coscrew_codegen.operations.norm import Let, divided, l2, nonzero, safe_norm, safe_normalized
 from coscrew_codegen.operations.operation import Operation
@@ -14,12 +15,12 @@ from coscrew_codegen.quantity import (
     Argument,
 )
 
-FAMILY = "vec4"
+_NAME = "vec4"
 
 _v, _self, _vo = (Argument(name, VEC4) for name in ("v", "self", "vo"))
 _v1, _v2 = Argument("v1", VEC4), Argument("v2", VEC4)
 _k, _norm = Argument("k", SCALAR, ANY), Argument("norm", SCALAR)
-_op = partial(Operation, FAMILY)
+_op = partial(Operation, _NAME)
 
 
 def _normalized(v: sp.Matrix) -> sp.Matrix:
@@ -31,7 +32,7 @@ def _bound_normalized(let: Let, v: sp.Matrix) -> sp.Matrix:
 
 
 OPERATIONS = (
-    *(op for op in linear_space(FAMILY, VEC4, "v") if op.name.startswith(FAMILY)),
+    *(op for op in linear_space(_NAME, VEC4, "v") if op.name.startswith(_NAME)),
     _op("vec4_scaled", "vo = k v", (_v, _k), (_vo,), lambda v, k: k * v),
     _op("vec4_swap", "v1, v2 = v2, v1", (_v1, _v2), (_v1, _v2), lambda v1, v2: (v2, v1)),
     _op("vec4_l2norm", "|v| = sqrt(v·v), all four components", (_v,), (_norm,), l2, safe_norm),
@@ -40,3 +41,5 @@ OPERATIONS = (
     _op("vec4_normalized", "vo = v / |v|; the zero vector stays zero", (_v,), (_vo,),
         _normalized, _bound_normalized),
 )
+
+FAMILY = Family(_NAME, 20, __doc__, OPERATIONS)

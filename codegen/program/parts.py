@@ -317,8 +317,8 @@ class _Reader:
         if not self.values.compares[x]:
             home = self.cutting.home(x, self.users)
             return _Given(self.cutting.names[home], self.cutting.places[home, x])
-        if x not in self._compared:  # its name is not printed: it stands where it decides
-            self._compared[x] = f"{x}?"
+        if x not in self._compared:
+            self._compared[x] = self.values.called(self.users)[x]
             self._issue(x, self._compared[x])
         return Ref(self._compared[x])
 

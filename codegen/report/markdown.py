@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from tabulate import tabulate
 
-from coscrew_codegen.operations import family_title
+from coscrew_codegen.operations import family_named
 from coscrew_codegen.render import render
 from coscrew_codegen.report.overview import (
     first_layout,
@@ -28,7 +28,7 @@ def markdown(report: Report, figures: tuple[str, ...]) -> str:
     """The text of report.md; `figures` are the SVG files beside it."""
     layout = first_layout(report)
     names = dict.fromkeys(entry.family for entry in report.entries)
-    families = [{"name": name, "title": family_title(name),
+    families = [{"name": name, "title": family_named(name).title,
                  "table": _kernels([e for e in report.entries if e.family == name], layout)}
                 for name in names]
     return render("report/report.md", report=report, sentences=sentences(report), layout=layout,

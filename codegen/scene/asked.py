@@ -100,7 +100,8 @@ def asked_for(scene: Scene) -> tuple[str, ...]:
 def resolved(scene: Scene, asked: Sequence[str]) -> set[str]:
     """The functions that these words mean, DEFAULT and ALL among them; none mean DEFAULT.  Raises
     AskedError with the nearest name for a word that means none."""
-    known, found = names(scene), set()
+    known = names(scene)
+    found: set[str] = set()
     for word in asked or (DEFAULT,):
         if word in (DEFAULT, ALL):
             found.update(by_default(scene) if word == DEFAULT else known)

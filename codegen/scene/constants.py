@@ -15,7 +15,8 @@ _SMALLEST = mpmath.mpf(10)**-300
 _WORKING = (DIGITS + 10, 2 * DIGITS + 20, 500, 1000)  # digits; the sine of 1e300 takes 350
 
 
-def _bounded(function: Callable, largest: float) -> Callable:
+def _bounded(function: Callable[[mpmath.mpf], mpmath.mpf], largest: float
+             ) -> Callable[[mpmath.mpf], mpmath.mpf]:
     """The function, which mpmath would compute with as many digits as a larger argument has."""
     def apply(x: mpmath.mpf) -> mpmath.mpf:
         if abs(x) > largest:
@@ -68,11 +69,11 @@ def _rational(formula: Formula) -> Fraction | None:
 def _rounded(formula: Formula) -> Fraction:
     """The number to 50 digits, computed with ever more until two results agree; 0 where it shrinks
     as digits are added: sin(pi) is 0."""
-    last = None
+    last = mpmath.nan  # which is near nothing
     for digits in _WORKING:
         number = _evaluated(formula, digits)
         with mpmath.workdps(digits):
-            if last is not None and abs(number - last) <= abs(number) / 10**DIGITS:
+            if abs(number - last) <= abs(number) / 10**DIGITS:
                 return _fraction(number)
         last = number
     if abs(last) < _SMALLEST:
@@ -85,7 +86,7 @@ def _fraction(x: mpmath.mpf) -> Fraction:
         raise OverflowError
     with mpmath.workdps(DIGITS):
         sign, mantissa, exponent, _ = (+x)._mpf_
-    return (-1)**sign * Fraction(int(mantissa)) * Fraction(2)**exponent
+    return Fraction((-1)**int(sign) * int(mantissa)) * Fraction(2)**int(exponent)
 
 
 def _evaluated(formula: Formula, digits: int) -> mpmath.mpf:

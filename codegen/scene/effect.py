@@ -33,7 +33,7 @@ class ParameterOf:
     words: str
     kind: str = "number"  # number, vector (three numbers), formula (number or function of t),
     # formulas (three of them), choice, body
-    default: object = None  # a number or a tuple of them as int or Fraction, or a word; None: none
+    default: Fraction | int | str | tuple[Fraction, ...] | None = None  # None: there is none
     required: bool = True  # without default; if not, the value may stay None, also where the model
     # has no such number
     model: str = ""  # the joint's field that "model" stands for: damping, friction, effort, …

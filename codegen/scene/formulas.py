@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
+from typing import Any, TypeVar
 
 from coscrew_codegen.scene.names import or_mean
 
@@ -36,6 +37,9 @@ _DOUBLES = {"sin": math.sin, "cos": math.cos, "exp": math.exp, "tanh": math.tanh
             "abs": abs, "min": min, "max": max, "pi": math.pi, "number": float}
 
 
+V = TypeVar("V")  # the kind of numbers that a formula is evaluated on
+
+
 class FormulaError(ValueError):
     """What stands there is no formula."""
 
@@ -47,7 +51,7 @@ class _Step:
     word: str  # number, t, pi, name of a function, operator, power, sqrt
     operands: int = 0
     number: Fraction | None = None  # of a number; of a power, its exponent
-    apply: Callable | None = None  # of an operator
+    apply: Callable[..., Any] | None = None  # of an operator, on whatever numbers come
 
 
 @dataclass(frozen=True)
@@ -74,12 +78,12 @@ class Formula:
         """Whether it is a number alone, perhaps with a sign: "2", "-1e-3"."""
         return all(step.word in ("number", "negative") for step in self._steps)
 
-    def value(self, t: object, functions: Mapping[str, object]) -> object:
+    def value(self, t: V, functions: Mapping[str, object]) -> V:
         """The formula at the time t, on whatever numbers t and `functions` are of.
 
         `functions` has an entry for each of FUNCTIONS (min and max of two arguments), "number",
         which turns a Fraction into such a number, and "pi", which is one."""
-        stack: list = []
+        stack: list[V] = []
         for step in self._steps:
             operands = stack[len(stack) - step.operands:]
             del stack[len(stack) - step.operands:]
@@ -95,19 +99,21 @@ class Formula:
         return result if math.isfinite(result) else math.nan
 
 
-def _evaluated(step: _Step, operands: list, t: object, functions: Mapping) -> object:
+def _evaluated(step: _Step, operands: list[V], t: V, functions: Mapping[str, Any]) -> V:
     if step.word == "t":
         return t
     if step.word == "pi":
-        return functions["pi"]
-    if step.word == "number":
-        return functions["number"](step.number)
-    if step.word == "power":
-        return _power(operands[0], step.number, functions)
-    return (step.apply or functions[step.word])(*operands)
+        found: V = functions["pi"]
+    elif step.word == "number":
+        found = functions["number"](step.number)
+    elif step.word == "power" and step.number is not None:
+        found = _power(operands[0], step.number, functions)
+    else:
+        found = (step.apply or functions[step.word])(*operands)
+    return found
 
 
-def _power(base: object, exponent: Fraction, functions: Mapping) -> object:
+def _power(base: Any, exponent: Fraction, functions: Mapping[str, Any]) -> Any:
     """base ** exponent, exponent a multiple of 1/2, by products and a square root."""
     if exponent.denominator == 2:
         base = functions["sqrt"](base)

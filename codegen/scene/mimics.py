@@ -14,12 +14,12 @@ def without_chains(model: Model) -> Model:
     that do not exist or are no joints with one coordinate, and for followers in a circle."""
     by_name = {joint.name: joint for joint in model.joints}
     return replace(model, joints=tuple(
-        replace(joint, mimic=_resolved(joint, by_name)) if joint.mimic else joint
+        replace(joint, mimic=_resolved(joint, joint.mimic, by_name)) if joint.mimic else joint
         for joint in model.joints))
 
 
-def _resolved(follower: Joint, by_name: dict[str, Joint]) -> Mimic:
-    element, mimic = f"joint {follower.name!r}", follower.mimic
+def _resolved(follower: Joint, mimic: Mimic, by_name: dict[str, Joint]) -> Mimic:
+    element = f"joint {follower.name!r}"
     passed = {follower.name}
     while True:
         leader = by_name.get(mimic.joint)

@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from coscrew_codegen.parameter import Parameter, Scalar
 
-Vector = tuple["Scalar", "Scalar", "Scalar"]
+Vector = tuple[Scalar, ...]  # of three
 
 WORLD = "world"
 """The name of what does not move; bodies have other names."""
@@ -46,7 +46,7 @@ class Placement:
     """Where a frame is in another: rotation, row by row, and origin in m."""
 
     R: tuple[Fraction, ...]
-    t: Vector
+    t: tuple[Fraction, ...]
 
 
 HERE = Placement(tuple(Fraction(i % 4 == 0) for i in range(9)), (Fraction(0),) * 3)
@@ -79,6 +79,10 @@ class Mimic:
     offset: Fraction
 
 
+Limits = tuple[Fraction | None, Fraction | None, Fraction | None, Fraction | None]
+"""lower, upper, effort, velocity of a joint, as far as they are given."""
+
+
 @dataclass(frozen=True)
 class Joint:
     """Lets the body `child` move in the body `parent` (or WORLD).
@@ -92,7 +96,7 @@ class Joint:
     parent: str
     child: str
     placement: Placement = HERE
-    axis: tuple[Fraction, Fraction, Fraction] = (Fraction(0), Fraction(0), Fraction(1))  # of norm 1
+    axis: tuple[Fraction, ...] = (Fraction(0), Fraction(0), Fraction(1))  # of norm 1
     lower: Fraction | None = None
     upper: Fraction | None = None
     effort: Fraction | None = None

@@ -9,8 +9,9 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
+from coscrew_codegen.parameter import Scalar
 from coscrew_codegen.scene.assembly import ModelError
-from coscrew_codegen.scene.model import Joint, Kind, Model, Scalar, value
+from coscrew_codegen.scene.model import Joint, Kind, Model, value
 from coscrew_codegen.scene.rotations import rotated
 from coscrew_codegen.scene.tree import Seat, tree_of
 
@@ -103,7 +104,9 @@ def _values(numbers: tuple[Scalar, ...]) -> tuple[Fraction, ...]:
 
 def _composite(seats: Sequence[Seat]) -> tuple[Fraction, tuple[Fraction, ...], _Six]:
     """Mass, first moments and second moments of bodies that are one, about their link's origin."""
-    mass, first, moments = Fraction(0), (Fraction(0),) * 3, (Fraction(0),) * 6
+    mass = Fraction(0)
+    first: tuple[Fraction, ...] = (Fraction(0),) * 3
+    moments: _Six = (Fraction(0),) * 6
     for seat in seats:
         if inertia := seat.body.inertia:
             m, R, com = value(inertia.mass), seat.placement.R, _values(inertia.com)

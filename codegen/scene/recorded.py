@@ -13,7 +13,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from coscrew_codegen.scene.model import Joint, Kind
+from coscrew_codegen.scene.model import Joint, Kind, Mimic
 from coscrew_codegen.scene.names import did_you_mean, or_mean
 from coscrew_codegen.scene.scene import Scene
 
@@ -92,18 +92,18 @@ def coordinates(scene: Scene) -> tuple[tuple[Joint, range, range], ...]:
     return tuple(found)
 
 
-def followers(scene: Scene) -> Mapping[str, Joint]:
+def followers(scene: Scene) -> Mapping[str, Mimic]:
     """The joints that follow others, by name: where a mimic effect lets them, all."""
     if not any(applied.effect.mimic for applied in scene.effects):
         return {}
-    return {joint.name: joint for joint in scene.model.joints if joint.mimic}
+    return {joint.name: joint.mimic for joint in scene.model.joints if joint.mimic}
 
 
 def carried(scene: Scene) -> set[str]:
     """The joints that have an inertia of their own (an armature), follow others or are followed."""
     follow = followers(scene)
     return ({applied.on for applied in scene.effects if applied.effect.joint_inertia}
-            | {*follow, *(joint.mimic.joint for joint in follow.values())})
+            | {*follow, *(mimic.joint for mimic in follow.values())})
 
 
 def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from fractions import Fraction
 
-from coscrew_codegen.scene.model import Body, Inertia, Joint, Model, Scalar
+from coscrew_codegen.scene.model import Body, Inertia, Joint, Model, value
 
 LENGTH = Fraction(1, 10**18)
 """Lengths in m up to which an origin or a centre of mass is at zero.  Files hold 2.7e-51 m where
@@ -21,8 +21,8 @@ def without_residues(model: Model) -> Model:
                    joints=tuple(map(_joint, model.joints)))
 
 
-def _length(x: Scalar) -> Scalar:
-    return Fraction(0) if isinstance(x, Fraction) and abs(x) <= LENGTH else x
+def _length(x: Fraction) -> Fraction:
+    return Fraction(0) if abs(x) <= LENGTH else x
 
 
 def _joint(joint: Joint) -> Joint:
@@ -34,11 +34,11 @@ def _body(body: Body) -> Body:
     if body.inertia is None:
         return body
     inertia = body.inertia
-    xx, yy, zz, xy, xz, yz = inertia.moments
+    xx, yy, zz, xy, xz, yz = map(value, inertia.moments)
     yy = _moment(yy, xx)
     zz = _moment(_moment(zz, xx), yy)
     return replace(body, inertia=Inertia(
-        inertia.mass, tuple(map(_length, inertia.com)),
+        inertia.mass, tuple(_length(value(x)) for x in inertia.com),
         (xx, yy, zz, _product(xy, xx, yy), _product(xz, xx, zz), _product(yz, yy, zz))))
 
 

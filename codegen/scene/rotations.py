@@ -75,7 +75,7 @@ def product(left: Entries, right: Entries) -> Entries:
     """R = left right, rounded to 50 digits and snapped.  (9),(9)->(9)."""
     if IDENTITY in (left, right):  # of most origins' three turns, two
         return right if left == IDENTITY else left
-    return _rounded([sum(left[3 * i + k] * right[3 * k + j] for k in range(3))
+    return _rounded([sum((left[3 * i + k] * right[3 * k + j] for k in range(3)), Fraction(0))
                      for i in range(3) for j in range(3)])
 
 
@@ -148,4 +148,4 @@ def _real(x: Fraction) -> "mpmath.mpf":
 
 def _fraction(x: "mpmath.mpf") -> Fraction:
     sign, mantissa, exponent, _ = x._mpf_
-    return (-1)**sign * Fraction(int(mantissa)) * Fraction(2)**exponent
+    return Fraction((-1)**int(sign) * int(mantissa)) * Fraction(2)**int(exponent)

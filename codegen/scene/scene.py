@@ -5,9 +5,10 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from coscrew_codegen.integrators import DEFAULT
+from coscrew_codegen.parameter import Parameter, Scalar
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.formulas import Formula
-from coscrew_codegen.scene.model import Model, Parameter, Scalar
+from coscrew_codegen.scene.model import Model
 
 Setting = Scalar | tuple[Scalar | Formula, ...] | tuple[str, str] | Formula | str | None
 

@@ -85,8 +85,9 @@ def composed(outer: Placement, inner: Placement) -> Placement:
     R, t = outer.R, outer.t
     rows = range(3)
     return Placement(
-        tuple(sum(R[3 * i + k] * inner.R[3 * k + j] for k in rows) for i in rows for j in rows),
-        tuple(sum(R[3 * i + k] * inner.t[k] for k in rows) + t[i] for i in rows))
+        tuple(sum((R[3 * i + k] * inner.R[3 * k + j] for k in rows), Fraction(0))
+              for i in rows for j in rows),
+        tuple(sum((R[3 * i + k] * inner.t[k] for k in rows), t[i]) for i in rows))
 
 
 def tree_of(model: Model, mimics: bool) -> Tree:

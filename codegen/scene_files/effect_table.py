@@ -4,7 +4,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
+from typing import overload
 
+from coscrew_codegen.parameter import Scalar
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 from coscrew_codegen.scene.model import Joint, Kind, Model, value
 from coscrew_codegen.scene.scene import Setting
@@ -68,6 +70,14 @@ class EffectTable:
                 table.refuse(key, f"{self.effect.name} cannot act on joint {name!r}, which {why}")
         return table.known(key, name, self.what, self.targets)
 
+    @overload
+    def values(self, table: Table, given: Mapping[str, object], target: str
+               ) -> dict[str, Setting]: ...
+
+    @overload
+    def values(self, table: Table, given: Mapping[str, object], target: str,
+               named: bool) -> dict[str, Setting] | None: ...
+
     def values(self, table: Table, given: Mapping[str, object], target: str,
                named: bool = True) -> dict[str, Setting] | None:
         """The parameters' values; None if the model lacks one, and the target was not named."""
@@ -103,7 +113,7 @@ class EffectTable:
         if not self.effect.ascending:
             return
         low, high = (values[name] for name in self.effect.ascending)
-        if low is not None and high is not None and value(low) > value(high):
+        if isinstance(low, Scalar) and isinstance(high, Scalar) and value(low) > value(high):
             table.refuse(self.effect.ascending[0], f"{float(value(low)):g} is above "
                          f"{self.effect.ascending[1]}, {float(value(high)):g}")
 
@@ -111,9 +121,8 @@ class EffectTable:
         """The choice that parameters belong to."""
         for parameter in self.effect.parameters:
             if parameter.name == "kind" and any(other.of for other in self.effect.parameters):
-                if "kind" in given:
-                    return settings.setting(table, parameter, given["kind"], ())
-                return settings.default(table, parameter)
+                return str(settings.setting(table, parameter, given["kind"], ())
+                           if "kind" in given else settings.default(table, parameter))
         return ""
 
     def _of_model(self, table: Table, parameter: ParameterOf, target: str, named: bool

@@ -4,9 +4,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
+from coscrew_codegen.parameter import Parameter, Scalar
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.formulas import Formula
-from coscrew_codegen.scene.model import Body, Model, Parameter, Scalar
+from coscrew_codegen.scene.model import Body, Model
+from coscrew_codegen.scene.model import value as value_of
 from coscrew_codegen.scene.names import nearest
 from coscrew_codegen.scene.recorded import XYZ
 from coscrew_codegen.scene.scene import Applied, Setting
@@ -100,7 +102,7 @@ def _candidates(model: Model, effects: tuple[Applied, ...]) -> tuple[_Numbers, d
     numbers: _Numbers = {}
 
     def note(name: str, number: Scalar) -> Scalar:
-        numbers[name] = number
+        numbers[name] = value_of(number)
         return number
 
     swapped_model(model, note)
@@ -143,8 +145,9 @@ def _swapped(applied: Applied, swap: _Swap) -> Applied:
 def _swapped_value(name: str, value: Setting, swap: _Swap) -> Setting:
     if isinstance(value, Fraction):
         return swap(name, value)
-    if isinstance(value, tuple) and all(isinstance(x, Fraction) for x in value):
-        return _each(name, XYZ, value, swap)
+    if isinstance(value, tuple):
+        vector = tuple(x for x in value if isinstance(x, Fraction))
+        return _each(name, XYZ, vector, swap) if len(vector) == len(value) else value
     return value
 
 

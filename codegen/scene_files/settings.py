@@ -2,6 +2,7 @@
 
 import math
 from fractions import Fraction
+from typing import TypeGuard
 
 from coscrew_codegen.scene.effect import ParameterOf
 from coscrew_codegen.scene.formulas import Formula, FormulaError
@@ -86,5 +87,5 @@ def _formula(table: Table, parameter: ParameterOf, value: object) -> Fraction | 
     return formula
 
 
-def _is_text(value: object) -> bool:
+def _is_text(value: object) -> TypeGuard[str]:
     return isinstance(value, str) and not isinstance(value, Decimals)

@@ -5,7 +5,7 @@ import tomllib
 from collections.abc import Collection, Iterable, Mapping
 from fractions import Fraction
 from pathlib import Path
-from typing import NoReturn
+from typing import NoReturn, overload
 
 from coscrew_codegen.scene.names import did_you_mean, or_mean
 from coscrew_codegen.scene_files.contents import read_bytes
@@ -101,6 +101,12 @@ class Table:
         if number <= 0:
             self.refuse(key, f"{float(number):g}; wanted a positive number")
         return number
+
+    @overload
+    def nonnegative(self, key: str, default: Fraction) -> Fraction: ...
+
+    @overload
+    def nonnegative(self, key: str) -> Fraction | None: ...
 
     def nonnegative(self, key: str, default: Fraction | None = None) -> Fraction | None:
         """The number under a key, zero or above; the default if there is none."""

@@ -175,7 +175,7 @@ def _moving(table: Table, key: str, scene: Scene) -> Joint:
     joints = {joint.name: joint for joint in scene.model.joints if joint.kind is not Kind.FIXED}
     name = table.known(key, key, "joint that moves", joints)
     if leader := followers(scene).get(name):
-        table.refuse(key, f"follows joint {leader.mimic.joint!r}; wanted the start of that one")
+        table.refuse(key, f"follows joint {leader.joint!r}; wanted the start of that one")
     return joints[name]
 
 
@@ -253,7 +253,7 @@ def _quotes(quantity: str, value: object) -> str:
 
 def _expectation(table: Table, quantity: str, duration: float) -> Expectation:
     table.only(*EXPECT.names)
-    at = float(table.nonnegative("at", None) if "at" in table else table.number("at"))
+    at = float(table.nonnegative("at", Fraction(0)) if "at" in table else table.number("at"))
     if at > duration:
         table.refuse("at", f"{at:g} s is after the end of the run, {duration:g} s")
     rtol, atol = (table.nonnegative(key, Fraction(0)) for key in ("rtol", "atol"))

@@ -20,6 +20,7 @@ from coscrew_codegen.scene.model import (
     Inertia,
     Joint,
     Kind,
+    Limits,
     Mimic,
     Model,
     Placement,
@@ -53,6 +54,9 @@ def read_urdf(path: Path | str, base: Kind = Kind.FIXED, implausible: str = ERRO
     return _Urdf(Path(path), implausible).model(base)
 
 
+_NO_LIMITS: Limits = (None,) * 4
+
+
 class _Urdf:
     """One file while it is read."""
 
@@ -83,7 +87,7 @@ class _Urdf:
         element = f"body {name!r}"
         self._refuse_misspelt(link, element)
         inertial = self._only(link, "inertial", element)
-        return Body(name, inertial and self._inertia(inertial, element))
+        return Body(name, self._inertia(inertial, element) if inertial else None)
 
     def _inertia(self, inertial: Element, body: str) -> Inertia | None:
         """The inertia; None where mass and moments are zero, as in links that are frames only."""
@@ -122,7 +126,7 @@ class _Urdf:
         kind = self._kind(joint, element)
         continuous = joint.attributes["type"] == "continuous"
         turns_or_slides = kind in (Kind.REVOLUTE, Kind.PRISMATIC)
-        limits = self._limits(joint, element, continuous) if turns_or_slides else {}
+        limits = self._limits(joint, element, continuous) if turns_or_slides else _NO_LIMITS
         dynamics = self._only(joint, "dynamics", element) if turns_or_slides else None
         mimic = self._only(joint, "mimic", element) if turns_or_slides else None
         return Joint(
@@ -130,11 +134,10 @@ class _Urdf:
             self._text(self._required(joint, "parent", element), "link", element),
             self._text(self._required(joint, "child", element), "link", element),
             self._placement(joint, element),
-            **({"axis": self._axis(joint, element)} if turns_or_slides else {}),
-            **limits,
-            damping=dynamics and self._nonnegative(dynamics, "damping", element),
-            friction=dynamics and self._nonnegative(dynamics, "friction", element),
-            mimic=mimic and self._mimic(mimic, element))
+            self._axis(joint, element) if turns_or_slides else Joint.axis, *limits,
+            damping=self._nonnegative(dynamics, "damping", element) if dynamics else None,
+            friction=self._nonnegative(dynamics, "friction", element) if dynamics else None,
+            mimic=self._mimic(mimic, element) if mimic else None)
 
     def _kind(self, joint: Element, element: str) -> Kind:
         word = self._text(joint, "type", element)
@@ -145,7 +148,7 @@ class _Urdf:
                                          f"{wanted}{hint}")
         return TYPES[word]
 
-    def _axis(self, joint: Element, element: str) -> tuple[Fraction, Fraction, Fraction]:
+    def _axis(self, joint: Element, element: str) -> tuple[Fraction, ...]:
         axis = self._only(joint, "axis", element)
         if axis is None:
             return Fraction(1), Fraction(0), Fraction(0)  # what URDF says a missing axis is
@@ -154,21 +157,22 @@ class _Urdf:
             self._refuse(axis, element, "the axis is zero; wanted a direction")
         return rotations.unit(vector)
 
-    def _limits(self, joint: Element, element: str, continuous: bool) -> dict[str, Fraction | None]:
+    def _limits(self, joint: Element, element: str, continuous: bool) -> Limits:
         """lower, upper, effort, velocity, as far as they are given; continuous joints have no lower
         and upper, and where one is given, the other is 0."""
         limit = self._only(joint, "limit", element)
         if limit is None:
-            return {}
-        limits = {name: self._nonnegative(limit, name, element) for name in ("effort", "velocity")}
+            return _NO_LIMITS
+        most = (self._nonnegative(limit, "effort", element),
+                self._nonnegative(limit, "velocity", element))
         if continuous or not {"lower", "upper"} & set(limit.attributes):
-            return limits
+            return None, None, *most
         lower, upper = (self._number(limit, name, element, Fraction(0))
                         for name in ("lower", "upper"))
         if lower > upper:
             self._refuse(limit, element, f"lower limit {float(lower):g} is above the upper one, "
                                          f"{float(upper):g}")
-        return limits | {"lower": lower, "upper": upper}
+        return lower, upper, *most
 
     def _mimic(self, mimic: Element, element: str) -> Mimic:
         return Mimic(self._text(mimic, "joint", element),
@@ -209,7 +213,7 @@ class _Urdf:
         return number
 
     def _vector(self, owner: Element, attribute: str, element: str,
-                default: tuple[Fraction, ...] | None = None) -> tuple[Fraction, Fraction, Fraction]:
+                default: tuple[Fraction, ...] | None = None) -> tuple[Fraction, ...]:
         if attribute not in owner.attributes and default is not None:
             return default
 

@@ -4,26 +4,16 @@ from collections.abc import Mapping
 from functools import cache
 
 from coscrew_codegen.formats import DOUBLE
-from coscrew_codegen.library import Library
-from coscrew_codegen.operations import family_title
+from coscrew_codegen.library import FamilyKernels, Library
+from coscrew_codegen.operations import FAMILIES, family_named
 from coscrew_codegen.render import render
 from coscrew_codegen.targets import c, c_ksl, c_storage
+from coscrew_codegen.targets.c_function import CFunction
 from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.tiers import MARKED, PLAIN, TIERS, Tier
 from coscrew_codegen.version import VERSION, numbers
 
 Headers = Mapping[str, str]  # name → text, each after those it includes
-
-# What a family's header includes, so that any header may come first.
-_INCLUDES = {
-    "vec3": (), "vec4": (), "trig": (), "mat6x6": (), "axis": ("vec3",),
-    "array": (), "mat3x3": ("vec3", "axis"), "SE3": ("mat3x3",),
-    "mat4x4": ("SE3", "vec4"),
-    "matrix": ("SE3", "trig"), "screw": ("matrix", "mat6x6"), "coscrew": ("screw",),
-    "quaternion": ("mat3x3",), "exponential": ("quaternion", "SE3", "screw"),
-    "symmetric": ("mat6x6", "screw", "coscrew"), "inertia": ("SE3",),
-    "spatial_inertia": ("inertia", "coscrew"),
-}
 
 
 def files(library: Library) -> Files:
@@ -38,16 +28,23 @@ def headers(library: Library, tier: Tier) -> Headers:
     return _plain_headers(library) if tier is PLAIN else _marked_headers(library, tier)
 
 
+def _functions(kernels: FamilyKernels) -> Mapping[tuple[str, str], tuple[CFunction, ...]]:
+    """A family's kernels, by tier and precision."""
+    return {(tier.name, precision.name): tuple(
+        c.function(op, program, precision, tier.mark)
+        for op, program in kernels.of(tier, precision).items())
+        for tier in TIERS for precision in kernels.precisions}
+
+
 def _plain_headers(library: Library) -> Headers:
     made = {"ksl_rounding": render("c/ksl_rounding.h", banner=library.banner,
                                    products=library.precisions),
             "ksl_types": _types(library)}
-    titles = _titles(library.families)
+    titles, kernels = _titles(library.families), library.made(_functions)
     for name, title in titles.items():
-        functions = [function for precision in library.precisions
-                     for function in (*c_storage.storage_functions(name, precision),
-                                      *(c.function(op, program, precision) for op, program in
-                                        library.by_family(PLAIN, precision).get(name, {}).items()))]
+        functions = [function for precision in library.precisions for function in (
+            *c_storage.storage_functions(name, precision),
+            *(kernels[name][PLAIN.name, precision.name] if name in kernels else ()))]
         allocations = [c_storage.allocation(name, precision) for precision in library.precisions]
         made[name] = render(
             "c/family.h", banner=library.banner, title=title,
@@ -68,7 +65,7 @@ def _titles(families: tuple[str, ...]) -> dict[str, str]:
     """Name → title of the headers with KSL's names, each after those it includes."""
     titles: dict[str, str] = {}
     for family in families:
-        titles[family] = family_title(family)
+        titles[family] = family_named(family).title
         titles |= {name: title for name, (after, title) in c_ksl.HEADERS.items() if after == family}
     return titles
 
@@ -86,25 +83,38 @@ def _types(library: Library) -> str:
                   sequences=[name for name, _ in c_ksl.SEQUENCES])
 
 
-def _included(family: str, titles: Mapping[str, str]) -> tuple[str, ...]:
+def _included(header: str, titles: Mapping[str, str]) -> tuple[str, ...]:
     """The headers in `titles` that a header includes, directly or through headers not in it."""
     found: list[str] = []
-    for other in _INCLUDES[family]:
+    for other in _includes(header):
         found += [other] if other in titles else _included(other, titles)
     return tuple(dict.fromkeys(found))
+
+
+def _includes(header: str) -> tuple[str, ...]:
+    """What a header includes, so that any may come first: what its family says, and what else its
+    text by hand calls."""
+    said = family_named(header).includes if header in FAMILIES else ()
+    reached = set().union(*map(_reached, said))
+    return (*said, *(x for x in c_ksl.NEEDED.get(header, ()) if x not in reached))
+
+
+def _reached(header: str) -> frozenset[str]:
+    """The header and all that it includes, through others too."""
+    return frozenset({header}).union(*map(_reached, _includes(header)))
 
 
 def _marked_headers(library: Library, tier: Tier) -> Headers:
     """ksl_exact if the tier needs it, one header per family, and one that includes all."""
     families = {}
     for family in library.families:
-        functions = [
-            c.function(op, program, precision, tier.mark) for precision in library.precisions
-            for op, program in library.by_family(tier, precision).get(family, {}).items()]
+        kernels = library.made(_functions)[family]
+        functions = [function for precision in library.precisions
+                     for function in kernels[tier.name, precision.name]]
         if functions:
             families[f"{family}_{tier.mark}"] = render(
                 "c/family.h", banner=library.banner,
-                title=f"{family_title(family)}\n   {tier.title}",
+                title=f"{family_named(family).title}\n   {tier.title}",
                 guard=f"KSL_{family.upper()}_{tier.mark.upper()}_H", functions=functions,
                 includes=(tier.header,), system=(), by_hand="", allocations=[])
     umbrella = render(

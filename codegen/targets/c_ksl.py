@@ -42,9 +42,9 @@ REFUSED = {
 
 MARK = "/* What KSL declares beside formulas. */"
 
-_NEEDED = {"vec3": (), "vec4": (), "trig": (), "screw": (), "array": (), "axis": ("vec3",),
-           "quaternion": (), "inertia": ("mat3x3",),
-           "mat3x3": ("vec3", "axis")}  # header → headers with functions that it calls
+NEEDED = {"vec3": (), "vec4": (), "trig": (), "screw": (), "array": (), "axis": ("vec3",),
+          "quaternion": (), "inertia": ("mat3x3",),
+          "mat3x3": ("vec3", "axis")}  # header → headers with functions that it calls
 NOISE = 128
 """In u: eigenvalues of moments below it, relative to the largest, count as zero."""
 
@@ -54,7 +54,7 @@ _PARTS = {"mat3x3": ("mat3x3", "euler")}  # header → its templates, if there a
 def text(header: str, headers: tuple[str, ...], precisions: tuple[Precision, ...]) -> str:
     """The functions of a header; empty if there are none, or if a header that they need is not
     generated."""
-    if header not in _NEEDED or not set(_NEEDED[header]) <= set(headers):
+    if header not in NEEDED or not set(NEEDED[header]) <= set(headers):
         return ""
     made = integers(header)
     return f"\n{MARK}\n" + "".join(render(

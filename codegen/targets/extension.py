@@ -45,7 +45,7 @@ def files(library: Library) -> Files:
 
 def has_extension(library: Library, tier: Tier) -> bool:
     """Whether the tier has one: it is in Python, both languages are selected, it has kernels."""
-    return (tier.in_python and bool(library.documented(tier))
+    return (tier.in_python and bool(library.having(tier))
             and set(TARGET.languages) <= set(library.languages))
 
 
@@ -64,7 +64,8 @@ def _sources(library: Library, tier: Tier) -> Files:
 @cache  # also used for the provenance in the Python package
 def _loops(library: Library, tier: Tier) -> Files:
     """The sources except the one that holds their provenance."""
-    kernels, families = library.documented(tier), _families(library, tier)
+    families = _families(library, tier)
+    docstrings = numpy.docstrings(library, tier, library.precisions[0])
     accesses = [gufunc.access(quantity, precision)
                 for quantity in QUANTITIES for precision in library.precisions]
     best = _best(tier)
@@ -76,8 +77,8 @@ def _loops(library: Library, tier: Tier) -> Files:
     sources["promoter.c"] = render("gufunc/promoter.c", banner=library.banner, dtypes=dtypes,
                                    package=tier.package)
     for family in families:
-        gufuncs = [gufunc.gufunc(op, library.precisions, numpy.docstring_of(op, program), tier.mark)
-                   for op, program in kernels.items() if op.family == family]
+        gufuncs = [gufunc.gufunc(op, library.precisions, docstrings[op.name], tier.mark)
+                   for op in library.having(tier) if op.family == family]
         sources[f"{family}.c"] = render("gufunc/family.c", banner=library.banner,
                                         family=family, gufuncs=gufuncs)
         sources[f"{family}_avx2.c"] = render("gufunc/family_avx2.c", banner=library.banner,
@@ -86,7 +87,8 @@ def _loops(library: Library, tier: Tier) -> Files:
 
 
 def _families(library: Library, tier: Tier) -> tuple[str, ...]:
-    return tuple(library.by_family(tier, library.precisions[0]))
+    held = {op.family for op in library.having(tier)}
+    return tuple(family for family in library.families if family in held)
 
 
 def _best(tier: Tier) -> _Best:
@@ -95,7 +97,7 @@ def _best(tier: Tier) -> _Best:
 
 def _module(library: Library, tier: Tier) -> str:
     families, best = _families(library, tier), _best(tier)
-    most = max(len(op.inputs) + len(op.outputs) for op in library.documented(tier))
+    most = max(len(op.inputs) + len(op.outputs) for op in library.having(tier))
     return render("gufunc/module.c", banner=library.banner, families=families,
                   package=tier.package, supported=best.supported, best=best.best,
                   most_arguments=most, provenance=provenance(library, tier),

@@ -4,14 +4,16 @@ NumPy rounds every operation once and never contracts, so that expressions can b
 """
 
 import textwrap
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.library import FamilyKernels, Kernels, Library
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import (
     Constant,
     Input,
+    Instruction,
     NotANumber,
     Op,
     Program,
@@ -20,19 +22,28 @@ from coscrew_codegen.program import (
 )
 from coscrew_codegen.quantity import Argument, in_words
 from coscrew_codegen.targets.c_statements import WIDTH, listed
-from coscrew_codegen.targets.nesting import Language, Nesting, is_choice_of_constants
+from coscrew_codegen.targets.nesting import (
+    CALL,
+    COMPARISON,
+    PRODUCT,
+    SIGN,
+    SUM,
+    Language,
+    Nesting,
+)
+from coscrew_codegen.tiers import TIERS, Tier
 
 # operation → (pattern, precedence)
 SPELLING = {
-    Op.ADD: ("{} + {}", 1), Op.SUB: ("{} - {}", 1), Op.MUL: ("{} * {}", 2), Op.DIV: ("{} / {}", 2),
-    Op.EXACT_ADD: ("{} + {}", 1), Op.EXACT_SUB: ("{} - {}", 1), Op.NEG: ("-{}", 3),
-    Op.PRODUCT_ERROR: ("product_error({}, {}, {})", 4),
-    Op.PRODUCT_REST: ("product_rest({}, {}, {}, {})", 4),
-    Op.ABS: ("absolute({})", 4), Op.SQRT: ("sqrt({})", 4),
-    Op.SIN: ("sin({})", 4), Op.COS: ("cos({})", 4), Op.ATAN2: ("arctan2({}, {})", 4),
-    Op.EXP: ("exp({})", 4), Op.TANH: ("tanh({})", 4), Op.SCALE: ("{} * {}", 2),
-    Op.LESS: ("{} < {}", 0), Op.EQUAL: ("{} == {}", 0),
-    Op.SELECT: ("where({}, {}, {})", 4),
+    Op.ADD: ("{} + {}", SUM), Op.SUB: ("{} - {}", SUM), Op.MUL: ("{} * {}", PRODUCT),
+    Op.DIV: ("{} / {}", PRODUCT), Op.EXACT_ADD: ("{} + {}", SUM), Op.EXACT_SUB: ("{} - {}", SUM),
+    Op.NEG: ("-{}", SIGN), Op.PRODUCT_ERROR: ("product_error({}, {}, {})", CALL),
+    Op.PRODUCT_REST: ("product_rest({}, {}, {}, {})", CALL),
+    Op.ABS: ("absolute({})", CALL), Op.SQRT: ("sqrt({})", CALL),
+    Op.SIN: ("sin({})", CALL), Op.COS: ("cos({})", CALL), Op.ATAN2: ("arctan2({}, {})", CALL),
+    Op.EXP: ("exp({})", CALL), Op.TANH: ("tanh({})", CALL), Op.SCALE: ("{} * {}", PRODUCT),
+    Op.LESS: ("{} < {}", COMPARISON), Op.EQUAL: ("{} == {}", COMPARISON),
+    Op.SELECT: ("where({}, {}, {})", CALL),
 }
 
 NUMPY_NAMES = {Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos",
@@ -57,6 +68,29 @@ def function(operation: Operation, program: Program, precision: Precision) -> Py
 
 
 @dataclass(frozen=True)
+class Twins:
+    """A family's kernels in a tier and a precision; docstrings by their names."""
+
+    functions: tuple[PythonFunction, ...]
+    docstrings: Mapping[str, str]
+    imports: tuple[tuple[str, str], ...]  # module, names
+    wide: bool
+
+
+def twins(kernels: FamilyKernels) -> Mapping[tuple[str, str], Twins]:
+    """A family's kernels, by tier and precision, of those tiers that Python has."""
+    return {(tier.name, precision.name): _twins(kernels.of(tier, precision), precision)
+            for tier in TIERS if tier.in_python for precision in kernels.precisions}
+
+
+def _twins(kernels: Kernels, precision: Precision) -> Twins:
+    return Twins(tuple(function(op, program, precision) for op, program in kernels.items()),
+                 {op.name: docstring_of(op, program) for op, program in kernels.items()},
+                 imports(tuple(kernels.values()), precision),
+                 any(program.wide for program in kernels.values()))
+
+
+@dataclass(frozen=True)
 class Stub:
     """The typed signature of one operation, for .pyi files."""
 
@@ -67,13 +101,13 @@ class Stub:
     docstring: str
 
 
-def stub(operation: Operation, program: Program, scalar: str) -> Stub:
+def stub(operation: Operation, docstring: str, scalar: str) -> Stub:
     """The operation's typed signature, its results arrays of `scalar` (np.float64, …)."""
     arguments = ", ".join(f"{a.name}: ArrayLike" for a in operation.inputs)
     array, count = f"NDArray[{scalar}]", len(operation.outputs)
     result = array if count == 1 else f"tuple[{', '.join([array] * count)}]"
     out = array if count == 1 else f"tuple[{', '.join([f'{array} | None'] * count)}]"
-    return Stub(operation.name, arguments, out, result, _indented(docstring_of(operation, program)))
+    return Stub(operation.name, arguments, out, result, _indented(docstring))
 
 
 def docstring_of(operation: Operation, program: Program) -> str:
@@ -88,22 +122,28 @@ def docstring_of(operation: Operation, program: Program) -> str:
                      for row in textwrap.wrap(paragraph, WIDTH - 8) or [""])
 
 
-def imports(programs: tuple[Program, ...], precision: Precision) -> list[tuple[str, str]]:
+def imports(programs: tuple[Program, ...], precision: Precision) -> tuple[tuple[str, str], ...]:
     """(module, names) of the functions these programs call."""
     called: set[Op | str] = {op for program in programs for op in program.counts}
     called |= {kind for program in programs for kind in _types(program, precision)}
     found = [("numpy", NUMPY_NAMES | {kind: kind for kind in ("float32", "float64", "nan")}),
              ("coscrew._exact", _EXACT)]
-    return [(module, ", ".join(sorted(names[op] for op in called & set(names))))
-            for module, names in found if called & set(names)]
+    return tuple((module, ", ".join(sorted(names[op] for op in called & set(names))))
+                 for module, names in found if called & set(names))
 
 
 def _types(program: Program, precision: Precision) -> set[str]:
     """The NumPy names that choices need: nan, and the type of constants to choose between."""
     working = DOUBLE if program.wide else precision
     choices = [step for step in program.instructions if step.op is Op.SELECT]
-    return ({working.numpy_type for step in choices if is_choice_of_constants(step)}
+    return ({working.numpy_type for step in choices if _is_choice_of_constants(step)}
             | {"nan" for step in choices if NotANumber() in step.operands})
+
+
+def docstrings(library: Library, tier: Tier, precision: Precision) -> Mapping[str, str]:
+    """The docstrings of a tier's kernels, by name."""
+    return {name: text for made in library.made(twins).values()
+            for name, text in made[tier.name, precision.name].docstrings.items()}
 
 
 def _indented(docstring: str) -> str:
@@ -115,7 +155,18 @@ def language(precision: Precision, constant: Callable[[Constant], str]) -> Langu
     """Python with NumPy in a precision.  A `where` of two constants needs a type: NumPy takes it
     from the operands, and Python's numbers have none."""
     kind = precision.numpy_type
-    return Language(SPELLING, constant, f"where({{}}, {kind}({{}}), {kind}({{}}))", "nan", "# ")
+
+    def spelling(step: Instruction) -> tuple[str, int]:
+        if _is_choice_of_constants(step):
+            return f"where({{}}, {kind}({{}}), {kind}({{}}))", CALL
+        return SPELLING[step.op]
+
+    return Language(spelling, constant, "nan", "# ")
+
+
+def _is_choice_of_constants(step: Instruction) -> bool:
+    """Whether this chooses between numbers that have no type of their own."""
+    return step.op is Op.SELECT and all(isinstance(x, Constant) for x in step.operands[1:])
 
 
 class _Writer:

@@ -1,12 +1,11 @@
 """The Python package `coscrew` and its subpackages for tiers: kernels in pure NumPy, stubs, and the
 choice between them and the extension."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.library import Library
-from coscrew_codegen.operations import Operation, family_title
-from coscrew_codegen.program import Program
+from coscrew_codegen.operations import family_named
 from coscrew_codegen.render import render
 from coscrew_codegen.targets import numpy
 from coscrew_codegen.targets.extension import provenance
@@ -25,7 +24,7 @@ _PLAIN = ("__init__.py", "_dispatch.py", "_arrays.py", "_kernel.py", "_exact.py"
 def files(library: Library) -> Files:
     """python/__init__.py, python/accurate/__init__.py and so on."""
     made = {"/".join(filter(None, ("python", tier.mark, file))): text for tier in TIERS
-            if tier.in_python and library.documented(tier)
+            if tier.in_python and library.having(tier)
             for file, text in _package(library, tier).items()}
     if "c" in library.languages:  # makes the headers a package, for coscrew.get_include()
         made["c/__init__.py"] = render("c/__init__.py", banner=library.banner)
@@ -34,8 +33,7 @@ def files(library: Library) -> Files:
 
 def _package(library: Library, tier: Tier) -> Files:
     """The files of a tier's package, by path in it."""
-    kernels, built = library.documented(tier), provenance(library, tier)
-    names = [op.name for op in kernels]
+    names, built = [op.name for op in library.having(tier)], provenance(library, tier)
     selfcheck = not tier.mark and "coscrew" in library.families
     shared = {"banner": library.banner, "names": names, "provenance": built,
               "aliases": [] if tier.mark else _aliases(names), "package": tier.package,
@@ -46,12 +44,13 @@ def _package(library: Library, tier: Tier) -> Files:
                "__init__.py": render("python/tier.py", **shared)} if tier.mark else {
         name: render(f"python/{name}", **shared)
         for name in (*_PLAIN, *(["_selfcheck.py"] if selfcheck else []))}
-    package["__init__.pyi"] = _stubs(kernels, shared, "np.floating", top=True)
+    first, *_ = library.precisions
+    package["__init__.pyi"] = _stubs(library, tier, first, shared, "np.floating", top=True)
     if not tier.mark:
         package["py.typed"] = ""
     for precision in library.precisions:
         package[f"{precision.name}/__init__.pyi"] = _stubs(
-            library.kernels(tier, precision), shared, f"np.{precision.numpy_type}")
+            library, tier, precision, shared, f"np.{precision.numpy_type}")
     return package | _twin_modules(library, tier)
 
 
@@ -59,9 +58,10 @@ def _aliases(names: Iterable[str]) -> list[tuple[str, str]]:
     return [(alias, name) for alias, name in _ALIASES if name in names]
 
 
-def _stubs(kernels: Mapping[Operation, Program], shared: dict[str, object], scalar: str,
-           top: bool = False) -> str:
-    stubs = [numpy.stub(op, program, scalar) for op, program in kernels.items()]
+def _stubs(library: Library, tier: Tier, precision: Precision, shared: dict[str, object],
+           scalar: str, top: bool = False) -> str:
+    docstrings = numpy.docstrings(library, tier, precision)
+    stubs = [numpy.stub(op, docstrings[op.name], scalar) for op in library.having(tier)]
     return render("python/operations.pyi", stubs=stubs, top=top, **shared)
 
 
@@ -69,28 +69,22 @@ def _twin_modules(library: Library, tier: Tier) -> Files:
     """The modules of kernels, one per family and precision, and one per precision that gathers
     them."""
     modules: Files = {}
+    names = [op.name for op in library.having(tier)]
     for precision in library.precisions:
-        families = library.by_family(tier, precision)
-        names = [op.name for op in library.kernels(tier, precision)]
+        families = {family: found for family, made in library.made(numpy.twins).items()
+                    if (found := made[tier.name, precision.name]).functions}
         modules[f"{precision.name}/__init__.py"] = render(
             "python/precision.py", banner=library.banner, precision=precision,
             package=tier.package, aliases=_aliases(names),
-            families=[{"name": family, "operations": [op.name for op in members]}
-                      for family, members in families.items()])
-        for family, members in families.items():
-            modules[f"{precision.name}/{family}.py"] = _twins(
-                library, family, members, precision, tier)
+            families=[{"name": family, "operations": [x.name for x in twins.functions]}
+                      for family, twins in families.items()])
+        for family, twins in families.items():
+            modules[f"{precision.name}/{family}.py"] = render(
+                "python/family.py", banner=library.banner, title=family_named(family).title,
+                precision=precision, imports=twins.imports, tier=tier.name,
+                functions=twins.functions,
+                kernel="wide_kernel" if twins.wide else f"{precision.name}_kernel")
     return modules
-
-
-def _twins(library: Library, family: str, kernels: Mapping[Operation, Program],
-           precision: Precision, tier: Tier) -> str:
-    programs = tuple(kernels.values())
-    return render("python/family.py", banner=library.banner, title=family_title(family),
-                  precision=precision, imports=numpy.imports(programs, precision), tier=tier.name,
-                  functions=[numpy.function(op, program, precision)
-                             for op, program in kernels.items()],
-                  kernel="wide_kernel" if programs[0].wide else f"{precision.name}_kernel")
 
 
 TARGET = Target("Python package", ("python",), library=files)

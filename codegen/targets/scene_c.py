@@ -4,7 +4,7 @@ Arrays are plain and matrices row by row.  Results are stored last, when everyth
 outputs may alias inputs, also in part.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 
 from coscrew_codegen import version
@@ -17,6 +17,7 @@ from coscrew_codegen.targets import scene_c_arguments as arguments
 from coscrew_codegen.targets import scene_c_parts, scene_text
 from coscrew_codegen.targets.c_function import Body, CFunction, Stored
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
+from coscrew_codegen.targets.nesting import Plan
 from coscrew_codegen.targets.scene_c_parts import Parts
 from coscrew_codegen.targets.scene_c_steps import step_body
 from coscrew_codegen.targets.scene_text import c_name
@@ -29,8 +30,9 @@ _IN_WORDS = {("double",): "double precision alone, as the scene says",
 def files(scene: SceneFunctions, banner: str) -> Files:
     """arm.h and arm.c.  Raises ValueError for a name that they cannot bear."""
     scene_text.check_names(scene)
-    cuts = scene_c_parts.cuts(scene)
-    sections = [{"precision": p, "functions": list(_functions(scene, p, cuts))}
+    plans = scene_text.plans(scene)
+    cuts = scene_c_parts.cuts(plans)
+    sections = [{"precision": p, "functions": list(_functions(scene, plans, cuts, p))}
                 for p in named(scene.precisions)]
     macros = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
               ("GENERATOR_VERSION_STRING", f'"{version.VERSION}"'),
@@ -39,7 +41,7 @@ def files(scene: SceneFunctions, banner: str) -> Files:
         macros.append(("NP", str(len(scene.parameters))))
     macros += _places(scene)
     macros += [entry for p in named(scene.precisions) for entry in _defaults(scene, p)]
-    names = scene_text.legend(scene, [x.body for part in sections for x in part["functions"]])
+    names = scene_text.legend(plans, [x.body for part in sections for x in part["functions"]])
     shared = {"banner": banner, "name": scene.name, "upper": scene.name.upper(),
               "sections": sections}
     return {
@@ -90,29 +92,19 @@ def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str
             yield f"{name}{precision.suffix.upper()}", text
 
 
-def _functions(scene: SceneFunctions, precision: Precision, cuts: dict[str, Cut]
-               ) -> Iterator[CFunction]:
+def _functions(scene: SceneFunctions, plans: Sequence[Plan], cuts: Mapping[str, Cut],
+               precision: Precision) -> Iterator[CFunction]:
     """All functions that are emitted, in the order in which they call each other."""
-    parts = Parts(scene, cuts, precision)
-    for function in scene.functions:
+    parts = Parts(scene, plans, cuts, precision)
+    for function, plan in zip(scene.functions, plans, strict=True):
         if function.name in cuts:
             yield from parts.above(function)
-            yield _function(scene, function, precision, parts.body(function))
-        else:
-            yield _function(scene, function, precision, _whole(function, precision))
+        body = parts.body(function) if function.name in cuts else _body(function, plan, precision)
+        yield _function(scene, function, body, precision)
     yield from (_step(scene, step, precision) for step in scene.steps)
 
 
-def _whole(function: Function, precision: Precision) -> str:
-    """The body of a function that is written whole."""
-    program, outputs = function.program, scene_text.outputs(function)
-    headings = [(number, scene_text.printable(words)) for number, words in function.headings]
-    stored = Stored(arguments.access(program), arguments.targets(outputs),
-                    [a.name for a in outputs])
-    return Body(program, precision, stored, headings).text()
-
-
-def _function(scene: SceneFunctions, function: Function, precision: Precision, body: str
+def _function(scene: SceneFunctions, function: Function, body: str, precision: Precision
               ) -> CFunction:
     outputs = scene_text.outputs(function)
     parameters = [*(arguments.read(a, precision) for a in function.program.inputs),
@@ -124,6 +116,15 @@ def _function(scene: SceneFunctions, function: Function, precision: Precision, b
     head = arguments.head(c_name(scene, function.name, precision), parameters,
                           "static" if function.internal else "")
     return CFunction(function.name, comment, head, body, function.internal)
+
+
+def _body(function: Function, plan: Plan, precision: Precision) -> str:
+    """The body of a function that is written whole."""
+    outputs = scene_text.outputs(function)
+    stored = Stored(scene_text.access(plan.program), arguments.targets(outputs),
+                    [a.name for a in outputs])
+    headings = [(number, scene_text.printable(words)) for number, words in function.headings]
+    return Body(plan.program, precision, stored, plan, headings).text()
 
 
 def _step(scene: SceneFunctions, step: Step, precision: Precision) -> CFunction:

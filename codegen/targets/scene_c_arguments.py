@@ -1,9 +1,8 @@
 """How a scene's C functions take their arguments: arrays that are plain, matrices row by row."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from coscrew_codegen.formats import Precision
-from coscrew_codegen.program import Input, Program
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.scene_text import size
@@ -26,14 +25,6 @@ def written(argument: Argument, precision: Precision) -> str:
 def head(name: str, parameters: Sequence[str], storage: str = "") -> str:
     """void name(parameters), behind its storage class."""
     return listed(f"{storage and f'{storage} '}void {name}(", parameters, ")", WIDTH - 2)
-
-
-def access(program: Program) -> Callable[[Input], str]:
-    """How a component of an input is read."""
-    def found(operand: Input) -> str:
-        argument = program.inputs[operand.argument]
-        return f"{argument.name}[{operand.index}]" if argument.quantity.shape else argument.name
-    return found
 
 
 def targets(outputs: Sequence[Argument]) -> list[str]:

@@ -5,17 +5,20 @@ Compilers take time that grows faster than a function's length, so no part is lo
 on to each other stands in structures on the stack of the function that calls them.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from itertools import groupby
 
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.program import Input, Program, Ref, by_component
+from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.program import Input, Program, Ref
 from coscrew_codegen.program.parts import Cut, Group, cut
 from coscrew_codegen.recording.recorder import headings
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.targets import scene_c_arguments as arguments
 from coscrew_codegen.targets.c_function import Body, CFunction, Stored
-from coscrew_codegen.targets.c_statements import WIDTH, Statements, broken, comment_of, listed
-from coscrew_codegen.targets.scene_text import c_name, outputs, printable
+from coscrew_codegen.targets.c_nested import declarations, language
+from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
+from coscrew_codegen.targets.nesting import Assignment, Nesting, Plan
+from coscrew_codegen.targets.scene_text import VALUE_WIDTH, access, c_name, outputs, printable
 
 LONG = 4000
 """Instructions of a scene's longest function up to which all are written whole: those of arms with
@@ -24,20 +27,21 @@ LONGEST = 600
 """Instructions of a part, at most: those of a few links."""
 
 
-def cuts(scene: SceneFunctions) -> dict[str, Cut]:
-    """The functions in parts, by name: of a scene with a long one those longer than a part."""
-    lengths = [len(f.program.instructions) for f in scene.functions]
-    if max(lengths, default=0) <= LONG:
+def cuts(plans: Sequence[Plan]) -> dict[str, Cut]:
+    """Functions in parts, by name: if one of the scene's is long, those longer than a part."""
+    programs = [plan.program for plan in plans]
+    if max((len(x.instructions) for x in programs), default=0) <= LONG:
         return {}
-    return cut([f.program for f, length in zip(scene.functions, lengths, strict=True)
-                if length > LONGEST], LONGEST)
+    return cut([x for x in programs if len(x.instructions) > LONGEST], LONGEST)
 
 
 class Parts:
-    """The functions that are cut, in a precision."""
+    """The functions of a scene that are cut, in a precision."""
 
-    def __init__(self, scene: SceneFunctions, cuts: dict[str, Cut], precision: Precision):
+    def __init__(self, scene: SceneFunctions, plans: Sequence[Plan], cuts: Mapping[str, Cut],
+                 precision: Precision):
         self.scene, self.cuts, self.precision = scene, cuts, precision
+        self._assigned = {plan.program.name: plan.assigned for plan in plans}
         self._groups = {group.name: group for found in cuts.values() for group in found.groups}
         self._words = {f.program.instructions[place].component.rpartition(":")[0]: printable(words)
                        for f in scene.functions if f.name in cuts for place, words in f.headings}
@@ -86,17 +90,16 @@ class Parts:
     def _lines(self, group: Group, part: Program) -> Iterator[str]:
         """Declarations, and stores of what is kept as soon as it is known: nothing else reads the
         group yet, and what waits for the end takes registers."""
-        statements = Statements(part, self.precision, self._access(part, "->"))
         kept = {x.name for x in part.results if isinstance(x, Ref)}
-        above = ""
-        for steps in by_component(part):
-            words = steps[0].component.rpartition(":")[0]
-            if words != above:
-                yield f"/* {self._words.get(words, printable(words))} */"
-            above = words
-            if text := statements.declared(steps, WIDTH - 2):
-                yield broken(text, WIDTH - 2)
-            yield from (f"{group.name}->{x.name} = {x.name};" for x in steps if x.name in kept)
+        above = {place: self._words.get(words, printable(words)) for place, words in headings(part)}
+        plan = _planned(part, self._assigned[group.users[0]] | kept, self._access(part, "->"))
+        nesting = plan.printed(language(part, self.precision), self._access(part, "->"), above)
+        for _, run in groupby(nesting.assigned, lambda x: x if isinstance(x, str)
+                              else x.step.component):
+            lines = list(run)
+            yield from declarations(lines, self.precision, WIDTH - 2)
+            names = [x.step.name for x in lines if isinstance(x, Assignment)]
+            yield from (f"{group.name}->{x} = {x};" for x in names if x in kept)
 
     def _taken(self, group: Group, part: Program) -> list[str]:
         """Names of what a part takes: what it reads, and its group."""
@@ -116,7 +119,7 @@ class Parts:
         return f"struct {c_name(self.scene, f'{group.name}_values', self.precision)}"
 
     def _access(self, program: Program, member: str) -> Callable[[Input], str]:
-        plain = arguments.access(program)
+        plain = access(program)
 
         def found(operand: Input) -> str:
             name = program.inputs[operand.argument].name
@@ -124,3 +127,10 @@ class Parts:
                 return f"{name}{member}{self._groups[name].kept[operand.index]}"
             return plain(operand)
         return found
+
+
+def _planned(part: Program, named: Collection[str], access: Callable[[Input], str]) -> Plan:
+    """The part's plan; what plans of functions have `named` is called so."""
+    found = Nesting(part, language(part, DOUBLE), access, VALUE_WIDTH,
+                    named=lambda step: step.name in named)
+    return Plan(part, frozenset(x.step.name for x in found.assigned if isinstance(x, Assignment)))

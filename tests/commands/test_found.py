@@ -19,11 +19,12 @@ from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.operations import OPERATIONS
 from coscrew_codegen.program.bounds import bounds_of
 from tests.support.truth.attack import TIERED, plain_program
-from tests.support.walks import copied, walk
+from tests.support.walks import command, copied, generated, walk
 
 TABLE = {operation.name: operation for operation in OPERATIONS}
 DERIVED = ("vec3", "mat3x3", "coscrew")  # families: to derive everything would take long
-FOLDERS = {"effects": "EFFECT", "integrators": "INTEGRATOR", "tiers": "TIER", "targets": "TARGET"}
+FOLDERS = {"effects": "EFFECT", "integrators": "INTEGRATOR", "operations": "FAMILY",
+           "tiers": "TIER", "targets": "TARGET"}
 
 
 @pytest.fixture(scope="module")
@@ -32,18 +33,6 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("site")
     copied(folder)
     return folder
-
-
-def command(site: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    """`coscrew` of the copy of the generator in this folder."""
-    return subprocess.run([sys.executable, "-m", "coscrew_codegen", *words], cwd=site,
-                          env={**os.environ, "PYTHONPATH": str(site)}, text=True,
-                          capture_output=True)
-
-
-def generated(site: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    """`coscrew generate` of that copy."""
-    return command(site, "generate", *words)
 
 
 @pytest.fixture(scope="module")
@@ -166,6 +155,19 @@ def test_an_operation_is_one_entry(tmp_path):
     subprocess.run(["gcc", "-std=c11", "-Wall", "-Wextra", "-Werror", "-I", "out/c/include",
                     "main.c", "-o", "main", "-lm"], cwd=tmp_path, check=True)
     subprocess.run([tmp_path / "main"], check=True)
+
+
+def test_a_family_is_one_file(tmp_path):
+    """It has headers and modules, and its place in the umbrella header, which its order says."""
+    walk(copied(tmp_path), "area")
+    done = generated(tmp_path, "--family", "mat3x3", "area", "SE3", "--output", "out")
+    assert done.returncode == 0, done.stderr
+    header = (tmp_path / "out/c/include/ksl/area.h").read_text()
+    assert '#include "mat3x3.h"' in header and "double ksl_area_box(const ksl_vec3_t *v)" in header
+    umbrella = (tmp_path / "out/c/include/ksl/ksl.h").read_text()
+    assert '"mat3x3.h"\n#include "area.h"\n#include "SE3.h"' in umbrella
+    (tmp_path / "out/python").rename(tmp_path / "coscrew")
+    assert run_in(tmp_path, "import coscrew; print(coscrew.area_box([1, 2, 3]))") == "22.0\n"
 
 
 def test_an_effect_is_one_file(tmp_path):

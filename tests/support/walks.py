@@ -1,7 +1,10 @@
 """CONTRIBUTING.md's walks: what they add, and copies of the generator that have it."""
 
+import os
 import re
 import shutil
+import subprocess
+import sys
 from importlib.resources import as_file, files
 from pathlib import Path
 
@@ -20,6 +23,19 @@ def copied(folder: Path) -> Path:
     with as_file(files("coscrew_codegen.templates")) as templates:
         shutil.copytree(templates, package / "templates", ignore=unneeded, dirs_exist_ok=True)
     return package
+
+
+def command(site: Path, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    """`coscrew` of the copy of the generator in this folder, where its cache is too."""
+    return subprocess.run(
+        [sys.executable, "-m", "coscrew_codegen", *words], cwd=site, text=True, capture_output=True,
+        env={**os.environ, "PYTHONPATH": str(site), "XDG_CACHE_HOME": str(site / "cache"),
+             **environment})
+
+
+def generated(site: Path, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    """`coscrew generate` of that copy."""
+    return command(site, "generate", *words, **environment)
 
 
 def walk(package: Path, *names: str) -> list[Path]:
