@@ -4,17 +4,16 @@ Arrays are plain and matrices row by row.  Results are stored last, when everyth
 outputs may alias inputs, also in part.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 
 from coscrew_codegen import version
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.identifiers import identifiers
-from coscrew_codegen.program.parts import Cut
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, SceneFunctions, Step
 from coscrew_codegen.targets import scene_c_arguments as arguments
-from coscrew_codegen.targets import scene_c_parts, scene_text
+from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_function import Body, CFunction, Stored
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
 from coscrew_codegen.targets.nesting import Plan
@@ -31,8 +30,8 @@ def files(scene: SceneFunctions, banner: str) -> Files:
     """arm.h and arm.c.  Raises ValueError for a name that they cannot bear."""
     scene_text.check_names(scene)
     plans = scene_text.plans(scene)
-    cuts = scene_c_parts.cuts(plans)
-    sections = [{"precision": p, "functions": list(_functions(scene, plans, cuts, p))}
+    parts = Parts(scene, plans)
+    sections = [{"precision": p, "functions": list(_functions(scene, plans, parts, p))}
                 for p in named(scene.precisions)]
     macros = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
               ("GENERATOR_VERSION_STRING", f'"{version.VERSION}"'),
@@ -48,7 +47,8 @@ def files(scene: SceneFunctions, banner: str) -> Files:
         f"{scene.name}.h": render("scene/scene.h", about=comment_of(_about(scene)), macros=macros,
                                   **shared),
         f"{scene.name}.c": render("scene/scene.c", names=[comment_of(names)] if names else [],
-                                  products=named(scene.precisions), parts=bool(cuts), **shared)}
+                                  products=named(scene.precisions), parts=bool(parts.cuts),
+                                  **shared)}
 
 
 def _about(scene: SceneFunctions) -> list[str]:
@@ -92,14 +92,15 @@ def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str
             yield f"{name}{precision.suffix.upper()}", text
 
 
-def _functions(scene: SceneFunctions, plans: Sequence[Plan], cuts: Mapping[str, Cut],
+def _functions(scene: SceneFunctions, plans: Sequence[Plan], parts: Parts,
                precision: Precision) -> Iterator[CFunction]:
     """All functions that are emitted, in the order in which they call each other."""
-    parts = Parts(scene, plans, cuts, precision)
     for function, plan in zip(scene.functions, plans, strict=True):
-        if function.name in cuts:
-            yield from parts.above(function)
-        body = parts.body(function) if function.name in cuts else _body(function, plan, precision)
+        if function.name in parts.cuts:
+            yield from parts.above(function, precision)
+            body = parts.body(function, precision)
+        else:
+            body = _body(function, plan, precision)
         yield _function(scene, function, body, precision)
     yield from (_step(scene, step, precision) for step in scene.steps)
 

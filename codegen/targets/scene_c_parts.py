@@ -5,7 +5,7 @@ Compilers take time that grows faster than a function's length, so no part is lo
 on to each other stands in structures on the stack of the function that calls them.
 """
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import groupby
 
 from coscrew_codegen.formats import DOUBLE, Precision
@@ -27,7 +27,7 @@ LONGEST = 600
 """Instructions of a part, at most: those of a few links."""
 
 
-def cuts(plans: Sequence[Plan]) -> dict[str, Cut]:
+def _cuts(plans: Sequence[Plan]) -> dict[str, Cut]:
     """Functions in parts, by name: if one of the scene's is long, those longer than a part."""
     programs = [plan.program for plan in plans]
     if max((len(x.instructions) for x in programs), default=0) <= LONG:
@@ -36,87 +36,86 @@ def cuts(plans: Sequence[Plan]) -> dict[str, Cut]:
 
 
 class Parts:
-    """The functions of a scene that are cut, in a precision."""
+    """The functions of a scene that are cut; its functions are planned so."""
 
-    def __init__(self, scene: SceneFunctions, plans: Sequence[Plan], cuts: Mapping[str, Cut],
-                 precision: Precision):
-        self.scene, self.cuts, self.precision = scene, cuts, precision
-        self._assigned = {plan.program.name: plan.assigned for plan in plans}
-        self._groups = {group.name: group for found in cuts.values() for group in found.groups}
+    def __init__(self, scene: SceneFunctions, plans: Sequence[Plan]):
+        self.scene, self.cuts = scene, _cuts(plans)
+        assigned = {plan.program.name: plan.assigned for plan in plans}
+        self._groups = {group.name: group for found in self.cuts.values() for group in found.groups}
+        self._plans = {part.name: self._planned(part, assigned[group.users[0]])
+                       for group in self._groups.values() for part in group.parts}
         self._words = {f.program.instructions[place].component.rpartition(":")[0]: printable(words)
-                       for f in scene.functions if f.name in cuts for place, words in f.headings}
+                       for f in scene.functions if f.name in self.cuts
+                       for place, words in f.headings}
         self._inputs = {a.name: a for f in scene.functions for a in f.program.inputs}
-        self._written: set[str] = set()
 
-    def above(self, function: Function) -> Iterator[CFunction]:
-        """The parts that the function calls, but those that stand above another already."""
+    def above(self, function: Function, precision: Precision) -> Iterator[CFunction]:
+        """The parts that no function before this one calls."""
         for group in self.cuts[function.name].groups:
-            if group.name not in self._written:
-                self._written.add(group.name)
-                yield from self._parts(group)
+            if group.users[0] == function.name:
+                yield from self._parts(group, precision)
 
-    def body(self, function: Function) -> str:
+    def body(self, function: Function, precision: Precision) -> str:
         """Calls of the function's parts, and the results."""
         found = self.cuts[function.name]
-        declared = [f"{self._struct(group)} {group.name};" for group in found.groups]
-        calls = [self._call(group, part) for group in found.groups for part in group.parts]
-        rest = Body(found.last, self.precision, Stored(
+        declared = [f"{self._struct(group, precision)} {group.name};" for group in found.groups]
+        calls = [self._call(group, part, precision)
+                 for group in found.groups for part in group.parts]
+        results = Body(found.last, precision, Stored(
             self._access(found.last, "."), arguments.targets(outputs(function)),
             [a.name for a in outputs(function)])).text()
-        return "\n".join(f"  {row}" for line in (*declared, *calls)
-                         for row in line.split("\n")) + "\n" + rest
+        return f"{_indented((*declared, *calls))}\n{results}"
 
-    def _parts(self, group: Group) -> Iterator[CFunction]:
+    def _parts(self, group: Group, precision: Precision) -> Iterator[CFunction]:
         *others, last = group.users
-        of = f"{', '.join(others)} and {last}" if others else last
-        struct = "\n".join((
-            comment_of([f"What parts of {of} hand on."]), f"{self._struct(group)} {{",
-            "  " + listed(f"{self.precision.c_type} ", group.kept, ";", WIDTH - 2)
-            .replace("\n", "\n  "), "};", "", ""))
-        for part in group.parts:
-            yield self._part(group, part, struct)
-            struct = ""
+        users = f"{', '.join(others)} and {last}" if others else last
+        members = listed(f"{precision.c_type} ", group.kept, ";", WIDTH - 2)
+        struct = "\n".join((comment_of([f"What parts of {users} hand on."]),
+                            f"{self._struct(group, precision)} {{", _indented([members]), "};"))
+        for number, part in enumerate(group.parts):
+            links = dict.fromkeys(printable(words) for _, words in headings(part))
+            comment = comment_of([f"Of {', '.join(links)}."])
+            yield CFunction(
+                part.name, comment if number else f"{struct}\n\n{comment}",
+                arguments.head(c_name(self.scene, part.name, precision),
+                               [self._parameter(x, group, precision) for x in _taken(group, part)],
+                               f"{self.scene.name.upper()}_PART"),
+                _indented(self._lines(group, part, precision)), internal=True)
 
-    def _part(self, group: Group, part: Program, above: str) -> CFunction:
-        names = ", ".join(dict.fromkeys(printable(words) for _, words in headings(part)))
-        rows = (row for line in self._lines(group, part) for row in line.split("\n"))
-        return CFunction(
-            part.name, above + comment_of([f"Of {names}."]),
-            arguments.head(c_name(self.scene, part.name, self.precision),
-                           [self._parameter(x, group) for x in self._taken(group, part)],
-                           f"{self.scene.name.upper()}_PART"),
-            "\n".join(f"  {row}" for row in rows), internal=True)
-
-    def _lines(self, group: Group, part: Program) -> Iterator[str]:
+    def _lines(self, group: Group, part: Program, precision: Precision) -> Iterator[str]:
         """Declarations, and stores of what is kept as soon as it is known: nothing else reads the
         group yet, and what waits for the end takes registers."""
         kept = {x.name for x in part.results if isinstance(x, Ref)}
         above = {place: self._words.get(words, printable(words)) for place, words in headings(part)}
-        plan = _planned(part, self._assigned[group.users[0]] | kept, self._access(part, "->"))
-        nesting = plan.printed(language(part, self.precision), self._access(part, "->"), above)
+        nesting = self._plans[part.name].printed(
+            language(part, precision), self._access(part, "->"), above)
         for _, run in groupby(nesting.assigned, lambda x: x if isinstance(x, str)
                               else x.step.component):
-            lines = list(run)
-            yield from declarations(lines, self.precision, WIDTH - 2)
-            names = [x.step.name for x in lines if isinstance(x, Assignment)]
+            assigned = list(run)
+            yield from declarations(assigned, precision, WIDTH - 2)
+            names = [x.step.name for x in assigned if isinstance(x, Assignment)]
             yield from (f"{group.name}->{x} = {x};" for x in names if x in kept)
 
-    def _taken(self, group: Group, part: Program) -> list[str]:
-        """Names of what a part takes: what it reads, and its group."""
-        return [a.name for a in part.inputs if a.name != group.name] + [group.name]
+    def _planned(self, part: Program, named: frozenset[str]) -> Plan:
+        """The part's plan: what functions have `named`, and what is kept, is assigned."""
+        kept = named.union(x.name for x in part.results if isinstance(x, Ref))
+        found = Nesting(part, language(part, DOUBLE), self._access(part, "->"), VALUE_WIDTH,
+                        named=lambda step: step.name in kept)
+        return Plan(part, frozenset(x.step.name for x in found.assigned
+                                    if isinstance(x, Assignment)))
 
-    def _parameter(self, name: str, own: Group) -> str:
+    def _parameter(self, name: str, own: Group, precision: Precision) -> str:
         if name in self._groups:
             const = "" if name == own.name else "const "
-            return f"{const}{self._struct(self._groups[name])} *{name}"
-        return arguments.read(self._inputs[name], self.precision)
+            return f"{const}{self._struct(self._groups[name], precision)} *{name}"
+        return arguments.read(self._inputs[name], precision)
 
-    def _call(self, group: Group, part: Program) -> str:
-        taken = [f"&{x}" if x in self._groups else x for x in self._taken(group, part)]
-        return listed(f"{c_name(self.scene, part.name, self.precision)}(", taken, ");", WIDTH - 2)
+    def _call(self, group: Group, part: Program, precision: Precision) -> str:
+        taken = [f"&{x}" if x in self._groups else x for x in _taken(group, part)]
+        return listed(f"{c_name(self.scene, part.name, precision)}(", taken, ");", WIDTH - 2)
 
-    def _struct(self, group: Group) -> str:
-        return f"struct {c_name(self.scene, f'{group.name}_values', self.precision)}"
+    def _struct(self, group: Group, precision: Precision) -> str:
+        return f"struct {c_name(self.scene, f'{group.name}_values', precision)}"
 
     def _access(self, program: Program, member: str) -> Callable[[Input], str]:
         plain = access(program)
@@ -129,8 +128,10 @@ class Parts:
         return found
 
 
-def _planned(part: Program, named: Collection[str], access: Callable[[Input], str]) -> Plan:
-    """The part's plan; what plans of functions have `named` is called so."""
-    found = Nesting(part, language(part, DOUBLE), access, VALUE_WIDTH,
-                    named=lambda step: step.name in named)
-    return Plan(part, frozenset(x.step.name for x in found.assigned if isinstance(x, Assignment)))
+def _taken(group: Group, part: Program) -> list[str]:
+    """Names of what a part takes: what it reads, and its group."""
+    return [*(a.name for a in part.inputs if a.name != group.name), group.name]
+
+
+def _indented(lines: Iterable[str]) -> str:
+    return "\n".join(f"  {row}" for line in lines for row in line.split("\n"))
