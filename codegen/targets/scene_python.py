@@ -7,6 +7,7 @@ other.
 from collections.abc import Iterator, Sequence
 from textwrap import wrap
 
+from coscrew_codegen.collection import uncollected
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.quantity import Argument
@@ -21,6 +22,7 @@ from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.version import VERSION
 
 
+@uncollected()
 def files(scene: SceneFunctions, banner: str) -> Files:
     """The package arm/.  Raises ValueError for a name that it cannot bear."""
     scene_text.check_names(scene)
