@@ -5,6 +5,7 @@ Followers' columns and rows are merged into those of the joints they follow.
 """
 
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 
 from coscrew_codegen.mechanics.articulated import freedoms
 from coscrew_codegen.mechanics.bodies import Rigid, rigid_of
@@ -71,7 +72,7 @@ def _enter(motion: Motion, number: int, freedom: int, column: Sequence[Number],
         at = motion.tree.links[at].parent
 
 
-def _speed(motion: Motion, number: int, freedom: int):
+def _speed(motion: Motion, number: int, freedom: int) -> tuple[int, Fraction | int]:
     """The speed a freedom belongs to, and by how much it is multiplied there."""
     link = motion.tree.links[number]
     if link.driver:
