@@ -69,7 +69,7 @@ class _Given(NamedTuple):
     """An element of an input, by the input's name."""
 
     name: str
-    index: int
+    place: int
 
 
 _Operand = int | _Given | Constant | NotANumber
@@ -217,8 +217,9 @@ class _Cutting:
 
     def _names(self, name: str) -> dict[_Users, str]:
         """Of the groups; no program has a step or an input of these names."""
-        taken = {x.name for program in self.programs
-                 for x in (*program.inputs, *program.outputs, *program.instructions)}
+        taken = {name for program in self.programs for name in (
+            *(a.name for a in (*program.inputs, *program.outputs)),
+            *(step.name for step in program.instructions))}
         found, several = {}, 0
         for users in self.pieces:
             several += users.bit_count() > 1
@@ -283,7 +284,8 @@ class _Reader:
 
     def __init__(self, cutting: _Cutting, users: _Users, names: Mapping[int, str]):
         self.cutting, self.values, self.users = cutting, cutting.values, users
-        self.names, self.steps = names, []
+        self.names = names
+        self.steps: list[tuple[str, Op, tuple[Operand | _Given, ...], str]] = []
         self._compared: dict[int, str] = {}
         for x in names:
             self._issue(x, names[x])
@@ -298,7 +300,7 @@ class _Reader:
         numbers = {a.name: n for n, a in enumerate(inputs)}
 
         def operand(x: Operand | _Given) -> Operand:
-            return Input(numbers[x.name], x.index) if isinstance(x, _Given) else x
+            return Input(numbers[x.name], x.place) if isinstance(x, _Given) else x
 
         return Program(name, inputs, outputs, tuple(
             Instruction(of, op, tuple(map(operand, operands)), component)
