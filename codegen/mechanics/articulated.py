@@ -4,7 +4,7 @@ With these wrenches the rest is linear: a link's wrench changes with the acceler
 by its articulated inertia, and no term contains a velocity.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 from coscrew_codegen.mechanics import inverse
@@ -204,7 +204,7 @@ def _outwards(motion: Motion, joints: Sequence[tuple[Freed, list[Number]]]) -> l
     return found
 
 
-def _sum(zero: Number, values) -> Number:
+def _sum(zero: Number, values: Iterable[Number]) -> Number:
     total = zero
     for value in values:
         total = total + value

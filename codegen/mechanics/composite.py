@@ -5,6 +5,7 @@ acceleration of that joint.  Columns and rows of followers are added to those of
 """
 
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 
 from coscrew_codegen.mechanics.articulated import freedoms
 from coscrew_codegen.mechanics.bodies import Rigid, rigid_of
@@ -71,7 +72,7 @@ def _enter(motion: Motion, number: int, freedom: int, column: Sequence[Number],
         at = motion.tree.links[at].parent
 
 
-def _speed(motion: Motion, number: int, freedom: int):
+def _speed(motion: Motion, number: int, freedom: int) -> tuple[int, Fraction | int]:
     """(index of the velocity that a freedom depends on, its multiplier)."""
     link = motion.tree.links[number]
     if link.driver:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from coscrew_codegen.mechanics import composite, energies
 from coscrew_codegen.mechanics.acting import Acting, gravity
 from coscrew_codegen.mechanics.bodies import Rigid
-from coscrew_codegen.mechanics.linear import factored
+from coscrew_codegen.mechanics.linear import Factors, factored
 from coscrew_codegen.mechanics.motion import Motion
 from coscrew_codegen.mechanics.recorded import Recording
 from coscrew_codegen.recording.numbers import (
@@ -47,7 +47,7 @@ def _tied(applied: Applied, tree: Tree) -> set[int]:
     if applied.effect.body_force:
         return {_root(tree, tree.seat_of(applied.on)[0])}
     if applied.effect.pair_force:
-        ends = {_root(tree, tree.seat_of(body)[0]) for body in applied.values["bodies"]}
+        ends = {_root(tree, tree.seat_of(body)[0]) for body in applied.bodies}
         return ends if len(ends) > 1 else set()
     return set()
 
@@ -120,7 +120,7 @@ def corrected(x: Recording, roots: Sequence[int]) -> list[Number]:
     return v
 
 
-def _about_com(whole: _Whole):
+def _about_com(whole: _Whole) -> Factors:
     """The moments of inertia about the centre of mass, factored."""
     nine = whole.rigid.m.recorder.call("spatial_inertia_about_com", whole.rigid.numbers)
     return factored([nine[3 * i:3 * i + 3] for i in range(3)])

@@ -21,7 +21,7 @@ from coscrew_codegen.mechanics.recorded import Recording
 from coscrew_codegen.mechanics.settings import settings
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.recording.numbers import Number, add, less, scaled, sqrt, where
-from coscrew_codegen.scene.effect import Contact, CoordinateState
+from coscrew_codegen.scene.effect import Contact, CoordinateState, said
 
 FINE = 12
 """A step is split into parts of length s such that ω s <= 1/FINE, ω the contact's frequency at its
@@ -119,7 +119,7 @@ def _contacts(x: Recording) -> Iterator[tuple[int, Contact, Contact]]:
                 if before:
                     h, = recorder.argument("h")
                     after = applied.effect.joint_torque(CoordinateState(q + h * v, v, zero), values)
-                    yield link, before, after.contact
+                    yield link, before, said(after.contact)
 
 
 def _power(x: Number, n: int) -> Number:

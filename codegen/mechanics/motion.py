@@ -5,6 +5,7 @@ that linear velocities are needed only for prismatic and free joints, and for ef
 """
 
 from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
 from functools import wraps
 
 from coscrew_codegen.recording.numbers import (
@@ -26,17 +27,18 @@ from coscrew_codegen.recording.recorder import Recorder
 from coscrew_codegen.scene.model import Kind
 from coscrew_codegen.scene.tree import Link, Tree
 
+Numbers = tuple[Number, ...]
 Rotation = tuple[Number, ...]  # nine, row by row
 Displacement = tuple[Number, ...]  # twelve: [R | t], row by row
 Twist = tuple[Number, ...]  # six: velocity of the origin; angular velocity
 
 
-def _of_link(symbol: str, origin: str = "") -> Callable:
+def _of_link(symbol: str, origin: str = "") -> Callable[["_OfLink"], "_OfLink"]:
     """Decorator: computed once per link and named by the symbol, below the link's heading.  The
     translation of a displacement is named by `origin`."""
-    def decorated(compute: Callable[["Motion", int], object]) -> Callable[["Motion", int], object]:
+    def decorated(compute: "_OfLink") -> "_OfLink":
         @wraps(compute)
-        def cached(self: "Motion", link: int) -> object:
+        def cached(self: "Motion", link: int) -> Numbers:
             known = self._known.setdefault(symbol, {})
             if link not in known:
                 with self.part(link, symbol):
@@ -51,6 +53,9 @@ def _of_link(symbol: str, origin: str = "") -> Callable:
     return decorated
 
 
+_OfLink = Callable[["Motion", int], Numbers]
+
+
 class Motion:
     """The motion of all links for the function's q, v, a; v is zero unless `moving`, a unless
     `accelerating`; `at` = (q, v) replaces the function's."""
@@ -59,19 +64,20 @@ class Motion:
                  gravity: Vector | None = None, moving: bool = True, accelerating: bool = True,
                  at: tuple[Sequence[Number], Sequence[Number]] | None = None):
         self.recorder, self.tree, self.names = recorder, tree, names
-        self._known: dict[str, dict[int, object]] = {}
+        self._known: dict[str, dict[int, Numbers]] = {}
         zero = recorder.number(0)
         self.zero: Vector = (zero, zero, zero)
         self.gravity = gravity or self.zero
         still = (zero,) * tree.nv
-        self._q = recorder.argument("q") if recorder.has("q") else ()
-        self.v = recorder.argument("v") if moving and recorder.has("v") else still
+        self._q: Sequence[Number] = recorder.argument("q") if recorder.has("q") else ()
+        self.v: Sequence[Number] = (
+            recorder.argument("v") if moving and recorder.has("v") else still)
         if at:
             self._q, self.v = at
         self._a = recorder.argument("a") if accelerating and recorder.has("a") else still
         self.still = not (moving and recorder.has("v"))
 
-    def part(self, link: int, symbol: str):
+    def part(self, link: int, symbol: str) -> AbstractContextManager[None]:
         """Name the instructions of this block after this value of the link."""
         if link < 0:
             return self.recorder.part("world", symbol, "world")
@@ -83,7 +89,7 @@ class Motion:
         """q of the link's joint; of a follower, from its leader."""
         x = self.tree.links[link]
         if x.driver is None:
-            return self._q[x.q.start:x.q.stop]
+            return tuple(self._q[x.q.start:x.q.stop])
         own = self._q[self.tree.links[x.driver.link].q.start]
         return (own * x.driver.multiplier + x.driver.offset,)
 

@@ -13,9 +13,10 @@ from fractions import Fraction
 
 from coscrew_codegen.errors import Told
 from coscrew_codegen.formats import Precision, named
+from coscrew_codegen.parameter import Scalar
 from coscrew_codegen.program import Constant, Instruction, Op, Program
 from coscrew_codegen.program.interpreter import Arithmetic, evaluate, exactly
-from coscrew_codegen.scene.model import Scalar, value
+from coscrew_codegen.scene.model import value
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import Function
 
@@ -142,9 +143,9 @@ def _written(scene: Scene) -> Iterator[_Written]:
     for applied in scene.effects:
         for parameter in applied.effect.parameters:
             given = applied.values.get(parameter.name)
-            for x in given if isinstance(given, tuple) else (given,):
-                if isinstance(x, Scalar):
-                    yield _Written(f"effect {applied.name}", parameter.name, x, parameter.unit)
+            for part in given if isinstance(given, tuple) else (given,):
+                if isinstance(part, Scalar):
+                    yield _Written(f"effect {applied.name}", parameter.name, part, parameter.unit)
 
 
 def _constants(function: Function) -> Iterator[tuple[str, Constant]]:

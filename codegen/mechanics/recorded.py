@@ -13,6 +13,8 @@ from coscrew_codegen.recording.recorder import Recorder
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.tree import Tree
 
+Results = Sequence[Sequence[Number]]  # the components of each
+
 
 @dataclass
 class Recording:
