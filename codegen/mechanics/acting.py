@@ -136,7 +136,7 @@ class Acting:
     def _pair(self, law: Law, applied: Applied) -> Paired:
         first, second = (self._body(name) for name in applied.values["bodies"])
         values = settings(self.recorder, applied.values, self.t)
-        a, b = values[FIRST], values[SECOND]
+        a, b = values.vector(FIRST), values.vector(SECOND)
         apart = first.line_to(a, second, b)
         length = sqrt(dot(apart, apart))
         direction = scaled(1 / maximum(length, CLOSEST), apart)

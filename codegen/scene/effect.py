@@ -8,11 +8,44 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 from coscrew_codegen.recording.numbers import Number, Vector
 
-Values = Mapping[str, object]  # parameter → Number, tuple of Numbers, Formula's Number, str or None
+K = TypeVar("K")
+
+
+@dataclass(frozen=True)
+class Values:
+    """What a scene gives for an effect's parameters; of formulas, their value at the time."""
+
+    given: Mapping[str, object]
+
+    def __getitem__(self, name: str) -> Number:
+        """A number."""
+        return self._of(Number, name)
+
+    def get(self, name: str) -> Number | None:
+        """A number, if there is one."""
+        return None if self.given[name] is None else self[name]
+
+    def vector(self, name: str) -> Vector:
+        """Three numbers."""
+        return self._of(tuple, name)
+
+    def optional_vector(self, name: str) -> Vector | None:
+        """Three numbers, if there are any."""
+        return None if self.given[name] is None else self.vector(name)
+
+    def word(self, name: str) -> str:
+        """A choice."""
+        return self._of(str, name)
+
+    def _of(self, kind: type[K], name: str) -> K:
+        value = self.given.get(name)
+        if not isinstance(value, kind):
+            raise TypeError(f"parameter {name!r} is {type(value).__name__}; wanted {kind.__name__}")
+        return value
 
 
 class Place(Enum):

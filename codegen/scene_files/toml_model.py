@@ -1,4 +1,4 @@
-"""A model that a scene file holds itself: tables [bodies.NAME] and [joints.NAME]."""
+"""A model in a scene file itself: tables [bodies.NAME] and [joints.NAME]."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -27,12 +27,12 @@ from coscrew_codegen.scene_files.tables import Table, described
 _ZERO = (Fraction(0),) * 3
 _OF_ONE_COORDINATE = tuple(key.name for key in JOINT.keys if key.one_coordinate)
 _INERTIA = "a list of 3 or 6 numbers: xx, yy, zz, xy, xz, yz; or a symmetric 3×3 matrix"
-_TOLERANCE = Fraction(1, 10**6)  # of a quaternion's norm: six digits are written by hand
+_TOLERANCE = Fraction(1, 10**6)  # of a quaternion's norm: people write six digits
 
 
 def read_model(file: Table, name: str, base: Kind, implausible: str) -> Model:
-    """The model in the tables `bodies` and `joints`.  With `implausible` "warn", inertias that are
-    impossible or massless are let through, and the model tells them.  Raises SceneError."""
+    """The model in the tables `bodies` and `joints`.  With `implausible` "warn", impossible and
+    massless inertias are accepted and listed in the model.  Raises SceneError."""
     massless: list[str] = []
     bodies = tuple(_body(name, table, massless if implausible == WARN else None)
                    for name, table in file.tables("bodies"))
@@ -45,7 +45,7 @@ def read_model(file: Table, name: str, base: Kind, implausible: str) -> Model:
 
 
 def _body(name: str, table: Table, massless: list[str] | None) -> Body:
-    """The body; without `massless`, which gets a line on each, masses of zero are refused."""
+    """The body.  A mass of zero is refused or, if `massless` is a list, reported there."""
     table.only(*BODY.names)
     if name == WORLD:
         table.refuse("", "this name is the world's; wanted another one")

@@ -1,7 +1,7 @@
 """URDF files as models: links, joints, inertias, limits, dynamics, mimics.
 
-What has no part in the dynamics (visual, collision, transmission, simulators' own elements) is not
-read.  Lengths in m, masses in kg, angles in rad.
+Elements without influence on the dynamics (visual, collision, transmission, those of simulators)
+are not read.  Lengths in m, masses in kg, angles in rad.
 """
 
 from collections.abc import Callable
@@ -47,10 +47,10 @@ _T = TypeVar("_T")
 def read_urdf(path: Path | str, base: Kind = Kind.FIXED, implausible: str = ERROR) -> Model:
     """The model in a URDF file, its root joined to the world by a joint of the kind `base`.
 
-    With `implausible` "warn", inertias that are impossible, massless or incomplete are let through,
-    and the model's `implausible` tells them.  Raises SceneError, naming file, line and element, for
-    files that are no URDF, numbers that are not finite, impossible inertias, unknown names and
-    joints that make no tree."""
+    With `implausible` "warn", inertias that are impossible, massless or incomplete are accepted and
+    listed in the model's `implausible`.  Raises SceneError, naming file, line and element, for
+    files that are not URDF, numbers that are not finite, impossible inertias, unknown names and
+    joints that do not form a tree."""
     return _Urdf(Path(path), implausible).model(base)
 
 
@@ -58,11 +58,11 @@ _NO_LIMITS: Limits = (None,) * 4
 
 
 class _Urdf:
-    """One file while it is read."""
+    """Reads one file."""
 
     def __init__(self, path: Path, implausible: str) -> None:
         self.path, self.implausible = path, implausible
-        self.lacking: list[str] = []  # inertias that say too little, and were let through
+        self.lacking: list[str] = []  # incomplete inertias that were accepted
         self.root = read_xml(path, _IGNORED)
 
     def model(self, base: Kind) -> Model:
@@ -90,7 +90,7 @@ class _Urdf:
         return Body(name, self._inertia(inertial, element) if inertial else None)
 
     def _inertia(self, inertial: Element, body: str) -> Inertia | None:
-        """The inertia; None where mass and moments are zero, as in links that are frames only."""
+        """The inertia; None if mass and moments are zero, as in links that are only frames."""
         self._refuse_misspelt(inertial, body)
         placement = self._placement(inertial, body)
         mass = self._mass(inertial, body)
@@ -110,7 +110,7 @@ class _Urdf:
         return Fraction(0) if element is None else self._number(element, "value", body)
 
     def _of_inertial(self, inertial: Element, tag: str, body: str, taken: str) -> Element | None:
-        """The element with this tag; None where it is absent and may be."""
+        """The element with this tag; None if it is missing and that is accepted."""
         found = self._only(inertial, tag, body)
         if found is None and self.implausible == ERROR:
             self._refuse(inertial, body, f'<inertial> lacks <{tag}>; implausible = "{WARN}" lets '
@@ -151,15 +151,15 @@ class _Urdf:
     def _axis(self, joint: Element, element: str) -> tuple[Fraction, ...]:
         axis = self._only(joint, "axis", element)
         if axis is None:
-            return Fraction(1), Fraction(0), Fraction(0)  # what URDF says a missing axis is
+            return Fraction(1), Fraction(0), Fraction(0)  # URDF's default
         vector = self._vector(axis, "xyz", element)
         if not any(vector):
             self._refuse(axis, element, "the axis is zero; wanted a direction")
         return rotations.unit(vector)
 
     def _limits(self, joint: Element, element: str, continuous: bool) -> Limits:
-        """lower, upper, effort, velocity, as far as they are given; continuous joints have no lower
-        and upper, and where one is given, the other is 0."""
+        """The given ones of lower, upper, effort, velocity.  Continuous joints have no lower and
+        upper; if only one of these is given, the other is 0."""
         limit = self._only(joint, "limit", element)
         if limit is None:
             return _NO_LIMITS
@@ -247,7 +247,7 @@ class _Urdf:
         return found
 
     def _refuse_misspelt(self, owner: Element, element: str) -> None:
-        """Elements of simulators are passed over, but not those that are a slip of the pen."""
+        """Ignore elements of simulators, but refuse likely misspellings."""
         for child in owner.children:
             if child.tag not in _PARTS[owner.tag]:
                 tag = child.tag[:60]

@@ -24,7 +24,7 @@ SIZE = 64 * 2**20  # bytes
 
 @dataclass(frozen=True)
 class Element:
-    """An element: text between elements is not kept."""
+    """An element, without the text between elements."""
 
     tag: str
     attributes: Mapping[str, str]
@@ -39,7 +39,7 @@ class Element:
 def read_xml(path: Path, ignored: frozenset[str]) -> Element:
     """The root element of a file, without elements below it whose tags are `ignored`.
 
-    Raises SceneError, naming the line, if the file cannot be read or is no well-formed XML."""
+    Raises SceneError, naming the line, if the file cannot be read or is not well-formed XML."""
     parser = make_parser()
     parser.forbid_dtd = True
     handler = _Handler(path, ignored, parser.getLineNumber)
@@ -61,14 +61,14 @@ def read_xml(path: Path, ignored: frozenset[str]) -> Element:
 
 
 class _Handler(ContentHandler):
-    """Builds elements; `root` stands above the file's own root."""
+    """Builds elements; `root` is the parent of the file's root element."""
 
     def __init__(self, file: Path, ignored: frozenset[str], at: Callable[[], int]) -> None:
         super().__init__()
         self._file, self._ignored, self._at = file, ignored, at
         self.root = Element("", {}, 0)
         self._open = [self.root]
-        self._depth = self._ignoring_from = 0  # depth of the ignored element we are in, or 0
+        self._depth = self._ignoring_from = 0  # depth of the current ignored element, or 0
 
     def startElement(self, name: str, attrs: "AttributesImpl[str]") -> None:
         self._depth += 1
