@@ -176,6 +176,14 @@ class Force:
     damping: Number | None = None
 
 
+def said(x: K | None) -> K:
+    """What an effect has said; TypeError if it has not, and nothing that it follows from."""
+    if x is None:
+        raise TypeError("the effect says nothing of this: it gives a torque, or a force and its "
+                        "point, or an energy")
+    return x
+
+
 FIRST, SECOND = "first", "second"
 POINTS = tuple(ParameterOf(name, "m", f"where it is fixed to the {name} body, in its frame",
                            "vector", (Fraction(0),) * 3) for name in (FIRST, SECOND))

@@ -27,6 +27,12 @@ class Applied:
     label: str = ""
 
     @property
+    def bodies(self) -> tuple[str, ...]:
+        """The two bodies of an effect on two."""
+        pair = self.values.get("bodies")
+        return tuple(map(str, pair)) if isinstance(pair, tuple) else ()
+
+    @property
     def name(self) -> str:
         """Its name in `runtime`: viscous.elbow, wrench.push, gravity."""
         return ".".join(part for part in (self.effect.name, self.label or self.on) if part)
