@@ -140,7 +140,7 @@ def legend(plans: Sequence[Plan], bodies: Sequence[str]) -> tuple[str, ...]:
     """Paragraphs on what the names of instructions in these bodies of functions mean."""
     written = {word for body in bodies for word in re.findall(r"\w+", body)}
     return scene_symbols.legend(sorted(written.intersection(
-        name for plan in plans for name in plan.assigned)))
+        name for plan in plans for name in (*plan.assigned, *plan.constants))))
 
 
 def literal(value: float, precision: Precision) -> str:
