@@ -1,4 +1,4 @@
-"""Symmetric positive definite systems of Numbers: L D L^T, zeros left out."""
+"""Symmetric positive definite systems of Numbers by L D L^T, without operations on zeros."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ from coscrew_codegen.recording.numbers import Number
 
 @dataclass(frozen=True)
 class Factors:
-    """A = L D L^T: the rows of L below its diagonal of ones, and 1/D."""
+    """A = L D L^T: the rows of L below its unit diagonal, and 1/D."""
 
     L: tuple[tuple[Number, ...], ...]
     inverse: tuple[Number, ...]
@@ -29,7 +29,7 @@ class Factors:
 
 
 def factored(A: Sequence[Sequence[Number]]) -> Factors:
-    """The factors of a symmetric positive definite matrix, of which the lower half is read."""
+    """The factors of a symmetric positive definite matrix; only its lower triangle is read."""
     L: list[list[Number]] = []
     inverse: list[Number] = []
     for i, row in enumerate(A):

@@ -1,4 +1,4 @@
-"""One function of a scene while it is recorded, and what most functions start from."""
+"""The recording of one function of a scene, and the quantities that most functions start from."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -6,7 +6,7 @@ from functools import cached_property
 
 from coscrew_codegen.mechanics import inverse
 from coscrew_codegen.mechanics.acting import Acting, gravity, joint_inertias
-from coscrew_codegen.mechanics.bodies import Rigid, lumped
+from coscrew_codegen.mechanics.bodies import Rigid, lumped, rigid_of
 from coscrew_codegen.mechanics.motion import Motion
 from coscrew_codegen.recording.numbers import Number
 from coscrew_codegen.recording.recorder import Recorder
@@ -18,7 +18,7 @@ Results = Sequence[Sequence[Number]]  # the components of each
 
 @dataclass
 class Recording:
-    """One function while it is recorded, and what most functions start from."""
+    """The recording of one function, and the quantities that most functions start from."""
 
     scene: Scene
     tree: Tree
@@ -27,8 +27,8 @@ class Recording:
 
     def motion(self, moving: bool = True, accelerating: bool = True, falling: bool = True,
                at: tuple[Sequence[Number], Sequence[Number]] | None = None) -> Motion:
-        """The motion for the function's inputs, or at a q and v of its own; `falling`: in the
-        scene's gravity."""
+        """The motion for the function's inputs, or for `at` = (q, v); `falling`: with the scene's
+        gravity."""
         down = gravity(self.scene, self.recorder) if falling else None
         return Motion(self.recorder, self.tree, self.names, down, moving, accelerating, at)
 
@@ -38,17 +38,17 @@ class Recording:
         found = []
         for name, link in zip(self.names, self.tree.links, strict=True):
             with self.recorder.part(name, "B", link.name):
-                found.append(lumped(self.recorder, link.seats))
-                for part, value in (("m", found[-1].m), ("h", found[-1].h), ("I", found[-1].I)):
-                    self.recorder.label(f"B{part}", value)
+                own, label = lumped(self.recorder, link.seats), self.recorder.label
+                found.append(rigid_of((*label("Bm", own.m), *label("Bh", own.h),
+                                       *label("BI", own.I))))
         return found
 
     @cached_property
     def inertias(self) -> dict[str, Number]:
-        """What joints have of their own, by joint."""
+        """The inertias of joints themselves, by joint."""
         return joint_inertias(self.scene, self.recorder)
 
     def torques(self, motion: Motion, acting: Acting | None) -> list[Number]:
-        """Inverse dynamics."""
+        """The torques of inverse dynamics."""
         wrenches = inverse.transmitted(motion, inverse.net_wrenches(motion, self.rigids, acting))
         return inverse.joint_torques(motion, wrenches, acting, self.inertias)

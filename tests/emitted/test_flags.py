@@ -48,7 +48,7 @@ def test_chosen_kernels_exist():
 
 @pytest.fixture(scope="module")
 def right(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
-    """The twins' hashes; of the fused tier, which Python has not, those by the C library's fma."""
+    """The twins' hashes; for the fused tier, which Python does not have, those of C's fma."""
     return wanted(KERNELS) + printed(tmp_path_factory.mktemp("fused"), ("gcc", "-O0"), FUSED)
 
 
@@ -61,7 +61,7 @@ def test_bits_are_the_twins(compiler: str, flags: tuple[str, ...], right: list[s
 
 
 def printed(folder: Path, command: tuple[str, ...], chosen: tuple[Kernel, ...]) -> list[str]:
-    """What the program of these kernels prints that this command compiles."""
+    """The output of the program of these kernels, compiled by this command."""
     source, binary = folder / "bits.c", folder / "bits"
     source.write_text(text(chosen))
     run((*command, "-I", INCLUDE, source, "-o", binary, "-lm"))
