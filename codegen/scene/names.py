@@ -1,7 +1,6 @@
 """What a mistyped name was meant to be."""
 
 from collections.abc import Iterable
-from difflib import SequenceMatcher
 
 LIKE = 0.55  # difflib's ratio from which names are alike: omega is not max (0.5), nor half both
 MANY = 20  # names that a message can still list
@@ -29,6 +28,8 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
 
 def _likeness(a: str, b: str) -> float:
     """From 0 to 1; at least LIKE if one name holds the other."""
+    from difflib import SequenceMatcher
+
     ratio = SequenceMatcher(None, a, b).ratio()
     held = min(len(a), len(b)) >= _SHORT and (a in b or b in a)
     return (1 + ratio) / 2 if held else ratio
