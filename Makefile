@@ -28,7 +28,7 @@ generate: $(VENV)/ready
 check: $(VENV)/ready
 	$(PYTHON) -m coscrew_codegen generate --check
 
-# Compiled again only where its sources changed; without a C compiler, pure NumPy it is.
+# Compiled again only if its sources changed; without a C compiler coscrew runs in pure NumPy.
 build: $(VENV)/ready
 	@$(MAKE) --no-print-directory $(VENV)/built
 	@$(COMPILED) || echo "no working C compiler: coscrew runs in pure NumPy (gcc or clang, and the \
@@ -48,12 +48,12 @@ example: build
 	    -o build/static_torques -lm 2>build/static_torques.log; then \
 	  $(PYTHON) examples/static_torques.py build/static_torques; \
 	else \
-	  echo "no C program ($(CC): see build/static_torques.log): Python alone" >&2; \
+	  echo "no C program ($(CC): see build/static_torques.log): Python only" >&2; \
 	  $(PYTHON) examples/static_torques.py; \
 	fi
 
-# And an arm with friction, motors and a payload: generated, simulated, and checked against figures
-# of Pinocchio's; build/arm6/ holds its C and Python, build/arm6.html plays it back.
+# And an arm with friction, motors and a payload: generated, simulated, and checked against results
+# of Pinocchio; build/arm6/ holds its C and Python, build/arm6.html plays it back.
 scene: build
 	@mkdir -p build
 	$(PYTHON) -m coscrew_codegen generate examples/scenes/arm6.toml -o build/arm6
@@ -61,23 +61,23 @@ scene: build
 	    --output build/arm6.csv >build/arm6.txt
 	$(PYTHON) -m coscrew_codegen check examples/scenes/arm6.toml
 
-# coscrew is installed: only what its tests need besides.
+# The packages that the tests need in addition.
 $(VENV)/test-ready: $(VENV)/ready
 	$(PIP) install "coscrew[test]"
 	touch $@
 
-# The tests take generated/ as it is: `check` fails first if it is not what the generator makes.
+# The tests use generated/ as it is; so `check` fails first if that is not up to date.
 test: $(VENV)/test-ready check build
 	$(PYTHON) -m pytest -n auto --dist loadfile
 
-# For the working day, in a minute and a half: what takes long is left out, of much else a part.
+# For the working day, in a minute and a half: without slow tests, and with samples of large ones.
 test-quick: $(VENV)/test-ready
 	$(PYTHON) -m pytest -n auto --dist loadfile --quick
 
 bench: $(VENV)/test-ready build
 	$(PYTHON) -m tests.benchmarks
 
-# Every proven error bound against exact arithmetic, at length.
+# Compares every proven error bound with exact arithmetic, at length.
 attack: $(VENV)/test-ready build
 	$(PYTHON) -m tests.long_attack
 
@@ -85,8 +85,8 @@ attack: $(VENV)/test-ready build
 report: $(VENV)/test-ready build
 	$(PYTHON) -m coscrew_codegen report --hard-cases tests/hard_cases
 
-# README, docs/ and generated/docs/ as pages in build/docs, without a network: warnings, such as of
-# links that lead nowhere, are errors.
+# README, docs/ and generated/docs/ as pages in build/docs, without network access; warnings, such as
+# for broken links, are errors.
 $(VENV)/docs-ready: $(VENV)/ready
 	$(PIP) install "coscrew[docs]"
 	touch $@

@@ -56,7 +56,7 @@ class BuildExt(build_ext):
     def build_extensions(self) -> None:
         import numpy
 
-        self.parallel = self.parallel or os.cpu_count()
+        self.parallel: int | None = self.parallel or os.cpu_count()
         microsoft = self.compiler.compiler_type == "msvc"
         for extension in self.extensions:
             extension.include_dirs.append(numpy.get_include())

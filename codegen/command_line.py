@@ -25,7 +25,7 @@ def run(arguments: list[str] | None) -> int:
     words = sys.argv[1:] if arguments is None else arguments
     options = _parser(words[0] if words else "").parse_args(words)
     try:
-        return options.run(options)
+        return int(options.run(options))
     except Told as error:
         print(f"coscrew: {error}", file=sys.stderr)
         return 2

@@ -1,6 +1,7 @@
 """Output to terminals and pipes of any encoding: characters they lack are spelled in ASCII."""
 
 import codecs
+import io
 import sys
 import unicodedata
 from collections.abc import Callable, Iterator
@@ -22,7 +23,7 @@ _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-
 def any_encoding(stream: TextIO | None) -> None:
     """Make the stream accept every character: those that its encoding lacks are spelled in ASCII
     (x^2 for x²) or replaced by ?."""
-    if hasattr(stream, "reconfigure"):
+    if isinstance(stream, io.TextIOWrapper):
         codecs.register_error("coscrew", _spelled)
         stream.reconfigure(errors="coscrew")
 

@@ -5,11 +5,10 @@ import difflib
 import errno
 import os
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from coscrew_codegen.errors import Told
-from coscrew_codegen.layout import Files
 
 MARK = "Made by `coscrew generate"
 
@@ -26,7 +25,7 @@ def read(folder: Path, path: str) -> str | None:
         return None
 
 
-def differences(files: Files, folder: Path, stale: tuple[str, ...] = ()) -> list[str]:
+def differences(files: Mapping[str, str], folder: Path, stale: tuple[str, ...] = ()) -> list[str]:
     """Unified diffs from what is on disk to what would be generated; empty when current."""
     wanted: dict[str, str | None] = {**files, **dict.fromkeys(stale)}
     diffs = []
@@ -42,7 +41,7 @@ def differences(files: Files, folder: Path, stale: tuple[str, ...] = ()) -> list
     return diffs
 
 
-def stale_files(files: Files, folder: Path) -> tuple[str, ...]:
+def stale_files(files: Mapping[str, str], folder: Path) -> tuple[str, ...]:
     """Files that an earlier run made and this one does not, in the folders that it writes to."""
     owned = sorted({Path(path).parts[0] for path in files})
     endings = {Path(path).suffix for path in files}
@@ -53,7 +52,7 @@ def stale_files(files: Files, folder: Path) -> tuple[str, ...]:
                  if name not in files and MARK in (read(folder, name) or "")[:200])
 
 
-def refuse_others(files: Files, folder: Path) -> None:
+def refuse_others(files: Mapping[str, str], folder: Path) -> None:
     """Raise EmitError if one of the files exists already and was not generated."""
     for path in sorted(files):
         if (text := read(folder, path)) and MARK not in text[:200]:
@@ -61,7 +60,7 @@ def refuse_others(files: Files, folder: Path) -> None:
                             "nothing was changed")
 
 
-def write(files: Files, folder: Path, stale: tuple[str, ...] = ()) -> list[str]:
+def write(files: Mapping[str, str], folder: Path, stale: tuple[str, ...] = ()) -> list[str]:
     """Write the files that differ and remove the stale ones; returns the paths changed.
 
     Everything is written to temporary files first and renamed only when all are complete, so that

@@ -5,6 +5,7 @@ and formats; nothing of programs, tiers or languages.
 """
 
 import functools
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -18,6 +19,8 @@ from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import PER_PRECISION, Operation
 from coscrew_codegen.program import Constant
 from coscrew_codegen.special import SPECIAL, rational
+
+Exact = Callable[..., mpq]  # of all input components
 
 UNIT = {x.name: mpq(x.u.numerator, x.u.denominator) for x in PRECISIONS}
 CONDITION = {"double": mpq(9 * 10**14), "single": mpq(16 * 10**6)}
@@ -71,17 +74,17 @@ def is_polynomial(operation: Operation) -> bool:
 
 
 @functools.cache
-def exact_functions(operation: Operation) -> tuple[tuple[Callable, Callable], ...]:
+def exact_functions(operation: Operation) -> tuple[tuple[Exact, Exact], ...]:
     """(x, S) of each result as functions of all input components, from the polynomial's terms."""
     symbols = _symbols(operation)
 
-    def pair(expression: sp.Expr) -> tuple[Callable, Callable]:
+    def pair(expression: sp.Expr) -> tuple[Exact, Exact]:
         expanded = sp.expand(expression)
         terms = [term.as_coeff_Mul() for term in sp.Add.make_args(expanded)]
         absolute = sp.Add(*(abs(coefficient) * rest for coefficient, rest in terms))
         return over_one_denominator(expanded), over_one_denominator(absolute)
 
-    def over_one_denominator(polynomial: sp.Expr) -> Callable:
+    def over_one_denominator(polynomial: sp.Expr) -> Exact:
         """Integer coefficients over one denominator: 1/2 would print as a float and be rounded."""
         numerator, denominator = sp.fraction(sp.together(polynomial))
         function = sp.lambdify(symbols, sp.expand(numerator), "math")
@@ -128,7 +131,7 @@ def _nearest(x: mpq) -> float:
     try:
         return float(x)
     except OverflowError:
-        return np.copysign(np.inf, int(x > 0) - 0.5)
+        return math.copysign(math.inf, int(x > 0) - 0.5)
 
 
 def _sizes(operation: Operation, precision: Precision, rows: np.ndarray,

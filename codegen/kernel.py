@@ -37,7 +37,7 @@ def kernel_of(operation: Operation) -> Kernel:
     bindings: list[Binding] = []
     taken = {a.name for a in (*operation.inputs, *operation.outputs)}
 
-    def let(name, value):
+    def let(name: str, value: sp.Matrix | sp.Expr) -> sp.Matrix | sp.Expr:
         if name in taken:
             raise ValueError(f"{operation.name}: the name {name!r} is bound twice")
         taken.add(name)

@@ -31,7 +31,7 @@ class FamilyKernels:
 
     @cache  # noqa: B019  called by every target; libraries live as long as the process
     def of(self, tier: Tier, precision: Precision) -> Kernels:
-        """The operations that have the tier, as it has them, with their programs."""
+        """The tier's operations with their programs; without those that the tier cannot take."""
         return {tier.operation(op): tier.program(program, precision)
                 for op, program in self.plain.items() if tier.has(program)}
 

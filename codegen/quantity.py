@@ -75,7 +75,8 @@ class Quantity:
     @property
     def rows_columns(self) -> tuple[int, int]:
         """The shape as a matrix: a scalar is 1×1, a column n×1."""
-        return (*self.shape, 1, 1)[:2]
+        rows, columns, *_ = (*self.shape, 1, 1)
+        return rows, columns
 
     @property
     def indices(self) -> tuple[tuple[int, int], ...]:

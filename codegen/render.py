@@ -23,17 +23,19 @@ def _environment() -> "jinja2.Environment":
     import jinja2
 
     return jinja2.Environment(
-        loader=jinja2.FunctionLoader(
-            lambda name: files("coscrew_codegen.templates").joinpath(name).read_text("utf-8")),
+        loader=jinja2.FunctionLoader(_source),
         undefined=jinja2.StrictUndefined, autoescape=False, trim_blocks=False,
         lstrip_blocks=False, keep_trailing_newline=True)
+
+
+def _source(name: str) -> str:
+    return files("coscrew_codegen.templates").joinpath(name).read_text("utf-8")
 
 
 @cache
 def _between_lines(template: str) -> str:
     """The text between two comment lines, in the comment syntax of the template's banner line."""
-    text, _, _ = _environment().loader.get_source(_environment(), f"{template}.jinja")
-    line = next(line for line in text.splitlines() if _BANNER in line)
+    line = next(line for line in _source(f"{template}.jinja").splitlines() if _BANNER in line)
     before, after = line.split(_BANNER)
     return f"{after}\n{before}"
 

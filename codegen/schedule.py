@@ -260,7 +260,7 @@ def _items(terms: list[Term]) -> list[Item]:
             items.append(Item((term, mirror)))
             continue
         items.append(Item((term,)))
-    grouped: dict[tuple, Item] = {}
+    grouped: dict[tuple[object, ...], Item] = {}
     for number, item in enumerate(items):
         key = ("pair", number) if len(item.terms) == 2 else ("parts", item.terms[0].parts)
         before = grouped[key].terms if key in grouped else ()

@@ -6,18 +6,20 @@ Formulas use the components of a result one by one; `_once` computes the whole r
 from collections.abc import Callable
 from functools import lru_cache, wraps
 from math import isqrt
+from typing import TypeAlias, TypeVar
 
 import mpmath
 from gmpy2 import mpq
 from mpmath import matrix
 
-Number = mpmath.mpf
+Number: TypeAlias = mpmath.mpf
+V = TypeVar("V")
 
 
-def _once(function: Callable) -> Callable:
+def _once(function: Callable[..., V]) -> Callable[..., V]:
     """The function with its last results cached: the components of a row are used in turn."""
     @lru_cache(maxsize=64)
-    def kept(precision: int, *numbers: Number) -> object:
+    def kept(precision: int, *numbers: Number) -> V:
         return function(*numbers)
 
     return wraps(function)(lambda *numbers: kept(mpmath.mp.prec, *numbers))

@@ -9,8 +9,8 @@ VERSION: str = version("coscrew")
 
 def numbers() -> tuple[int, int, int]:
     """Major, minor and patch, for macros that #if compares."""
-    major, minor, patch = re.match(r"(\d+)\.(\d+)\.(\d+)", VERSION).groups()
-    return int(major), int(minor), int(patch)
+    major, minor, patch = map(int, re.findall(r"\d+", VERSION)[:3])
+    return major, minor, patch
 
 
 def number() -> int:

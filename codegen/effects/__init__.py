@@ -19,11 +19,11 @@ def effect_named(name: str) -> Effect:
     return {effect.name: effect for effect in EFFECTS}[name]
 
 
-def _pickled(effect: Effect) -> tuple[object, ...]:
+def _pickled(effect: Effect) -> str | tuple[object, ...]:
     """An effect of the catalogue is pickled by its name, since its functions cannot be."""
     if any(known is effect for known in EFFECTS):
         return effect_named, (effect.name,)
     return object.__reduce_ex__(effect, 2)
 
 
-copyreg.pickle(Effect, _pickled)
+copyreg.pickle(Effect, _pickled)  # type: ignore[arg-type]  # object's own reductions are any tuple

@@ -2,22 +2,22 @@
 
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.scene.effect import Effect, ParameterOf, Place, Torque, Values
+from coscrew_codegen.scene.effect import CoordinateState, Effect, ParameterOf, Place, Torque, Values
 
 if TYPE_CHECKING:
     from coscrew_codegen.recording.numbers import Number
 
 
-def _torque(state, values: Values) -> Torque:
+def _torque(state: CoordinateState, values: Values) -> Torque:
     """sat(u) = max(-limit, min(u, limit))."""
-    return Torque(_demanded(state, values), limit=values["limit"])
+    return Torque(_demanded(state, values), limit=values.get("limit"))
 
 
-def _demanded(state, values: Values) -> "Number":
+def _demanded(state: CoordinateState, values: Values) -> "Number":
     """u."""
-    if values["kind"] == "torque":
+    if values.word("kind") == "torque":
         return values["torque"]
-    if values["kind"] == "pd":
+    if values.word("kind") == "pd":
         return (values["kp"] * (values["target"] - state.q)
                 + values["kd"] * (values["target_v"] - state.v))
     strength = values["gear"] * values["kt"] / values["R"]

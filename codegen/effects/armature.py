@@ -10,9 +10,9 @@ if TYPE_CHECKING:
 
 def _inertia(values: Values) -> "Number":
     """inertia + gear^2 rotor, of what is given."""
-    inertia, gear, rotor = (values[x] for x in ("inertia", "gear", "rotor"))
+    inertia, gear, rotor = values.get("inertia"), values["gear"], values.get("rotor")
     if rotor is None:
-        return inertia
+        return values["inertia"]
     reflected = gear * gear * rotor
     return reflected if inertia is None else inertia + reflected
 

@@ -3,12 +3,12 @@
 from fractions import Fraction
 
 from coscrew_codegen.recording.numbers import dot, negative, scaled
-from coscrew_codegen.scene.effect import Effect, Force, ParameterOf, Place, Values
+from coscrew_codegen.scene.effect import BodyState, Effect, Force, ParameterOf, Place, Values
 
 
-def _force(state, values: Values) -> Force:
+def _force(state: BodyState, values: Values) -> Force:
     """-rho V g at the centre, of energy rho V g·x: g is the scene's gravity, zero without it."""
-    centre, displaced = values["centre"], values["rho"] * values["V"]
+    centre, displaced = values.vector("centre"), values["rho"] * values["V"]
     weight = scaled(displaced, state.gravity)
     return Force(centre, state.own_direction(negative(weight)),
                  energy=dot(weight, state.world_position(centre)))

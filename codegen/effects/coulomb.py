@@ -1,10 +1,10 @@
 """Coulomb friction, regularised: a constant torque against the motion, fading near rest."""
 
 from coscrew_codegen.recording.numbers import tanh
-from coscrew_codegen.scene.effect import Effect, ParameterOf, Place, Torque, Values
+from coscrew_codegen.scene.effect import CoordinateState, Effect, ParameterOf, Place, Torque, Values
 
 
-def _torque(state, values: Values) -> Torque:
+def _torque(state: CoordinateState, values: Values) -> Torque:
     """-tau_c tanh(v/eps)."""
     return Torque(-(values["tau_c"] * tanh(state.v * (1 / values["eps"]))))
 

@@ -3,14 +3,14 @@
 from fractions import Fraction
 
 from coscrew_codegen.recording.numbers import dot, negative, scaled, sqrt
-from coscrew_codegen.scene.effect import Effect, Force, ParameterOf, Place, Values
+from coscrew_codegen.scene.effect import BodyState, Effect, Force, ParameterOf, Place, Values
 
 
-def _force(state, values: Values) -> Force:
+def _force(state: BodyState, values: Values) -> Force:
     """-½ rho area |u| u, whose slope is rho area |u| along u and half of it across; or -b u."""
-    point = values["point"]
+    point = values.vector("point")
     u = state.velocity(point)
-    if values["kind"] == "stokes":
+    if values.word("kind") == "stokes":
         return Force(point, negative(scaled(values["b"], u)), damping=values["b"])
     slope = values["rho"] * values["area"] * sqrt(dot(u, u))
     return Force(point, negative(scaled(slope / 2, u)), damping=slope)

@@ -3,13 +3,13 @@
 from fractions import Fraction
 
 from coscrew_codegen.recording.numbers import dot, sqrt, subtract
-from coscrew_codegen.scene.effect import Effect, Force, ParameterOf, Place, Values
+from coscrew_codegen.scene.effect import BodyState, Effect, Force, ParameterOf, Place, Values
 
 
-def _force(state, values: Values) -> Force:
+def _force(state: BodyState, values: Values) -> Force:
     """The energy alone: MacCullagh's formula, true to the second order in the body's size by r.
     Force and moment, the gravity gradient's, follow from it."""
-    offset = subtract(state.world_position(state.centre_of_mass), values["centre"])
+    offset = subtract(state.world_position(state.centre_of_mass), values.vector("centre"))
     square = dot(offset, offset)
     xx, yy, zz, xy, xz, yz = state.inertia
     x, y, z = r = state.own_direction(offset)

@@ -1,10 +1,10 @@
 """Drag of a joint: resistance that grows with the square of the speed, as of a propeller."""
 
 from coscrew_codegen.recording.numbers import absolute
-from coscrew_codegen.scene.effect import Effect, ParameterOf, Place, Torque, Values
+from coscrew_codegen.scene.effect import CoordinateState, Effect, ParameterOf, Place, Torque, Values
 
 
-def _torque(state, values: Values) -> Torque:
+def _torque(state: CoordinateState, values: Values) -> Torque:
     """-c |v| v."""
     return Torque(-(values["c"] * (absolute(state.v) * state.v)))
 

@@ -1,20 +1,29 @@
 """Limits of a joint: contact by Hunt and Crossley's law, which pushes and never pulls."""
 
 from coscrew_codegen.recording.numbers import absolute, less, maximum, minimum, sqrt, where
-from coscrew_codegen.scene.effect import Contact, Effect, ParameterOf, Place, Torque, Values
+from coscrew_codegen.scene.effect import (
+    Contact,
+    CoordinateState,
+    Effect,
+    ParameterOf,
+    Place,
+    Torque,
+    Values,
+)
 
 
-def _torque(state, values: Values) -> Torque:
+def _torque(state: CoordinateState, values: Values) -> Torque:
     """With x how far q is beyond its range, x < 0 below it, and δ = |x|:
 
     torque -k x √δ (1 + 1.5 alpha δ'), zero where it would pull; energy 0.4 k δ^2.5; what the torque
     does beyond -k x √δ is dissipated.  Powers of δ are products with √δ: no slope at δ = 0."""
     q, v, k = state.q, state.v, values["k"]
     within = q
-    if values["lower"] is not None:
-        within = maximum(within, values["lower"])
-    if values["upper"] is not None:
-        within = minimum(within, values["upper"])
+    lower, upper = values.get("lower"), values.get("upper")
+    if lower is not None:
+        within = maximum(within, lower)
+    if upper is not None:
+        within = minimum(within, upper)
     x = q - within
     depth = absolute(x)
     root = k * sqrt(depth)

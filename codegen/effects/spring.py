@@ -1,9 +1,9 @@
 """Spring: proportional to the way from rest."""
 
-from coscrew_codegen.scene.effect import Effect, ParameterOf, Place, Torque, Values
+from coscrew_codegen.scene.effect import CoordinateState, Effect, ParameterOf, Place, Torque, Values
 
 
-def _torque(state, values: Values) -> Torque:
+def _torque(state: CoordinateState, values: Values) -> Torque:
     """-k (q - q0), of energy k (q - q0)^2 / 2."""
     k, away = values["k"], state.q - values["q0"]
     return Torque(-(k * away), energy=k / 2 * (away * away))

@@ -1,12 +1,20 @@
 """Spring and damper along the line between a point of one body and a point of another."""
 
-from coscrew_codegen.scene.effect import POINTS, Effect, ParameterOf, Place, Torque, Values
+from coscrew_codegen.scene.effect import (
+    POINTS,
+    CoordinateState,
+    Effect,
+    ParameterOf,
+    Place,
+    Torque,
+    Values,
+)
 
 
-def _force(state, values: Values) -> Torque:
+def _force(state: CoordinateState, values: Values) -> Torque:
     """-[k (l - length) + d l'], l the distance of the points."""
     length, rate = state.q, state.v
-    k, d = (length.like(0) if values[name] is None else values[name] for name in ("k", "d"))
+    k, d = (length.like(0) if x is None else x for x in map(values.get, ("k", "d")))
     longer = length - values["length"]
     return Torque(-(k * longer + d * rate), energy=k / 2 * (longer * longer),
                   power=-(d * (rate * rate)))

@@ -1,10 +1,10 @@
 """Stribeck friction, regularised: dry friction that is larger at rest than in motion."""
 
 from coscrew_codegen.recording.numbers import exp, tanh
-from coscrew_codegen.scene.effect import Effect, ParameterOf, Place, Torque, Values
+from coscrew_codegen.scene.effect import CoordinateState, Effect, ParameterOf, Place, Torque, Values
 
 
-def _torque(state, values: Values) -> Torque:
+def _torque(state: CoordinateState, values: Values) -> Torque:
     """-[tau_c + (tau_s - tau_c) exp(-(v/v_s)^2)] tanh(v/eps)."""
     v, tau_c = state.v, values["tau_c"]
     ratio = v * (1 / values["v_s"])

@@ -1,9 +1,9 @@
 """Viscous friction: against the speed and proportional to it."""
 
-from coscrew_codegen.scene.effect import Effect, ParameterOf, Place, Torque, Values
+from coscrew_codegen.scene.effect import CoordinateState, Effect, ParameterOf, Place, Torque, Values
 
 
-def _torque(state, values: Values) -> Torque:
+def _torque(state: CoordinateState, values: Values) -> Torque:
     """-d v."""
     return Torque(-(values["d"] * state.v))
 

@@ -2,15 +2,16 @@
 
 from fractions import Fraction
 
-from coscrew_codegen.scene.effect import Effect, Force, ParameterOf, Place, Values
+from coscrew_codegen.scene.effect import BodyState, Effect, Force, ParameterOf, Place, Values
 
 
-def _force(state, values: Values) -> Force:
+def _force(state: BodyState, values: Values) -> Force:
     """The force and the torque as the body sees them."""
-    force, torque = (values[x] and state.own_direction(values[x]) if values["frame"] == "world"
-                     else values[x] for x in ("force", "torque"))
-    zero = values["point"][0].like(0)
-    return Force(values["point"], force or (zero, zero, zero), torque)
+    force, torque = (x and state.own_direction(x) if values.word("frame") == "world" else x
+                     for x in map(values.optional_vector, ("force", "torque")))
+    point = values.vector("point")
+    zero = point[0].like(0)
+    return Force(point, force or (zero, zero, zero), torque)
 
 
 EFFECT = Effect(

@@ -1,4 +1,4 @@
-"""From scenes to the functions of their dynamics, recorded with the library's own operations."""
+"""Derives the functions of a scene's dynamics by calling the library's operations."""
 
 from coscrew_codegen.mechanics.functions import derive
 

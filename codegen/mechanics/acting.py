@@ -1,8 +1,10 @@
 """What a scene's effects do to a motion: torques at joints, forces on links, energies, powers."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
+from operator import mul
 
 from coscrew_codegen.mechanics.motion import Motion
 from coscrew_codegen.mechanics.potentials import body_force
@@ -22,7 +24,7 @@ from coscrew_codegen.recording.numbers import (
     subtract,
 )
 from coscrew_codegen.recording.recorder import Recorder
-from coscrew_codegen.scene.effect import FIRST, SECOND, CoordinateState, Effect, Force, Torque
+from coscrew_codegen.scene.effect import FIRST, SECOND, CoordinateState, Effect, Force, Torque, said
 from coscrew_codegen.scene.scene import Applied, Scene
 
 
@@ -36,19 +38,18 @@ class Pushed:
     @property
     def wrench(self) -> tuple[Number, ...]:
         """(f; τ) at the point, in the body's frame."""
-        return (*self.force.force, *(self.force.moment or self.state.motion.zero))
+        return (*said(self.force.force), *(self.force.moment or self.state.motion.zero))
 
     @property
     def on_link(self) -> tuple[Number, ...]:
         """[Ad]* c: force and moment about the link's origin, in its frame."""
-        return self.state.t.recorder.call("product_CoAdc", self.state.frame(self.force.point),
+        return self.state.t.recorder.call("product_CoAdc", self.state.frame(said(self.force.point)),
                                           self.wrench)
 
-    @property
     def power(self) -> Number:
         """f·v + τ·ω."""
         return self.state.t.recorder.call("dot_cs", self.wrench,
-                                          self.state.twist(self.force.point))[0]
+                                          self.state.twist(said(self.force.point)))[0]
 
 
 CLOSEST = Fraction(1, 10**12)
@@ -68,11 +69,13 @@ class Paired:
     def forces(self) -> tuple[Force, Force]:
         """On both bodies; energy and power are counted with the first."""
         torque = self.along.torque
-        pull = scaled(-torque.torque, self.direction)
+        size = said(torque.torque)
+        pull = scaled(-size, self.direction)
         first, second = self.states
-        power = _own_power(torque, lambda: torque.torque * self.along.at.v)
+        power = _own_power(torque, lambda: size * self.along.at.v)
         zero = pull[0].like(0)
-        return (Force(self.points[0], first.own_direction(pull), energy=torque.energy, power=power),
+        return (Force(self.points[0], first.own_direction(pull), energy=torque.energy,
+                      power=zero.like(power)),
                 Force(self.points[1], second.own_direction(negative(pull)), power=zero))
 
     @property
@@ -132,9 +135,9 @@ class Acting:
         return BodyOfLink(seat.body.inertia, self.t, self.motion, link, place)
 
     def _pair(self, law: Law, applied: Applied) -> Paired:
-        first, second = (self._body(name) for name in applied.values["bodies"])
+        first, second = (self._body(name) for name in applied.bodies)
         values = settings(self.recorder, applied.values, self.t)
-        a, b = values[FIRST], values[SECOND]
+        a, b = values.vector(FIRST), values.vector(SECOND)
         apart = first.line_to(a, second, b)
         length = sqrt(dot(apart, apart))
         direction = scaled(1 / maximum(length, CLOSEST), apart)
@@ -151,7 +154,7 @@ class Acting:
 
     def torque(self, link: int) -> Number:
         """The sum of the torques at the joint before a link with one coordinate."""
-        return self._sum(x.torque.torque for x in self.torques.get(link, ()))
+        return self._sum(said(x.torque.torque) for x in self.torques.get(link, ()))
 
     def damping(self, link: int) -> Number:
         """-∂/∂v of it, or a bound."""
@@ -170,7 +173,7 @@ class Acting:
 
     def resisting(self, link: int) -> list[tuple[Number, Vector]]:
         """(damping, point in the link) of the forces that have a damping."""
-        return [(push.force.damping, push.state.in_link(push.force.point))
+        return [(push.force.damping, push.state.in_link(said(push.force.point)))
                 for push in self.pushes.get(link, ()) if push.force.damping]
 
     def potential(self) -> Number:
@@ -186,20 +189,20 @@ class Acting:
             speed = self.motion.speeds(link)[0]
             for x in self.torques[link]:
                 torque = x.torque
-                total = total + _own_power(torque, lambda x=torque, v=speed: x.torque * v)
+                total = total + _own_power(torque, partial(mul, said(torque.torque), speed))
         for link in sorted(self.pushes):
             for push in self.pushes[link]:
-                total = total + _own_power(push.force, lambda push=push: push.power)
+                total = total + _own_power(push.force, push.power)
         return total
 
-    def _sum(self, values) -> Number:
+    def _sum(self, values: Iterable[Number]) -> Number:
         total = self.recorder.number(0)
         for value in values:
             total = total + value
         return total
 
 
-def _own_power(x: Torque | Force, whole) -> Number | int:
+def _own_power(x: Torque | Force, whole: Callable[[], Number]) -> Number | int:
     if x.power is not None:
         return x.power
     return whole() if x.energy is None else 0

@@ -1,11 +1,10 @@
-"""Forward dynamics by articulated bodies (ABA), on top of inverse dynamics without acceleration.
+"""Forward dynamics by articulated bodies (ABA), from the wrenches of inverse dynamics at a = 0.
 
-The wrenches of the motion with a = 0 are known from inverse dynamics; what remains is
-linear: each link answers an acceleration of its frame with its articulated inertia, and
-no term holds a velocity.
+With these wrenches the rest is linear: a link's wrench changes with the acceleration of its frame
+by its articulated inertia, and no term contains a velocity.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 from coscrew_codegen.mechanics import inverse
@@ -26,13 +25,13 @@ from coscrew_codegen.scene.model import Kind
 
 Column = tuple[Number, ...]  # six: force and moment, or linear and angular acceleration
 Joint = Callable[[int, Number], tuple[Number, Number]]
-"""Of a speed by number and the inertia it feels: the torque that acts along it, and an inertia that
-it has of its own."""
+"""(number of a velocity, articulated inertia along it) -> (torque along it, additional inertia)."""
 
 
 @dataclass(frozen=True)
 class Articulated:
-    """[[M, H^T], [H, I]]: what maps a link's acceleration (linear; angular) to force and moment."""
+    """The articulated inertia [[M, H^T], [H, I]]: maps the acceleration (linear; angular) of a link
+    to force and moment."""
 
     entries: tuple[Number, ...]  # 36, row by row; symmetric
 
@@ -56,7 +55,8 @@ class Articulated:
         return Articulated(call("mat6x6_shifted", translation(D), rotated))
 
     def without(self, joint: "Freed") -> "Articulated":
-        """A - U D^-1 U^T: what a joint's freedom leaves; rows and columns of its axes vanish."""
+        """A - U D^-1 U^T: the articulated inertia beyond a free joint; rows and columns of its axes
+        are zero."""
         def less(row: int, column: int) -> Number:
             if row in joint.axes or column in joint.axes:
                 return joint.zero
@@ -68,7 +68,7 @@ class Articulated:
         return _symmetric(less)
 
     def label(self, motion: Motion, symbol: str) -> None:
-        """Names its blocks: l linear, a angular, c what couples them."""
+        """Name its blocks: l linear, a angular, c their coupling."""
         rows, upper = range(3), ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
         blocks = {"l": [self.entry(i, j) for i, j in upper],
                   "c": [self.entry(3 + i, j) for i in rows for j in rows],
@@ -78,21 +78,21 @@ class Articulated:
 
 
 def _symmetric(entry: Callable[[int, int], Number]) -> Articulated:
-    """The matrix with these entries, those on and below the diagonal asked for once."""
+    """The symmetric matrix with these entries on and below the diagonal."""
     lower = {(i, j): entry(i, j) for i in range(6) for j in range(i + 1)}
     return Articulated(tuple(lower[max(i, j), min(i, j)] for i in range(6) for j in range(6)))
 
 
 @dataclass(frozen=True)
 class Freed:
-    """A joint's freedoms as its articulated inertia sees them."""
+    """A joint's freedoms with the articulated inertia of its link."""
 
     S: tuple[tuple[Number, ...], ...]  # screws of the freedoms, six numbers each
-    U: tuple[Column, ...]  # A S, a column a freedom
+    U: tuple[Column, ...]  # A S, a column per freedom
     D: Factors  # of S^T A S + inertias of the joint
-    torques: tuple[Number, ...]  # what acts along the freedoms
+    torques: tuple[Number, ...]  # along the freedoms
     W: tuple[Column, ...]  # U D^-1
-    axes: frozenset[int]  # components that are freedoms themselves, without inertia of their own
+    axes: frozenset[int]  # components that are freedoms, of joints without additional inertia
     zero: Number
 
 
@@ -109,7 +109,7 @@ def freedoms(motion: Motion, number: int) -> tuple[tuple[Number, ...], ...]:
 
 
 def freed(motion: Motion, number: int, body: Articulated, joint: Joint) -> Freed:
-    """The joint before a link, with what it has of its own."""
+    """The joint of a link, with its torques and additional inertias."""
     zero, S = motion.zero[0], freedoms(motion, number)
     with motion.part(number, "S"):
         U = tuple(tuple(_sum(zero, (body.entry(i, k) * s[k] for k in range(6))) for i in range(6))
@@ -141,7 +141,7 @@ def _label_column(motion: Motion, symbol: str, column: Column) -> None:
 
 def accelerations(motion: Motion, bodies: Sequence[Articulated], wrenches: Sequence[Wrench],
                   joint: Joint) -> list[Number]:
-    """a of every speed: bodies the links' inertias, wrenches those of the motion with a = 0."""
+    """a, from the links' inertias `bodies` and the `wrenches` of the motion with a = 0."""
     links, body, wrench = motion.tree.links, list(bodies), list(wrenches)
     joints: list[tuple[Freed, list[Number]]] = []
     for number in reversed(range(len(links))):
@@ -159,7 +159,7 @@ def accelerations(motion: Motion, bodies: Sequence[Articulated], wrenches: Seque
 
 def _hand_on(motion: Motion, number: int, joint: Freed, rest: Sequence[Number],
              body: list[Articulated], wrench: list[Wrench]) -> None:
-    """Adds what the joint leaves of its link's inertia and wrench to its parent's."""
+    """Add the inertia and the wrench beyond the joint to its parent's."""
     parent = motion.tree.links[number].parent
     with motion.part(number, "Ap"):
         left = body[number].without(joint).transformed(motion.frame(number))
@@ -204,7 +204,7 @@ def _outwards(motion: Motion, joints: Sequence[tuple[Freed, list[Number]]]) -> l
     return found
 
 
-def _sum(zero: Number, values) -> Number:
+def _sum(zero: Number, values: Iterable[Number]) -> Number:
     total = zero
     for value in values:
         total = total + value

@@ -1,4 +1,4 @@
-"""Inertias of links: those of their bodies, lumped; of constant bodies a constant."""
+"""Inertias of links: the sums of those of their bodies; constants if these are constant."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from coscrew_codegen.scene.model import Inertia
 from coscrew_codegen.scene.tree import Seat
 
 UPPER = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
-"""Where the six numbers of a symmetric matrix stand."""
+"""(row, column) of the six numbers of a symmetric matrix."""
 
 
 @dataclass(frozen=True)
@@ -22,7 +22,7 @@ class Rigid:
 
     @property
     def numbers(self) -> tuple[Number, ...]:
-        """All ten, as the library's operations on inertias take them."""
+        """All ten numbers, as an argument of the library's operations."""
         return (self.m, *self.h, *self.I)
 
     @property
@@ -32,7 +32,7 @@ class Rigid:
 
 
 def symmetric(six: Sequence[Number]) -> tuple[Number, ...]:
-    """The nine entries, row by row, of the matrix with these six."""
+    """The nine entries, row by row, of the symmetric matrix with these six numbers."""
     xx, yy, zz, xy, xz, yz = six
     return (xx, xy, xz, xy, yy, yz, xz, yz, zz)
 

@@ -1,10 +1,11 @@
-"""The mass matrix by composite bodies (CRBA): what lies behind a joint moves as one rigid body.
+"""The mass matrix by composite rigid bodies (CRBA): the links beyond a joint move as one body.
 
-A column is the wrenches that a unit acceleration of one joint needs, at it and at all before it.
-Followers' columns and rows are merged into those of the joints they follow.
+A column holds the torques, at a joint and at all joints between it and the base, for a unit
+acceleration of that joint.  Columns and rows of followers are added to those of their leaders.
 """
 
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 
 from coscrew_codegen.mechanics.articulated import freedoms
 from coscrew_codegen.mechanics.bodies import Rigid, rigid_of
@@ -30,14 +31,14 @@ def composites(motion: Motion, rigids: Sequence[Rigid]) -> list[Rigid]:
 
 
 def _label(motion: Motion, symbol: str, body: Rigid) -> None:
-    """Names mass, first and second moments."""
+    """Name mass, first and second moments."""
     for part, value in (("m", body.m), ("h", body.h), ("I", body.I)):
         motion.recorder.label(f"{symbol}{part}", value)
 
 
 def mass_matrix(motion: Motion, rigids: Sequence[Rigid],
                 inertias: Mapping[str, Number]) -> list[list[Number]]:
-    """M, with the inertias of the joints alone on its diagonal."""
+    """M; `inertias`, those of joints themselves, are added to its diagonal."""
     tree, zero = motion.tree, motion.zero[0]
     M = [[zero] * tree.nv for _ in range(tree.nv)]
     bodies = composites(motion, rigids)
@@ -54,7 +55,7 @@ def mass_matrix(motion: Motion, rigids: Sequence[Rigid],
 
 def _enter(motion: Motion, number: int, freedom: int, column: Sequence[Number],
            M: list[list[Number]]) -> None:
-    """Enters what a unit acceleration of one freedom needs at its joint and those before it."""
+    """Enter the torques, at its joint and those before it, for a unit acceleration of a freedom."""
     wrench, at = tuple(column), number
     j, factor_j = _speed(motion, number, freedom)
     while at >= 0:
@@ -71,8 +72,8 @@ def _enter(motion: Motion, number: int, freedom: int, column: Sequence[Number],
         at = motion.tree.links[at].parent
 
 
-def _speed(motion: Motion, number: int, freedom: int):
-    """The speed a freedom belongs to, and by how much it is multiplied there."""
+def _speed(motion: Motion, number: int, freedom: int) -> tuple[int, Fraction | int]:
+    """(index of the velocity that a freedom depends on, its multiplier)."""
     link = motion.tree.links[number]
     if link.driver:
         return motion.tree.links[link.driver.link].v.start, link.driver.multiplier

@@ -1,4 +1,4 @@
-"""How coordinates move: q ⊕ phi by exponentials, and the rate of phi for given speeds."""
+"""Motion of coordinates: q ⊕ phi by exponentials, and the rate of phi for given velocities."""
 
 from collections.abc import Sequence
 
@@ -20,7 +20,7 @@ def neutral(tree: Tree) -> tuple[float, ...]:
 
 def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence[Number],
                phi: Sequence[Number]) -> list[Number]:
-    """q moved by phi: q + phi; quaternions times exp(phi/2), positions by that screw motion."""
+    """q ⊕ phi: q + phi; quaternions times exp(phi/2), free joints moved by the screw motion phi."""
     found: list[Number] = []
     for name, link in zip(names, tree.links, strict=True):
         if link.driver:
@@ -40,7 +40,7 @@ def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence
 
 
 def _turned(recorder: Recorder, q: Sequence[Number], step: Sequence[Number]) -> tuple[Number, ...]:
-    """q exp(step/2), and a step of Newton's towards norm 1, so that roundings don't add up."""
+    """q exp(step/2), with a Newton step towards norm 1, so that rounding errors don't add up."""
     turned = recorder.call("quaternion_product_qq", q, recorder.call("quaternion_exp", step))
     (square,) = recorder.call("dot_qq", turned, turned)
     return scaled((3 - square) / 2, turned)

@@ -7,7 +7,7 @@ from coscrew_codegen.recording.numbers import Number, add, dot
 
 
 def kinetic(x: Recording, motion: Motion) -> Number:
-    """Σ s·B s / 2, and of joints' own inertias I v²/2."""
+    """Σ s·B s / 2 + Σ I v²/2, with the inertias I of joints themselves."""
     total = x.recorder.number(0)
     for number, (rigid, link) in enumerate(zip(x.rigids, x.tree.links, strict=True)):
         with motion.part(number, "T"):
@@ -22,7 +22,7 @@ def kinetic(x: Recording, motion: Motion) -> Number:
 
 
 def potential(x: Recording, motion: Motion) -> Number:
-    """-g·h, h the first moment of all links in the world's frame."""
+    """-g·h, with the first moment h of all links in the world's frame."""
     total = x.recorder.number(0)
     bodies = composite.composites(motion, x.rigids)
     for number, link in enumerate(x.tree.links):
@@ -35,7 +35,7 @@ def potential(x: Recording, motion: Motion) -> Number:
 
 
 def momenta(x: Recording, motion: Motion) -> list[inverse.Wrench]:
-    """(p; L) of each link and all beyond it, in its frame: B s, handed on by [Ad]*."""
+    """(p; L) of each link and all beyond it, in its frame: B s + Σ [Ad]* (p; L) of its children."""
     found = []
     for number, rigid in enumerate(x.rigids):
         with motion.part(number, "p"):
@@ -46,7 +46,7 @@ def momenta(x: Recording, motion: Motion) -> list[inverse.Wrench]:
 
 
 def momentum(x: Recording, motion: Motion) -> tuple[Number, ...]:
-    """Σ [Ad]*(D) B s: of all links in the world's frame."""
+    """Σ [Ad]*(D) B s over all links, in the world's frame."""
     total = (*motion.zero, *motion.zero)
     for number, own in enumerate(momenta(x, motion)):
         if x.tree.links[number].parent < 0:

@@ -1,6 +1,6 @@
-"""What floats free: trees of links whose first joint is free, and on which nothing from outside
-acts but uniform gravity.  Their momentum is known for all times: p(t) = p + m g t, and the angular
-momentum about the centre of mass stays."""
+"""Floating trees: their first joint is free, and no external force acts on them except uniform
+gravity.  Their momentum is known at all times: p(t) = p + m g t, and the angular momentum about the
+centre of mass is constant."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from coscrew_codegen.mechanics import composite, energies
 from coscrew_codegen.mechanics.acting import Acting, gravity
 from coscrew_codegen.mechanics.bodies import Rigid
-from coscrew_codegen.mechanics.linear import factored
+from coscrew_codegen.mechanics.linear import Factors, factored
 from coscrew_codegen.mechanics.motion import Motion
 from coscrew_codegen.mechanics.recorded import Recording
 from coscrew_codegen.recording.numbers import (
@@ -31,7 +31,7 @@ from coscrew_codegen.scene.tree import Tree
 
 
 def floating(scene: Scene, tree: Tree) -> tuple[int, ...]:
-    """The first links of the trees that float free."""
+    """The first links of the floating trees."""
     roots = [n for n, link in enumerate(tree.links)
              if link.parent < 0 and link.joint.kind is Kind.FREE]
     tied = {root for applied in scene.effects for root in _tied(applied, tree)
@@ -43,17 +43,17 @@ def floating(scene: Scene, tree: Tree) -> tuple[int, ...]:
 
 
 def _tied(applied: Applied, tree: Tree) -> set[int]:
-    """The trees that an effect pushes from outside."""
+    """The trees on which an effect exerts an external force, by first link."""
     if applied.effect.body_force:
         return {_root(tree, tree.seat_of(applied.on)[0])}
     if applied.effect.pair_force:
-        ends = {_root(tree, tree.seat_of(body)[0]) for body in applied.values["bodies"]}
+        ends = {_root(tree, tree.seat_of(body)[0]) for body in applied.bodies}
         return ends if len(ends) > 1 else set()
     return set()
 
 
 def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
-    """Whether an effect's forces are zero whatever happens: its numbers say so."""
+    """Whether the numbers of an effect make its forces zero in every state."""
     recorder = Recorder([array("t", ()), array("p", (len(scene.parameters),)),
                          array("q", (tree.nq,)), array("v", (tree.nv,))])
     motion = Motion(recorder, tree, [f"link{n}" for n in range(len(tree.links))],
@@ -63,7 +63,7 @@ def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
 
 
 def _root(tree: Tree, number: int) -> int:
-    """The first link of a link's tree; -1 of the world."""
+    """The first link of a link's tree; -1 for the world."""
     while number >= 0 and tree.links[number].parent >= 0:
         number = tree.links[number].parent
     return number
@@ -71,7 +71,7 @@ def _root(tree: Tree, number: int) -> int:
 
 @dataclass(frozen=True)
 class _Whole:
-    """A tree that floats free as one body, in its first link's frame."""
+    """A floating tree as one body, in its first link's frame."""
 
     rigid: Rigid
     com: Vector
@@ -84,15 +84,15 @@ def _wholes(x: Recording, motion: Motion, roots: Sequence[int]) -> list[_Whole]:
     found = []
     for root in roots:
         with motion.part(root, "L"):
-            com = scaled(1 / bodies[root].m, bodies[root].h)  # of constant mass no quotient
+            com = scaled(1 / bodies[root].m, bodies[root].h)  # folds 1/m if m is constant
             about_com = x.recorder.call("product_CoAdtinvc", com, momenta[root])
             found.append(_Whole(bodies[root], com, linear(about_com), angular(about_com)))
     return found
 
 
 def momentum(x: Recording, roots: Sequence[int]) -> list[Number]:
-    """(p; L) of each tree that floats free, by its first link (see `floating`), in the world's
-    axes, L about its centre of mass."""
+    """(p; L) of each floating tree, by its first link (see `floating`), in the world's axes, with L
+    about its centre of mass."""
     motion = x.motion(accelerating=False)
     found: list[Number] = []
     for root, whole in zip(roots, _wholes(x, motion, roots), strict=True):
@@ -103,7 +103,8 @@ def momentum(x: Recording, roots: Sequence[int]) -> list[Number]:
 
 
 def corrected(x: Recording, roots: Sequence[int]) -> list[Number]:
-    """v with the base velocities that give momentum (p + m g t; L) for c = (p; L)."""
+    """v with the base velocities corrected to the momentum (p + m g t; L), from the input
+    c = (p; L)."""
     motion = x.motion(accelerating=False)
     (t,), c, v = x.recorder.argument("t"), x.recorder.argument("c"), list(motion.v)
     for n, (root, whole) in enumerate(zip(roots, _wholes(x, motion, roots), strict=True)):
@@ -119,7 +120,7 @@ def corrected(x: Recording, roots: Sequence[int]) -> list[Number]:
     return v
 
 
-def _about_com(whole: _Whole):
+def _about_com(whole: _Whole) -> Factors:
     """The moments of inertia about the centre of mass, factored."""
     nine = whole.rigid.m.recorder.call("spatial_inertia_about_com", whole.rigid.numbers)
     return factored([nine[3 * i:3 * i + 3] for i in range(3)])

@@ -18,7 +18,7 @@ from coscrew_codegen.mechanics.bodies import Rigid, rigid_of
 from coscrew_codegen.mechanics.inverse import Wrench
 from coscrew_codegen.mechanics.linear import factored
 from coscrew_codegen.mechanics.motion import Motion
-from coscrew_codegen.recording.numbers import Number, add, linear, maximum, scaled, subtract
+from coscrew_codegen.recording.numbers import Number, Vector, add, linear, maximum, scaled, subtract
 
 Weights = Callable[[Number, Number, Number], tuple[Number, Number]]
 """(m, c) of a damping, a stiffness, and the damping by the inertia that feels it, in 1/s."""
@@ -59,11 +59,12 @@ def implicit(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
     stiffness = _gathered(motion, {n: start.stiffness(n) for n in sorted(start.torques)}, 2)
     rates = list(damping)
 
-    def joint(k: int, inertia: Number) -> tuple[Number, Number]:
+    def at_joint(k: int, inertia: Number) -> tuple[Number, Number]:
         rates[k] = damping[k] / (inertia + own[k])
         mass, fall = weights(damping[k], stiffness[k], rates[k])
         return torques[k] - fall * start.motion.v[k], own[k] + mass
 
+    joint: Joint = at_joint
     solve = _solver(motion, _heavier(motion, start, rigids, weights))
     for number, pair in enumerate(start.pairs):
         with motion.recorder.part(f"pair_{number}", heading="pairs of bodies"):
@@ -202,7 +203,7 @@ def _product(a: Sequence[Number], b: Sequence[Number]) -> Number:
     return total
 
 
-def _with_mass(body: Rigid, mass: Number, point) -> Rigid:
+def _with_mass(body: Rigid, mass: Number, point: Vector) -> Rigid:
     """The body with a point mass."""
     zero = mass.like(0)
     return rigid_of(add(body.numbers, mass.recorder.call(

@@ -1,4 +1,4 @@
-"""Poses, twists and Jacobians of bodies, wherever they sit in their links."""
+"""Poses, twists and Jacobians of bodies, in their own frames."""
 
 from collections.abc import Sequence
 
@@ -9,7 +9,7 @@ from coscrew_codegen.recording.numbers import Number, add, displacement, scaled
 
 
 def _seat(x: Recording, body: str) -> tuple[int, Displacement]:
-    """The link a body belongs to, and its D in it."""
+    """The link that a body belongs to, and the body's D in it."""
     number, seat = x.tree.seat_of(body)
     R, t = x.recorder.numbers(seat.placement.R), x.recorder.numbers(seat.placement.t)
     return number, displacement(R, t)
@@ -24,7 +24,7 @@ def pose(x: Recording, motion: Motion, body: str) -> Displacement:
 
 
 def jacobian(x: Recording, motion: Motion, body: str) -> list[Sequence[Number]]:
-    """A column a speed: the joint's screw as the body sees it."""
+    """J by columns, one per velocity: the joint's screw in the body's frame."""
     number, D = _seat(x, body)
     columns: list[Sequence[Number]] = [(*motion.zero, *motion.zero)] * x.tree.nv
     while number >= 0:
@@ -41,6 +41,6 @@ def jacobian(x: Recording, motion: Motion, body: str) -> list[Sequence[Number]]:
 
 
 def twist(x: Recording, motion: Motion, body: str) -> tuple[Number, ...]:
-    """[Ad]^-1 s: the link's screw as the body sees it."""
+    """[Ad]^-1 s: the link's twist in the body's frame."""
     number, D = _seat(x, body)
     return x.recorder.call("product_Adinvs", D, motion.twist(number))

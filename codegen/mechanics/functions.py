@@ -20,7 +20,7 @@ from coscrew_codegen.mechanics import (
 )
 from coscrew_codegen.mechanics.acting import Acting
 from coscrew_codegen.mechanics.ranges import refuse_numbers, refuse_products, refuse_quotients
-from coscrew_codegen.mechanics.recorded import Recording
+from coscrew_codegen.mechanics.recorded import Recording, Results
 from coscrew_codegen.mechanics.steps import needs, stepped
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.recording.numbers import Number
@@ -73,10 +73,9 @@ def uncollected() -> Iterator[None]:
 
 def is_timed(scene: Scene) -> bool:
     """Whether any effect is a function of time."""
-    def timed(value) -> bool:
-        if isinstance(value, tuple):
-            return any(map(timed, value))
-        return isinstance(value, Formula) and value.timed
+    def timed(value: object) -> bool:
+        parts = value if isinstance(value, tuple) else (value,)
+        return any(isinstance(x, Formula) and x.timed for x in parts)
 
     return any(timed(value) for x in scene.effects for value in x.values.values())
 
@@ -151,7 +150,7 @@ class _Derivation:
     # one function
 
     def _function(self, name: str, words: str, inputs: str, outputs: Sequence[Argument],
-                  compute: Callable[[Recording], Sequence[Sequence[Number]]],
+                  compute: Callable[[Recording], Results],
                   dynamic: bool = True, acted: bool = False) -> Function:
         """A function of these inputs, with p if it is of the dynamics, t if effects act in it."""
         given = [*(["t"] if acted and self.timed or "t" in inputs.split() else []),
@@ -190,7 +189,7 @@ class _Derivation:
         return self.inputs["tau"]
 
     def _inverse(self) -> Function:
-        def compute(x: Recording):
+        def compute(x: Recording) -> Results:
             motion = x.motion()
             return [x.torques(motion, Acting(self.scene, motion).act())]
 
@@ -200,7 +199,7 @@ class _Derivation:
             acted=True)
 
     def _bias(self) -> Function:
-        def compute(x: Recording):
+        def compute(x: Recording) -> Results:
             motion = x.motion(accelerating=False)
             return [x.torques(motion, Acting(self.scene, motion).act())]
 
@@ -209,14 +208,14 @@ class _Derivation:
             "all effects' torques", "q v", [self._tau()], compute, acted=True)
 
     def _gravity(self) -> Function:
-        def compute(x: Recording):
+        def compute(x: Recording) -> Results:
             return [x.torques(x.motion(moving=False, accelerating=False), None)]
 
         return self._function("gravity_torques", "tau that holds the model still against gravity "
                               "alone", "q", [self._tau()], compute)
 
     def _forward(self) -> Function:
-        def compute(x: Recording):
+        def compute(x: Recording) -> Results:
             motion = x.motion(accelerating=False)
             acting = Acting(self.scene, motion).act()
             return [forward.accelerations(motion, acting, x.rigids, x.inertias,
@@ -278,7 +277,7 @@ class _Derivation:
             lambda x: [[y] for y in leapfrog.split(x)])
 
     def _implicit(self) -> Function:
-        def compute(x: Recording):
+        def compute(x: Recording) -> Results:
             motion = x.motion(accelerating=False)
             acting = Acting(self.scene, motion).act()
             h, = x.recorder.argument("h")
@@ -294,7 +293,7 @@ class _Derivation:
             [self.inputs["a"]], compute, acted=True)
 
     def _mass(self) -> Function:
-        def compute(x: Recording):
+        def compute(x: Recording) -> Results:
             M = composite.mass_matrix(x.motion(False, False, False), x.rigids, x.inertias)
             return [[entry for row in M for entry in row]]
 
@@ -303,7 +302,7 @@ class _Derivation:
                               [array("M", (nv, nv), "masses in kg, kg m, kg m^2")], compute)
 
     def _energy(self) -> Function:
-        def compute(x: Recording):
+        def compute(x: Recording) -> Results:
             motion = x.motion(accelerating=False)
             acting = Acting(self.scene, motion).act()
             return [[energies.kinetic(x, motion),
@@ -315,7 +314,7 @@ class _Derivation:
             acted=True)
 
     def _power(self) -> Function:
-        def compute(x: Recording):
+        def compute(x: Recording) -> Results:
             motion = x.motion(accelerating=False)
             return [[Acting(self.scene, motion).act().power()]]
 
@@ -324,7 +323,7 @@ class _Derivation:
             "dissipate", "q v", [array("P", (), "power in W")], compute, acted=True)
 
     def _momentum(self) -> Function:
-        def compute(x: Recording):
+        def compute(x: Recording) -> Results:
             return [energies.momentum(x, x.motion(accelerating=False))]
 
         return self._function(
@@ -332,11 +331,9 @@ class _Derivation:
             "in the world's frame", "q v", [array("c", (6,), "in kg m/s, kg m^2/s")], compute)
 
     def _poses(self) -> Function:
-        def compute(x: Recording):
-            motion, found = x.motion(falling=False), []
-            for body in self.bodies:
-                found += frames.pose(x, motion, body)
-            return [found]
+        def compute(x: Recording) -> Results:
+            motion = x.motion(falling=False)
+            return [[entry for body in self.bodies for entry in frames.pose(x, motion, body)]]
 
         return self._function(
             "body_poses", "D[i] = [R | t] of each body in the world, row by row", "q",
@@ -344,8 +341,9 @@ class _Derivation:
             dynamic=False)
 
     def _twists(self) -> Function:
-        def compute(x: Recording):
-            motion, found = x.motion(accelerating=False, falling=False), []
+        def compute(x: Recording) -> Results:
+            motion = x.motion(accelerating=False, falling=False)
+            found: list[Number] = []
             for body, name in self.bodies.items():
                 with x.recorder.part(name, "v", body):
                     found += frames.twist(x, motion, body)
@@ -356,7 +354,7 @@ class _Derivation:
             [array("s", (len(self.bodies), 6), "screws in m/s, rad/s")], compute, dynamic=False)
 
     def _jacobian(self, name: str, body: str) -> Function:
-        def compute(x: Recording):
+        def compute(x: Recording) -> Results:
             with x.recorder.part(self.bodies[body], "J", body):
                 columns = frames.jacobian(x, x.motion(False, False, False), body)
             return [[columns[j][i] for i in range(6) for j in range(self.tree.nv)]]
@@ -366,7 +364,7 @@ class _Derivation:
             [array("J", (6, self.tree.nv), "screws of the speeds")], compute, dynamic=False)
 
     def _reaction(self, name: str, joint: str) -> Function:
-        def compute(x: Recording):
+        def compute(x: Recording) -> Results:
             motion = x.motion()
             acting = Acting(self.scene, motion).act()
             wrenches = inverse.transmitted(
@@ -379,7 +377,7 @@ class _Derivation:
             [array("f", (6,), "coscrew in N, N m")], compute, acted=True)
 
     def _integrated(self) -> Function:
-        def compute(x: Recording):
+        def compute(x: Recording) -> Results:
             q, phi = x.recorder.argument("q"), x.recorder.argument("phi")
             return [coordinates.integrated(x.recorder, self.tree, self.names, q, phi)]
 
@@ -392,7 +390,7 @@ class _Derivation:
         if not any(c.kind in ("spherical", "free") for c in self.tree.coordinates):
             return None
 
-        def compute(x: Recording):
+        def compute(x: Recording) -> Results:
             return [coordinates.chart_rate(x.recorder, self.tree, self.names)]
 
         return self._function(

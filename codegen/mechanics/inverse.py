@@ -1,7 +1,7 @@
-"""Inverse dynamics: the torques of a motion, by Newton and Euler's equations link by link (RNEA).
+"""Inverse dynamics: the torques of a motion, by the recursive Newton–Euler algorithm (RNEA).
 
-Outwards the motion, inwards the wrenches that joints transmit; a joint's torque is their part along
-its axis.
+Outwards the motion of links, inwards the wrenches that joints transmit; a joint's torque is the
+component of its wrench along its axis.
 """
 
 from collections.abc import Mapping, Sequence
@@ -16,11 +16,11 @@ Wrench = tuple[Number, ...]  # force; moment about the link's origin, in the lin
 
 
 def net_wrenches(motion: Motion, rigids: Sequence[Rigid], acting: Acting | None) -> list[Wrench]:
-    """What gives each link its motion, less what effects supply of it."""
+    """The net wrench of each link's motion, less the forces of effects."""
     wrenches: list[Wrench] = []
     for number, rigid in enumerate(rigids):
         if not rigid.vanishes:
-            motion.acceleration_tensor(number)  # first, so that its steps bear its name
+            motion.acceleration_tensor(number)  # first, so that its instructions have its name
         with motion.part(number, "f"):
             wrench = (*motion.zero, *motion.zero)
             if not rigid.vanishes:
@@ -35,13 +35,13 @@ def net_wrenches(motion: Motion, rigids: Sequence[Rigid], acting: Acting | None)
 
 
 def label(motion: Motion, force: str, moment: str, wrench: Wrench) -> None:
-    """Names a wrench of the part's link."""
+    """Name a wrench of the part's link."""
     motion.recorder.label(force, linear(wrench))
     motion.recorder.label(moment, angular(wrench))
 
 
 def transmitted(motion: Motion, wrenches: Sequence[Wrench]) -> list[Wrench]:
-    """The wrench each joint transmits: that of its link and of all beyond."""
+    """The wrench that each joint transmits: the sum for its link and all beyond, in its frame."""
     total = list(wrenches)
     for number in reversed(range(len(total))):
         parent = motion.tree.links[number].parent
@@ -62,7 +62,7 @@ def to_parent(motion: Motion, number: int, wrench: Wrench) -> Wrench:
 
 
 def along(motion: Motion, number: int, wrench: Wrench) -> tuple[Number, ...]:
-    """h·c: the part of a wrench along each of the joint's freedoms."""
+    """h·c: the components of a wrench along the joint's freedoms."""
     link = motion.tree.links[number]
     if link.joint.kind is Kind.FREE:
         return wrench
@@ -74,8 +74,8 @@ def along(motion: Motion, number: int, wrench: Wrench) -> tuple[Number, ...]:
 
 def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: Acting | None,
                   inertias: Mapping[str, Number]) -> list[Number]:
-    """One torque a speed: the joint's part of the wrench, its own inertia's, less the effects';
-    followers' go to what they follow."""
+    """A torque per velocity: the wrench along the freedom, plus that of the joint's own inertia,
+    less those of effects; torques of followers are added to those of their leaders."""
     torques = [motion.recorder.number(0)] * motion.tree.nv
     for number, link in enumerate(motion.tree.links):
         with motion.part(number, "tau"):
@@ -89,7 +89,7 @@ def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: Acting | N
 
 
 def gather(motion: Motion, number: int, parts: Sequence[Number], total: list[Number]) -> None:
-    """Adds the parts of a joint's freedoms to those of the speeds they belong to."""
+    """Add torques along a joint's freedoms to those of the velocities that these depend on."""
     link = motion.tree.links[number]
     start = link.v.start
     if link.driver:

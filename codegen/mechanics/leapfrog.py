@@ -1,15 +1,15 @@
-"""The kick of the default integrator (drift, kick, drift), and into how many parts it splits steps.
+"""The kick of the default integrator (drift, kick, drift), and the number of parts of split steps.
 
-Half a step the coordinates move with the speeds v0 the step starts with, to q_m; then all speeds
-change at once, at q_m; then the coordinates move on with the new ones, v1 = v0 + h a:
+For half a step the coordinates move with the initial velocities v0, to q_m.  Then the velocities
+change at once, at q_m, and the coordinates move on with the new ones, v1 = v0 + h a:
 
     q_m = q0 ⊕ h/2 v0,   M(q_m) a = f(q_m, (v0 + v1)/2, t + h/2),   q1 = q_m ⊕ h/2 v1.
 
-The kick is solved in two passes: a' with the forces of v0, then a with those of v0 + h/2 a'.  Both
-are implicit in damping d and stiffness k of the effects, taken at v0: with z = h d/inertia and
-θ = (1 + z)/(2 + z) forces act as after θ h, which adds θ (h d + h² k/2) to the inertia and
--(θ - ½) h k v0 to the torques.  So a damped speed shrinks by 1/(1 + z + z²/2) for any z, and
-springs without damping keep ½ v·M v + ½ q·K q.  Of second order.
+The kick is solved in two passes: a' with the forces at v0, then a with those at v0 + h/2 a'.  Both
+are implicit in the damping d and stiffness k of the effects, taken at v0: with z = h d/inertia and
+θ = (1 + z)/(2 + z), forces act as at the time θ h, which adds θ (h d + h² k/2) to the inertia and
+-(θ - ½) h k v0 to the torques.  So a damped velocity shrinks by 1/(1 + z + z²/2) for any z, and
+undamped springs keep ½ v·M v + ½ q·K q.  Of second order.
 """
 
 from collections.abc import Iterator, Sequence
@@ -21,19 +21,19 @@ from coscrew_codegen.mechanics.recorded import Recording
 from coscrew_codegen.mechanics.settings import settings
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.recording.numbers import Number, add, less, scaled, sqrt, where
-from coscrew_codegen.scene.effect import Contact, CoordinateState
+from coscrew_codegen.scene.effect import Contact, CoordinateState, said
 
 FINE = 12
-"""A step is split so that a contact's frequency ω at its deepest times a part's length s is at most
-1/FINE: the implicit midpoint rule, which an elastic kick is, has energy off there by
-s²/24 ∫ v² d³V/dq³ dq = 5/72 (ω s)² of what the bounce holds: 0.0005, half of what `check` allows.
-Where the bounce ends it is far less."""
+"""A step is split into parts of length s such that ω s <= 1/FINE, ω the contact's frequency at its
+deepest point.  There the implicit midpoint rule, which an elastic kick is, has an energy error of
+s²/24 ∫ v² d³V/dq³ dq = 5/72 (ω s)², relative to the bounce's: 0.0005, half of what `check` allows.
+At the end of the bounce it is far less."""
 MOST = 1024
-"""Parts of a step, at most."""
+"""Largest number of parts of a step."""
 
 
 def weights(h: Number) -> forward.Weights:
-    """What stands for a damping d and a stiffness k within a step."""
+    """(inertia, torque per velocity) that represent a damping d and a stiffness k in a step h."""
     def found(d: Number, k: Number, rate: Number) -> tuple[Number, Number]:
         beyond = _beyond(h, rate)
         return (beyond + Fraction(1, 2)) * (h * (d + h * k / 2)), beyond * (h * k)
@@ -41,7 +41,7 @@ def weights(h: Number) -> forward.Weights:
 
 
 def _beyond(h: Number, rate: Number) -> Number:
-    """θ - ½, right also where the rate is infinite."""
+    """θ - ½, correct also for an infinite rate."""
     return Fraction(1, 2) - 1 / (2 + h * rate)
 
 
@@ -59,7 +59,7 @@ def kick(x: Recording) -> list[Number]:
 
 
 def _later(x: Recording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:
-    """(θ - ½) h of each joint: its motor's target is where the motor's slopes act."""
+    """(θ - ½) h of each joint, by which its motor's target is taken later, as the motor's force."""
     found = {}
     for number, link in enumerate(x.tree.links):
         own = x.tree.links[link.driver.link] if link.driver else link
@@ -70,7 +70,7 @@ def _later(x: Recording, h: Number, rates: Sequence[Number]) -> dict[int, Number
 
 
 def closing(x: Recording) -> Number:
-    """How many contacts of joints are closed now or, if they moved on with v, after h."""
+    """The number of contacts of joints that are closed now or, moving with v, after h."""
     count = x.recorder.number(0)
     for link, before, after in _contacts(x):
         with x.recorder.part(x.names[link], "own", x.tree.links[link].name):
@@ -79,11 +79,11 @@ def closing(x: Recording) -> Number:
 
 
 def split(x: Recording) -> tuple[Number, Number]:
-    """n = 2^j parts of a step h, so that n >= FINE h ω, and their length; NaN where n is over MOST.
+    """(n, h/n) with n = 2^j >= FINE h ω parts of a step h; h/n is NaN if n exceeds MOST.
 
-    A contact gets as deep as δ_p = (δ^2.5 + 1.25 m v²/k)^0.4 if the joint feels the inertia m, and
-    there ω² = 1.5 k √δ_p/m.  Several that are closed at once add up to at most their number times
-    the largest.  Fifth roots are avoided: (FINE h ω)^5 is compared with 32^j."""
+    A contact gets as deep as δ_p = (δ^2.5 + 1.25 m v²/k)^0.4, where the joint moves the inertia m,
+    and there ω² = 1.5 k √δ_p/m.  Several closed contacts together have at most their number times
+    the largest ω².  Fifth roots are avoided: (FINE h ω)^5 is compared with 32^j."""
     recorder = x.recorder
     (h,), motion = recorder.argument("h"), x.motion(accelerating=False)
     number, worst = closing(x), recorder.number(0)
@@ -106,7 +106,7 @@ def split(x: Recording) -> tuple[Number, Number]:
 
 
 def _contacts(x: Recording) -> Iterator[tuple[int, Contact, Contact]]:
-    """The links behind joints with contacts, and these before and after h."""
+    """(link, contact now, contact after h) for each joint with a contact."""
     recorder = x.recorder
     motion, zero = x.motion(accelerating=False), recorder.number(0)
     for applied in x.scene.effects:
@@ -119,7 +119,7 @@ def _contacts(x: Recording) -> Iterator[tuple[int, Contact, Contact]]:
                 if before:
                     h, = recorder.argument("h")
                     after = applied.effect.joint_torque(CoordinateState(q + h * v, v, zero), values)
-                    yield link, before, after.contact
+                    yield link, before, said(after.contact)
 
 
 def _power(x: Number, n: int) -> Number:

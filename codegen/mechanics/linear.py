@@ -16,7 +16,7 @@ from coscrew_codegen.recording.numbers import Number
 
 @dataclass(frozen=True)
 class Factors:
-    """A = L D L^T: the rows of L below its diagonal of ones, and 1/D."""
+    """A = L D L^T: the rows of L below its unit diagonal, and 1/D."""
 
     L: tuple[tuple[Number, ...], ...]
     inverse: tuple[Number, ...]
@@ -37,7 +37,7 @@ class Factors:
 
 
 def factored(A: Sequence[Sequence[Number]]) -> Factors:
-    """The factors of a symmetric positive definite matrix, of which the lower half is read."""
+    """The factors of a symmetric positive definite matrix; only its lower triangle is read."""
     L: list[list[Number]] = []
     inverse: list[Number] = []
     for i, row in enumerate(A):

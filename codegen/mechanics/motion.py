@@ -1,11 +1,11 @@
-"""Motion of a tree's links: frames, velocities, accelerations, each computed when first asked for.
+"""Motion of a tree's links: frames, velocities, accelerations, each computed on first use.
 
-All vectors of a link are in its own frame.  Accelerations are those of points (not of
-screws), so that linear velocities enter only where points slide: a prismatic joint, a free
-one, an effect that asks.
+All vectors of a link are in its own frame.  Accelerations are those of points (not of screws), so
+that linear velocities are needed only for prismatic and free joints, and for effects that use them.
 """
 
 from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
 from functools import wraps
 
 from coscrew_codegen.recording.numbers import (
@@ -27,17 +27,18 @@ from coscrew_codegen.recording.recorder import Recorder
 from coscrew_codegen.scene.model import Kind
 from coscrew_codegen.scene.tree import Link, Tree
 
+Numbers = tuple[Number, ...]
 Rotation = tuple[Number, ...]  # nine, row by row
 Displacement = tuple[Number, ...]  # twelve: [R | t], row by row
 Twist = tuple[Number, ...]  # six: velocity of the origin; angular velocity
 
 
-def _of_link(symbol: str, origin: str = "") -> Callable:
-    """Computed once a link, named by the symbol, a displacement's translation by that of its
-    origin, below the link's heading."""
-    def decorated(compute: Callable[["Motion", int], object]) -> Callable[["Motion", int], object]:
+def _of_link(symbol: str, origin: str = "") -> Callable[["_OfLink"], "_OfLink"]:
+    """Decorator: computed once per link and named by the symbol, below the link's heading.  The
+    translation of a displacement is named by `origin`."""
+    def decorated(compute: "_OfLink") -> "_OfLink":
         @wraps(compute)
-        def cached(self: "Motion", link: int) -> object:
+        def cached(self: "Motion", link: int) -> Numbers:
             known = self._known.setdefault(symbol, {})
             if link not in known:
                 with self.part(link, symbol):
@@ -52,28 +53,32 @@ def _of_link(symbol: str, origin: str = "") -> Callable:
     return decorated
 
 
+_OfLink = Callable[["Motion", int], Numbers]
+
+
 class Motion:
-    """The motion of all links for given q, v, a (those that are left out are zero); `at` has a q
-    and a v other than the function's."""
+    """The motion of all links for the function's q, v, a; v is zero unless `moving`, a unless
+    `accelerating`; `at` = (q, v) replaces the function's."""
 
     def __init__(self, recorder: Recorder, tree: Tree, names: Sequence[str],
                  gravity: Vector | None = None, moving: bool = True, accelerating: bool = True,
                  at: tuple[Sequence[Number], Sequence[Number]] | None = None):
         self.recorder, self.tree, self.names = recorder, tree, names
-        self._known: dict[str, dict[int, object]] = {}
+        self._known: dict[str, dict[int, Numbers]] = {}
         zero = recorder.number(0)
         self.zero: Vector = (zero, zero, zero)
         self.gravity = gravity or self.zero
         still = (zero,) * tree.nv
-        self._q = recorder.argument("q") if recorder.has("q") else ()
-        self.v = recorder.argument("v") if moving and recorder.has("v") else still
+        self._q: Sequence[Number] = recorder.argument("q") if recorder.has("q") else ()
+        self.v: Sequence[Number] = (
+            recorder.argument("v") if moving and recorder.has("v") else still)
         if at:
             self._q, self.v = at
         self._a = recorder.argument("a") if accelerating and recorder.has("a") else still
         self.still = not (moving and recorder.has("v"))
 
-    def part(self, link: int, symbol: str):
-        """What is issued within computes this of the link."""
+    def part(self, link: int, symbol: str) -> AbstractContextManager[None]:
+        """Name the instructions of this block after this value of the link."""
         if link < 0:
             return self.recorder.part("world", symbol, "world")
         return self.recorder.part(self.names[link], symbol, self.tree.links[link].name)
@@ -81,10 +86,10 @@ class Motion:
     # joints
 
     def coordinates(self, link: int) -> tuple[Number, ...]:
-        """q of the joint before the link, a follower's from its driver."""
+        """q of the link's joint; of a follower, from its leader."""
         x = self.tree.links[link]
         if x.driver is None:
-            return self._q[x.q.start:x.q.stop]
+            return tuple(self._q[x.q.start:x.q.stop])
         own = self._q[self.tree.links[x.driver.link].q.start]
         return (own * x.driver.multiplier + x.driver.offset,)
 
@@ -95,15 +100,15 @@ class Motion:
         return (values[self.tree.links[x.driver.link].v.start] * x.driver.multiplier,)
 
     def speeds(self, link: int) -> tuple[Number, ...]:
-        """v of the joint before the link."""
+        """v of the link's joint."""
         return self._rates(link, self.v)
 
     def accelerations(self, link: int) -> tuple[Number, ...]:
-        """a of the joint before the link."""
+        """a of the link's joint."""
         return self._rates(link, self._a)
 
     def _relative(self, link: int, values: Sequence[Number]) -> Twist:
-        """The joint's screw for these speeds."""
+        """The joint's screw for these velocities."""
         x = self.tree.links[link]
         if x.joint.kind is Kind.FREE:
             return tuple(values)
@@ -113,14 +118,14 @@ class Motion:
         return (*along, *self.zero) if x.joint.kind is Kind.PRISMATIC else (*self.zero, *along)
 
     def axis(self, link: Link) -> Vector:
-        """The joint's axis: the same in both frames it joins, but for the placement."""
+        """The joint's axis in the link's frame."""
         return self.recorder.numbers(link.joint.axis)
 
     # frames
 
     @_of_link("R", "t")
     def frame(self, link: int) -> Displacement:
-        """D of the link in its parent: its placement, then the joint's."""
+        """D of the link in its parent: the joint's placement times its displacement."""
         x, call = self.tree.links[link], self.recorder.call
         R, t = self.recorder.numbers(x.placement.R), self.recorder.numbers(x.placement.t)
         q = self.coordinates(link)
@@ -166,7 +171,7 @@ class Motion:
 
     @_of_link("v")
     def velocity(self, link: int) -> Vector:
-        """Of the link's origin."""
+        """The velocity of the link's origin."""
         if link < 0 or self.still:
             return self.zero
         brought = self.recorder.call("product_Adinvs", self.frame(link),
@@ -192,13 +197,13 @@ class Motion:
 
     @_of_link("U")
     def acceleration_tensor(self, link: int) -> Rotation:
-        """ω'~ + ω~ ω~: maps points of the link to their accelerations beyond the origin's."""
+        """ω'~ + ω~ ω~: maps a point of the link to its acceleration less the origin's."""
         return self.recorder.call("acceleration_tensor", self.angular_velocity(link),
                                   self.angular_acceleration(link))
 
     @_of_link("a")
     def acceleration(self, link: int) -> Vector:
-        """Of the link's origin, less that of gravity."""
+        """The acceleration of the link's origin, less that of gravity."""
         if link < 0:
             return subtract(self.zero, self.gravity)
         D, parent = self.frame(link), self.tree.links[link].parent

@@ -23,7 +23,7 @@ from coscrew_codegen.recording.numbers import (
     rotation,
 )
 from coscrew_codegen.recording.recorder import Recorder, array
-from coscrew_codegen.scene.effect import BodyState, Force, Values
+from coscrew_codegen.scene.effect import BodyState, Force, Values, said
 from coscrew_codegen.scene.scene import Setting
 
 BodyLaw = Callable[[BodyState, Values], Force]
@@ -53,7 +53,7 @@ def _slope(law: BodyLaw, state: BodyOfLink, values: Mapping[str, Setting]) -> tu
     recorder = Recorder([array("D", (3, 4)), array("g", (3,)), array("t", ()), *p])
     (t,) = recorder.argument("t")
     posed = _Posed(state.own, t, recorder.argument("D"), recorder.argument("g"))
-    energy = law(posed, settings(recorder, values, t)).energy
+    energy = said(law(posed, settings(recorder, values, t)).energy)
     program = recorder.program("energy", [(array("V", ()), [energy])])
     given = [state.pose, state.gravity, (state.t,), *(outer.argument(a.name) for a in p)]
     _, found = differentiate.adjoint(program, outer.arithmetic, numbers, given, [outer.number(1)])

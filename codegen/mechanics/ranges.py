@@ -1,9 +1,9 @@
-"""Numbers that a precision cannot hold are refused before anything is emitted with them.
+"""Refuses numbers that a precision cannot represent, before anything is emitted.
 
-What a scene says must be 0 or normal in its precisions: what is larger would become infinite, what
-is smaller would lose digits or become 0.  What its numbers are multiplied to may also be subnormal,
-as products of what files hold where they mean zero are: 1.7e-19 kg m².  Quotients are no constants
-where a denominator may change: they are looked at where everything is at rest.
+Numbers of a scene must be 0 or normal in its precisions: larger ones would become infinite, smaller
+ones would lose digits or become 0.  Their products may also be subnormal, since files contain
+residues such as 1.7e-19 kg m² for zero.  Quotients with a denominator that may change are not
+constants: they are checked for the scene at rest.
 """
 
 import math
@@ -13,9 +13,10 @@ from fractions import Fraction
 
 from coscrew_codegen.errors import Told
 from coscrew_codegen.formats import Precision, named
+from coscrew_codegen.parameter import Scalar
 from coscrew_codegen.program import Constant, Instruction, Op, Program
 from coscrew_codegen.program.interpreter import Arithmetic, evaluate, exactly
-from coscrew_codegen.scene.model import Scalar, value
+from coscrew_codegen.scene.model import value
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import Function
 
@@ -32,7 +33,7 @@ class RangeError(Told, ValueError):
 
 @dataclass(frozen=True)
 class _Written:
-    """A number of the scene, and where it stands: "body 'tool'", "mass"."""
+    """A number of the scene with its place and name: "body 'tool'", "mass"."""
 
     where: str
     name: str
@@ -41,8 +42,8 @@ class _Written:
 
 
 def refuse_numbers(scene: Scene) -> None:
-    """Raise RangeError for the first number of the scene that a precision it is generated in cannot
-    hold."""
+    """Raise RangeError for the first number of the scene that one of its precisions cannot
+    represent."""
     for x in _written(scene):
         number = value(x.number)
         _refuse(scene, Constant(number, number), NORMAL,
@@ -50,8 +51,8 @@ def refuse_numbers(scene: Scene) -> None:
 
 
 def refuse_products(scene: Scene, function: Function) -> None:
-    """Raise RangeError for the first constant of the function that a precision it is generated in
-    cannot hold: what numbers of the scene are multiplied to."""
+    """Raise RangeError for the first constant of the function, a product of the scene's numbers,
+    that one of its precisions cannot represent."""
     for where, constant in _constants(function):
         _refuse(scene, constant, SUBNORMAL, f"{_place(scene, where)}: its numbers are multiplied "
                 f"to {_shown(constant.double)} in {function.name}, which")
@@ -63,8 +64,8 @@ def _place(scene: Scene, where: str) -> str:
 
 def refuse_quotients(scene: Scene, function: Function, inputs: Mapping[str, Sequence[float]]
                      ) -> None:
-    """Raise RangeError for the first quotient of the function that a precision it is generated in
-    cannot hold at these inputs, by their arguments' names."""
+    """Raise RangeError for the first quotient of the function that one of the scene's precisions
+    cannot represent, for inputs by name."""
     program = function.program
     if not any(step.op is Op.DIV for step in program.instructions):
         return
@@ -79,8 +80,8 @@ def refuse_quotients(scene: Scene, function: Function, inputs: Mapping[str, Sequ
 
 def _quotients(program: Program, precision: Precision, inputs: Mapping[str, Sequence[float]]
                ) -> list[tuple[str, Fraction]]:
-    """Each quotient of finite numbers, exactly, and the part of the scene it belongs to.  What has
-    no value is not a number, and neither is what follows from it."""
+    """(part of the scene, exact value) of each quotient of finite numbers.  Undefined values are
+    NaN, as are those computed from them."""
     found: list[tuple[str, Fraction]] = []
 
     def function(step: Instruction, _: int) -> Callable[..., float]:
@@ -113,7 +114,7 @@ def _refuse(scene: Scene, constant: Constant, least: str, what: str) -> None:
 
 
 def _shown(x: Fraction) -> str:
-    """Three digits; of what is no float, the power of ten."""
+    """The number with three digits; only its power of ten if it exceeds the range of floats."""
     try:
         if near := float(x):
             return f"{near:.3g}"
@@ -142,9 +143,9 @@ def _written(scene: Scene) -> Iterator[_Written]:
     for applied in scene.effects:
         for parameter in applied.effect.parameters:
             given = applied.values.get(parameter.name)
-            for x in given if isinstance(given, tuple) else (given,):
-                if isinstance(x, Scalar):
-                    yield _Written(f"effect {applied.name}", parameter.name, x, parameter.unit)
+            for part in given if isinstance(given, tuple) else (given,):
+                if isinstance(part, Scalar):
+                    yield _Written(f"effect {applied.name}", parameter.name, part, parameter.unit)
 
 
 def _constants(function: Function) -> Iterator[tuple[str, Constant]]:

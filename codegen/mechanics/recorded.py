@@ -1,4 +1,4 @@
-"""One function of a scene while it is recorded, and what most functions start from."""
+"""The recording of one function of a scene, and the quantities that most functions start from."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,10 +13,12 @@ from coscrew_codegen.recording.recorder import Recorder
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.tree import Tree
 
+Results = Sequence[Sequence[Number]]  # the components of each
+
 
 @dataclass
 class Recording:
-    """One function while it is recorded, and what most functions start from."""
+    """The recording of one function, and the quantities that most functions start from."""
 
     scene: Scene
     tree: Tree
@@ -25,8 +27,8 @@ class Recording:
 
     def motion(self, moving: bool = True, accelerating: bool = True, falling: bool = True,
                at: tuple[Sequence[Number], Sequence[Number]] | None = None) -> Motion:
-        """The motion for the function's inputs, or at a q and v of its own; `falling`: in the
-        scene's gravity."""
+        """The motion for the function's inputs, or for `at` = (q, v); `falling`: with the scene's
+        gravity."""
         down = gravity(self.scene, self.recorder) if falling else None
         return Motion(self.recorder, self.tree, self.names, down, moving, accelerating, at)
 
@@ -43,10 +45,10 @@ class Recording:
 
     @cached_property
     def inertias(self) -> dict[str, Number]:
-        """What joints have of their own, by joint."""
+        """The inertias of joints themselves, by joint."""
         return joint_inertias(self.scene, self.recorder)
 
     def torques(self, motion: Motion, acting: Acting | None) -> list[Number]:
-        """Inverse dynamics."""
+        """The torques of inverse dynamics."""
         wrenches = inverse.transmitted(motion, inverse.net_wrenches(motion, self.rigids, acting))
         return inverse.joint_torques(motion, wrenches, acting, self.inertias)

@@ -8,13 +8,14 @@ from coscrew_codegen.program.folding import constant_pi
 from coscrew_codegen.recording import numbers as n
 from coscrew_codegen.recording.numbers import Number
 from coscrew_codegen.recording.recorder import Recorder
+from coscrew_codegen.scene.effect import Values
 from coscrew_codegen.scene.formulas import Formula
 from coscrew_codegen.scene.scene import Setting
 
 
-def settings(recorder: Recorder, values: Mapping[str, Setting], t: Number) -> dict[str, object]:
+def settings(recorder: Recorder, values: Mapping[str, Setting], t: Number) -> Values:
     """The values as Numbers, tuples of them, words."""
-    return {name: _setting(recorder, value, t) for name, value in values.items()}
+    return Values({name: _setting(recorder, value, t) for name, value in values.items()})
 
 
 def _setting(recorder: Recorder, value: Setting, t: Number) -> object:

@@ -1,4 +1,4 @@
-"""What effects see of the motion where they act."""
+"""The motion of a body, as effects receive it."""
 
 from dataclasses import dataclass
 
@@ -46,21 +46,21 @@ class BodyInWorld(BodyState):
         return self.t.recorder.numbers(self.own.moments if self.own else (0,) * 6)
 
     def world_direction(self, vector: Vector) -> Vector:
-        """R x: a vector of the body as the world sees it."""
+        """R x: a vector in the body's frame expressed in the world's."""
         return rotated(rotation(self.pose), vector)
 
     def own_direction(self, vector: Vector) -> Vector:
-        """R^T x: a vector of the world as the body sees it."""
+        """R^T x: a vector in the world's frame expressed in the body's."""
         return rotated_back(rotation(self.pose), vector)
 
     def world_position(self, point: Vector) -> Vector:
-        """R x + t: where a point of the body is."""
+        """R x + t: the position of a point of the body."""
         return _at(self.pose, point)
 
 
 @dataclass(frozen=True)
 class BodyOfLink(BodyInWorld):
-    """A body as part of a link, which tells where it is and how it moves."""
+    """A body as part of a link, whose motion determines its pose and velocities."""
 
     motion: Motion
     link: int
@@ -90,7 +90,7 @@ class BodyOfLink(BodyInWorld):
         return _at(self.motion.pose(self.link), self.in_link(point))
 
     def velocity(self, point: Vector) -> Vector:
-        """v + ω × x of a point of the body."""
+        """v + ω × x: the velocity of a point of the body."""
         return linear(self.twist(point))
 
     @property
@@ -99,12 +99,12 @@ class BodyOfLink(BodyInWorld):
         return angular(self.twist(self.motion.zero))
 
     def twist(self, point: Vector) -> Twist:
-        """[Ad]^-1 s: (v; ω) of a point of the body."""
+        """[Ad]^-1 s: (v; ω) at a point of the body."""
         return self.motion.recorder.call("product_Adinvs", self.frame(point),
                                          self.motion.twist(self.link))
 
     def frame(self, point: Vector) -> Displacement:
-        """The body's frame moved to one of its points, in its link."""
+        """The body's frame, moved to one of its points, in the link's frame."""
         return displacement(rotation(self.place), self.in_link(point))
 
     def in_link(self, point: Vector) -> Vector:
@@ -112,10 +112,10 @@ class BodyOfLink(BodyInWorld):
         return _at(self.place, point)
 
     def line_to(self, point: Vector, other: "BodyOfLink", other_point: Vector) -> Vector:
-        """From a point of this body to one of another, in the world's frame.
+        """The vector from a point of this body to one of another, in the world's frame.
 
-        Where both hang on common links only what lies between counts: far from the origin nothing
-        cancels."""
+        It is computed in the frame of their last common link, so that nothing cancels far from the
+        origin."""
         chains = [_ancestors(self.motion, state.link) for state in (self, other)]
         shared = next(link for link in chains[0] if link in chains[1])
         ends = [_position_in(self.motion, shared, state.link, state.in_link(x))
@@ -128,7 +128,7 @@ def _at(D: Displacement, point: Vector) -> Vector:
 
 
 def _ancestors(motion: Motion, link: int) -> list[int]:
-    """The link, its parent, … the world."""
+    """The link, its parent, …, the world."""
     found = [link]
     while link >= 0:
         link = motion.tree.links[link].parent

@@ -1,7 +1,7 @@
-"""Steps of integrators: their schemes, as calls of a scene's functions.
+"""Steps of integrators: their schemes as calls of a scene's functions.
 
-All arithmetic of a step is in a few functions that the integrators share.  Weights are integers
-over their common denominator D, and name the functions: kick_1_2_2_1_6 has the weights of rk4.
+All arithmetic of a step is in a few functions that the integrators share.  They are named after
+their weights, integers and their common denominator D: kick_1_2_2_1_6 has the weights of rk4.
 
     drift_n1_n2_D(h, u1, u2) = h/D (n1 u1 + n2 u2),          phi of q ⊕ phi
     kick_n1_n2_D(h, v, a1, a2) = v + h/D (n1 a1 + n2 a2)
@@ -25,11 +25,11 @@ ACCELERATION = "forward_dynamics"
 RATE = "chart_rate"
 (MOMENTUM, CORRECTED), (CLOSING, PARTS) = FREE, CONTACTS
 CHART_ORDER = 4
-"""The order to which `chart_rate` is true."""
+"""The order of accuracy of `chart_rate`."""
 
 
 def needs(integrator: Integrator) -> tuple[str, ...]:
-    """The functions of a scene that a step may call, of those that the scene has."""
+    """The functions that a step calls, if the scene has them."""
     match integrator.scheme:
         case Tableau():
             return ACCELERATION, MOVED, RATE
@@ -43,8 +43,8 @@ def needs(integrator: Integrator) -> tuple[str, ...]:
 def stepped(scene: SceneFunctions, integrators: Iterable[Integrator] = EMITTED) -> SceneFunctions:
     """The scene with a step for each of these integrators, and the internal functions they need.
 
-    Raises ValueError where one calls a function that the scene has not, or is of a higher order
-    than the chart that moves quaternions."""
+    Raises ValueError if an integrator calls a function that the scene does not have, or has a
+    higher order than the chart for quaternions."""
     means = _Means(scene)
     steps = tuple(_Writer(scene, means, x).step() for x in integrators)
     return replace(scene, functions=(*scene.functions, *means.functions.values()), steps=steps)
@@ -69,11 +69,11 @@ class _Means:
         return name
 
     def drift(self, weights: Sequence[Fraction]) -> str:
-        """The name of the mean of speeds u, times h."""
+        """The name of h times the weighted mean of velocities u."""
         return self._mean("drift", "u", "phi", weights)
 
     def kick(self, weights: Sequence[Fraction]) -> str:
-        """The name of v + the mean of accelerations a, times h."""
+        """The name of v + h times the weighted mean of accelerations a."""
         return self._mean("kick", "a", "v", weights)
 
     def _mean(self, kind: str, of: str, result: str, weights: Sequence[Fraction]) -> str:
@@ -99,7 +99,7 @@ class _Means:
 
 
 class _Writer:
-    """The step of one integrator while it is written."""
+    """Writes the step of one integrator."""
 
     def __init__(self, scene: SceneFunctions, means: _Means, integrator: Integrator):
         self.scene, self.means, self.integrator = scene, means, integrator
@@ -108,7 +108,7 @@ class _Writer:
         self.h = "h"
 
     def step(self) -> Step:
-        """The calls."""
+        """The step as calls."""
         body: Sequence[Call | Split]
         match self.integrator.scheme:
             case Tableau() as scheme:
@@ -124,7 +124,7 @@ class _Writer:
         self.calls.append(self._made(name, *results, **given))
 
     def _made(self, name: str, *results: str, **given: str) -> Call:
-        """The call, h being as long as a part of the step where it is split."""
+        """The call, with h the length of a part if the step is split."""
         function = self.means.functions.get(name) or self._of_scene(name)
         given = {"h": self.h, **given}
         return Call(name, results, tuple((x, y) for x, y in given.items()
@@ -137,7 +137,7 @@ class _Writer:
         return self.scene.named(name)
 
     def _accelerate(self, by: str, a: str, c: Fraction, t: str, q: str, v: str) -> None:
-        """a = by(t + c h, q, v), with the torques of joints zero; `t` is that time's variable."""
+        """Append a = by(t + c h, q, v) at tau = 0; `t` is the variable of that time."""
         function = self._of_scene(by)
         if function.takes("t") and c:
             self._call(self.means.time(c), t)
@@ -150,7 +150,7 @@ class _Writer:
     # explicit Runge–Kutta methods
 
     def _runge_kutta(self, scheme: Tableau) -> list[Call]:
-        """Rates of φ and v, stage by stage.  Without quaternions φ' is v."""
+        """The rates of φ and v, stage by stage; without quaternions φ' = v."""
         charted = self.scene.has(RATE)
         if charted and self.integrator.order > CHART_ORDER:
             raise ValueError(f"{self.integrator.name} is of order {self.integrator.order}; the "
@@ -174,7 +174,7 @@ class _Writer:
 
     def _weighted(self, mean: Callable[[Sequence[Fraction]], str], of: str,
                   row: Sequence[Fraction], values: Sequence[str], result: str) -> None:
-        """A mean, without what has no weight."""
+        """Append a weighted mean, without values of weight zero."""
         kept = [(weight, x) for weight, x in zip(row, values, strict=True) if weight]
         names = numbered(of, len(kept))
         self._call(mean([weight for weight, _ in kept]), result,
@@ -212,7 +212,7 @@ class _Writer:
 
 
 def numbered(name: str, count: int) -> list[str]:
-    """x alone, or x1, x2, …"""
+    """[x], or [x1, x2, …] if there are several."""
     return [name] if count == 1 else [f"{name}{n}" for n in range(1, count + 1)]
 
 

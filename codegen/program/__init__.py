@@ -11,9 +11,10 @@ from coscrew_codegen.program.program import (
     Ref,
     by_component,
     counts_in_words,
+    renamed,
     scales,
     without_dead_steps,
 )
 
 __all__ = ["Constant", "Input", "Instruction", "NotANumber", "Op", "Operand", "Program", "Ref",
-           "by_component", "counts_in_words", "scales", "without_dead_steps"]
+           "by_component", "counts_in_words", "renamed", "scales", "without_dead_steps"]

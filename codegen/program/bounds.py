@@ -142,8 +142,8 @@ def _constant(value: _Series, order: int, last: int | None) -> Fraction:
     for deltas, polynomial in value.terms.items():
         if len(deltas) == order and last not in deltas:
             for monomial, coefficient in polynomial.items():
-                totals[monomial] += abs(coefficient)
-    return max((Fraction(total) / abs(exact[m]) if m in exact else _unbounded(m)
+                totals[monomial] += coefficient if coefficient > 0 else -coefficient
+    return max((abs(Fraction(total) / exact[m]) if m in exact else _unbounded(m)
                 for m, total in totals.items() if total), default=Fraction(0))
 
 
@@ -215,7 +215,7 @@ def _rounded(value: _Series, number: int) -> _Series:
     return _Series({**value.terms, **_roundoff(value, number).terms})
 
 
-_RULES = {
+_RULES: Mapping[Op, Callable[[tuple[_Series, ...], int], _Series]] = {
     Op.ADD: lambda x, n: _rounded(_combined((1, x[0]), (1, x[1])), n),
     Op.SUB: lambda x, n: _rounded(_combined((1, x[0]), (-1, x[1])), n),
     Op.MUL: lambda x, n: _rounded(_product(x[0], x[1]), n),

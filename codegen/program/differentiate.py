@@ -5,12 +5,12 @@ of the table of operations.  Derivatives are those of the exact operations: wher
 (|x|, a choice) they are one-sided, at √0 and 0/0 there is none.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar, cast
 
 from coscrew_codegen.program.interpreter import Arithmetic, interpreter
-from coscrew_codegen.program.ops import COMPARISONS, Functions, Op
+from coscrew_codegen.program.ops import Functions, Op
 from coscrew_codegen.program.program import Constant, Instruction, Program
 
 V = TypeVar("V")
@@ -32,8 +32,8 @@ def tangent(program: Program, arithmetic: Arithmetic[V], functions: Functions,
     def constant(x: Constant) -> Dual[V]:
         return Dual(arithmetic.constant(x), (None,) * count)
 
-    def function(step: Instruction, number: int):
-        compute = arithmetic.function(step, number)
+    def function(step: Instruction, number: int) -> Callable[..., Dual[V]]:
+        compute, derived = arithmetic.function(step, number), step.op.meaning.slopes
 
         def apply(*operands: Dual[V]) -> Dual[V]:
             values = [x.value for x in operands]
@@ -42,9 +42,9 @@ def tangent(program: Program, arithmetic: Arithmetic[V], functions: Functions,
                 test, a, b = operands
                 return Dual(y, tuple(_chosen(functions, test.value, *pair)
                                      for pair in zip(a.slopes, b.slopes, strict=True)))
-            if step.op in COMPARISONS or all(s is None for x in operands for s in x.slopes):
+            if derived is None or all(s is None for x in operands for s in x.slopes):
                 return Dual(y, (None,) * count)
-            partials = step.op.meaning.slopes(functions, *values, y)
+            partials = derived(functions, *values, y)
             return Dual(y, tuple(_along(partials, slopes) for slopes in zip(
                 *(x.slopes for x in operands), strict=True)))
 
@@ -58,24 +58,24 @@ def tangent(program: Program, arithmetic: Arithmetic[V], functions: Functions,
 def _chosen(functions: Functions, test: V, a: V | None, b: V | None) -> V | None:
     if a is None and b is None:
         return None
-    return functions.where(test, 0 if a is None else a, 0 if b is None else b)
+    chosen: V = functions.where(test, 0 if a is None else a, 0 if b is None else b)
+    return chosen
 
 
-def _along(partials: Sequence[V | int], slopes: Sequence[V | None]) -> V | None:
+def _along(partials: Sequence[Any], slopes: Sequence[V | None]) -> V | None:
     """Σ ∂y/∂x_i x_i'."""
-    total = None
+    total: Any = None  # numbers of any kind that has + and *
     for partial, slope in zip(partials, slopes, strict=True):
         if slope is not None and not (isinstance(partial, int) and partial == 0):
             total = partial * slope if total is None else total + partial * slope
-    return total
+    return None if total is None else cast(V, total)
 
 
 @dataclass(frozen=True, eq=False)
 class _Node(Generic[V]):
-    """A number of the forward run, what it was computed from and how."""
+    """A number of the forward run, and what it was computed from."""
 
     value: V
-    step: Instruction | None = None
     operands: tuple["_Node[V]", ...] = ()
 
 
@@ -84,14 +84,15 @@ def adjoint(program: Program, arithmetic: Arithmetic[V], functions: Functions,
             ) -> tuple[list[V], list[list[V | None]]]:
     """The results, and the derivatives of Σ weight · result by each input's components; None is
     zero.  One run forward and one back, whatever the number of inputs."""
-    made: list[_Node[V]] = []
+    made: list[tuple[Instruction, _Node[V]]] = []
 
-    def function(step: Instruction, number: int):
+    def function(step: Instruction, number: int) -> Callable[..., _Node[V]]:
         compute = arithmetic.function(step, number)
 
         def apply(*operands: _Node[V]) -> _Node[V]:
-            made.append(_Node(compute(*(x.value for x in operands)), step, operands))
-            return made[-1]
+            node = _Node(compute(*(x.value for x in operands)), operands)
+            made.append((step, node))
+            return node
 
         return apply
 
@@ -103,25 +104,25 @@ def adjoint(program: Program, arithmetic: Arithmetic[V], functions: Functions,
     adjoints: dict[_Node[V], V] = {}
     for node, weight in zip(results, weights, strict=True):
         _gain(adjoints, node, weight)
-    for node in reversed(made):
+    for step, node in reversed(made):
         if node in adjoints:
-            _hand_back(functions, adjoints, node)
+            _hand_back(functions, adjoints, step.op, node)
     return [x.value for x in results], [[adjoints.get(x) for x in row] for row in given]
 
 
-def _hand_back(functions: Functions, adjoints: dict[_Node[V], V], node: _Node[V]) -> None:
+def _hand_back(functions: Functions, adjoints: dict[_Node[V], V], op: Op, node: _Node[V]) -> None:
     """A number's adjoint, times its partial derivatives, to its operands."""
-    own, operands = adjoints[node], node.operands
-    if node.step.op is Op.SELECT:
+    own, operands, derived = adjoints[node], node.operands, op.meaning.slopes
+    if op is Op.SELECT:
         test, a, b = operands
         _gain(adjoints, a, functions.where(test.value, own, 0))
         _gain(adjoints, b, functions.where(test.value, 0, own))
-    elif node.step.op not in COMPARISONS:
-        partials = node.step.op.meaning.slopes(functions, *(x.value for x in operands), node.value)
+    elif derived is not None:
+        partials = derived(functions, *(x.value for x in operands), node.value)
         for partial, x in zip(partials, operands, strict=True):
             if not (isinstance(partial, int) and partial == 0):
                 _gain(adjoints, x, partial * own)
 
 
-def _gain(adjoints: dict[_Node[V], V], node: _Node[V], more: V) -> None:
+def _gain(adjoints: dict[_Node[V], Any], node: _Node[V], more: V) -> None:
     adjoints[node] = adjoints[node] + more if node in adjoints else more

@@ -5,7 +5,7 @@ negation remains only where a result needs it.  The rules change no value except
 and 0 times infinity or NaN, which they make 0.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -37,6 +37,10 @@ class Sign:
     of: tuple[Op, tuple[Operand, ...]]
 
 
+Known = Mapping[str, Instruction]
+Result = Operand | Folded | Sign
+
+
 def fraction(value: Fraction | int) -> Fraction:
     """The number, exactly; refuses floats, which differ from the decimals they were written as."""
     if isinstance(value, float):
@@ -44,11 +48,11 @@ def fraction(value: Fraction | int) -> Fraction:
     return Fraction(value)
 
 
-def folded(op: Op, operands: tuple[Operand, ...],
-           known: Mapping[str, Instruction]) -> Operand | Folded | Sign:
+def folded(op: Op, operands: tuple[Operand, ...], known: Known) -> Result:
     """op(operands) folded: an operand, or the instruction that remains to be issued."""
-    if op is not Op.SELECT and all(isinstance(x, Constant) for x in operands):
-        return _constant(op, operands)
+    constants = tuple(x for x in operands if isinstance(x, Constant))
+    if op is not Op.SELECT and len(constants) == len(operands):
+        return _constant(op, constants)
     rule = _RULES.get(op)
     result = rule(known, *operands) if rule else None
     return Folded(op, operands) if result is None else result
@@ -65,7 +69,7 @@ def _is(x: Operand, number: int) -> bool:
     return isinstance(x, Constant) and x.double == number and x.single == number
 
 
-def _negated(x: Operand, known: Mapping[str, Instruction]) -> Operand | None:
+def _negated(x: Operand, known: Known) -> Operand | None:
     """y if x is -y, either as an instruction or as a negative constant; else None."""
     if isinstance(x, Constant):
         return _constant(Op.NEG, (x,)) if x.double.numerator < 0 else None
@@ -74,7 +78,7 @@ def _negated(x: Operand, known: Mapping[str, Instruction]) -> Operand | None:
     return None
 
 
-def _add(known, a, b):
+def _add(known: Known, a: Operand, b: Operand) -> Result | None:
     if _is(a, 0):
         return b
     if _is(b, 0):
@@ -89,7 +93,7 @@ def _add(known, a, b):
     return _completed(known, a, b) or _completed(known, b, a) or _joined(known, a, b, 1)
 
 
-def _completed(known, a, b):
+def _completed(known: Known, a: Operand, b: Operand) -> Operand | None:
     """(c - x) + x is c, for a constant c."""
     if isinstance(a, Ref) and known[a.name].op is Op.SUB:
         c, x = known[a.name].operands
@@ -98,7 +102,7 @@ def _completed(known, a, b):
     return None
 
 
-def _joined(known, a, b, sign):
+def _joined(known: Known, a: Operand, b: Operand, sign: int) -> Result | None:
     """c x ± k x is (c ± k) x, for constants c and k, which may be 1."""
     (c, x), (k, y) = _scaled(known, a), _scaled(known, b)
     if x != y or isinstance(x, Constant):
@@ -107,7 +111,7 @@ def _joined(known, a, b, sign):
     return _mul(known, both, x) or Folded(Op.MUL, (both, x))
 
 
-def _scaled(known, x):
+def _scaled(known: Known, x: Operand) -> tuple[Constant, Operand]:
     """(c, y) if x is a product c y with a constant c; else (1, x)."""
     if isinstance(x, Ref) and known[x.name].op is Op.MUL:
         c, y = known[x.name].operands
@@ -116,7 +120,7 @@ def _scaled(known, x):
     return _ONE, x
 
 
-def _sub(known, a, b):
+def _sub(known: Known, a: Operand, b: Operand) -> Result | None:
     if _is(b, 0):
         return a
     if a == b:
@@ -130,7 +134,7 @@ def _sub(known, a, b):
     return _joined(known, a, b, -1)
 
 
-def _mul(known, a, b):
+def _mul(known: Known, a: Operand, b: Operand) -> Result | None:
     if _is(a, 0) or _is(b, 0):
         return _ZERO
     if _is(a, 1):
@@ -147,7 +151,7 @@ def _mul(known, a, b):
     return _constants_joined(known, a, b) or _constants_joined(known, b, a)
 
 
-def _constants_joined(known, c, x):
+def _constants_joined(known: Known, c: Operand, x: Operand) -> Result | None:
     """c (k y) is (c k) y."""
     if not (isinstance(c, Constant) and isinstance(x, Ref) and known[x.name].op is Op.MUL):
         return None
@@ -158,7 +162,7 @@ def _constants_joined(known, c, x):
     return y if _is(both, 1) else Folded(Op.MUL, (both, y))
 
 
-def _div(known, a, b):
+def _div(known: Known, a: Operand, b: Operand) -> Result | None:
     if _is(a, 0):
         return _ZERO
     if _is(b, 1):
@@ -173,30 +177,30 @@ def _div(known, a, b):
     return None
 
 
-def _neg(known, a):
+def _neg(known: Known, a: Operand) -> Operand | None:
     return _negated(a, known)
 
 
-def _abs(known, a):
+def _abs(known: Known, a: Operand) -> Folded | None:
     y = _negated(a, known)
     return None if y is None else Folded(Op.ABS, (y,))
 
 
-def _odd(op):
-    def rule(known, a):
+def _odd(op: Op) -> Callable[[Known, Operand], Sign | None]:
+    def rule(known: Known, a: Operand) -> Sign | None:
         y = _negated(a, known)
         return None if y is None else Sign((op, (y,)))
     return rule
 
 
-def _even(op):
-    def rule(known, a):
+def _even(op: Op) -> Callable[[Known, Operand], Folded | None]:
+    def rule(known: Known, a: Operand) -> Folded | None:
         y = _negated(a, known)
         return None if y is None else Folded(op, (y,))
     return rule
 
 
-def _select(known, test, a, b):
+def _select(known: Known, test: Operand, a: Operand, b: Operand) -> Operand | None:
     if a == b:
         return a
     if isinstance(test, Constant) and test.double == test.single:
@@ -204,9 +208,10 @@ def _select(known, test, a, b):
     return None
 
 
-_RULES = {Op.ADD: _add, Op.SUB: _sub, Op.MUL: _mul, Op.SCALE: _mul, Op.DIV: _div, Op.NEG: _neg,
-          Op.ABS: _abs, Op.SELECT: _select, Op.SIN: _odd(Op.SIN), Op.TANH: _odd(Op.TANH),
-          Op.COS: _even(Op.COS)}
+_RULES: Mapping[Op, Callable[..., Result | None]] = {
+    Op.ADD: _add, Op.SUB: _sub, Op.MUL: _mul, Op.SCALE: _mul, Op.DIV: _div, Op.NEG: _neg,
+    Op.ABS: _abs, Op.SELECT: _select, Op.SIN: _odd(Op.SIN), Op.TANH: _odd(Op.TANH),
+    Op.COS: _even(Op.COS)}
 
 
 def _is_power_of_two(x: Constant) -> bool:
@@ -227,7 +232,7 @@ def _approximated(op: Op, values: tuple[Fraction, ...]) -> Fraction:
         return _rational(_EXACTLY[op](*numbers))
 
 
-_EXACTLY = exactly(mpmath)
+_EXACTLY: Mapping[Op, Callable[..., Fraction | mpmath.mpf]] = exactly(mpmath)
 _APPROXIMATED = {Op.SQRT, Op.SIN, Op.COS, Op.EXP, Op.TANH, Op.ATAN2}
 
 

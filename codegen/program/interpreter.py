@@ -6,14 +6,13 @@ An Arithmetic says how a kind of numbers represents constants and computes each 
 import operator
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
 from coscrew_codegen.program.ops import Op
 from coscrew_codegen.program.program import (
     Constant,
     Input,
     Instruction,
-    NotANumber,
     Program,
     Ref,
 )
@@ -42,9 +41,7 @@ def interpreter(program: Program, arithmetic: Arithmetic[V]
     first = list(dict.fromkeys(x for x in (*operands, *program.results) if not isinstance(x, Ref)))
     inputs = [x for x in first if isinstance(x, Input)]
     others = [x for x in first if not isinstance(x, Input)]
-    if NotANumber() in others and arithmetic.not_a_number is None:
-        raise TypeError(f"{program.name} may have no value, which these numbers lack")
-    kept = [arithmetic.constant(x) if isinstance(x, Constant) else arithmetic.not_a_number
+    kept = [arithmetic.constant(x) if isinstance(x, Constant) else _nan(program, arithmetic)
             for x in others]
     names = [Ref(step.name) for step in program.instructions]
     places = {x: place for place, x in enumerate((*inputs, *others, *names))}
@@ -61,6 +58,12 @@ def interpreter(program: Program, arithmetic: Arithmetic[V]
     return evaluated
 
 
+def _nan(program: Program, arithmetic: Arithmetic[V]) -> V:
+    if arithmetic.not_a_number is None:
+        raise TypeError(f"{program.name} may have no value, which these numbers lack")
+    return arithmetic.not_a_number
+
+
 def evaluate(program: Program, inputs: Sequence[Sequence[V]],
              arithmetic: Arithmetic[V]) -> list[V]:
     """The components of the results, from the components of each input."""
@@ -73,15 +76,15 @@ def by_operation(constant: Callable[[Constant], V], operations: Mapping[Op, Call
     return Arithmetic(constant, lambda step, _: operations[step.op], not_a_number)
 
 
-def exactly(functions: object = None) -> Mapping[Op, Callable]:
+def exactly(functions: object = None) -> Mapping[Op, Callable[..., V]]:
     """Every operation without rounding: Python's operators, and the sqrt, sin, cos, exp, tanh and
     atan2 of a module (math, mpmath, numpy)."""
-    return _OPERATORS | {op: getattr(functions, op.value) for op in _FUNCTIONS
+    return {**_OPERATORS} | {op: getattr(functions, op.value) for op in _FUNCTIONS
                          if hasattr(functions, op.value)}
 
 
 _FUNCTIONS = (Op.SQRT, Op.SIN, Op.COS, Op.ATAN2, Op.EXP, Op.TANH)
-_OPERATORS: Mapping[Op, Callable] = {
+_OPERATORS: Mapping[Op, Callable[..., Any]] = {
     Op.ADD: operator.add, Op.SUB: operator.sub, Op.MUL: operator.mul, Op.DIV: operator.truediv,
     Op.NEG: operator.neg, Op.ABS: abs, Op.SCALE: operator.mul,
     Op.FMA: lambda a, b, c: a * b + c, Op.FMS: lambda a, b, c: a * b - c,

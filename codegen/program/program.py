@@ -20,7 +20,7 @@ class Input(NamedTuple):
     """Component `index` (row by row) of the input number `argument`."""
 
     argument: int
-    index: int
+    index: int  # type: ignore[assignment]  # of the component: nobody asks a tuple's index()
 
 
 @dataclass(frozen=True)
@@ -52,6 +52,11 @@ class NotANumber:
 
 
 Operand = Input | Constant | NotANumber | Ref
+
+
+def name_of(x: Operand) -> str:
+    """The name of the instruction whose result it is; empty for what no instruction computes."""
+    return x.name if isinstance(x, Ref) else ""
 
 
 @dataclass(frozen=True)
@@ -110,6 +115,16 @@ def without_dead_steps(program: Program) -> Program:
             kept.append(step)
             used |= {x.name for x in step.operands if isinstance(x, Ref)}
     return replace(program, instructions=tuple(reversed(kept)))
+
+
+def renamed(program: Program, names: Mapping[str, str]) -> Program:
+    """The program with other names of its instructions."""
+    def other(x: Operand) -> Operand:
+        return Ref(names[x.name]) if isinstance(x, Ref) else x
+
+    steps = tuple(replace(step, name=names[step.name], operands=tuple(map(other, step.operands)))
+                  for step in program.instructions)
+    return replace(program, instructions=steps, results=tuple(map(other, program.results)))
 
 
 def by_component(program: Program) -> Iterator[tuple[Instruction, ...]]:

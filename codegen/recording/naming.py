@@ -2,9 +2,9 @@
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-from coscrew_codegen.program import Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program import Instruction, Op, Program, Ref, renamed
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ def named(program: Program, parts: Mapping[str, Part], labels: Mapping[str, Part
             stem = names[step.name][:-1]
             taken[stem] += 1
             names[step.name] = f"{stem}_{taken[stem]}"
-    return _renamed(program, names)
+    return renamed(program, names)
 
 
 def _labelled(labels: Mapping[str, Part], alive: set[str],
@@ -78,12 +78,3 @@ def _only_users(program: Program) -> dict[str, Instruction]:
             if isinstance(x, Ref) and uses[x.name] == 1:
                 found[x.name] = step
     return found
-
-
-def _renamed(program: Program, names: Mapping[str, str]) -> Program:
-    def renamed(x: Operand) -> Operand:
-        return Ref(names[x.name]) if isinstance(x, Ref) else x
-
-    steps = tuple(replace(step, name=names[step.name], operands=tuple(map(renamed, step.operands)))
-                  for step in program.instructions)
-    return replace(program, instructions=steps, results=tuple(map(renamed, program.results)))

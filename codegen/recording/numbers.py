@@ -1,6 +1,6 @@
 """Numbers whose arithmetic is recorded, for the equations of scenes; and vectors of three."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
@@ -10,7 +10,7 @@ from coscrew_codegen.program import Constant, Op, Operand
 if TYPE_CHECKING:
     from coscrew_codegen.recording.recorder import Recorder
 
-Vector = tuple["Number", "Number", "Number"]
+Vector = tuple["Number", ...]  # of three
 
 
 @dataclass(frozen=True)
@@ -20,11 +20,11 @@ class Number:
     recorder: "Recorder"
     operand: Operand
 
-    def _with(self, op: Op, *others: "Number | Fraction | int") -> "Number":
+    def _with(self, op: Op, *others: "Like") -> "Number":
         operands = tuple(self.like(x).operand for x in others)
         return Number(self.recorder, self.recorder.issue(op, operands))
 
-    def like(self, x: "Number | Fraction | int") -> "Number":
+    def like(self, x: "Like") -> "Number":
         """x as a Number of the same recording."""
         return x if isinstance(x, Number) else self.recorder.number(x)
 
@@ -39,18 +39,21 @@ class Number:
         """Whether it is the constant zero."""
         return self.constant == 0
 
-    def __add__(self, other): return self._with(Op.ADD, self, other)
-    def __radd__(self, other): return self._with(Op.ADD, other, self)
-    def __sub__(self, other): return self._with(Op.SUB, self, other)
-    def __rsub__(self, other): return self._with(Op.SUB, other, self)
-    def __mul__(self, other): return self._with(Op.MUL, self, other)
-    def __rmul__(self, other): return self._with(Op.MUL, other, self)
-    def __truediv__(self, other): return self._with(Op.DIV, self, other)
-    def __rtruediv__(self, other): return self._with(Op.DIV, other, self)
-    def __neg__(self): return self._with(Op.NEG, self)
+    def __add__(self, other: "Like") -> "Number": return self._with(Op.ADD, self, other)
+    def __radd__(self, other: "Like") -> "Number": return self._with(Op.ADD, other, self)
+    def __sub__(self, other: "Like") -> "Number": return self._with(Op.SUB, self, other)
+    def __rsub__(self, other: "Like") -> "Number": return self._with(Op.SUB, other, self)
+    def __mul__(self, other: "Like") -> "Number": return self._with(Op.MUL, self, other)
+    def __rmul__(self, other: "Like") -> "Number": return self._with(Op.MUL, other, self)
+    def __truediv__(self, other: "Like") -> "Number": return self._with(Op.DIV, self, other)
+    def __rtruediv__(self, other: "Like") -> "Number": return self._with(Op.DIV, other, self)
+    def __neg__(self) -> "Number": return self._with(Op.NEG, self)
 
 
-def _function(op: Op):
+Like = Number | Fraction | int
+
+
+def _function(op: Op) -> Callable[[Number], Number]:
     def apply(x: Number) -> Number:
         return x._with(op, x)
     apply.__doc__ = f"{op.value} x."
@@ -61,22 +64,22 @@ sin, cos, sqrt, exp, tanh, absolute = map(
     _function, (Op.SIN, Op.COS, Op.SQRT, Op.EXP, Op.TANH, Op.ABS))
 
 
-def less(a: Number, b: "Number | Fraction | int") -> Number:
+def less(a: Number, b: "Like") -> Number:
     """a < b, for `where`."""
     return a._with(Op.LESS, a, b)
 
 
-def where(test: Number, a: "Number | Fraction | int", b: "Number | Fraction | int") -> Number:
+def where(test: Number, a: "Like", b: "Like") -> Number:
     """a if the test holds, else b."""
     return test._with(Op.SELECT, test, a, b)
 
 
-def maximum(a: Number, b: "Number | Fraction | int") -> Number:
+def maximum(a: Number, b: "Like") -> Number:
     """max(a, b)."""
     return where(less(a, b), b, a)
 
 
-def minimum(a: Number, b: "Number | Fraction | int") -> Number:
+def minimum(a: Number, b: "Like") -> Number:
     """min(a, b)."""
     return where(less(a.like(b), a), b, a)
 

@@ -14,6 +14,7 @@ Instructions are named when the program is complete, so that the numbers in name
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from fractions import Fraction
 from functools import partial
 
 from coscrew_codegen.parameter import Parameter, Scalar
@@ -202,7 +203,7 @@ def _exactly(argument: Argument, numbers: Numbers) -> Numbers:
     return numbers
 
 
-def _order(x: Operand) -> tuple:
+def _order(x: Operand) -> tuple[int, str, Fraction | int, Fraction | int]:
     """Sort key: constants first, then inputs, then results in their order."""
     if isinstance(x, Constant):
         return 0, "", x.double, x.single

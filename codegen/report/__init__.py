@@ -1,7 +1,7 @@
-"""`coscrew report`: what every kernel's error and time are on this machine, as measured."""
+"""`coscrew report`: errors and times of every kernel, measured on this machine."""
 
 from coscrew_codegen.errors import Told
 
 
 class ReportError(Told, ValueError):
-    """What was asked for cannot be measured; the message says why."""
+    """The measurement is impossible; the message says why."""

@@ -1,7 +1,7 @@
-"""C text: every kernel in three loops, to be timed.  Knows types and layouts, no arithmetic.
+"""C text: every kernel in three loops, for timing.  Knows types and layouts, no arithmetic.
 
-A loop gets pointers to all inputs, then all outputs (in place or not, they are apart, so that the
-same call can be repeated), then to a zero.
+A loop receives pointers to all inputs, then to all outputs (separate arrays even for kernels that
+work in place, so that calls can be repeated), then to a zero.
 """
 
 from collections.abc import Sequence
@@ -26,14 +26,14 @@ from coscrew_codegen.tiers import tier_named
 
 _CACHE = 16384  # bytes of inputs and outputs, half of a small first-level cache
 
-# Latencies of today's processors in cycles, to find the result that comes last.
+# Typical latencies in cycles, to find the result that is ready last.
 _CYCLES = {Op.DIV: 13, Op.SQRT: 18, Op.SIN: 60, Op.COS: 60, Op.ATAN2: 90, Op.NEG: 1, Op.ABS: 1,
            Op.SELECT: 1, Op.LESS: 3, Op.EQUAL: 3}
 
 
 @dataclass(frozen=True)
 class Variant:
-    """A kernel: the operation as a tier has it, perhaps with further outputs, and its program."""
+    """A kernel: an operation in a tier, perhaps with further outputs, and its program."""
 
     operation: Operation
     precision: Precision
@@ -42,13 +42,14 @@ class Variant:
 
     @property
     def name(self) -> str:
-        """As the headers call it, without ksl_."""
+        """Its name in the headers, without ksl_."""
         name = c_name(self.operation.name, self.precision).removeprefix("ksl_")
         return "_".join(filter(None, (name, tier_named(self.tier).mark)))
 
     @property
     def elements(self) -> int:
-        """How many elements fit the first-level cache: of 16 to 256, a multiple of 16."""
+        """The number of elements that fit the first-level cache: a multiple of 16 from 16 to 256.
+        """
         arguments = (*self.operation.inputs, *self.operation.outputs)
         size = sum(a.quantity.size for a in arguments) * self.precision.bytes
         return max(16, min(256, _CACHE // size // 16 * 16))
@@ -56,7 +57,7 @@ class Variant:
 
 @dataclass(frozen=True)
 class _Loops:
-    """What the template's holes take."""
+    """The contents of the template's holes."""
 
     name: str
     rows: str
@@ -74,7 +75,7 @@ def kernels_text(variants: Sequence[Variant]) -> str:
 
 
 def last_component(program: Program) -> int:
-    """The number of the result whose longest way from an input takes longest."""
+    """The number of the result that is ready last: at the end of the longest path of latencies."""
     ready: dict[str, int] = {}
 
     def when(operand: Operand) -> int:
@@ -94,7 +95,7 @@ def _loops(variant: Variant) -> _Loops:
 
 
 def _rows(variant: Variant) -> tuple[list[str], list[str]]:
-    """out[i] = kernel(in[i]); what is updated in place is copied first."""
+    """out[i] = kernel(in[i]); arguments that are updated in place are copied first."""
     pointers, copies, values = [], [], {}
     for number, a, read in _numbered(variant.operation):
         kind, size = _declaration(a, variant.precision)
@@ -123,8 +124,8 @@ def _planes(variant: Variant) -> tuple[list[str], list[str]]:
 
 
 def _chain(variant: Variant) -> tuple[list[str], list[str]]:
-    """Every input waits for the result that comes last, of the call before: in + 0 · out, where no
-    compiler knows that the zero is one; all results are stored."""
+    """Every input depends on the last result of the previous call: in + 0 · out, with a zero that
+    compilers cannot see; all results are stored."""
     operation, real = variant.operation, variant.precision.c_type
     outputs = [(a, k) for a in operation.outputs for k in range(a.quantity.size)]
     last, component = outputs[last_component(variant.program)]

@@ -1,6 +1,6 @@
 """`coscrew report`: options, report.json, the page, a short table.
 
-Imports what measures only when it is asked to, since the generator does without."""
+Imports the measurement only when it runs, since the generator does not need it."""
 
 import argparse
 import math
@@ -18,13 +18,13 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     """Add `report` to the command line."""
     parser = commands.add_parser(
         "report", help="measure errors and times on this machine",
-        description="Measure every kernel's errors, against exact truth, and times, here.")
+        description="Measure every kernel's errors, against exact results, and times.")
     parser.add_argument("--op", metavar="NAME", action="append", default=[],
                         help="only this operation; may be repeated")
     parser.add_argument("--minutes", type=float, default=2.0, metavar="M",
                         help="about how long to measure (default: 2)")
     parser.add_argument("--seed", type=int, default=1, metavar="N",
-                        help="of the inputs (default: 1)")
+                        help="seed of the inputs (default: 1)")
     parser.add_argument("--output", metavar="DIR", default="build/report",
                         help="folder to write to (default: build/report)")
     parser.add_argument("--compare", metavar="FILE", help="an earlier report.json")
@@ -75,7 +75,7 @@ def _folder(name: str) -> Path:
 
 
 def _writable(folder: Path) -> None:
-    """Find out before measuring whether the report can be written."""
+    """Raise EmitError if the report cannot be written; called before measuring."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=folder):

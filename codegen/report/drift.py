@@ -1,4 +1,4 @@
-"""What many compositions D ← D E do to a displacement, with and without re-orthonormalising."""
+"""Errors of a displacement after many compositions D ← D E, with and without orthonormalising."""
 
 import ctypes
 import time
@@ -14,12 +14,12 @@ from coscrew_codegen.report.native import Library, loaded
 from coscrew_codegen.report.schema import Drift
 
 STEPS = 1_000_000
-EVERY = 1000  # steps between two Newton steps R ← R (3I - R^T R) / 2
-_RUNS = FEWEST  # of each precision, with and without: in turn
+EVERY = 1000  # compositions between two Newton steps R ← R (3I - R^T R) / 2
+_RUNS = FEWEST  # per precision, with and without orthonormalising in turn
 
 
 def drifts(library: Library, steps: int = STEPS) -> Iterator[Drift]:
-    """The drift in both precisions, without and with re-orthonormalising."""
+    """The drift in both precisions, without and with orthonormalising."""
     cases = [(precision, _step().astype(precision.numpy_type), every)
              for precision in PRECISIONS for every in (0, EVERY)]
     rounds = [[_run(library, *case, steps) for case in cases] for _ in range(_RUNS)]
@@ -32,12 +32,12 @@ def drifts(library: Library, steps: int = STEPS) -> Iterator[Drift]:
 
 
 def power(E: np.ndarray, steps: int) -> mpmath.matrix:
-    """The rigid motion nearest to E = [R | t], composed with itself so many times: R becomes its
-    orthogonal polar factor, which has no defect to add up."""
+    """The rigid displacement nearest to E = [R | t], to the power `steps`: R is replaced by its
+    orthogonal polar factor, so that no defect accumulates."""
     with mpmath.workdps(DIGITS):
         motion = mpmath.matrix([*map(list, E.astype(float).tolist()), [0, 0, 0, 1]])
         R = motion[:3, :3]
-        for _ in range(10):  # the defect is squared each time: 1e-7 is nothing after 5
+        for _ in range(10):  # squares the defect each time: 1e-7 vanishes after 5
             R = R * (3 * mpmath.eye(3) - R.T * R) / 2
         motion[:3, :3] = R
         return motion**steps
@@ -55,7 +55,7 @@ def deviations(D: np.ndarray, truth: mpmath.matrix) -> tuple[float, float]:
 
 
 def _step() -> np.ndarray:
-    """A screw motion about (1, 2, 3), by an angle no multiple of which is a whole turn."""
+    """A screw motion about (1, 2, 3), by an angle that is not a rational part of a turn."""
     x, y, z = np.array([1, 2, 3]) / np.sqrt(14)
     k = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     angle = 0.0037

@@ -1,4 +1,4 @@
-"""Errors of kernels against exact truth: worst, quantiles, witness, bound, condition."""
+"""Errors of kernels against exact results: worst, quantiles, witness, bound, condition."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ _LARGEST_CONDITION = 2.0**100
 
 @dataclass(frozen=True)
 class Sample:
-    """Rows of inputs, and what their results are."""
+    """Rows of inputs and their exact results."""
 
     rows: np.ndarray
     truth: Truth
@@ -41,7 +41,7 @@ class Accuracy:
 
 def samples(operation: Operation, precision: Precision, count: int, seed: int,
             corpus: tuple[tuple[float, ...], ...] = ()) -> tuple[Sample, Sample]:
-    """`count` benign rows; `count` hard rows and those of the corpus."""
+    """(`count` benign rows, `count` hard rows and those of the corpus)."""
     drawn = [inputs.benign(operation, precision, count, seed),
              inputs.hard(operation, precision, count, seed)]
     if corpus:
@@ -52,11 +52,11 @@ def samples(operation: Operation, precision: Precision, count: int, seed: int,
 
 def accuracy(operation: Operation, variant: Variant, benign: Sample, hard: Sample,
              evaluate: Evaluate) -> Accuracy:
-    """The errors of a variant of the operation; further outputs it may have are left out.
+    """The errors of a variant of the operation, without its further outputs.
 
-    Hard are only results whose condition is below 0.1/u: beyond it no digit is promised.  Nothing
-    is promised either where there is no truth, where something overflows, or where a kernel that
-    may refuse its inputs returns NaN."""
+    Hard results count only if their condition is below 0.1/u: beyond that no digit is promised.
+    Nothing is promised either where the exact result does not exist, something overflows, or a
+    kernel that may refuse its inputs returns NaN."""
     found = [_results(operation, variant, sample, evaluate) for sample in (benign, hard)]
     errors = [sample.truth.errors(results)
               for sample, results in zip((benign, hard), found, strict=True)]
@@ -79,7 +79,7 @@ def accuracy(operation: Operation, variant: Variant, benign: Sample, hard: Sampl
 
 
 def _may_refuse(program: Program) -> bool:
-    """Whether NaN stands for a result that does not exist."""
+    """Whether a NaN can mean that a result does not exist."""
     return any(isinstance(x, NotANumber) for step in program.instructions for x in step.operands)
 
 
@@ -90,14 +90,15 @@ def _results(operation: Operation, variant: Variant, sample: Sample,
 
 
 def _computed(operation: Operation) -> np.ndarray:
-    """Which components are neither constants nor inputs, copied or negated; if none is, all."""
+    """The mask of components that are computed, not constants or inputs, copied or negated; all if
+    none is."""
     computed = np.array([not (x.is_Atom or (-x).is_Atom) for x in formula(operation)])
     return computed if computed.any() else ~computed
 
 
 def summarised(operation: Operation, rows: np.ndarray, errors: np.ndarray,
                counted: np.ndarray) -> Errors | None:
-    """Worst with its witness, 99.9th percentile and median of the errors that count."""
+    """Worst error with its witness, 99.9th percentile and median, of the errors that count."""
     chosen = errors[counted]
     if not chosen.size:
         return None
@@ -126,7 +127,7 @@ def _bound(variant: Variant, bounds: tuple[Bound, ...],
 
 def _by_condition(conditions: np.ndarray,
                   errors: np.ndarray) -> tuple[tuple[float, float], ...]:
-    """The largest error of each bin of condition numbers, with the condition it was found at."""
+    """(condition, error) of the largest error in each bin of condition numbers."""
     usable = (conditions >= 1) & (conditions < _LARGEST_CONDITION)
     conditions, errors = conditions[usable], errors[usable]
     bins = np.floor(np.log2(conditions) * _BINS_PER_OCTAVE)

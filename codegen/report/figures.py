@@ -24,9 +24,9 @@ from coscrew_codegen.tiers import TIERS
 _COLOURS = {tier.name: tier.colours[0] for tier in TIERS}
 _MARKERS = {"double": "o", "single": "s"}
 _DASHES = {"double": "-", "single": "--"}
-_LINEAR_BELOW = 0.1  # ulp: zero has its place on a symmetrical logarithmic axis
+_LINEAR_BELOW = 0.1  # ulp: the axis is linear below, so that it has a zero
 
-# Text as paths, so that it looks alike everywhere; ids from a fixed salt, no date.
+# Text as paths, so that it looks the same everywhere; ids from a fixed salt, no date.
 STYLE = {"svg.hashsalt": "coscrew", "svg.fonttype": "path", "font.family": "DejaVu Sans",
           "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
           "axes.grid": True, "grid.color": "#e3e6eb", "axes.edgecolor": "#9aa2b1",
@@ -46,7 +46,7 @@ def figures(report: Report, operations: tuple[str, ...]) -> dict[str, str]:
 
 
 def _headline(report: Report, layout: str) -> str:
-    """What accuracy costs in time: one panel per precision, one line per operation."""
+    """Accuracy against time: one panel per precision, one line per operation."""
     operations = headline_operations(report)
     with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(9, 4), layout="constrained")
@@ -55,7 +55,7 @@ def _headline(report: Report, layout: str) -> str:
             for number, name in enumerate(operations):
                 entries = [e for e in report.entries
                            if (e.operation, e.precision) == (name, precision)]
-                _tiers(axes, entries, layout, name, 9 + 11 * number)  # names cover no other
+                _tiers(axes, entries, layout, name, 9 + 11 * number)  # so that names don't overlap
             _axes(axes, report.entries, layout)
         figure.axes[1].set_ylabel("")
         return _text(figure)
@@ -74,8 +74,8 @@ def _pareto(operation: str, entries: list[Entry], layout: str) -> str:
 
 
 def _tiers(axes: Axes, entries: Iterable[Entry], layout: str, name: str, lift: int = 9) -> None:
-    """One mark per tier at (ns, worst error), its interval as a line; joined where not dominated,
-    the fastest named, `lift` points above."""
+    """One mark per tier at (ns, worst error) with its interval as a line; those not dominated are
+    joined.  The name is `lift` points above the fastest."""
     marks = []
     for entry in entries:
         time, errors = time_of(entry, layout), entry.hard or entry.benign
@@ -85,7 +85,7 @@ def _tiers(axes: Axes, entries: Iterable[Entry], layout: str, name: str, lift: i
     axes.plot([x for x, _ in best], [y for _, y in best], ":", color="#9aa2b1", zorder=1)
     for time, y, entry in marks:
         colour, variant = _COLOURS[entry.tier], f"{entry.operation}-{entry.precision}-{entry.tier}"
-        # An infinite error stands at the upper edge of the axes.
+        # An infinite error is drawn at the upper edge of the axes.
         at, transform = (y, axes.transData) if isfinite(y) else (1, axes.get_xaxis_transform())
         axes.plot([time.low, time.high], [at, at], "|-", color=colour, transform=transform,
                   linewidth=1.2, clip_on=False, gid=f"{variant}-interval")

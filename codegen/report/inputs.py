@@ -1,4 +1,4 @@
-"""Inputs that operations are measured on: benign ones, hard ones, and those of a hard-case corpus.
+"""Inputs for measuring operations: benign ones, hard ones, and those of a hard-case corpus.
 
 Rows hold all input components of one call.  Seeded by the operation's name: the same numbers on
 every machine.
@@ -23,15 +23,15 @@ _SPREAD = {"double": 40, "single": 8}  # sizes go from 2^-spread to 2^spread
 
 
 def benign(operation: Operation, precision: Precision, count: int, seed: int) -> np.ndarray:
-    """Numbers about 1; rotations are rotations, and (sin θ, cos θ) is of an angle."""
+    """Numbers about 1 within the arguments' domains: rotations are orthonormal, and so on."""
     numbers = _generator(operation, precision, seed, 0)
     angles = np.pi * (1 - 2 * numbers.random(count))
     return _drawn(operation, precision, numbers, angles)
 
 
 def hard(operation: Operation, precision: Precision, count: int, seed: int) -> np.ndarray:
-    """Polynomials: sizes differ greatly, and in half of the rows one result nearly cancels.
-    Others: angles about 0 and π, arguments as small as 2^-spread."""
+    """For polynomials, numbers of very different sizes, in half of the rows with one result nearly
+    cancelled; for others, angles about 0 and π, and arguments as small as 2^-spread."""
     numbers = _generator(operation, precision, seed, 1)
     if is_polynomial(operation):
         rows = numbers.normal(size=(count, _size(operation)))
@@ -52,8 +52,8 @@ def hard(operation: Operation, precision: Precision, count: int, seed: int) -> n
 
 
 def cancel(operation: Operation, row: np.ndarray, chooser: random.Random) -> None:
-    """Change one input so that one result, linear in it, nearly vanishes: to the input's last bit
-    or so, or to any part of that."""
+    """Change one input so that a result that is linear in it nearly vanishes, as far as the input's
+    last bits allow or less."""
     exact, _ = chooser.choice(exact_functions(operation))
     values = [mpq(float(x)) for x in row]
     for place in chooser.sample(range(len(values)), len(values)):
@@ -75,7 +75,7 @@ def split(operation: Operation, rows: np.ndarray) -> tuple[np.ndarray, ...]:
 
 def corpus(folder: Path) -> Corpus:
     """The hard cases in the folder's *.txt, lines `operation precision : components : origin`, the
-    components of all inputs, row by row, in hex; # starts a remark.  Raises ReportError."""
+    components of all inputs, row by row, in hex; # starts a comment.  Raises ReportError."""
     sizes = {operation.name: _size(operation) for operation in OPERATIONS}
     found: dict[tuple[str, str], list[tuple[float, ...]]] = {}
     for path in sorted(folder.glob("*.txt")):

@@ -1,4 +1,4 @@
-"""Where figures come from: processor, system, versions, the command; no names of hosts or users."""
+"""Provenance of figures: processor, system, versions, command; no names of hosts or users."""
 
 import os
 import platform
@@ -15,7 +15,7 @@ from coscrew_codegen.report.schema import Compiler, Provenance
 
 def provenance(command: str, seed: int, compilers: tuple[Compiler, ...],
                seconds: float) -> Provenance:
-    """This machine, as a report states it."""
+    """The provenance of a report made on this machine."""
     return Provenance(command, seed, coscrew_version(), processor(), os.cpu_count() or 1,
                       f"{platform.system()} {platform.machine()}",
                       f"{platform.python_implementation()} {platform.python_version()}",
@@ -35,7 +35,7 @@ def _in_working_tree() -> bool:
 
 
 def processor() -> str:
-    """The processor's model, where the system tells it."""
+    """The processor's model, if the system reports it."""
     cpuinfo = Path("/proc/cpuinfo")
     if cpuinfo.exists():
         for line in cpuinfo.read_text(errors="replace").splitlines():

@@ -38,7 +38,7 @@ def markdown(report: Report, figures: tuple[str, ...]) -> str:
 
 
 def _captioned(name: str) -> tuple[str, str]:
-    """A figure's file, and what it shows."""
+    """A figure's file and its caption."""
     kind, _, operation = name.removesuffix(".svg").partition("-")
     return name, {"headline": "What accuracy costs: time per element against worst error",
                   "pareto": f"Time against worst error of {operation}",
@@ -83,5 +83,5 @@ def _table(rows: Iterable[tuple[str | int, ...]], columns: tuple[str, ...]) -> s
 
 
 def _escaped(text: str) -> str:
-    """Text that Markdown shows as it is, on one line."""
+    """The text on one line, escaped for Markdown."""
     return re.sub(r"([\\`*_\[\]|~])", r"\\\1", html.escape(" ".join(text.split()), quote=False))

@@ -32,18 +32,18 @@ from coscrew_codegen.report.timing import COUNTS, Timed
 from coscrew_codegen.report.variants import flops, variants_of
 from coscrew_codegen.special import SPECIAL
 
-# The operations most telling of the library: first where time is short, and printed.
+# The most informative operations: measured first if time is short, and printed.
 TELLING = ("product_CoAdc", "product_CoAdinvc", "product_Ads", "cross_sc", "cross_ss", "dot_cs",
            "product_dd", "product_dv", "screw_normalized")
 
-# What compiling and errors leave of the time, no less than a quarter of it all, goes to loops in
-# C and to calls in Python, of one, 1000 and 1e6 elements.
+# Shares of the time that remains after compiling and measuring errors, at least a quarter of the
+# whole: loops in C, and Python calls with one, 1000 and 1e6 elements.
 _LEAST_LEFT = 0.25
 _C_SHARE = 0.5
 _PYTHON_SHARES = (0.1, 0.15, 0.25)
 
-# Rows for errors are counted, not timed, so that every machine draws the same: this many a minute,
-# were `_row_cost` 1.
+# The number of rows for errors depends on the given minutes, not on the machine's speed, so that
+# every machine draws the same: this many per minute for operations of `_row_cost` 1.
 _ROW_BUDGET = 450_000.0
 _FEWEST_ROWS, _MOST_ROWS = 60, 20_000
 
@@ -52,7 +52,7 @@ Item = TypeVar("Item")
 
 @dataclass(frozen=True)
 class Plan:
-    """What to measure, how long, from which seed, and the command that asked for it."""
+    """What to measure, how long, from which seed, and the command line."""
 
     operations: tuple[Operation, ...]
     minutes: float
@@ -63,8 +63,8 @@ class Plan:
 
 @dataclass(frozen=True)
 class Task:
-    """Errors of one operation in one precision, all tiers; names, since formulas cannot be sent to
-    another process."""
+    """Errors of one operation in one precision and all tiers.  Holds the operation's name, since
+    formulas cannot be sent to another process."""
 
     operation: str
     precision: Precision
@@ -84,14 +84,14 @@ class Task:
 
 
 def measure(plan: Plan) -> Report:
-    """The report, without a comparison.  Without a compiler, of what there is in Python."""
+    """The report, without a comparison; of Python only, if there is no compiler."""
     started = time.monotonic()
     variants = [v for operation in _progress(plan.operations, "deriving", len(plan.operations))
                 for precision in PRECISIONS for v in variants_of(operation, precision)]
     with tempfile.TemporaryDirectory(prefix="coscrew-") as name:
         found = compilers(Path(name))
         if not found:
-            print("coscrew: no C compiler works here; Python alone is measured", file=sys.stderr)
+            print("coscrew: no C compiler works here; only Python is measured", file=sys.stderr)
         built = tuple(_progress(libraries(variants, found, Path(name)), "compiling", len(found)))
         accuracies = _accuracies(plan, built[0] if built else None)
         left = max(60 * plan.minutes - (time.monotonic() - started),
@@ -109,7 +109,7 @@ def measure(plan: Plan) -> Report:
 
 
 def tasks(plan: Plan, library: Library | None) -> list[Task]:
-    """One for each operation and precision; each gets the same share of the rows' budget."""
+    """A task for each operation and precision, with equal shares of the budget of rows."""
     share = _ROW_BUDGET * plan.minutes / len(plan.operations) / len(PRECISIONS)
     return [Task(operation.name, precision,
                  int(min(max(share / _row_cost(operation), _FEWEST_ROWS), _MOST_ROWS)), plan.seed,
@@ -118,7 +118,7 @@ def tasks(plan: Plan, library: Library | None) -> list[Task]:
 
 
 def _row_cost(operation: Operation) -> float:
-    """About what the truth of a row costs, in components of polynomials."""
+    """Estimated cost of a row's exact results, in components of polynomials."""
     components = formula(operation)
     if is_polynomial(operation):
         return max(len(components), 3)
@@ -138,7 +138,7 @@ def _accuracies(plan: Plan, library: Library | None) -> dict[Key, Accuracy]:
 
 
 def _ignore_interrupts() -> None:
-    """Ctrl-C reaches all processes; the first one ends the others."""
+    """Ignore Ctrl-C, which reaches all processes: the main one ends the others."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
@@ -179,5 +179,5 @@ def _key(variant: Variant) -> Key:
 
 
 def _progress(items: Iterable[Item], what: str, total: int) -> Iterator[Item]:
-    """The items, counted on standard error if that is a terminal."""
+    """The items, with a progress bar on standard error if that is a terminal."""
     yield from tqdm(items, what, total, leave=False, disable=None, file=sys.stderr)

@@ -25,7 +25,7 @@ Arrays = tuple[np.ndarray, ...]
 
 
 def compilers(folder: Path) -> tuple[Compiler, ...]:
-    """gcc and clang, or else cc: those that make a library here, with the flags they understand."""
+    """Working compilers with the flags they understand: gcc and clang, or else cc."""
     found = [name for name in ("gcc", "clang") if which(name)] or [n for n in ("cc",) if which(n)]
     flags = (_FLAGS, tuple(flag for flag in _FLAGS if not flag.startswith("-march")))
     (folder / "empty.c").write_text("#include <math.h>\nint one(void) { return 1; }\n",
@@ -43,13 +43,13 @@ def compilers(folder: Path) -> tuple[Compiler, ...]:
 
 @dataclass(frozen=True)
 class Library:
-    """Where one compiler put the loops of all variants."""
+    """The loops of all variants, built by one compiler."""
 
     compiler: Compiler
     path: Path
 
     def call(self, variant: Variant, inputs: Arrays) -> Arrays:
-        """The kernel's outputs, each (n, *shape), for inputs of as many rows."""
+        """The kernel's outputs, each (n, *shape), for inputs of n rows."""
         n = len(inputs[0])
         read = [_as_structs(x) for x in inputs]
         written = [np.full((n, *a.quantity.shape[::-1]), np.nan, variant.precision.numpy_type)
@@ -60,8 +60,8 @@ class Library:
 
     def times(self, variants: Sequence[Variant], layout: str, inputs: Sequence[Arrays],
               ns: float) -> list[Timing]:
-        """Times per element of the loop `layout` of each variant, beside each other, measured for
-        about `ns` altogether; `inputs` are those of each."""
+        """Times per element of the loop `layout` of each variant, measured in turn for about `ns`
+        altogether; `inputs` has the arguments of each."""
         return timed_loops(loaded(self.path), [
             self._loop(variant, layout, given) for variant, given
             in zip(variants, inputs, strict=True)], ns)
@@ -78,7 +78,7 @@ class Library:
 
 def libraries(variants: Sequence[Variant], found: Sequence[Compiler],
               folder: Path) -> Iterator[Library]:
-    """The library of each compiler, once its parts, compiled side by side, are done."""
+    """The library of each compiler; its parts are compiled in parallel."""
     sources = [folder / "driver.c", folder / "drift.c"]
     for source, text in zip(sources, (driver(), render("report/drift.c")), strict=True):
         source.write_text(text, encoding="utf-8")
@@ -126,5 +126,5 @@ def _transposed(x: np.ndarray) -> np.ndarray:
 
 
 def _as_structs(x: np.ndarray) -> np.ndarray:
-    """Matrices column by column, as C stores them."""
+    """The array with matrices column by column, as in C."""
     return np.ascontiguousarray(_transposed(x))

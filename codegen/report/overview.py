@@ -1,4 +1,4 @@
-"""What a report says in a few sentences, and what its figures show first."""
+"""A report's summary in a few sentences, and the choice of what its figures show first."""
 
 from collections.abc import Iterable, Iterator
 from decimal import ROUND_HALF_UP, Context
@@ -17,7 +17,7 @@ _THREE_DIGITS = Context(prec=3, rounding=ROUND_HALF_UP)
 
 
 def formatted(x: float | None) -> str:
-    """Three significant digits; – for what is no number.  The page formats by the same rule."""
+    """Three significant digits; – for None and NaN.  The page's script formats by the same rule."""
     if x is None or isnan(x):
         return "–"
     if not isfinite(x):
@@ -30,7 +30,7 @@ def formatted(x: float | None) -> str:
 
 
 def layout_name(time: Time) -> str:
-    """How a time is called: language, compiler, layout."""
+    """The name of a kind of time: language, compiler, layout."""
     return ", ".join(filter(None, (time.language, time.compiler, time.layout)))
 
 
@@ -40,13 +40,14 @@ def with_interval(median: float | None, low: float | None, high: float | None) -
 
 
 def tiers_of(entries: Iterable[Entry]) -> tuple[Tier, ...]:
-    """The tiers that entries are of, in their order."""
+    """The tiers of the entries, in their order."""
     names = {entry.tier for entry in entries}
     return tuple(tier for tier in TIERS if tier.name in names)
 
 
 def first_layout(report: Report) -> str:
-    """The times shown first: C over a structure of arrays, the first compiler's; else the first."""
+    """The times shown first: those in C over a structure of arrays with the first compiler, else
+    the first ones."""
     times = [time for entry in report.entries for time in entry.times]
     return next((layout_name(time) for time in times
                  if (time.language, time.layout) == ("C", "structure of arrays")),
@@ -59,14 +60,15 @@ def time_of(entry: Entry, layout: str) -> Time | None:
 
 
 def headline_operations(report: Report) -> tuple[str, ...]:
-    """What figures show first: of HEADLINE what was measured, else the first with most tiers."""
+    """The operations in the first figure: those of HEADLINE that were measured, else the first one
+    with the most tiers."""
     names = [entry.operation for entry in report.entries]
     measured = tuple(name for name in HEADLINE if name in names)
     return measured or tuple(sorted(dict.fromkeys(names), key=names.count, reverse=True)[:3])
 
 
 def largest_changes(compare: Comparison) -> tuple[Change, ...]:
-    """What changed most, up or down; what stayed the same is left out."""
+    """The largest changes, up or down, without unchanged figures."""
     changed = [row for row in compare.rows if row.ratio != 1]
     return tuple(sorted(changed, key=_size, reverse=True)[:MOST_CHANGES])
 
@@ -76,7 +78,7 @@ def _size(change: Change) -> float:
 
 
 def sentences(report: Report) -> tuple[str, ...]:
-    """What the report says, each sentence from its figures."""
+    """The summary, each sentence made from the report's figures."""
     return tuple(_sentences(report))
 
 
@@ -97,7 +99,7 @@ def _counted(number: int, noun: str) -> str:
 
 
 def _price(report: Report, operation: str) -> Iterator[str]:
-    """What accuracy costs in time: plain beside the most accurate tier, in double precision."""
+    """Accuracy against time: plain and the most accurate tier, in double precision."""
     layout = first_layout(report)
     by_tier = {entry.tier: entry for entry in report.entries
                if (entry.operation, entry.precision) == (operation, "double") and entry.hard
@@ -132,5 +134,5 @@ def _bounds(report: Report) -> Iterator[str]:
 
 
 def entry_name(entry: Entry) -> str:
-    """The entry as it is called in sentences and plots."""
+    """The entry's name in sentences and plots."""
     return f"{entry.operation} {entry.precision} {entry.tier}"

@@ -1,4 +1,4 @@
-"""Shows a report: report.html, one page that needs nothing else; report.md; figures in SVG."""
+"""Writes a report: report.html, a self-contained page; report.md; figures in SVG."""
 
 import json
 from dataclasses import asdict
@@ -43,13 +43,13 @@ def page(report: Report) -> str:
 
 
 def _embedded(data: Json) -> str:
-    """JSON that may stand in a script element: no `<` ends it, no bare NaN or Infinity is in it."""
+    """JSON that is safe in a script element: without `<`, and without bare NaN or Infinity."""
     text = json.dumps(_finite(data), allow_nan=False, separators=(",", ":"))
     return text.replace("<", "\\u003c")
 
 
 def _finite(data: Json) -> Json:
-    """The same with "NaN", "Infinity" and "-Infinity" in strings, which JSON has no numbers for."""
+    """The data with NaN and infinities as strings, "NaN", "Infinity" and "-Infinity"."""
     if isinstance(data, dict):
         return {key: _finite(value) for key, value in data.items()}
     if isinstance(data, list | tuple):

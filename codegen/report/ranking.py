@@ -1,4 +1,4 @@
-"""Figures beside each other: ratios to plain, dominated variants, changes since a report."""
+"""Comparisons: ratios to plain, dominated variants, changes since an earlier report."""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
@@ -11,14 +11,15 @@ Key = tuple[str, str, str]  # operation, precision, tier
 
 
 def key(timed: Timed) -> Key:
-    """Which variant was timed."""
+    """The key of the variant that was timed."""
     return timed.variant.operation.name, timed.variant.precision.name, timed.variant.tier
 
 
 def times(timed: Iterable[list[Timed]], worst: Mapping[Key, float]) -> dict[Key, tuple[Time, ...]]:
-    """The times of each variant, with their ratio to plain's, and whether it is dominated: another
-    tier's interval lies below its own, and that tier's worst error on hard inputs is no larger; one
-    that returns less, as plain does beside certified, does not count."""
+    """The times of each variant, with their ratio to plain's, and whether it is dominated.
+
+    A variant is dominated if another tier with as many outputs is faster, with disjoint intervals,
+    and its worst error on hard inputs is no larger."""
     found: dict[Key, list[Time]] = {}
     for rivals in timed:
         its = {key(t): t.timing.time for t in rivals}

@@ -1,7 +1,7 @@
-"""report.json as frozen dataclasses: what `coscrew report` measures, and how it is read back.
+"""report.json as frozen dataclasses: the results of `coscrew report`, written and read back.
 
-Field names are JSON keys.  A number may be `Infinity`, as Python's json writes it: the error of a
-result that is not finite where the truth is.
+Field names are JSON keys.  A number may be `Infinity`, as Python's json writes it: the error of an
+infinite or NaN result whose exact value is finite.
 """
 
 import json
@@ -39,8 +39,8 @@ class Provenance:
 
 @dataclass(frozen=True)
 class Errors:
-    """Errors of so many outputs; the witness is the input of the worst, in hex, component by
-    component, and `component` names the output."""
+    """Errors of `outputs` output components; `witness` is the input of the worst error, in hex,
+    component by component, and `component` names its output."""
 
     outputs: int
     worst: float
@@ -52,8 +52,8 @@ class Errors:
 
 @dataclass(frozen=True)
 class ProvenBound:
-    """|x̂ - x| <= u |x̂| [if rounded] + (c1 u + c2 u²) S; the constants are the largest over the
-    components, `worst_ratio` is the largest error found as a multiple of its bound."""
+    """|x̂ - x| <= u |x̂| [if rounded] + (c1 u + c2 u²) S, with the largest constants of all
+    components; `worst_ratio` is the largest measured error over its bound."""
 
     text: str
     c1: float
@@ -64,10 +64,12 @@ class ProvenBound:
 
 @dataclass(frozen=True)
 class Time:
-    """The median of so many rounds in ns per element, its interval from low to high, the minimum;
-    ratio is the median of that to plain in the same round, in the same language, compiler and
-    layout, with its own interval; dominated: another tier's interval lies below, and it is no less
-    accurate."""
+    """A time in ns per element: the median over `rounds`, its interval from low to high, the
+    minimum.
+
+    `ratio` is the median ratio to plain in the same round, language, compiler and layout, with its
+    own interval.  `dominated`: another tier's interval lies below, and it is at least as accurate.
+    """
 
     language: str
     compiler: str | None
@@ -105,8 +107,8 @@ class Entry:
 
 @dataclass(frozen=True)
 class Drift:
-    """A displacement after so many compositions: its rotation's orthonormality defect and its
-    error, in u, and what a step costs: the median of some runs, and its interval."""
+    """A displacement after `steps` compositions: its rotation's orthonormality defect and its
+    error, in u; the time per step, as a median of runs with its interval."""
 
     precision: str
     orthonormalised: bool
@@ -120,7 +122,7 @@ class Drift:
 
 @dataclass(frozen=True)
 class Change:
-    """A figure of the earlier report beside the same figure of this one."""
+    """A figure of the earlier report and the same figure of this one."""
 
     operation: str
     precision: str
@@ -155,7 +157,7 @@ class Report:
 
     @classmethod
     def from_json(cls, text: str) -> "Report":
-        """The report that `to_json` wrote.  Raises ValueError, naming the place, for others."""
+        """Read what `to_json` wrote.  Raises ValueError, naming the place, for anything else."""
         found = json.loads(text)
         if not isinstance(found, dict) or found.get("schema") != SCHEMA:
             raise ValueError(f"not a report of schema {SCHEMA}")

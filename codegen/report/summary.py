@@ -1,4 +1,4 @@
-"""A report's most telling figures as a table in a terminal."""
+"""A report's most informative figures as a table for a terminal."""
 
 from collections.abc import Sequence
 
@@ -12,8 +12,8 @@ _HEADERS = ("operation", "precision", "tier", "benign", "hard", "error / bound",
 
 
 def table(report: Report, telling: Sequence[str]) -> str:
-    """Worst errors, and times of structures of arrays in C and of 1000 elements in Python, of the
-    telling operations; of all where the report holds few."""
+    """Worst errors and times (in C over structures of arrays, in Python with 1000 elements) of the
+    operations `telling`; of all if the report has few."""
     names = {entry.operation for entry in report.entries}
     chosen = [e for e in report.entries if e.operation in telling or len(names) < len(telling)]
     about = report.provenance

@@ -18,12 +18,12 @@ from coscrew_codegen.tiers import tier_named
 
 LAYOUTS = {"rows": "array of structs", "planes": "structure of arrays", "chain": "latency"}
 COUNTS = (1, 1000, 1_000_000)
-_TEMPORARIES = 8  # times the size of its arguments: what a call in pure NumPy may take besides
+_TEMPORARIES = 8  # memory for temporaries of a pure-NumPy call, in sizes of its arguments
 
 
 @dataclass(frozen=True)
 class Timed:
-    """What a variant took, in ns per element, in the rounds of its contest: the tiers of one
+    """A variant's times, in ns per element, in the rounds of its contest: all tiers of one
     operation and precision, in the same language, compiler and layout."""
 
     variant: Variant
@@ -34,7 +34,7 @@ class Timed:
 
 
 def contests(variants: Sequence[Variant]) -> list[list[Variant]]:
-    """The variants that are timed beside each other: all tiers of an operation in a precision."""
+    """The groups of variants that are timed in turn: all tiers of an operation in a precision."""
     found: dict[tuple[str, str], list[Variant]] = {}
     for v in variants:
         found.setdefault((v.operation.name, v.precision.name), []).append(v)
@@ -67,8 +67,8 @@ def python_function(variant: Variant) -> Callable[..., object] | None:
 
 def in_python(variants: Sequence[Variant], count: int, seed: int,
               seconds: float) -> Iterator[list[Timed]]:
-    """Each contest on `count` elements, all in about `seconds`, without the variants that take too
-    much memory, or an eighth of the time.  When the time is up, the others are left out."""
+    """Each contest on `count` elements, all in about `seconds`, without variants that take too much
+    memory or an eighth of the time.  Contests that don't fit in the time are left out."""
     end, done = timeit.default_timer() + seconds, 0
     for rivals in contests(variants):
         left = end - timeit.default_timer()
@@ -85,8 +85,8 @@ def in_python(variants: Sequence[Variant], count: int, seed: int,
 
 
 def _call(variant: Variant, count: int, seed: int, seconds: float) -> Callable[[], object] | None:
-    """The variant's function on arrays that start at cache lines; its results lie where NumPy puts
-    them.  None if FEWEST calls would take more than `seconds`, and more than a millisecond."""
+    """A call of the variant's function on arrays that start at cache lines; NumPy allocates the
+    results.  None if FEWEST calls would take more than `seconds`, and more than a millisecond."""
     function = python_function(variant)
     some = _arguments(variant, min(count, 1000), seed)
     with np.errstate(all="ignore"):
@@ -103,14 +103,14 @@ def _arguments(variant: Variant, count: int, seed: int) -> tuple[np.ndarray, ...
 
 
 def _fits(variant: Variant, count: int, function: Callable[..., object]) -> bool:
-    """Whether a call takes less than half of the memory that is free."""
+    """Whether a call needs less than half of the available memory."""
     arguments = (*variant.operation.inputs, *variant.operation.outputs)
     needed = count * sum(a.quantity.size for a in arguments) * variant.precision.bytes
     return needed * (1 if isinstance(function, np.ufunc) else 1 + _TEMPORARIES) < _free() / 2
 
 
 def _free() -> int:
-    """Bytes of memory available; a gigabyte where the system does not tell."""
+    """Available memory in bytes; a gigabyte if the system does not report it."""
     told = Path("/proc/meminfo")
     for line in told.read_text().splitlines() if told.exists() else ():
         if line.startswith("MemAvailable:"):

@@ -9,7 +9,7 @@ from coscrew_codegen.programs import program_of
 from coscrew_codegen.report.c_text import Variant
 from coscrew_codegen.tiers import TIERS
 
-# An fma is two, also where it takes the rounded product off the exact one.
+# An fma counts as two, also where it computes the error of a product.
 _FLOPS = {Op.NEG: 0, Op.ABS: 0, Op.LESS: 0, Op.EQUAL: 0, Op.SELECT: 0, Op.FMA: 2, Op.FMS: 2,
           Op.FNMA: 2, Op.PRODUCT_ERROR: 2, Op.PRODUCT_REST: 2}
 

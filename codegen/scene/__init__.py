@@ -1,1 +1,1 @@
-"""What a scene is: its model, its effects with their values, its run; their checks."""
+"""What a scene is: its model, its effects with their parameters, its run; their checks."""

@@ -1,7 +1,7 @@
-"""The functions of a scene by name, and those asked for: by `functions` in its file, by
---functions, by load_scene.
+"""The functions of a scene by name, and their selection: by `functions` in its file, by --functions
+or by load_scene.
 
-A function that is not asked for is neither derived nor printed nor compiled.
+A function that is not selected is neither derived, emitted nor compiled.
 """
 
 from collections.abc import Iterable, Sequence
@@ -15,24 +15,24 @@ from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.scene import Scene
 
 DEFAULT, ALL = "default", "all"
-"""Words for several functions: those a scene has if it asks for none, and all it can have."""
+"""Words for several functions: those of a scene that selects none, and all it can have."""
 
 DYNAMICS = ("inverse_dynamics", "forward_dynamics", "mass_matrix", "bias_torques",
             "gravity_torques", "energy", "power", "momentum", "body_poses", "body_twists")
 FREE = ("free_momentum", "with_free_momentum")
-"""Of scenes in which something floats free."""
+"""Functions of scenes with a floating base."""
 CONTACTS = ("closing_contacts", "parts")
-"""Of scenes with limits that close."""
+"""Functions of scenes with limits that can be hit."""
 MOVED = "integrated"
 MANY = 100
-"""Speeds above which the mass matrix is no default function: its text grows as their square, that
-of the others in proportion."""
+"""Velocities (NV) above which the mass matrix is not a default function: its text grows with their
+square, that of the others linearly."""
 MOST = 1000
-"""Joints that move, at most: the functions of as many are 100 MB of C, which no compiler takes."""
+"""Largest number of joints that move: their functions are 100 MB of C, too much for compilers."""
 
 
 class AskedError(Told, ValueError):
-    """A function that the scene does not have; says which name is nearest."""
+    """A function that the scene does not have; the message gives the nearest name."""
 
 
 def jacobians(scene: Scene) -> dict[str, str]:
@@ -58,15 +58,15 @@ def reactions(scene: Scene) -> dict[str, str]:
 
 
 def names(scene: Scene) -> tuple[str, ...]:
-    """All functions that a scene of this model may have, in the order in which they are emitted."""
+    """All functions that the scene can have, in the order in which they are emitted."""
     return (*DYNAMICS, *jacobians(scene), *reactions(scene), MOVED, *FREE, *CONTACTS,
             *(x.step_name for x in EMITTED))
 
 
 def by_default(scene: Scene) -> tuple[str, ...]:
-    """What a scene has if it asks for nothing: its dynamics (of more than MANY speeds without the
-    mass matrix); reactions where effects or records ask for them; momenta of what floats free,
-    contacts; the step of its integrator (of SciPy's: the default one's)."""
+    """The functions of a scene that selects none: its dynamics (without the mass matrix if there
+    are more than MANY velocities); reactions that effects, records or expectations need; momenta
+    of floating bases; contacts; the step of its integrator, or of the default one if SciPy's."""
     integrator = named(scene.run.integrator)
     if not integrator.emitted:
         integrator = named(DEFAULT_INTEGRATOR)
@@ -79,7 +79,7 @@ def by_default(scene: Scene) -> tuple[str, ...]:
 
 
 def speeds(scene: Scene) -> int:
-    """How many speeds the joints have, followers' included."""
+    """The number of velocities of the joints, including followers."""
     return sum(joint.kind.nv for joint in scene.model.joints)
 
 
@@ -92,15 +92,16 @@ def refuse_many(scene: Scene) -> None:
 
 
 def asked_for(scene: Scene) -> tuple[str, ...]:
-    """The functions that the scene asks for, each once, in their order.  Raises AskedError."""
+    """The functions that the scene selects, each once, in their order.  Raises AskedError."""
     found = resolved(scene, scene.functions)
     return tuple(name for name in names(scene) if name in found)
 
 
 def resolved(scene: Scene, asked: Sequence[str]) -> set[str]:
-    """The functions that these words mean, DEFAULT and ALL among them; none mean DEFAULT.  Raises
-    AskedError with the nearest name for a word that means none."""
-    known, found = names(scene), set()
+    """The functions that these words select: names, DEFAULT, ALL; without words, DEFAULT.  Raises
+    AskedError with the nearest name for an unknown word."""
+    known = names(scene)
+    found: set[str] = set()
     for word in asked or (DEFAULT,):
         if word in (DEFAULT, ALL):
             found.update(by_default(scene) if word == DEFAULT else known)
@@ -113,5 +114,5 @@ def resolved(scene: Scene, asked: Sequence[str]) -> set[str]:
 
 
 def together(*asked: Iterable[str]) -> tuple[str, ...]:
-    """The names, each once, in the order in which they come."""
+    """The names, each once, in the order of their first occurrence."""
     return tuple(dict.fromkeys(name for several in asked for name in several))

@@ -1,4 +1,4 @@
-"""Bodies and joints as files name them, assembled into the tree that a Model is."""
+"""Assembles bodies and joints into the tree of a Model."""
 
 import heapq
 from collections.abc import Sequence
@@ -12,7 +12,7 @@ BASE = "base"
 
 
 class ModelError(Told, ValueError):
-    """Bodies and joints that make no tree; `element` is the one to blame: "joint 'elbow'"."""
+    """Bodies and joints do not form a tree; `element` is the cause: "joint 'elbow'"."""
 
     def __init__(self, element: str, problem: str) -> None:
         super().__init__(f"{element}: {problem}")
@@ -20,11 +20,11 @@ class ModelError(Told, ValueError):
 
 
 def assembled(name: str, bodies: Sequence[Body], joints: Sequence[Joint], base: Kind) -> Model:
-    """The model of these bodies and joints, parents first and else in the order given.
+    """The model of these bodies and joints, parents first, otherwise in the given order.
 
-    A root body other than WORLD is joined to it by a joint "base" of the kind `base`, FIXED or FREE
-    ("base_" if there is such a joint).  A body called WORLD is the world.  Raises ModelError for
-    names that occur twice or not at all, bodies with two parents, loops and several roots."""
+    A root body other than WORLD is joined to it by a joint "base" ("base_" if that name is taken)
+    of the kind `base`, FIXED or FREE.  A body called WORLD is the world.  Raises ModelError for
+    duplicate or unknown names, bodies with two parents, loops and several roots."""
     _refuse_twice("body", [body.name for body in bodies])
     _refuse_twice("joint", [joint.name for joint in joints])
     by_name = {body.name: body for body in bodies if body.name != WORLD}
@@ -47,7 +47,7 @@ def _refuse_twice(what: str, names: list[str]) -> None:
 
 
 def _check_ends(joints: Sequence[Joint], bodies: dict[str, Body]) -> None:
-    """Every joint joins two bodies there are, and no body is the child of two."""
+    """Refuse joints of unknown bodies, and bodies that are the child of two joints."""
     mover: dict[str, str] = {}
     for joint in joints:
         element = f"joint {joint.name!r}"
@@ -82,7 +82,7 @@ def _root(bodies: Sequence[Body], joints: Sequence[Joint]) -> str:
 
 
 def _parents_first(joints: Sequence[Joint]) -> tuple[Joint, ...]:
-    """Each joint after the one that moves its parent, and no other change of order."""
+    """The joints, each after the one that moves its parent, otherwise in the given order."""
     moved_by = {joint.child: i for i, joint in enumerate(joints)}
     waiting: dict[str, list[int]] = {}
     for i, joint in enumerate(joints):

@@ -15,8 +15,9 @@ _SMALLEST = mpmath.mpf(10)**-300
 _WORKING = (DIGITS + 10, 2 * DIGITS + 20, 500, 1000)  # digits; the sine of 1e300 takes 350
 
 
-def _bounded(function: Callable, largest: float) -> Callable:
-    """The function, which mpmath would compute with as many digits as a larger argument has."""
+def _bounded(function: Callable[[mpmath.mpf], mpmath.mpf], largest: float
+             ) -> Callable[[mpmath.mpf], mpmath.mpf]:
+    """The function for arguments up to `largest`: mpmath would need too many digits beyond."""
     def apply(x: mpmath.mpf) -> mpmath.mpf:
         if abs(x) > largest:
             raise OverflowError
@@ -32,10 +33,10 @@ _EXACT = {"abs": abs, "min": min, "max": max, "number": lambda x: x}
 
 
 def constant(text: str) -> Fraction:
-    """The number that a formula without t is: exactly if it is rational, else to 50 digits.
+    """The value of a formula without t: exact if it is rational, else to 50 digits.
 
-    Raises FormulaError for what is no formula, for t, for a number alone, and for numbers that
-    are not finite or neither 0 nor of a size from 1e-300 to 1e300."""
+    Raises FormulaError for an invalid formula, for t, for a plain number, and for a value that is
+    not finite or neither 0 nor from 1e-300 to 1e300 in magnitude."""
     formula = Formula(text)
     if formula.is_number:
         raise FormulaError(f"the text {text!r}; wanted the number, without quotes")
@@ -58,21 +59,21 @@ def constant(text: str) -> Fraction:
 
 
 def _rational(formula: Formula) -> Fraction | None:
-    """The number, if the formula is made of decimal numbers and + - * / ** alone."""
+    """The value, if the formula consists of decimal numbers and + - * / ** only."""
     try:
         return formula.value(Fraction(0), _EXACT)
-    except KeyError:  # pi, or a function that leaves the fractions
+    except KeyError:  # pi, or a function with irrational values
         return None
 
 
 def _rounded(formula: Formula) -> Fraction:
-    """The number to 50 digits, computed with ever more until two results agree; 0 where it shrinks
-    as digits are added: sin(pi) is 0."""
-    last = None
+    """The value to 50 digits, computed with more and more digits until two results agree; 0 if it
+    shrinks with every added digit, as sin(pi) does."""
+    last = mpmath.nan  # which is near nothing
     for digits in _WORKING:
         number = _evaluated(formula, digits)
         with mpmath.workdps(digits):
-            if last is not None and abs(number - last) <= abs(number) / 10**DIGITS:
+            if abs(number - last) <= abs(number) / 10**DIGITS:
                 return _fraction(number)
         last = number
     if abs(last) < _SMALLEST:
@@ -85,7 +86,7 @@ def _fraction(x: mpmath.mpf) -> Fraction:
         raise OverflowError
     with mpmath.workdps(DIGITS):
         sign, mantissa, exponent, _ = (+x)._mpf_
-    return (-1)**sign * Fraction(int(mantissa)) * Fraction(2)**exponent
+    return Fraction((-1)**int(sign) * int(mantissa)) * Fraction(2)**int(exponent)
 
 
 def _evaluated(formula: Formula, digits: int) -> mpmath.mpf:

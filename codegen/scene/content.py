@@ -1,4 +1,4 @@
-"""What a scene says, as one hash."""
+"""A hash of a scene's content."""
 
 import hashlib
 from collections.abc import Iterator, Mapping
@@ -10,12 +10,12 @@ from coscrew_codegen.scene.scene import Scene
 
 
 def content_hash(scene: Scene) -> str:
-    """SHA-256 of all that the scene and its model say, however the files were laid out."""
+    """SHA-256 of everything in the scene and its model, independent of the files' layout."""
     return hashlib.sha256("\n".join(_told(scene)).encode()).hexdigest()
 
 
 def _told(value: object) -> Iterator[str]:
-    """The value in words, always the same: effects by name, mappings sorted, exact fractions."""
+    """The value as unambiguous text: effects by name, mappings sorted, exact fractions."""
     if isinstance(value, Effect | Enum):
         yield f"{type(value).__name__} {value.name}"
     elif is_dataclass(value):

@@ -8,11 +8,44 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 from coscrew_codegen.recording.numbers import Number, Vector
 
-Values = Mapping[str, object]  # parameter → Number, tuple of Numbers, Formula's Number, str or None
+K = TypeVar("K")
+
+
+@dataclass(frozen=True)
+class Values:
+    """What a scene gives for an effect's parameters; of formulas, their value at the time."""
+
+    given: Mapping[str, object]
+
+    def __getitem__(self, name: str) -> Number:
+        """A number."""
+        return self._of(Number, name)
+
+    def get(self, name: str) -> Number | None:
+        """A number, if there is one."""
+        return None if self.given[name] is None else self[name]
+
+    def vector(self, name: str) -> Vector:
+        """Three numbers."""
+        return self._of(tuple, name)
+
+    def optional_vector(self, name: str) -> Vector | None:
+        """Three numbers, if there are any."""
+        return None if self.given[name] is None else self.vector(name)
+
+    def word(self, name: str) -> str:
+        """A choice."""
+        return self._of(str, name)
+
+    def _of(self, kind: type[K], name: str) -> K:
+        value = self.given.get(name)
+        if not isinstance(value, kind):
+            raise TypeError(f"parameter {name!r} is {type(value).__name__}; wanted {kind.__name__}")
+        return value
 
 
 class Place(Enum):
@@ -33,7 +66,7 @@ class ParameterOf:
     words: str
     kind: str = "number"  # number, vector (three numbers), formula (number or function of t),
     # formulas (three of them), choice, body
-    default: object = None  # a number or a tuple of them as int or Fraction, or a word; None: none
+    default: Fraction | int | str | tuple[Fraction, ...] | None = None  # None: there is none
     required: bool = True  # without default; if not, the value may stay None, also where the model
     # has no such number
     model: str = ""  # the joint's field that "model" stands for: damping, friction, effort, …
@@ -141,6 +174,14 @@ class Force:
     energy: Number | None = None
     power: Number | None = None
     damping: Number | None = None
+
+
+def said(x: K | None) -> K:
+    """What an effect has said; TypeError if it has not, and nothing that it follows from."""
+    if x is None:
+        raise TypeError("the effect says nothing of this: it gives a torque, or a force and its "
+                        "point, or an energy")
+    return x
 
 
 FIRST, SECOND = "first", "second"

@@ -1,7 +1,7 @@
 """Formulas of scene files: functions of time such as "0.5*sin(2*pi*t)".
 
-A formula is read once and kept in the order of evaluation, so that it is evaluated on any numbers
-(floats, 50 digits, kernels' Numbers) without recursion, and without Python's `eval`.
+A formula is parsed once and kept in the order of evaluation, so that it can be evaluated on any
+numbers (floats, 50 digits, Numbers of kernels) without recursion and without Python's `eval`.
 """
 
 import ast
@@ -12,15 +12,16 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
+from typing import Any, TypeVar
 
 from coscrew_codegen.scene.names import or_mean
 
 LENGTH = 1000  # characters
-NESTING = 50  # parentheses, signs and exponents in each other
-POWER = 100  # the largest exponent, also of nested powers together: (t**10)**10
+NESTING = 50  # levels of parentheses, signs and exponents
+POWER = 100  # the largest exponent, or product of nested exponents: (t**10)**10
 
 FUNCTIONS = {"sin": 1, "cos": 1, "exp": 1, "tanh": 1, "sqrt": 1, "abs": 1, "min": 2, "max": 2}
-"""The functions, and how many arguments each takes; min and max take more, too."""
+"""The functions and their numbers of arguments; min and max also take more."""
 
 _OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul,
               ast.Div: operator.truediv}
@@ -36,27 +37,30 @@ _DOUBLES = {"sin": math.sin, "cos": math.cos, "exp": math.exp, "tanh": math.tanh
             "abs": abs, "min": min, "max": max, "pi": math.pi, "number": float}
 
 
+V = TypeVar("V")  # the kind of numbers that a formula is evaluated on
+
+
 class FormulaError(ValueError):
-    """What stands there is no formula."""
+    """The text is not a valid formula."""
 
 
 @dataclass(frozen=True)
 class _Step:
-    """One step of the evaluation: takes its operands from a stack and leaves its result there."""
+    """One step of the evaluation: pops its operands from a stack and pushes its result."""
 
     word: str  # number, t, pi, name of a function, operator, power, sqrt
     operands: int = 0
     number: Fraction | None = None  # of a number; of a power, its exponent
-    apply: Callable | None = None  # of an operator
+    apply: Callable[..., Any] | None = None  # of an operator, on whatever numbers come
 
 
 @dataclass(frozen=True)
 class Formula:
     """A function of the time t in s.
 
-    Raises FormulaError, naming what came and what was wanted, for anything else than numbers, t,
-    pi, + - * /, ** (with a constant integer or half-integer), sin, cos, exp, tanh, sqrt,
-    abs, min, max."""
+    It consists of numbers, t, pi, + - * /, ** (with a constant integer or half-integer exponent),
+    sin, cos, exp, tanh, sqrt, abs, min, max.  Raises FormulaError for anything else, naming what
+    came and what was wanted."""
 
     text: str
     _steps: tuple[_Step, ...] = field(init=False, repr=False, compare=False)
@@ -71,15 +75,15 @@ class Formula:
 
     @property
     def is_number(self) -> bool:
-        """Whether it is a number alone, perhaps with a sign: "2", "-1e-3"."""
+        """Whether it is a plain number, perhaps with a sign: "2", "-1e-3"."""
         return all(step.word in ("number", "negative") for step in self._steps)
 
-    def value(self, t: object, functions: Mapping[str, object]) -> object:
-        """The formula at the time t, on whatever numbers t and `functions` are of.
+    def value(self, t: V, functions: Mapping[str, object]) -> V:
+        """The formula at the time t, for any kind of numbers.
 
-        `functions` has an entry for each of FUNCTIONS (min and max of two arguments), "number",
-        which turns a Fraction into such a number, and "pi", which is one."""
-        stack: list = []
+        `functions` has an entry for each of FUNCTIONS (min and max with two arguments), "number",
+        which converts a Fraction to this kind, and "pi"."""
+        stack: list[V] = []
         for step in self._steps:
             operands = stack[len(stack) - step.operands:]
             del stack[len(stack) - step.operands:]
@@ -87,7 +91,7 @@ class Formula:
         return stack.pop()
 
     def at(self, t: float) -> float:
-        """The formula at the time t in doubles; NaN where it is not finite."""
+        """The formula at the time t in double precision; NaN where it is not finite."""
         try:
             result = self.value(t, _DOUBLES)
         except (ArithmeticError, ValueError):
@@ -95,20 +99,22 @@ class Formula:
         return result if math.isfinite(result) else math.nan
 
 
-def _evaluated(step: _Step, operands: list, t: object, functions: Mapping) -> object:
+def _evaluated(step: _Step, operands: list[V], t: V, functions: Mapping[str, Any]) -> V:
     if step.word == "t":
         return t
     if step.word == "pi":
-        return functions["pi"]
-    if step.word == "number":
-        return functions["number"](step.number)
-    if step.word == "power":
-        return _power(operands[0], step.number, functions)
-    return (step.apply or functions[step.word])(*operands)
+        found: V = functions["pi"]
+    elif step.word == "number":
+        found = functions["number"](step.number)
+    elif step.word == "power" and step.number is not None:
+        found = _power(operands[0], step.number, functions)
+    else:
+        found = (step.apply or functions[step.word])(*operands)
+    return found
 
 
-def _power(base: object, exponent: Fraction, functions: Mapping) -> object:
-    """base ** exponent, exponent a multiple of 1/2, by products and a square root."""
+def _power(base: Any, exponent: Fraction, functions: Mapping[str, Any]) -> Any:
+    """base ** exponent by products and a square root; the exponent is a multiple of 1/2."""
     if exponent.denominator == 2:
         base = functions["sqrt"](base)
     result, square, left = None, base, abs(exponent.numerator)
@@ -124,13 +130,13 @@ def _power(base: object, exponent: Fraction, functions: Mapping) -> object:
 
 
 class _Reading:
-    """One formula while it is read."""
+    """Parses one formula."""
 
     def __init__(self, text: str) -> None:
         self.text = text
 
     def steps(self) -> Iterator[_Step]:
-        """The steps, operands before what takes them."""
+        """The steps, operands before the operations on them."""
         text = self.text
         if len(text) > LENGTH:
             raise self._error(f"{len(text)} characters; wanted at most {LENGTH}")
@@ -154,7 +160,8 @@ class _Reading:
         return self._of(tree, NESTING, POWER)
 
     def _of(self, node: ast.expr, nesting: int, power: int) -> Iterator[_Step]:
-        """The steps of a node.  The left operands of a long sum are a loop, not nesting."""
+        """The steps of a node.  The left operands of a long sum are visited in a loop and do not
+        count as nesting."""
         if nesting == 0:
             raise self._error(f"wanted at most {NESTING} levels of nesting")
         later: list[_Step | ast.expr] = []

@@ -8,18 +8,18 @@ from coscrew_codegen.scene.names import did_you_mean
 
 
 def without_chains(model: Model) -> Model:
-    """The model, where joints that follow a follower follow its leader.
+    """The model with every follower attached directly to a joint that follows no other.
 
     q2 = α2 q1 + β2, q1 = α1 q0 + β1: q2 = α1 α2 q0 + α2 β1 + β2.  Raises ModelError for leaders
-    that do not exist or are no joints with one coordinate, and for followers in a circle."""
+    that do not exist or do not have one coordinate, and for followers in a circle."""
     by_name = {joint.name: joint for joint in model.joints}
     return replace(model, joints=tuple(
-        replace(joint, mimic=_resolved(joint, by_name)) if joint.mimic else joint
+        replace(joint, mimic=_resolved(joint, joint.mimic, by_name)) if joint.mimic else joint
         for joint in model.joints))
 
 
-def _resolved(follower: Joint, by_name: dict[str, Joint]) -> Mimic:
-    element, mimic = f"joint {follower.name!r}", follower.mimic
+def _resolved(follower: Joint, mimic: Mimic, by_name: dict[str, Joint]) -> Mimic:
+    element = f"joint {follower.name!r}"
     passed = {follower.name}
     while True:
         leader = by_name.get(mimic.joint)

@@ -1,7 +1,7 @@
 """Model: bodies joined into a tree by joints, as read from a file.  Frozen data, in SI units.
 
-Numbers are exact: what a file writes as 0.1 is 1/10 until it is emitted.  Knows nothing of files,
-effects, coordinates' order or arithmetic in kernels.
+Numbers are exact: 0.1 in a file is 1/10 until it is emitted.  Knows nothing of files, effects, the
+order of coordinates or arithmetic in kernels.
 """
 
 from dataclasses import dataclass
@@ -10,19 +10,19 @@ from fractions import Fraction
 
 from coscrew_codegen.parameter import Parameter, Scalar
 
-Vector = tuple["Scalar", "Scalar", "Scalar"]
+Vector = tuple[Scalar, ...]  # of three
 
 WORLD = "world"
-"""The name of what does not move; bodies have other names."""
+"""The name of the fixed reference; bodies have other names."""
 
 
 def value(x: Scalar) -> Fraction:
-    """The number, or the value of the parameter where nothing else is given."""
+    """The number, or the parameter's default value."""
     return x.value if isinstance(x, Parameter) else x
 
 
 class Kind(Enum):
-    """How a joint moves; its value is the word files use."""
+    """How a joint moves; the value is the word in files."""
 
     REVOLUTE = "revolute"
     PRISMATIC = "prismatic"
@@ -32,21 +32,22 @@ class Kind(Enum):
 
     @property
     def nq(self) -> int:
-        """How many coordinates: an angle, a length, a quaternion, position and quaternion."""
+        """The number of coordinates: an angle, a length, a quaternion, or position and quaternion.
+        """
         return {"revolute": 1, "prismatic": 1, "spherical": 4, "free": 7, "fixed": 0}[self.value]
 
     @property
     def nv(self) -> int:
-        """How many speeds."""
+        """The number of velocities."""
         return {"revolute": 1, "prismatic": 1, "spherical": 3, "free": 6, "fixed": 0}[self.value]
 
 
 @dataclass(frozen=True)
 class Placement:
-    """Where a frame is in another: rotation, row by row, and origin in m."""
+    """A frame's rotation, row by row, and origin, in m, in another frame."""
 
     R: tuple[Fraction, ...]
-    t: Vector
+    t: tuple[Fraction, ...]
 
 
 HERE = Placement(tuple(Fraction(i % 4 == 0) for i in range(9)), (Fraction(0),) * 3)
@@ -64,7 +65,7 @@ class Inertia:
 
 @dataclass(frozen=True)
 class Body:
-    """A rigid body; without inertia it only carries others."""
+    """A rigid body; without inertia it is only a frame."""
 
     name: str
     inertia: Inertia | None = None
@@ -79,12 +80,16 @@ class Mimic:
     offset: Fraction
 
 
+Limits = tuple[Fraction | None, Fraction | None, Fraction | None, Fraction | None]
+"""lower, upper, effort, velocity of a joint, as far as they are given."""
+
+
 @dataclass(frozen=True)
 class Joint:
     """Lets the body `child` move in the body `parent` (or WORLD).
 
-    `placement` is the child's frame in the parent's while all coordinates are zero.  Limits,
-    damping and friction are what the file says of them: effects may take them over.
+    `placement` is the child's frame in the parent's when all coordinates are zero.  Limits, damping
+    and friction are data from the file, which effects may use.
     """
 
     name: str
@@ -92,7 +97,7 @@ class Joint:
     parent: str
     child: str
     placement: Placement = HERE
-    axis: tuple[Fraction, Fraction, Fraction] = (Fraction(0), Fraction(0), Fraction(1))  # of norm 1
+    axis: tuple[Fraction, ...] = (Fraction(0), Fraction(0), Fraction(1))  # of norm 1
     lower: Fraction | None = None
     upper: Fraction | None = None
     effort: Fraction | None = None
@@ -103,7 +108,7 @@ class Joint:
 
     @property
     def in_words(self) -> str:
-        """How it moves: "elbow turns about y", "slide moves along -z"."""
+        """The joint's motion: "elbow turns about y", "slide moves along -z"."""
         moves = {Kind.REVOLUTE: f"turns about {self._axis}",
                  Kind.PRISMATIC: f"moves along {self._axis}", Kind.SPHERICAL: "turns freely",
                  Kind.FREE: "moves freely", Kind.FIXED: "is fixed"}
@@ -120,9 +125,10 @@ class Joint:
 
 @dataclass(frozen=True)
 class Model:
-    """Bodies and joints; every body is the child of just one joint, parents' joints come first."""
+    """Bodies and joints; every body is the child of exactly one joint, and the joints of parents
+    come first."""
 
     name: str
     bodies: tuple[Body, ...]
     joints: tuple[Joint, ...]
-    implausible: tuple[str, ...] = ()  # what no real body has and was let through, one a line
+    implausible: tuple[str, ...] = ()  # impossible inertias that were accepted, a line each

@@ -1,22 +1,22 @@
-"""What a mistyped name was meant to be."""
+"""Finds the known name that a mistyped one resembles."""
 
 from collections.abc import Iterable
 
-LIKE = 0.55  # difflib's ratio from which names are alike: omega is not max (0.5), nor half both
+LIKE = 0.55  # difflib's ratio from which names are similar: omega is not max, nor half both (0.5)
 MANY = 20  # names that a message can still list
-_SHORT = 3  # letters below which one name within another says nothing: "d" in "heaviside"
+_SHORT = 3  # letters below which being contained in a name is no similarity: "d" in "heaviside"
 
 _SYNONYMS = (("revolute", "hinge", "pin", "rotary", "rotational"),
              ("prismatic", "slider", "slide", "sliding", "translational"),
              ("spherical", "ball", "socket"),
              ("free", "floating", "freeflyer", "free_flyer", "free-flyer"),
              ("fixed", "weld", "welded", "rigid"))
-"""Words of other tools for the same joint."""
+"""Other tools' words for the same joint."""
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
-    """The known name that is alike: a synonym, one that holds it or is held by it, or one of almost
-    the same letters in either case; None where there is none."""
+    """The most similar known name: a synonym, one that contains it or is contained in it, or one
+    with nearly the same letters in either case; None if there is none."""
     names, low = sorted(known), name[:100].lower()
     same = {word for words in _SYNONYMS if low in words for word in words}
     best = max(names, key=lambda other: (other.lower() in same, _likeness(low, other.lower())),
@@ -27,7 +27,7 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
 
 
 def _likeness(a: str, b: str) -> float:
-    """From 0 to 1; at least LIKE if one name holds the other."""
+    """Similarity from 0 to 1; at least LIKE if one name contains the other."""
     from difflib import SequenceMatcher
 
     ratio = SequenceMatcher(None, a, b).ratio()
@@ -36,8 +36,8 @@ def _likeness(a: str, b: str) -> float:
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """"did you mean 'elbow'?"; where no known name is alike, what there is, unless it is too much
-    to list."""
+    """"did you mean 'elbow'?"; if no known name is similar, the known names, unless there are too
+    many to list."""
     names = sorted(known)
     near = nearest(name, names)
     if near is not None:
@@ -50,7 +50,7 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
 
 
 def or_mean(name: str, known: Iterable[str]) -> str:
-    """"; did you mean 'elbow'?" for the end of a message that lists what there is; "" if no known
-    name is alike."""
+    """"; did you mean 'elbow'?" for the end of a message that lists the known names; "" if none is
+    similar."""
     near = nearest(name, known)
     return f"; did you mean {near!r}?" if near is not None else ""

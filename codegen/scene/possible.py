@@ -1,42 +1,43 @@
-"""Whether a model is physically possible: inertias of bodies, and masses for joints to move.
+"""Checks whether a model is physically possible: inertias of bodies, and inertia at every joint.
 
-A scene that says `implausible = "warn"` has impossible bodies let through, each named.
+With `implausible = "warn"` impossible bodies are accepted and reported.
 
-All in exact fractions; parameters count with their values.
+Everything is computed in exact fractions, with the default values of parameters.
 """
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
+from coscrew_codegen.parameter import Scalar
 from coscrew_codegen.scene.assembly import ModelError
-from coscrew_codegen.scene.model import Joint, Kind, Model, Scalar, value
+from coscrew_codegen.scene.model import Joint, Kind, Model, value
 from coscrew_codegen.scene.rotations import rotated
 from coscrew_codegen.scene.tree import Seat, tree_of
 
 SLACK = Fraction(1, 10**6)
-"""By how much of xx + yy + zz the inequalities may fail: files round moments to six digits, and
-thin plates, for which xx + yy = zz, are then as often beyond as within."""
+"""Tolerance of the inequalities, relative to xx + yy + zz: files round moments to six digits, and
+thin plates, for which xx + yy = zz, then violate them half of the time."""
 
 FINEST = Fraction(1, 10**6)
-"""Radius of gyration in m below which moments are residues, as those of point masses in files that
-programs write: -5.4e-20 kg m²."""
+"""Radius of gyration in m below which moments are residues of arithmetic, such as -5.4e-20 kg m²
+for a point mass in a file written by a program."""
 
 _Six = tuple[Fraction, ...]
 
 
 ERROR, WARN = "error", "warn"
-"""What a scene's `implausible` may be."""
+"""The values of a scene's `implausible`."""
 
 
 def judged(model: Model, implausible: str) -> Model:
     """The model; if `implausible` is WARN, with a line on each body that cannot exist.
 
-    Raises ModelError for the first such body if it is ERROR, and for a negative mass always.
+    Raises ModelError for the first such body if it is ERROR, and always for a negative mass.
 
-    Bodies that fixed joints make one are judged together, since only their sum moves: files give
-    frames and sensors moments that are not even definite, and these disappear in it.  Point masses,
-    rods and plates are allowed: moments that are zero, or of which two sum to the third."""
+    Bodies connected by fixed joints are judged together, since only their sum moves: files give
+    frames and sensors moments that are not even definite, and which vanish in the sum.  Point
+    masses, rods and plates are allowed: moments that are zero, or two that add up to the third."""
     for body in model.bodies:
         if body.inertia and value(body.inertia.mass) < 0:
             raise ModelError(f"body {body.name!r}",
@@ -49,7 +50,7 @@ def judged(model: Model, implausible: str) -> Model:
 
 
 def _faults(model: Model) -> Iterator[ModelError]:
-    """What is wrong with each body that cannot exist, also with one that the world holds."""
+    """An error for each body that cannot exist, including bodies fixed to the world."""
     tree = tree_of(model, False)
     for seats in (tree.ground, *(link.seats for link in tree.links)):
         heavy = [seat.body.name for seat in seats if seat.body.inertia]
@@ -64,7 +65,7 @@ def _faults(model: Model) -> Iterator[ModelError]:
 
 
 def _wrong(mass: Fraction, moments: _Six) -> str | None:
-    """What no rigid body has, of these moments about its centre of mass."""
+    """Why no rigid body has these moments about its centre of mass; None if one can."""
     xx, yy, zz, xy, xz, yz = moments
     slack = SLACK * abs(xx + yy + zz) + mass * FINEST**2
     if not _positive((xx + slack, yy + slack, zz + slack, xy, xz, yz)):
@@ -76,11 +77,11 @@ def _wrong(mass: Fraction, moments: _Six) -> str | None:
     return None
 
 
-def unmoved_mass(model: Model, carried: Collection[str]) -> tuple[Joint, str] | None:
-    """The first joint whose forces would move nothing, with the reason; None if there is none.
+def unmoved_mass(model: Model, exempt: Collection[str]) -> tuple[Joint, str] | None:
+    """The first joint without inertia against its motion, with the reason; None if there is none.
 
-    Its forward dynamics would divide by zero.  `carried` are names of joints that have an inertia
-    of their own (an armature), follow others or are followed."""
+    Its forward dynamics would divide by zero.  `exempt` names joints that are not checked, since
+    they have an inertia of their own (an armature), follow others or are followed."""
     links = tree_of(model, False).links
     inner = {link.parent for link in links}
     massive = set()
@@ -88,7 +89,7 @@ def unmoved_mass(model: Model, carried: Collection[str]) -> tuple[Joint, str] | 
         if number in massive or any(seat.body.inertia for seat in link.seats):
             massive |= {number, link.parent}
     for number, link in enumerate(links):
-        if link.joint.name in carried:
+        if link.joint.name in exempt:
             continue
         if number not in massive:
             return link.joint, "neither what it moves nor what moves on that has a mass"
@@ -102,8 +103,10 @@ def _values(numbers: tuple[Scalar, ...]) -> tuple[Fraction, ...]:
 
 
 def _composite(seats: Sequence[Seat]) -> tuple[Fraction, tuple[Fraction, ...], _Six]:
-    """Mass, first moments and second moments of bodies that are one, about their link's origin."""
-    mass, first, moments = Fraction(0), (Fraction(0),) * 3, (Fraction(0),) * 6
+    """Mass, first and second moments of the bodies of a link, about its origin."""
+    mass = Fraction(0)
+    first: tuple[Fraction, ...] = (Fraction(0),) * 3
+    moments: _Six = (Fraction(0),) * 6
     for seat in seats:
         if inertia := seat.body.inertia:
             m, R, com = value(inertia.mass), seat.placement.R, _values(inertia.com)
@@ -124,7 +127,7 @@ def _steiner(at: tuple[Fraction, ...]) -> _Six:
 
 
 def _resists(joint: Joint, mass: Fraction, first: tuple[Fraction, ...], moments: _Six) -> bool:
-    """Whether a joint's motion is resisted by what it alone moves."""
+    """Whether the bodies that the joint moves have inertia against its motion."""
     xx, yy, zz, xy, xz, yz = moments
     if joint.kind is Kind.REVOLUTE:
         a, b, c = joint.axis

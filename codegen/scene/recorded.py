@@ -1,9 +1,9 @@
-"""Quantities of a simulation, as `record` and `expect` name them.
+"""Quantities of a simulation, and their names in `record` and `expect`.
 
     q, v, a                   of all joints;  q.JOINT of one,  q.JOINT.2 one component
     energy                    kinetic, potential, total, in J;  energy.kinetic one of them
     momentum, momentum.2      linear and angular, about the world's origin
-    power                     what effects without potential energy feed in, in W
+    power                     of the effects without potential energy, in W
     pose.BODY                 its 12 numbers [R | t], row by row;  pose.BODY.3 one of them
     position.BODY             its origin in the world;  position.BODY.x is position.BODY.0
     twist.BODY                velocity and angular velocity in its own frame
@@ -13,13 +13,13 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from coscrew_codegen.scene.model import Joint, Kind
+from coscrew_codegen.scene.model import Joint, Kind, Mimic
 from coscrew_codegen.scene.names import did_you_mean, or_mean
 from coscrew_codegen.scene.scene import Scene
 
 ENERGIES = ("kinetic", "potential", "total")
 XYZ = ("x", "y", "z")
-"""Other names of the components 0, 1 and 2 of what is a vector of three."""
+"""Alternative names of the components 0, 1 and 2 of vectors of three."""
 
 _UNITS = {"q": {"revolute": ("rad",), "prismatic": ("m",), "spherical": ("1",) * 4,
                 "free": ("m",) * 3 + ("1",) * 4},
@@ -35,23 +35,23 @@ QUANTITIES = (*_UNITS, *_OF_SCENE, *_OF_BODY, *_OF_JOINT)
 
 
 class QuantityError(ValueError):
-    """A text that names no quantity of the scene."""
+    """The text does not name a quantity of the scene."""
 
 
 @dataclass(frozen=True)
 class Recorded:
-    """A quantity, or components of it: columns of what a simulation writes."""
+    """A quantity, or components of it: columns of a recording."""
 
-    text: str  # as the scene names it
+    text: str  # in the scene
     quantity: str  # one of QUANTITIES
     target: str  # joint or body; "" for the whole scene
-    places: tuple[int, ...]  # in the whole q, v or a of the scene; else in the quantity itself
+    places: tuple[int, ...]  # indices in the scene's q, v or a, or in the quantity itself
     names: tuple[str, ...]  # of the columns: "q.elbow", "pose.hand.3", "energy.kinetic"
     units: tuple[str, ...]  # of the columns
 
 
 def recorded(text: str, scene: Scene) -> Recorded:
-    """What a text such as "q.elbow" names; raises QuantityError with the nearest name."""
+    """The quantity with a name such as "q.elbow".  Raises QuantityError with the nearest name."""
     quantity, _, rest = text.partition(".")
     if quantity in _UNITS:
         return _of_joints(text, quantity, rest, scene)
@@ -92,18 +92,19 @@ def coordinates(scene: Scene) -> tuple[tuple[Joint, range, range], ...]:
     return tuple(found)
 
 
-def followers(scene: Scene) -> Mapping[str, Joint]:
+def followers(scene: Scene) -> Mapping[str, Mimic]:
     """The joints that follow others, by name: where a mimic effect lets them, all."""
     if not any(applied.effect.mimic for applied in scene.effects):
         return {}
-    return {joint.name: joint for joint in scene.model.joints if joint.mimic}
+    return {joint.name: joint.mimic for joint in scene.model.joints if joint.mimic}
 
 
-def carried(scene: Scene) -> set[str]:
-    """The joints that have an inertia of their own (an armature), follow others or are followed."""
+def exempt_joints(scene: Scene) -> set[str]:
+    """The joints that need no inertia in bodies: they have their own (an armature), follow others
+    or are followed."""
     follow = followers(scene)
     return ({applied.on for applied in scene.effects if applied.effect.joint_inertia}
-            | {*follow, *(joint.mimic.joint for joint in follow.values())})
+            | {*follow, *(mimic.joint for mimic in follow.values())})
 
 
 def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:

@@ -1,18 +1,18 @@
-"""Residues of the programs that write files: lengths and moments that are meant to be zero."""
+"""Removes residues of arithmetic in files: lengths and moments that are meant to be zero."""
 
 from dataclasses import replace
 from fractions import Fraction
 
-from coscrew_codegen.scene.model import Body, Inertia, Joint, Model, Scalar
+from coscrew_codegen.scene.model import Body, Inertia, Joint, Model, value
 
 LENGTH = Fraction(1, 10**18)
-"""Lengths in m up to which an origin or a centre of mass is at zero.  Files hold 2.7e-51 m where
-zero is meant: products of two such leave single precision's range.  On a robot of a metre, 1e-18 m
-is 1 % of double's rounding."""
+"""Coordinates of origins and centres of mass, in m, up to which they count as zero.  Files contain
+2.7e-51 m for zero, and products of two such numbers leave single precision's range.  For a robot of
+a metre, 1e-18 m is 1 % of the rounding error in double precision."""
 
 TURNED = Fraction(1, 10**15)
-"""Parts of √(xx yy) up to which a product of inertia xy is zero, and of xx up to which yy is xx:
-what is left of equal moments that are turned by angles, whose sines and cosines are doubles."""
+"""A product of inertia xy up to this times √(xx yy) counts as zero, and moments that differ by up
+to this times xx as equal: residues of rotating equal moments in double precision."""
 
 
 def without_residues(model: Model) -> Model:
@@ -21,8 +21,8 @@ def without_residues(model: Model) -> Model:
                    joints=tuple(map(_joint, model.joints)))
 
 
-def _length(x: Scalar) -> Scalar:
-    return Fraction(0) if isinstance(x, Fraction) and abs(x) <= LENGTH else x
+def _length(x: Fraction) -> Fraction:
+    return Fraction(0) if abs(x) <= LENGTH else x
 
 
 def _joint(joint: Joint) -> Joint:
@@ -34,11 +34,11 @@ def _body(body: Body) -> Body:
     if body.inertia is None:
         return body
     inertia = body.inertia
-    xx, yy, zz, xy, xz, yz = inertia.moments
+    xx, yy, zz, xy, xz, yz = map(value, inertia.moments)
     yy = _moment(yy, xx)
     zz = _moment(_moment(zz, xx), yy)
     return replace(body, inertia=Inertia(
-        inertia.mass, tuple(map(_length, inertia.com)),
+        inertia.mass, tuple(_length(value(x)) for x in inertia.com),
         (xx, yy, zz, _product(xy, xx, yy), _product(xz, xx, zz), _product(yz, yy, zz))))
 
 
@@ -48,5 +48,5 @@ def _product(xy: Fraction, xx: Fraction, yy: Fraction) -> Fraction:
 
 
 def _moment(yy: Fraction, xx: Fraction) -> Fraction:
-    """yy, or xx where they are the same but for TURNED."""
+    """yy, or xx if they differ by at most TURNED xx."""
     return xx if abs(yy - xx) <= TURNED * abs(xx) else yy

@@ -13,10 +13,10 @@ if TYPE_CHECKING:
 DIGITS = 50
 
 SNAP = Fraction(1, 10**11)
-"""How near to 0 or ±1 an entry counts as that.  Files write right angles as 1.57079632679,
-which is 4.9e-12 off, and matrices computed in doubles hold residues such as 6e-17: a kernel
-that multiplied by these would cost as much as one for slanted axes.  1e-11 rad moves a point
-at 100 m by a nanometre."""
+"""Entries this close to 0 or ±1 count as 0 or ±1.  Files write right angles as 1.57079632679, which
+has an error of 4.9e-12, and matrices computed in double precision hold residues such as 6e-17;
+kernels that multiply by these would cost as much as those for oblique axes.  1e-11 rad moves a
+point at a distance of 100 m by a nanometre."""
 
 IDENTITY = tuple(Fraction(i % 4 == 0) for i in range(9))
 
@@ -73,9 +73,9 @@ def unit(vector: Iterable[Fraction]) -> Entries:
 
 def product(left: Entries, right: Entries) -> Entries:
     """R = left right, rounded to 50 digits and snapped.  (9),(9)->(9)."""
-    if IDENTITY in (left, right):  # of most origins' three turns, two
+    if IDENTITY in (left, right):  # true of most rpy angles, two of which are 0
         return right if left == IDENTITY else left
-    return _rounded([sum(left[3 * i + k] * right[3 * k + j] for k in range(3))
+    return _rounded([sum((left[3 * i + k] * right[3 * k + j] for k in range(3)), Fraction(0))
                      for i in range(3) for j in range(3)])
 
 
@@ -95,10 +95,10 @@ def rotated(R: Entries, moments: Sequence[Fraction]) -> Entries:
 
 
 def snapped(entries: Sequence[Fraction]) -> Entries:
-    """A vector or rotation, or a sine and cosine, with what is within SNAP of 0 set to 0; what
-    stands alone in its row and column then is ±1.
+    """A vector, a rotation, or a sine and cosine, with entries within SNAP of 0 set to 0; an entry
+    that is then alone in its row and column is set to ±1.
 
-    An entry near ±1 alone tells nothing: that of a turn by 1e-6 is within 1e-12 of it."""
+    An entry close to ±1 is not enough: for a rotation by 1e-6 rad it differs by 1e-12 only."""
     zeros = [Fraction(0) if abs(x) <= SNAP else x for x in entries]
     width = 3 if len(zeros) == 9 else len(zeros)
 
@@ -112,8 +112,8 @@ def snapped(entries: Sequence[Fraction]) -> Entries:
 
 
 def _about(axis: int, angle: Fraction) -> Entries:
-    """The rotation about a coordinate axis; sine and cosine are snapped together, so that what is
-    left stays a rotation."""
+    """The rotation about a coordinate axis; sine and cosine are snapped together, so that the
+    result is a rotation."""
     if not angle:
         return IDENTITY
     sine, cosine = _sine_cosine(angle)
@@ -133,7 +133,7 @@ def _sine_cosine(angle: Fraction) -> Entries:
 
 
 def _rounded(entries: Sequence[Fraction]) -> Entries:
-    """The entries, snapped, to 50 digits: products of such would need ever more."""
+    """The entries, snapped, to 50 digits: without rounding, products would have more and more."""
     import mpmath
 
     with mpmath.workdps(DIGITS):
@@ -148,4 +148,4 @@ def _real(x: Fraction) -> "mpmath.mpf":
 
 def _fraction(x: "mpmath.mpf") -> Fraction:
     sign, mantissa, exponent, _ = x._mpf_
-    return (-1)**sign * Fraction(int(mantissa)) * Fraction(2)**exponent
+    return Fraction((-1)**int(sign) * int(mantissa)) * Fraction(2)**int(exponent)

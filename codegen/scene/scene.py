@@ -1,4 +1,4 @@
-"""Scene: a model, the effects it calls for, and what to do with it.  Frozen data, no arithmetic."""
+"""Scene: a model, the effects that act in it, and its run.  Frozen data, no arithmetic."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -6,19 +6,21 @@ from fractions import Fraction
 
 from coscrew_codegen.formats import BY_NAME, DOUBLE
 from coscrew_codegen.integrators import DEFAULT
+from coscrew_codegen.parameter import Parameter, Scalar
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.formulas import Formula
-from coscrew_codegen.scene.model import Model, Parameter, Scalar
+from coscrew_codegen.scene.model import Model
 
 Setting = Scalar | tuple[Scalar | Formula, ...] | tuple[str, str] | Formula | str | None
 
 
 @dataclass(frozen=True)
 class Applied:
-    """An effect where it acts: on a joint, on a body, or under a label of its own (a spring between
-    two bodies); gravity and other effects on everything act on "".  `values` has an entry for each
-    of the effect's parameters, and of two bodies "bodies", their names.  A label tells several of
-    one effect on one body apart."""
+    """An effect applied to a joint or body, or under a label (a spring between two bodies).
+
+    `on` is "" for gravity and other effects on the whole scene.  `values` has an entry for each of
+    the effect's parameters, and for pairs "bodies", the names of both.  A label distinguishes
+    several applications of one effect to one body."""
 
     effect: Effect
     on: str
@@ -26,8 +28,14 @@ class Applied:
     label: str = ""
 
     @property
+    def bodies(self) -> tuple[str, ...]:
+        """The two bodies of an effect on two."""
+        pair = self.values.get("bodies")
+        return tuple(map(str, pair)) if isinstance(pair, tuple) else ()
+
+    @property
     def name(self) -> str:
-        """As in `runtime`: viscous.elbow, wrench.push, gravity."""
+        """Its name in `runtime`: viscous.elbow, wrench.push, gravity."""
         return ".".join(part for part in (self.effect.name, self.label or self.on) if part)
 
 
@@ -44,7 +52,7 @@ class Expectation:
 
 @dataclass(frozen=True)
 class Run:
-    """How to integrate: `step` is of the emitted integrators, the tolerances of SciPy's."""
+    """How to integrate: `step` is for emitted integrators, the tolerances are for SciPy's."""
 
     duration: float = 1.0
     integrator: str = DEFAULT
@@ -55,23 +63,23 @@ class Run:
 
 @dataclass(frozen=True)
 class Scene:
-    """All that a scene file says."""
+    """The content of a scene file."""
 
     name: str  # a C and Python identifier
     model: Model
     effects: tuple[Applied, ...] = ()
-    parameters: tuple[Parameter, ...] = ()  # what stays an argument, in the order of `runtime`
+    parameters: tuple[Parameter, ...] = ()  # run-time parameters, in the order of `runtime`
     precision: str = DOUBLE.name  # of runs: double, single, both
     precisions: tuple[str, ...] = tuple(BY_NAME)  # in which it is generated
-    implausible: str = "error"  # or warn: bodies that cannot exist are let through
+    implausible: str = "error"  # or warn: bodies that cannot exist are accepted
     start_q: Mapping[str, tuple[float, ...]] = field(default_factory=dict)  # by joint
     start_v: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
     record: tuple[str, ...] = ("q", "v")
     every: float = 0.01
     run: Run = Run()
     expectations: tuple[Expectation, ...] = ()
-    functions: tuple[str, ...] = ()  # asked for, by name; none: the default ones
-    unused: tuple[str, ...] = ()  # physical numbers of the model that nothing here uses, one a line
+    functions: tuple[str, ...] = ()  # selected by name; (): the default functions
+    unused: tuple[str, ...] = ()  # physical numbers of the model that are not used, a line each
 
 
 def zero(value: Setting) -> bool:

@@ -1,4 +1,5 @@
-"""Tree: a model as algorithms walk it, fixed joints merged away, coordinates numbered.
+"""Tree: a model for the algorithms of mechanics, with bodies merged across fixed joints into links
+and coordinates numbered.
 
 Links are numbered so that parents come first; link -1 is the world.
 """
@@ -12,7 +13,8 @@ from coscrew_codegen.scene_functions import Coordinate
 
 @dataclass(frozen=True)
 class Driver:
-    """Where a link's coordinate comes from: multiplier · q[own of `link`] + offset."""
+    """The coordinate of a link's joint is multiplier · (the coordinate of `link`'s joint) + offset.
+    """
 
     link: int
     multiplier: Fraction = Fraction(1)
@@ -29,7 +31,7 @@ class Seat:
 
 @dataclass(frozen=True)
 class Link:
-    """What moves as one behind a joint that is not fixed."""
+    """Bodies that move as one, beyond a joint that is not fixed."""
 
     joint: Joint
     parent: int
@@ -37,17 +39,17 @@ class Link:
     seats: tuple[Seat, ...]
     q: range
     v: range
-    driver: Driver | None  # None for the world's seats and for links with coordinates of their own
+    driver: Driver | None  # set if the joint follows another; else it has its own coordinates
 
     @property
     def name(self) -> str:
-        """The name of the body behind the joint."""
+        """The name of the joint's child."""
         return self.joint.child
 
 
 @dataclass(frozen=True)
 class Tree:
-    """The links, what is fixed to the world, and how many coordinates there are."""
+    """The links, the bodies fixed to the world, and the numbers of coordinates and velocities."""
 
     links: tuple[Link, ...]
     ground: tuple[Seat, ...]
@@ -56,7 +58,7 @@ class Tree:
 
     @property
     def coordinates(self) -> tuple[Coordinate, ...]:
-        """The joints with coordinates of their own, in order."""
+        """The joints that do not follow others, in order."""
         return tuple(Coordinate(link.joint.name, link.joint.kind.value, link.q, link.v)
                      for link in self.links if link.driver is None)
 
@@ -66,7 +68,7 @@ class Tree:
         return any(link.driver for link in self.links)
 
     def link_of(self, joint: str) -> Link:
-        """The link behind the joint of this name."""
+        """The link that the joint of this name moves."""
         return next(link for link in self.links if link.joint.name == joint)
 
     def seat_of(self, body: str) -> tuple[int, Seat]:
@@ -85,13 +87,15 @@ def composed(outer: Placement, inner: Placement) -> Placement:
     R, t = outer.R, outer.t
     rows = range(3)
     return Placement(
-        tuple(sum(R[3 * i + k] * inner.R[3 * k + j] for k in rows) for i in rows for j in rows),
-        tuple(sum(R[3 * i + k] * inner.t[k] for k in rows) + t[i] for i in rows))
+        tuple(sum((R[3 * i + k] * inner.R[3 * k + j] for k in rows), Fraction(0))
+              for i in rows for j in rows),
+        tuple(sum((R[3 * i + k] * inner.t[k] for k in rows), t[i]) for i in rows))
 
 
 def tree_of(model: Model, mimics: bool) -> Tree:
-    """The model's tree; with `mimics`, joints that mimic others have no coordinates.  (No leader of
-    a model that was read follows another joint.)"""
+    """The model's tree; with `mimics`, joints that mimic others have no coordinates of their own.
+
+    Leaders must not follow other joints (see `without_chains`)."""
     bodies = {body.name: body for body in model.bodies}
     where: dict[str, tuple[int, Placement]] = {WORLD: (-1, HERE)}
     seats: dict[int, list[Seat]] = {-1: []}

@@ -1,4 +1,4 @@
-"""`coscrew effects`: the catalogue of effects, as scene files write them."""
+"""`coscrew effects`: the catalogue of effects and how scene files write them."""
 
 import argparse
 import textwrap
@@ -21,14 +21,14 @@ _WHERE = {
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add `effects` to the command line."""
-    parser = commands.add_parser("effects", help="print the effects scenes may call for",
+    parser = commands.add_parser("effects", help="print the effects for scenes",
                                  description="Print effects: equations, parameters, units.")
     parser.add_argument("names", metavar="NAME", nargs="*", help="only these (default: all)")
     parser.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace) -> int:
-    """Print the effects named, or all.  Raises SceneError for a name that means nothing."""
+    """Print the named effects, or all.  Raises SceneError for an unknown name."""
     known = {effect.name: effect for effect in EFFECTS}
     for name in options.names:
         if name not in known:
@@ -53,7 +53,7 @@ def described(effect: Effect) -> Iterator[str]:
 
 
 def where(effect: Effect) -> str:
-    """The tables it is called for by."""
+    """The headings of its tables in scene files."""
     return _WHERE[effect.place].format(effect.name)
 
 
@@ -64,7 +64,7 @@ def _line(parameter: ParameterOf) -> str:
 
 
 def notes(parameter: ParameterOf) -> list[str]:
-    """What may be given for it, and what it is where nothing is."""
+    """Notes on its values: type, choices, default."""
     kinds = {"vector": "three numbers", "formula": "a number or a function of t",
              "formulas": "three numbers or functions of t"}
     found = [kinds[parameter.kind]] if parameter.kind in kinds else []

@@ -1,4 +1,4 @@
-"""The contents of files, of no more than some size."""
+"""Reads files up to a given size."""
 
 from pathlib import Path
 

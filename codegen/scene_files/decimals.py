@@ -1,4 +1,4 @@
-"""Numbers of files, exactly as they are written."""
+"""Reads the decimal numbers of files exactly."""
 
 import re
 from decimal import Decimal
@@ -7,7 +7,7 @@ from fractions import Fraction
 from coscrew_codegen.scene_files.errors import shown
 
 LARGEST = Fraction(10)**300
-"""Numbers beyond, or nearer to zero than its inverse, overflow in what is computed with them."""
+"""Larger numbers, or nonzero ones below its inverse, would overflow in computations."""
 
 _DECIMAL = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,4})?")
 _NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity)", re.IGNORECASE)
@@ -15,7 +15,7 @@ _LENGTH = 100
 
 
 def decimal(text: str) -> Fraction:
-    """The number a text such as "-1.5e-3" is; raises ValueError with what came and was wanted."""
+    """The number in a text such as "-1.5e-3".  Raises ValueError with what came and was wanted."""
     if _NOT_FINITE.fullmatch(text):
         raise ValueError(f"{text} is not finite; wanted a number")
     if len(text) > _LENGTH or not _DECIMAL.fullmatch(text):

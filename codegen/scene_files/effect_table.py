@@ -4,7 +4,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
+from typing import overload
 
+from coscrew_codegen.parameter import Scalar
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 from coscrew_codegen.scene.model import Joint, Kind, Model, value
 from coscrew_codegen.scene.scene import Setting
@@ -16,14 +18,14 @@ ALL, MODEL = "all", "model"
 
 @dataclass
 class Use:
-    """What the effects take from the model: (joint, field), as they are read."""
+    """Collects what effects take from the model while they are read, as (joint, field)."""
 
     of_model: set[tuple[str, str]] = field(default_factory=set)
 
 
 @dataclass(frozen=True)
 class EffectTable:
-    """The table, the effect it calls for, and the model it acts on."""
+    """The table of an effect, the effect, and the model it acts on."""
 
     effect: Effect
     table: Table
@@ -36,7 +38,7 @@ class EffectTable:
 
     @cached_property
     def targets(self) -> Mapping[str, Joint | None]:
-        """What the effect can act on, in the model's order: joints, or bodies."""
+        """The joints or bodies that the effect can act on, in the model's order."""
         if self.effect.place is Place.JOINT:
             return {joint.name: joint for joint in self.model.joints if self.suits(joint)}
         return dict.fromkeys(self.bodies)
@@ -68,9 +70,18 @@ class EffectTable:
                 table.refuse(key, f"{self.effect.name} cannot act on joint {name!r}, which {why}")
         return table.known(key, name, self.what, self.targets)
 
+    @overload
+    def values(self, table: Table, given: Mapping[str, object], target: str
+               ) -> dict[str, Setting]: ...
+
+    @overload
+    def values(self, table: Table, given: Mapping[str, object], target: str,
+               named: bool) -> dict[str, Setting] | None: ...
+
     def values(self, table: Table, given: Mapping[str, object], target: str,
                named: bool = True) -> dict[str, Setting] | None:
-        """The parameters' values; None if the model lacks one, and the target was not named."""
+        """The values of the parameters; None if the model lacks one and the target was not named.
+        """
         kind = self._kind(table, given)
         values: dict[str, Setting] = {}
         read: set[tuple[str, str]] = set()
@@ -103,23 +114,22 @@ class EffectTable:
         if not self.effect.ascending:
             return
         low, high = (values[name] for name in self.effect.ascending)
-        if low is not None and high is not None and value(low) > value(high):
+        if isinstance(low, Scalar) and isinstance(high, Scalar) and value(low) > value(high):
             table.refuse(self.effect.ascending[0], f"{float(value(low)):g} is above "
                          f"{self.effect.ascending[1]}, {float(value(high)):g}")
 
     def _kind(self, table: Table, given: Mapping[str, object]) -> str:
-        """The choice that parameters belong to."""
+        """The effect's `kind`, on which the set of parameters depends."""
         for parameter in self.effect.parameters:
             if parameter.name == "kind" and any(other.of for other in self.effect.parameters):
-                if "kind" in given:
-                    return settings.setting(table, parameter, given["kind"], ())
-                return settings.default(table, parameter)
+                return str(settings.setting(table, parameter, given["kind"], ())
+                           if "kind" in given else settings.default(table, parameter))
         return ""
 
     def _of_model(self, table: Table, parameter: ParameterOf, target: str, named: bool
                   ) -> Fraction | None:
-        """The model's number for a parameter; None if there is none, which for a joint that was
-        named is an error where the effect needs it."""
+        """The model's number for a parameter, or None.  A missing number that the effect needs is
+        an error if the joint was named."""
         number = getattr(self.targets.get(target), parameter.model, None)
         if number is not None:
             settings.refuse_sign(table, parameter, number, f" of {self.what} {target!r}")

@@ -1,4 +1,4 @@
-"""What a scene file, or the model it names, is refused for."""
+"""The error in a scene file, or in the model that it names."""
 
 from pathlib import Path
 
@@ -15,7 +15,7 @@ class SceneError(Told, ValueError):
 
 
 def shown(came: object) -> str:
-    """What came, as one short line."""
+    """A value as one short line, for messages."""
     text = came if isinstance(came, str) else str(came)
     text = text if len(text) <= 60 else f"{text[:59]}…"
     return repr(text) if isinstance(came, str) else text.replace("\n", " ")

@@ -1,4 +1,4 @@
-"""Names of scenes: of C headers, of Python packages, and what their C functions begin with."""
+"""Names of scenes, which name C headers and Python packages and begin the names of C functions."""
 
 import keyword
 import re
@@ -18,19 +18,19 @@ endian fcntl features getopt glob grp libgen libintl libio link malloc memory mo
 nl_types poll pthread pwd regex sched semaphore spawn stdc_predef strings syscall syslog termios
 ucontext unistd utime wait values xlocale availabilitymacros corecrt crtdefs intrin io process
 sal vadefs vcruntime windows""".split())
-"""Headers of C, and of systems, which include each other: with a scene's folder on the include
-path, its math.h would be taken for <math.h>.  In lower case: on some systems Math.h is math.h."""
+"""Headers of C and of systems: with a scene's folder on the include path, a scene's math.h would
+replace <math.h>.  In lower case: on some systems Math.h is the same file."""
 _ONCE = frozenset("""annotationlib asynchat asyncore audioop binhex cgi cgitb chunk compression
 crypt distutils formatter imghdr imp lib2to3 mailcap msilib nis nntplib ossaudiodev parser pipes
 smtpd sndhdr spwd string sunau symbol telnetlib uu xdrlib""".split())
-"""Modules of some versions of Python: a scene has the same name with each."""
+"""Modules of some versions of Python only; refused with all, so that a name is valid with all."""
 _TAKEN = frozenset((*_C, *_PACKAGES, *keyword.kwlist, *keyword.softkwlist, *_ONCE,
                     *sys.stdlib_module_names))
 _LONGEST = 40
 
 
 def refused(name: str) -> str | None:
-    """Why a name will not do; None if it will."""
+    """Why a name is refused; None if it is valid."""
     if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name):
         return "is no identifier: a letter, then letters, digits and _"
     if len(name) > _LONGEST:
@@ -41,6 +41,6 @@ def refused(name: str) -> str | None:
 
 
 def identifier(stem: str) -> str:
-    """A file's stem, or another text, made an identifier: "6-joint arm" gives scene_6_joint_arm."""
+    """A text turned into an identifier: "6-joint arm" gives scene_6_joint_arm."""
     name = re.sub(r"[^A-Za-z0-9]+", "_", stem).strip("_")[:_LONGEST - len("scene_")]
     return name if name and refused(name) is None else f"scene_{name}".rstrip("_")

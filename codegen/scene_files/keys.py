@@ -1,6 +1,6 @@
-"""What a scene file may hold: tables and their keys, the only list of them.
+"""The tables and keys of scene files: the only list of them.
 
-The readers take names and choices from here; the documentation and the JSON Schema print it.
+The readers take names and choices from here; the documentation and the JSON Schema show it.
 """
 
 from dataclasses import dataclass
@@ -19,15 +19,15 @@ TYPES = {"revolute": Kind.REVOLUTE, "continuous": Kind.REVOLUTE, "prismatic": Ki
 
 @dataclass(frozen=True)
 class Key:
-    """A key of a table, as files write it."""
+    """A key of a table."""
 
     name: str
-    words: str  # what it is, with units
+    words: str  # description with units
     kind: str = "text"  # text, texts, number, positive, nonnegative, vector (3 numbers), quaternion
     # (4), moments (3 or 6 numbers or a 3×3 matrix), coordinates (by joint: a number or a list),
     # expectations (by quantity), effects; table and tables (by name) have `table`
-    choices: tuple[str, ...] = ()  # of a text; the first, where there is no other default
-    default: str = ""  # as a file would write it
+    choices: tuple[str, ...] = ()  # of a text; the first is the default unless there is another
+    default: str = ""  # in TOML
     required: bool = False
     table: "TableOf | None" = None
     one_coordinate: bool = False  # for revolute and prismatic joints alone
@@ -35,7 +35,7 @@ class Key:
 
 @dataclass(frozen=True)
 class TableOf:
-    """A table: how its heading is written, and its keys."""
+    """A table: its heading and its keys."""
 
     heading: str  # "" for the file itself
     words: str
@@ -48,7 +48,7 @@ class TableOf:
 
 
 def _written(number: float) -> str:
-    """As people write it: 1e-9, not 1e-09."""
+    """The number without padding of the exponent: 1e-9, not 1e-09."""
     return f"{number:g}".replace("e-0", "e-")
 
 
@@ -58,26 +58,26 @@ BODY = TableOf("bodies.NAME", "A body; without keys, a frame without mass.", (
     Key("inertia", "moments about the centre of mass in kg m²: xx, yy, zz and, if not zero, "
         "xy, xz, yz; or the symmetric 3×3 matrix", "moments", default="[0, 0, 0]")))
 
-ORIGIN = TableOf("joints.NAME.origin", "Where the joint's frame is in the parent's; rotated by at "
-                 "most one of rpy, quaternion, axis with angle.", (
+ORIGIN = TableOf("joints.NAME.origin", "The joint's frame in the parent's; its rotation is given "
+                 "by at most one of rpy, quaternion, axis with angle.", (
     Key("xyz", "position in m", "vector", default="[0, 0, 0]"),
     Key("rpy", "roll, pitch, yaw in rad, about the parent's fixed x, y, z: R = R_z R_y R_x",
         "vector"),
     Key("quaternion", "unit quaternion x, y, z, w: the scalar last", "quaternion"),
-    Key("axis", "axis to turn about, of any length", "vector"),
+    Key("axis", "axis of rotation, of any length", "vector"),
     Key("angle", "angle about `axis` in rad", "number")))
 
-LIMITS = TableOf("joints.NAME.limits", "What effects take by \"model\": without one that uses it, "
-                 "nothing stops the joint.", (
+LIMITS = TableOf("joints.NAME.limits", "Limits for effects, which use them by \"model\": without "
+                 "such an effect nothing stops the joint.", (
     Key("lower", "lower end of the range in rad or m; not of a continuous joint", "number"),
     Key("upper", "upper end of the range in rad or m; not of a continuous joint", "number"),
     Key("effort", "largest torque or force in N m or N", "nonnegative"),
     Key("velocity", "largest speed in rad/s or m/s", "nonnegative")))
 
-MIMIC = TableOf("joints.NAME.mimic", "The joint follows another where [effects.mimic] is there: "
+MIMIC = TableOf("joints.NAME.mimic", "If the scene has [effects.mimic], the joint follows another: "
                 "q = multiplier q_joint + offset.", (
     Key("joint", "the joint it follows", required=True),
-    Key("multiplier", "ratio of the speeds", "number", default="1"),
+    Key("multiplier", "ratio of the velocities", "number", default="1"),
     Key("offset", "in rad or m", "number", default="0")))
 
 JOINT = TableOf("joints.NAME", "A joint between two bodies.", (
@@ -85,10 +85,10 @@ JOINT = TableOf("joints.NAME", "A joint between two bodies.", (
         required=True),
     Key("parent", "the body it is fixed to", default='"world"'),
     Key("child", "the body it moves", required=True),
-    Key("origin", "where it is in the parent", "table", table=ORIGIN),
-    Key("axis", "axis to turn about or slide along, in the joint's frame, of any length",
+    Key("origin", "its frame in the parent's", "table", table=ORIGIN),
+    Key("axis", "axis of rotation or sliding, in the joint's frame, of any length",
         "vector", one_coordinate=True),
-    Key("limits", "ends of its range, of its torque, of its speed", "table", table=LIMITS,
+    Key("limits", "limits of its range, torque and speed", "table", table=LIMITS,
         one_coordinate=True),
     Key("damping", "in N m s/rad or N s/m; acts by [effects.viscous]", "nonnegative",
         one_coordinate=True),
@@ -96,11 +96,11 @@ JOINT = TableOf("joints.NAME", "A joint between two bodies.", (
         "nonnegative", one_coordinate=True),
     Key("mimic", "which joint it follows", "table", table=MIMIC, one_coordinate=True)))
 
-START = TableOf("start", "Where a run starts; zero, and no turn, where nothing is given.", (
+START = TableOf("start", "The state at the start of a run; by default zero, without rotation.", (
     Key("q", "by joint: angle in rad or position in m; of a spherical joint a unit quaternion (x, "
         "y, z, w); of a free one position and quaternion", "coordinates"),
-    Key("v", "by joint: speed in rad/s or m/s; of a spherical joint the angular velocity, of a "
-        "free one linear and angular velocity, in the body's own frame", "coordinates")))
+    Key("v", "by joint: velocity in rad/s or m/s; of a spherical joint the angular velocity, of a "
+        "free one linear and angular velocity, in the body's frame", "coordinates")))
 
 OUTPUTS = TableOf("outputs", "What a run records.", (
     Key("record", 'quantities: "q", "v", "energy", "momentum", "position.BODY", "pose.BODY", '
@@ -117,9 +117,9 @@ RUN = TableOf("run", "How a run is integrated.", (
     Key("atol", "absolute tolerance of SciPy's integrators", "positive",
         default=_written(Run().atol))))
 
-EXPECT = TableOf('expect."QUANTITY"', "What `coscrew check` holds the run to: |quantity(at) - "
-                 "value| <= rtol |value| + atol.  A table, or a list of tables.  One of rtol and "
-                 "atol, at least.", (
+EXPECT = TableOf('expect."QUANTITY"', "A condition for `coscrew check`: |quantity(at) - value| <= "
+                 "rtol |value| + atol.  A table, or a list of tables.  At least one of rtol and "
+                 "atol is required.", (
     Key("at", "time in s", "nonnegative", required=True),
     Key("value", "in the quantity's unit", "number", required=True),
     Key("rtol", "relative tolerance", "nonnegative", default="0"),
@@ -128,26 +128,26 @@ EXPECT = TableOf('expect."QUANTITY"', "What `coscrew check` holds the run to: |q
 SCENE = TableOf("", "The file itself.", (
     Key("model", "a URDF file beside the scene; without it the tables `bodies` and `joints` are "
         "the model"),
-    Key("base", "whether the root stands still or moves freely", choices=tuple(BASES)),
-    Key("name", "what the files, the package and the functions are called: a C identifier",
+    Key("base", "whether the root is fixed or moves freely", choices=tuple(BASES)),
+    Key("name", "name of the files and the package, and prefix of the C functions: a C identifier",
         default="the file's name"),
-    Key("precision", '"both" runs both and tells the difference.  Both are generated unless this '
-        'says "double": needed where single\'s range (1.2e-38 to 3.4e38) cannot hold a number, '
-        "which else is an error", choices=PRECISIONS),
-    Key("implausible", '"warn" lets through inertias that no body has, that are massless or '
-        "incomplete, and names them; on the command line --implausible warn",
+    Key("precision", 'of runs; "both" runs both and shows the difference.  Both are generated '
+        'unless this is "double", which is necessary if a number exceeds single precision\'s range '
+        "(1.2e-38 to 3.4e38)", choices=PRECISIONS),
+    Key("implausible", '"warn" accepts inertias that no body has, that are massless or '
+        "incomplete, and reports them; on the command line --implausible warn",
         choices=(ERROR, WARN)),
     Key("functions", "what is generated: names of functions; \"default\" and \"all\" stand for "
         "several", "texts", default='["default"]'),
-    Key("runtime", "what stays an argument of the functions: BODY.mass, BODY.com, BODY.inertia, "
+    Key("runtime", "numbers that stay arguments of functions: BODY.mass, BODY.com, BODY.inertia, "
         "EFFECT.WHERE.PARAMETER", "texts", default="[]"),
     Key("bodies", "the bodies, by name", "tables", table=BODY),
     Key("joints", "the joints, by name", "tables", table=JOINT),
     Key("effects", "what acts: see Effects", "effects"),
-    Key("start", "where a run starts", "table", table=START),
+    Key("start", "the state at the start of a run", "table", table=START),
     Key("outputs", "what a run records", "table", table=OUTPUTS),
     Key("run", "how a run is integrated", "table", table=RUN),
-    Key("expect", "what a run must reach, by quantity", "expectations", table=EXPECT)))
+    Key("expect", "conditions on a run, by quantity", "expectations", table=EXPECT)))
 
 TABLES = (SCENE, BODY, JOINT, ORIGIN, LIMITS, MIMIC, START, OUTPUTS, RUN, EXPECT)
-"""All tables but those of effects."""
+"""All tables except those of effects."""

@@ -1,12 +1,14 @@
-"""`runtime = ["tool.mass", …]`: numbers of a scene that stay arguments of its kernels."""
+"""`runtime = ["tool.mass", …]`: numbers of a scene that stay arguments of its functions."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
+from coscrew_codegen.parameter import Parameter, Scalar
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.formulas import Formula
-from coscrew_codegen.scene.model import Body, Model, Parameter, Scalar
+from coscrew_codegen.scene.model import Body, Model
+from coscrew_codegen.scene.model import value as value_of
 from coscrew_codegen.scene.names import nearest
 from coscrew_codegen.scene.recorded import XYZ
 from coscrew_codegen.scene.scene import Applied, Setting
@@ -22,11 +24,11 @@ _Swap = Callable[[str, Scalar], Scalar]  # name, number → the number or its Pa
 def with_parameters(file: Table, model: Model, effects: tuple[Applied, ...],
                     catalogue: tuple[Effect, ...]
                     ) -> tuple[Model, tuple[Applied, ...], tuple[Parameter, ...]]:
-    """Model and effects with Parameters in place of the numbers that `runtime` names, and these.
+    """(model, effects, parameters) with a Parameter in place of each number that `runtime` names.
 
-    A vector gives one for each component: tool.com gives tool.com.x, tool.com.y, tool.com.z, which
-    may be called tool.com.0, tool.com.1, tool.com.2, too.
-    Raises SceneError for names that mean nothing, occur twice, or mean no number."""
+    A vector gives a parameter for each component: tool.com gives tool.com.x, tool.com.y and
+    tool.com.z, also named tool.com.0, tool.com.1 and tool.com.2.
+    Raises SceneError for names that are unknown, occur twice, or are not numbers."""
     names = file.texts("runtime", ())
     numbers, others = _candidates(model, effects)
     parameters: list[Parameter] = []
@@ -59,17 +61,17 @@ def _by_letter(name: str) -> str:
 
 
 def _vector(key: str) -> str:
-    """The vector or inertia that a number is a component of: tool.com of tool.com.x; else ""."""
+    """The vector or inertia that a number belongs to: tool.com for tool.com.x; else ""."""
     whole, _, last = key.rpartition(".")
     return whole if last in (*XYZ, *_MOMENTS) else ""
 
 
 def _refuse_of_element(file: Table, name: str, names: tuple[str, ...], model: Model,
                        effects: tuple[Applied, ...], catalogue: tuple[Effect, ...]) -> None:
-    """Refuse JOINT.FIELD and BODY.FIELD, if the name is one, with the numbers of the element.
+    """Refuse a name such as JOINT.FIELD or BODY.FIELD, with a list of that element's numbers.
 
-    A joint's own numbers are not in the dynamics; those of effects are, which may be taken from
-    it."""
+    A joint's own numbers are not in the dynamics; the numbers of effects are, and effects may take
+    them from the joint."""
     element, _, field = name.rpartition(".")
     what = ("joint" if any(joint.name == element for joint in model.joints) else
             "body" if any(body.name == element for body in model.bodies) else "")
@@ -96,11 +98,11 @@ def _refuse_of_element(file: Table, name: str, names: tuple[str, ...], model: Mo
 
 
 def _candidates(model: Model, effects: tuple[Applied, ...]) -> tuple[_Numbers, dict[str, str]]:
-    """All numbers by name; and what is no number, in words."""
+    """(numbers by name, descriptions of what is not a number by name)."""
     numbers: _Numbers = {}
 
     def note(name: str, number: Scalar) -> Scalar:
-        numbers[name] = number
+        numbers[name] = value_of(number)
         return number
 
     swapped_model(model, note)
@@ -119,7 +121,7 @@ def _candidates(model: Model, effects: tuple[Applied, ...]) -> tuple[_Numbers, d
 
 
 def swapped_model(model: Model, swap: _Swap) -> Model:
-    """The model with what `swap` makes of its bodies' numbers, by their names in `runtime`."""
+    """The model with its bodies' numbers replaced by swap(name in `runtime`, number)."""
     return replace(model, bodies=tuple(_swapped_body(body, swap) for body in model.bodies))
 
 
@@ -143,8 +145,9 @@ def _swapped(applied: Applied, swap: _Swap) -> Applied:
 def _swapped_value(name: str, value: Setting, swap: _Swap) -> Setting:
     if isinstance(value, Fraction):
         return swap(name, value)
-    if isinstance(value, tuple) and all(isinstance(x, Fraction) for x in value):
-        return _each(name, XYZ, value, swap)
+    if isinstance(value, tuple):
+        vector = tuple(x for x in value if isinstance(x, Fraction))
+        return _each(name, XYZ, vector, swap) if len(vector) == len(value) else value
     return value
 
 

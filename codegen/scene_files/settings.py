@@ -1,7 +1,8 @@
-"""Values of effects' parameters, by their kinds."""
+"""Reads the values of effects' parameters, according to their kinds."""
 
 import math
 from fractions import Fraction
+from typing import TypeGuard
 
 from coscrew_codegen.scene.effect import ParameterOf
 from coscrew_codegen.scene.formulas import Formula, FormulaError
@@ -13,7 +14,7 @@ from coscrew_codegen.scene_files.tables import Decimals, Table, described
 
 def setting(table: Table, parameter: ParameterOf, value: object, bodies: tuple[str, ...]
             ) -> Setting:
-    """What a file gives for a parameter; SceneError if it is not of the parameter's kind."""
+    """The value of a parameter from the file's value.  Raises SceneError if the kind is wrong."""
     key, kind = parameter.name, parameter.kind
     if kind == "vector":
         vector = table.as_numbers(key, value, (3,))
@@ -47,7 +48,7 @@ def _number(table: Table, parameter: ParameterOf, value: object) -> Fraction:
 
 
 def default(table: Table, parameter: ParameterOf) -> Setting:
-    """What a parameter is where the file gives nothing; SceneError if it must be given."""
+    """The default value of a parameter.  Raises SceneError if it is required."""
     value = parameter.default
     if value is None:
         if parameter.required:
@@ -86,5 +87,5 @@ def _formula(table: Table, parameter: ParameterOf, value: object) -> Fraction | 
     return formula
 
 
-def _is_text(value: object) -> bool:
+def _is_text(value: object) -> TypeGuard[str]:
     return isinstance(value, str) and not isinstance(value, Decimals)

@@ -1,11 +1,11 @@
-"""TOML files as tables whose values are taken with their types, exactly, or refused by key."""
+"""TOML files as tables; values are read with their types, exactly, or refused by key."""
 
 import re
 import tomllib
 from collections.abc import Collection, Iterable, Mapping
 from fractions import Fraction
 from pathlib import Path
-from typing import NoReturn
+from typing import NoReturn, overload
 
 from coscrew_codegen.scene.names import did_you_mean, or_mean
 from coscrew_codegen.scene_files.contents import read_bytes
@@ -15,7 +15,7 @@ from coscrew_codegen.scene_files.errors import SceneError, shown
 SIZE = 2**20  # bytes
 _MESSAGE = 300  # characters of a message of tomllib
 _DOTS = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){30}""")
-"""Keys of keys of keys, on which tomllib spends quadratic time."""
+"""Keys with 30 dots: tomllib takes quadratic time for them."""
 
 
 class Decimals(str):
@@ -25,7 +25,7 @@ class Decimals(str):
 
 
 class Table:
-    """A table of a file, and the key it stands under."""
+    """A table of a file, and its key."""
 
     def __init__(self, file: Path, where: str, values: Mapping[str, object]) -> None:
         self.file, self.where, self.values = file, where, values
@@ -45,12 +45,12 @@ class Table:
         raise SceneError(self.file, self.key(key), problem)
 
     def key(self, key: str) -> str:
-        """The key as a file would write it in full."""
+        """The full key in TOML."""
         parts = [self.where, key if re.fullmatch(r"[\w-]{0,60}", key) else shown(key)]
         return ".".join(part for part in parts if part)
 
     def missing(self, key: str, wanted: str) -> NoReturn:
-        """Raise SceneError for a key that is not there."""
+        """Raise SceneError for a missing key."""
         self.refuse(key, f"missing; wanted {wanted}")
 
     def table(self, key: str) -> "Table":
@@ -84,7 +84,7 @@ class Table:
         return text
 
     def texts(self, key: str, default: tuple[str, ...] | None = None) -> tuple[str, ...]:
-        """The list of texts under a key, each but once."""
+        """The list of texts under a key, without duplicates."""
         if key not in self.values and default is not None:
             return default
         return self.as_texts(key, self.value(key, "a list of texts"))
@@ -101,6 +101,12 @@ class Table:
         if number <= 0:
             self.refuse(key, f"{float(number):g}; wanted a positive number")
         return number
+
+    @overload
+    def nonnegative(self, key: str, default: Fraction) -> Fraction: ...
+
+    @overload
+    def nonnegative(self, key: str) -> Fraction | None: ...
 
     def nonnegative(self, key: str, default: Fraction | None = None) -> Fraction | None:
         """The number under a key, zero or above; the default if there is none."""
@@ -120,7 +126,7 @@ class Table:
         return self.as_numbers(key, self.value(key, wanted), counts)
 
     def value(self, key: str, wanted: str) -> object:
-        """Whatever stands under a key."""
+        """The value under a key."""
         if key not in self.values:
             self.missing(key, wanted)
         return self.values[key]
@@ -132,7 +138,7 @@ class Table:
         return value
 
     def as_texts(self, key: str, value: object) -> tuple[str, ...]:
-        """A value as texts, each but once."""
+        """A value as texts, without duplicates."""
         if not isinstance(value, list):
             self.refuse(key, f"{described(value)}; wanted a list of texts")
         texts = tuple(self.as_text(key, item) for item in value)
@@ -165,14 +171,14 @@ class Table:
         return tuple(self.as_number(key, item) for item in value)
 
     def known(self, key: str, name: str, what: str, names: Collection[str]) -> str:
-        """The name, if it is one of these; `what` they are: joint, body."""
+        """The name, if it is one of `names`; `what` describes them: joint, body."""
         if name not in names:
             self.refuse(key, f"no {what} {shown(name)}; {did_you_mean(name, names)}")
         return name
 
 
 def read_toml(path: Path) -> Table:
-    """The outermost table of a file; SceneError if it cannot be read or is no TOML."""
+    """The outermost table of a file.  Raises SceneError if it cannot be read or is not TOML."""
     try:
         text = read_bytes(path, SIZE).decode("utf-8-sig").replace("\r\n", "\n")
         if found := _DOTS.search(text):
@@ -190,13 +196,13 @@ def read_toml(path: Path) -> Table:
 
 
 def _whole(message: str) -> str:
-    """tomllib's message as one line: its end says where, so keys in it are cut in the middle."""
+    """tomllib's message as one line; cut in the middle if too long, since its end is the place."""
     line = "".join(c if c.isprintable() else repr(c)[1:-1] for c in message)
     return line if len(line) <= _MESSAGE else f"{line[:_MESSAGE - 100]}…{line[-100:]}"
 
 
 def described(value: object) -> str:
-    """What came, with its type in TOML's words."""
+    """A value with its type in TOML's words."""
     if isinstance(value, bool):
         return f"the boolean {str(value).lower()}"
     if isinstance(value, int) and abs(value) > LARGEST:  # Python refuses to write the longest out

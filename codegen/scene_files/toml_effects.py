@@ -1,8 +1,8 @@
 """The tables [effects.*] of a scene file as Applied effects.
 
 An effect on joints or bodies is given for several at once, with `joints = "all"` or a list of them,
-or by tables of its parameters ({ elbow = 0.1 }); or in tables of its own, [effects.stribeck.elbow].
-A table under the name of a joint or body is that one's, also where a parameter has this name.
+or by tables of its parameters ({ elbow = 0.1 }); or in a table for each, [effects.stribeck.elbow].
+A table under the name of a joint or body belongs to it, even if a parameter has the same name.
 """
 
 from collections.abc import Iterator, Mapping
@@ -20,7 +20,7 @@ def read_effects(effects: Table, model: Model, catalogue: tuple[Effect, ...], us
                  ) -> tuple[Applied, ...]:
     """The effects in the catalogue's order, each on joints or bodies in the model's order.
 
-    Raises SceneError for what is unknown, missing, given twice or out of range."""
+    Raises SceneError for anything unknown, missing, given twice or out of range."""
     effects.only(*(effect.name for effect in catalogue))
     readers = {Place.SCENE: _on_scene, Place.JOINT: _on_several, Place.BODY: _on_several,
                Place.PAIR: _on_pairs}
@@ -68,8 +68,9 @@ def _on_several(reading: EffectTable) -> list[Applied]:
 
 
 def _is_place(reading: EffectTable, key: str) -> bool:
-    """Whether a key, of a parameter's name, is a joint's or body's: it is where its value is a
-    table.  Raises SceneError where that could as well hold the parameter of each joint or body."""
+    """Whether a key that is a parameter's name stands for a joint or body: if its value is a table.
+
+    Raises SceneError if that table could also hold the parameter for each joint or body."""
     given = reading.table.values[key]
     if not isinstance(given, dict):
         return False
@@ -192,7 +193,8 @@ def _on_pairs(reading: EffectTable) -> list[Applied]:
 
 
 def with_reactions(scene: Scene, catalogue: tuple[Effect, ...]) -> tuple[Applied, ...]:
-    """The effects of a scene, and the reaction where it is only recorded or expected."""
+    """The effects of a scene, with a reaction for each joint of which it is recorded or expected.
+    """
     effect = next((effect for effect in catalogue if effect.reaction), None)
     asked = {recorded(text, scene) for text in scene.record}
     asked |= {expected(x.quantity, scene) for x in scene.expectations}

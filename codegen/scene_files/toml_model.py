@@ -1,4 +1,4 @@
-"""A model that a scene file holds itself: tables [bodies.NAME] and [joints.NAME]."""
+"""A model in a scene file itself: tables [bodies.NAME] and [joints.NAME]."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -13,6 +13,7 @@ from coscrew_codegen.scene.model import (
     Inertia,
     Joint,
     Kind,
+    Limits,
     Mimic,
     Model,
     Placement,
@@ -26,12 +27,12 @@ from coscrew_codegen.scene_files.tables import Table, described
 _ZERO = (Fraction(0),) * 3
 _OF_ONE_COORDINATE = tuple(key.name for key in JOINT.keys if key.one_coordinate)
 _INERTIA = "a list of 3 or 6 numbers: xx, yy, zz, xy, xz, yz; or a symmetric 3×3 matrix"
-_TOLERANCE = Fraction(1, 10**6)  # of a quaternion's norm: six digits are written by hand
+_TOLERANCE = Fraction(1, 10**6)  # of a quaternion's norm: people write six digits
 
 
 def read_model(file: Table, name: str, base: Kind, implausible: str) -> Model:
-    """The model in the tables `bodies` and `joints`.  With `implausible` "warn", inertias that are
-    impossible or massless are let through, and the model tells them.  Raises SceneError."""
+    """The model in the tables `bodies` and `joints`.  With `implausible` "warn", impossible and
+    massless inertias are accepted and listed in the model.  Raises SceneError."""
     massless: list[str] = []
     bodies = tuple(_body(name, table, massless if implausible == WARN else None)
                    for name, table in file.tables("bodies"))
@@ -44,7 +45,7 @@ def read_model(file: Table, name: str, base: Kind, implausible: str) -> Model:
 
 
 def _body(name: str, table: Table, massless: list[str] | None) -> Body:
-    """The body; without `massless`, which gets a line on each, masses of zero are refused."""
+    """The body.  A mass of zero is refused or, if `massless` is a list, reported there."""
     table.only(*BODY.names)
     if name == WORLD:
         table.refuse("", "this name is the world's; wanted another one")
@@ -52,9 +53,10 @@ def _body(name: str, table: Table, massless: list[str] | None) -> Body:
         if table.values:
             table.missing("mass", "the mass in kg")
         return Body(name)
-    mass = table.positive("mass", Fraction(0)) if massless is None else table.nonnegative("mass")
+    mass = table.positive("mass", Fraction(0)) if massless is None else \
+        table.nonnegative("mass", Fraction(0))
     inertia = Inertia(mass, table.numbers("com", (3,), _ZERO), _moments(table))
-    if mass or any(inertia.moments):
+    if massless is None or mass or any(inertia.moments):
         return Body(name, inertia)
     massless.append(f"body {name!r}: its mass is zero, and so are its moments")
     return Body(name)
@@ -90,18 +92,17 @@ def _joint(name: str, table: Table) -> Joint:
                 table.refuse(key, f"is for revolute and prismatic joints; {name!r} is {word}")
         return Joint(name, kind, *ends, _placement(table))
     return Joint(name, kind, *ends, _placement(table), _direction(table, "axis"),
-                 **_limits(table.table("limits"), word == "continuous"),
+                 *_limits(table.table("limits"), word == "continuous"),
                  damping=table.nonnegative("damping"), friction=table.nonnegative("friction"),
                  mimic=_mimic(table.table("mimic")) if "mimic" in table else None)
 
 
-def _limits(table: Table, continuous: bool) -> dict[str, Fraction | None]:
+def _limits(table: Table, continuous: bool) -> Limits:
     table.only(*(key for key in LIMITS.names if not continuous or key not in ("lower", "upper")))
     lower, upper = (table.number(key) if key in table else None for key in ("lower", "upper"))
     if lower is not None and upper is not None and lower > upper:
         table.refuse("lower", f"{float(lower):g} is above upper, {float(upper):g}")
-    return {"lower": lower, "upper": upper, "effort": table.nonnegative("effort"),
-            "velocity": table.nonnegative("velocity")}
+    return lower, upper, table.nonnegative("effort"), table.nonnegative("velocity")
 
 
 def _mimic(table: Table) -> Mimic:
@@ -142,7 +143,7 @@ def refuse_not_unit(table: Table, key: str, quaternion: tuple[Fraction, ...]) ->
                           "in the order x, y, z, w")
 
 
-def _direction(table: Table, key: str) -> tuple[Fraction, Fraction, Fraction]:
+def _direction(table: Table, key: str) -> tuple[Fraction, ...]:
     vector = table.numbers(key, (3,))
     if not any(vector):
         table.refuse(key, "is zero; wanted a direction")

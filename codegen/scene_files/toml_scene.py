@@ -1,4 +1,4 @@
-"""Scene files: what a TOML file, or a URDF file alone, says as a Scene."""
+"""Scene files: reads a TOML file, or a URDF file alone, as a Scene."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -13,7 +13,7 @@ from coscrew_codegen.scene.model import Joint, Kind, Model
 from coscrew_codegen.scene.possible import ERROR, WARN, unmoved_mass
 from coscrew_codegen.scene.recorded import (
     QuantityError,
-    carried,
+    exempt_joints,
     expected,
     followers,
     recorded,
@@ -33,7 +33,7 @@ from coscrew_codegen.scene_files.unused import unused
 
 @dataclass(frozen=True)
 class Said:
-    """What is said beside a scene's file, and stands in for what the file says; None: nothing."""
+    """Settings that override those in a scene's file; None: the file's."""
 
     precision: str | None = None  # double, single, both
     implausible: str | None = None  # error, warn
@@ -47,10 +47,10 @@ class Said:
 
 def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
                said: Said = Said()) -> Scene:
-    """The scene in a TOML file; or of a URDF file alone, a scene without effects, gravity included.
+    """The scene in a TOML file; for a URDF file alone, a scene without effects, even gravity.
 
-    `catalogue` are the effects there are (None: all).  Raises SceneError, naming file and key, for
-    whatever is unknown, missing, of another type, out of range, or not used."""
+    `catalogue` holds the known effects (None: all).  Raises SceneError, naming file and key, for
+    anything unknown, missing, of the wrong type, out of range, or not used."""
     path = Path(path)
     effects = _all_effects() if catalogue is None else catalogue
     suffix = path.suffix.lower()
@@ -73,13 +73,13 @@ def _all_effects() -> tuple[Effect, ...]:
 
 
 def _emitted(precision: str | None) -> tuple[str, ...]:
-    """The precisions a scene is generated in: where "double" is asked for, that alone, since single
-    may not hold the scene's numbers."""
+    """The precisions that a scene is generated in: only double if that is selected, since single
+    may not hold the scene's numbers; else both."""
     return (DOUBLE.name,) if precision == DOUBLE.name else tuple(BY_NAME)
 
 
 def _said(beside: str | None, file: Table, key: str, choices: tuple[str, ...]) -> str | None:
-    """The word said beside the file, or else in it."""
+    """The overriding word, or else the file's."""
     written = file.choice(key, choices) if key in file else None
     return beside or written
 
@@ -111,7 +111,7 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], said: Said) -> Scene:
 
 
 def _functions(file: Table, scene: Scene) -> tuple[str, ...]:
-    """The functions that the file asks for; none: the default ones."""
+    """The functions that the file selects; (): the default functions."""
     names = file.texts("functions", ())
     if "functions" in file and not names:
         file.refuse("functions", 'an empty list; wanted names, as ["inverse_dynamics"], "default" '
@@ -123,7 +123,7 @@ def _functions(file: Table, scene: Scene) -> tuple[str, ...]:
 
 
 def _asking(scene: Scene, functions: tuple[str, ...]) -> Scene:
-    """The scene with these functions.  Raises AskedError for names that it has no function of."""
+    """The scene with these functions selected.  Raises AskedError for unknown functions."""
     resolved(scene, functions)
     return replace(scene, functions=functions)
 
@@ -160,10 +160,10 @@ def _model(file: Table, name: str, implausible: str) -> Model:
 
 
 def _refuse_unmoved(file: Path, model: Model, scene: Scene) -> None:
-    """Refuse models without motion, and joints whose forces nothing resists."""
+    """Refuse models in which nothing moves, and joints without inertia against their motion."""
     if all(joint.kind is Kind.FIXED for joint in model.joints):
         raise SceneError(file, "model", 'has no joint that moves; base = "free" frees its root')
-    found = unmoved_mass(model, carried(scene))
+    found = unmoved_mass(model, exempt_joints(scene))
     if found:
         joint, reason = found
         raise SceneError(file, f"joint {joint.name!r} of model {model.name!r}",
@@ -176,7 +176,7 @@ def _moving(table: Table, key: str, scene: Scene) -> Joint:
     joints = {joint.name: joint for joint in scene.model.joints if joint.kind is not Kind.FIXED}
     name = table.known(key, key, "joint that moves", joints)
     if leader := followers(scene).get(name):
-        table.refuse(key, f"follows joint {leader.mimic.joint!r}; wanted the start of that one")
+        table.refuse(key, f"follows joint {leader.joint!r}; wanted the start of that one")
     return joints[name]
 
 
@@ -246,7 +246,7 @@ def _expectations(file: Table, scene: Scene) -> tuple[Expectation, ...]:
 
 
 def _quotes(quantity: str, value: object) -> str:
-    """What to write for q.elbow = { … }, which TOML takes for a table q."""
+    """A hint for q.elbow = { … }, which TOML reads as a table q."""
     inside = [key for key, x in value.items() if isinstance(x, dict)] \
         if isinstance(value, dict) else []
     return f'; keys with a dot take quotes: "{quantity}.{inside[0]}" = …' if inside else ""
@@ -254,7 +254,7 @@ def _quotes(quantity: str, value: object) -> str:
 
 def _expectation(table: Table, quantity: str, duration: float) -> Expectation:
     table.only(*EXPECT.names)
-    at = float(table.nonnegative("at", None) if "at" in table else table.number("at"))
+    at = float(table.nonnegative("at", Fraction(0)) if "at" in table else table.number("at"))
     if at > duration:
         table.refuse("at", f"{at:g} s is after the end of the run, {duration:g} s")
     rtol, atol = (table.nonnegative(key, Fraction(0)) for key in ("rtol", "atol"))

@@ -1,4 +1,4 @@
-"""Physical numbers of a model that a scene does not use: told, never dropped in silence."""
+"""Physical numbers of a model that a scene does not use: reported, never ignored silently."""
 
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.model import Joint, Kind, Model
@@ -9,11 +9,10 @@ FIELDS = ("damping", "friction", "effort", "velocity", "lower", "upper")
 
 def unused(model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ...],
            acting: tuple[Applied, ...] = ()) -> tuple[str, ...]:
-    """One line for each number whose (joint, field) is not `used`, with the effect to add for it,
-    or what to say in that effect where it acts on the joint already.
+    """A line for each number whose (joint, field) is not `used`, with the effect to add, or the
+    change in that effect if it already acts on the joint.
 
-    Zeros, as files have them for what they do not know, are nothing to use: but one end of a range
-    is."""
+    Zeros are not reported, since files write them for unknown numbers, except ends of ranges."""
     lines = []
     for joint in model.joints:
         for name in FIELDS:

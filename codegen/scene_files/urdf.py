@@ -1,7 +1,7 @@
 """URDF files as models: links, joints, inertias, limits, dynamics, mimics.
 
-What has no part in the dynamics (visual, collision, transmission, simulators' own elements) is not
-read.  Lengths in m, masses in kg, angles in rad.
+Elements without influence on the dynamics (visual, collision, transmission, those of simulators)
+are not read.  Lengths in m, masses in kg, angles in rad.
 """
 
 from collections.abc import Callable
@@ -20,6 +20,7 @@ from coscrew_codegen.scene.model import (
     Inertia,
     Joint,
     Kind,
+    Limits,
     Mimic,
     Model,
     Placement,
@@ -46,19 +47,22 @@ _T = TypeVar("_T")
 def read_urdf(path: Path | str, base: Kind = Kind.FIXED, implausible: str = ERROR) -> Model:
     """The model in a URDF file, its root joined to the world by a joint of the kind `base`.
 
-    With `implausible` "warn", inertias that are impossible, massless or incomplete are let through,
-    and the model's `implausible` tells them.  Raises SceneError, naming file, line and element, for
-    files that are no URDF, numbers that are not finite, impossible inertias, unknown names and
-    joints that make no tree."""
+    With `implausible` "warn", inertias that are impossible, massless or incomplete are accepted and
+    listed in the model's `implausible`.  Raises SceneError, naming file, line and element, for
+    files that are not URDF, numbers that are not finite, impossible inertias, unknown names and
+    joints that do not form a tree."""
     return _Urdf(Path(path), implausible).model(base)
 
 
+_NO_LIMITS: Limits = (None,) * 4
+
+
 class _Urdf:
-    """One file while it is read."""
+    """Reads one file."""
 
     def __init__(self, path: Path, implausible: str) -> None:
         self.path, self.implausible = path, implausible
-        self.lacking: list[str] = []  # inertias that say too little, and were let through
+        self.lacking: list[str] = []  # incomplete inertias that were accepted
         self.root = read_xml(path, _IGNORED)
 
     def model(self, base: Kind) -> Model:
@@ -83,10 +87,10 @@ class _Urdf:
         element = f"body {name!r}"
         self._refuse_misspelt(link, element)
         inertial = self._only(link, "inertial", element)
-        return Body(name, inertial and self._inertia(inertial, element))
+        return Body(name, self._inertia(inertial, element) if inertial else None)
 
     def _inertia(self, inertial: Element, body: str) -> Inertia | None:
-        """The inertia; None where mass and moments are zero, as in links that are frames only."""
+        """The inertia; None if mass and moments are zero, as in links that are only frames."""
         self._refuse_misspelt(inertial, body)
         placement = self._placement(inertial, body)
         mass = self._mass(inertial, body)
@@ -106,7 +110,7 @@ class _Urdf:
         return Fraction(0) if element is None else self._number(element, "value", body)
 
     def _of_inertial(self, inertial: Element, tag: str, body: str, taken: str) -> Element | None:
-        """The element with this tag; None where it is absent and may be."""
+        """The element with this tag; None if it is missing and that is accepted."""
         found = self._only(inertial, tag, body)
         if found is None and self.implausible == ERROR:
             self._refuse(inertial, body, f'<inertial> lacks <{tag}>; implausible = "{WARN}" lets '
@@ -122,7 +126,7 @@ class _Urdf:
         kind = self._kind(joint, element)
         continuous = joint.attributes["type"] == "continuous"
         turns_or_slides = kind in (Kind.REVOLUTE, Kind.PRISMATIC)
-        limits = self._limits(joint, element, continuous) if turns_or_slides else {}
+        limits = self._limits(joint, element, continuous) if turns_or_slides else _NO_LIMITS
         dynamics = self._only(joint, "dynamics", element) if turns_or_slides else None
         mimic = self._only(joint, "mimic", element) if turns_or_slides else None
         return Joint(
@@ -130,11 +134,10 @@ class _Urdf:
             self._text(self._required(joint, "parent", element), "link", element),
             self._text(self._required(joint, "child", element), "link", element),
             self._placement(joint, element),
-            **({"axis": self._axis(joint, element)} if turns_or_slides else {}),
-            **limits,
-            damping=dynamics and self._nonnegative(dynamics, "damping", element),
-            friction=dynamics and self._nonnegative(dynamics, "friction", element),
-            mimic=mimic and self._mimic(mimic, element))
+            self._axis(joint, element) if turns_or_slides else Joint.axis, *limits,
+            damping=self._nonnegative(dynamics, "damping", element) if dynamics else None,
+            friction=self._nonnegative(dynamics, "friction", element) if dynamics else None,
+            mimic=self._mimic(mimic, element) if mimic else None)
 
     def _kind(self, joint: Element, element: str) -> Kind:
         word = self._text(joint, "type", element)
@@ -145,30 +148,31 @@ class _Urdf:
                                          f"{wanted}{hint}")
         return TYPES[word]
 
-    def _axis(self, joint: Element, element: str) -> tuple[Fraction, Fraction, Fraction]:
+    def _axis(self, joint: Element, element: str) -> tuple[Fraction, ...]:
         axis = self._only(joint, "axis", element)
         if axis is None:
-            return Fraction(1), Fraction(0), Fraction(0)  # what URDF says a missing axis is
+            return Fraction(1), Fraction(0), Fraction(0)  # URDF's default
         vector = self._vector(axis, "xyz", element)
         if not any(vector):
             self._refuse(axis, element, "the axis is zero; wanted a direction")
         return rotations.unit(vector)
 
-    def _limits(self, joint: Element, element: str, continuous: bool) -> dict[str, Fraction | None]:
-        """lower, upper, effort, velocity, as far as they are given; continuous joints have no lower
-        and upper, and where one is given, the other is 0."""
+    def _limits(self, joint: Element, element: str, continuous: bool) -> Limits:
+        """The given ones of lower, upper, effort, velocity.  Continuous joints have no lower and
+        upper; if only one of these is given, the other is 0."""
         limit = self._only(joint, "limit", element)
         if limit is None:
-            return {}
-        limits = {name: self._nonnegative(limit, name, element) for name in ("effort", "velocity")}
+            return _NO_LIMITS
+        most = (self._nonnegative(limit, "effort", element),
+                self._nonnegative(limit, "velocity", element))
         if continuous or not {"lower", "upper"} & set(limit.attributes):
-            return limits
+            return None, None, *most
         lower, upper = (self._number(limit, name, element, Fraction(0))
                         for name in ("lower", "upper"))
         if lower > upper:
             self._refuse(limit, element, f"lower limit {float(lower):g} is above the upper one, "
                                          f"{float(upper):g}")
-        return limits | {"lower": lower, "upper": upper}
+        return lower, upper, *most
 
     def _mimic(self, mimic: Element, element: str) -> Mimic:
         return Mimic(self._text(mimic, "joint", element),
@@ -209,7 +213,7 @@ class _Urdf:
         return number
 
     def _vector(self, owner: Element, attribute: str, element: str,
-                default: tuple[Fraction, ...] | None = None) -> tuple[Fraction, Fraction, Fraction]:
+                default: tuple[Fraction, ...] | None = None) -> tuple[Fraction, ...]:
         if attribute not in owner.attributes and default is not None:
             return default
 
@@ -243,7 +247,7 @@ class _Urdf:
         return found
 
     def _refuse_misspelt(self, owner: Element, element: str) -> None:
-        """Elements of simulators are passed over, but not those that are a slip of the pen."""
+        """Ignore elements of simulators, but refuse likely misspellings."""
         for child in owner.children:
             if child.tag not in _PARTS[owner.tag]:
                 tag = child.tag[:60]

@@ -5,11 +5,12 @@ other files live, is refused; so are deep nesting and huge files.
 """
 
 import io
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from xml.sax import SAXException, SAXParseException
 from xml.sax.handler import ContentHandler
+from xml.sax.xmlreader import AttributesImpl
 
 from defusedxml import DefusedXmlException
 from defusedxml.sax import make_parser
@@ -23,7 +24,7 @@ SIZE = 64 * 2**20  # bytes
 
 @dataclass(frozen=True)
 class Element:
-    """An element: text between elements is not kept."""
+    """An element, without the text between elements."""
 
     tag: str
     attributes: Mapping[str, str]
@@ -38,10 +39,10 @@ class Element:
 def read_xml(path: Path, ignored: frozenset[str]) -> Element:
     """The root element of a file, without elements below it whose tags are `ignored`.
 
-    Raises SceneError, naming the line, if the file cannot be read or is no well-formed XML."""
+    Raises SceneError, naming the line, if the file cannot be read or is not well-formed XML."""
     parser = make_parser()
     parser.forbid_dtd = True
-    handler = _Handler(path, ignored)
+    handler = _Handler(path, ignored, parser.getLineNumber)
     parser.setContentHandler(handler)
     try:
         parser.parse(io.BytesIO(read_bytes(path, SIZE)))
@@ -60,18 +61,18 @@ def read_xml(path: Path, ignored: frozenset[str]) -> Element:
 
 
 class _Handler(ContentHandler):
-    """Builds elements; `root` stands above the file's own root."""
+    """Builds elements; `root` is the parent of the file's root element."""
 
-    def __init__(self, file: Path, ignored: frozenset[str]) -> None:
+    def __init__(self, file: Path, ignored: frozenset[str], at: Callable[[], int]) -> None:
         super().__init__()
-        self._file, self._ignored = file, ignored
+        self._file, self._ignored, self._at = file, ignored, at
         self.root = Element("", {}, 0)
         self._open = [self.root]
-        self._depth = self._ignoring_from = 0  # depth of the ignored element we are in, or 0
+        self._depth = self._ignoring_from = 0  # depth of the current ignored element, or 0
 
-    def startElement(self, name: str, attrs: Mapping[str, str]) -> None:  # noqa: N802
+    def startElement(self, name: str, attrs: "AttributesImpl[str]") -> None:
         self._depth += 1
-        line = self._locator.getLineNumber()
+        line = self._at()
         if self._depth > DEPTH:
             raise SceneError(self._file, f"line {line}, <{name[:60]}>",
                              f"elements are nested deeper than {DEPTH}")
@@ -84,7 +85,7 @@ class _Handler(ContentHandler):
         self._open[-1].children.append(element)
         self._open.append(element)
 
-    def endElement(self, name: str) -> None:  # noqa: N802
+    def endElement(self, name: str) -> None:
         if not self._ignoring_from:
             self._open.pop()
         elif self._ignoring_from == self._depth:

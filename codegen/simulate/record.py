@@ -62,12 +62,12 @@ def _values(system: System, asked: Recorded, t: np.ndarray, q: np.ndarray, v: np
 
 
 def accelerations(system: System, t: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """a of the effects alone.  (n), (n, nq), (n, nv)->(n, nv)."""
+    """a at tau = 0.  (n), (n, nq), (n, nv)->(n, nv)."""
     return system.call("forward_dynamics", t=t, q=q, v=v, tau=np.zeros_like(v))
 
 
 def reaction_name(system: System, joint: str) -> str:
-    """The function of a joint's reaction; raises SimulateError if it was not asked for."""
+    """The function of a joint's reaction.  Raises SimulateError if it was not selected."""
     name = next(name for name, on in reactions(system.scene).items() if on == joint)
     if not system.has(name):
         raise SimulateError(f"reaction.{joint}: {name} is not among the functions that were asked "
@@ -77,18 +77,18 @@ def reaction_name(system: System, joint: str) -> str:
 
 @dataclass(frozen=True)
 class Difference:
-    """Where the columns of a quantity differ most between the precisions."""
+    """The largest difference between the precisions in a quantity's columns."""
 
     quantity: str
     unit: str
-    size: float  # of the quantity: its largest |double|
-    apart: float  # the largest |double - single|
-    column: str  # where
+    size: float  # largest |double| of the quantity
+    apart: float  # largest |double - single|
+    column: str  # that has it
     t: float
 
 
 def differences(double: Recording, single: Recording) -> tuple[Difference, ...]:
-    """By quantity and unit, at the samples that both have."""
+    """The differences by quantity and unit, at the samples that both have."""
     n = min(len(double.t), len(single.t))
     found: dict[tuple[str, str], Difference] = {}
     for i, column in enumerate(double.columns):
@@ -104,5 +104,5 @@ def differences(double: Recording, single: Recording) -> tuple[Difference, ...]:
 
 
 def largest(values: np.ndarray) -> int:
-    """Where the largest is; what is not a number counts as the largest."""
+    """The index of the largest; NaN counts as the largest."""
     return int(np.argmax(np.where(np.isnan(values), np.inf, values)))

@@ -1,4 +1,4 @@
-"""Recording: what a run recorded.  Frozen data."""
+"""Recording: recorded quantities over time.  Frozen data."""
 
 from dataclasses import dataclass
 
@@ -7,20 +7,20 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Column:
-    """One number that is recorded: its name as in a scene's `record`, and its unit."""
+    """One recorded number: its name, as in a scene's `record`, and its unit."""
 
     name: str  # q.elbow, pose.hand.3
     unit: str
-    quantity: str  # what it is one of: q, v, energy; columns of one are plotted together
+    quantity: str  # q, v, energy, …; columns of the same quantity are plotted together
 
 
 Provenance = tuple[tuple[str, str], ...]
-"""Where a recording comes from: (what, its value)."""
+"""Origin of a recording: pairs (name, value)."""
 
 
 @dataclass(frozen=True)
 class Recording:
-    """Columns over time, in the precision they were computed in."""
+    """Columns over time, in the precision of the run."""
 
     t: np.ndarray  # (n), s, in double
     columns: tuple[Column, ...]

@@ -1,8 +1,8 @@
-"""Integrates a scene's equations of motion and samples the states on the way.
+"""Integrates a scene's equations of motion and samples the states.
 
-Emitted integrators take equal steps, no longer than asked for, that never span a sample: between
-two samples there are ceil(interval / step) of them.  SciPy's choose their steps by tolerances and
-are sampled through their interpolants; at the end they stop exactly.
+Emitted integrators take ceil(interval / step) equal steps between two samples, so that samples are
+at the ends of steps.  SciPy's choose their steps by tolerances and are sampled by their
+interpolants; they stop exactly at the end.
 """
 
 import time
@@ -19,8 +19,8 @@ from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.system import State, System, Watch
 
-_AT_ONCE = 10_000  # steps between two looks at Ctrl-C
-_KEPT = 100  # steps after which momentum is what it was, to rounding
+_AT_ONCE = 10_000  # steps per call of C, which Ctrl-C cannot interrupt
+_KEPT = 100  # steps after which rounding errors of momentum are removed
 
 Alarming = Callable[[System, Plan, State], Alarm]
 Sampled = Iterator[tuple[np.ndarray, np.ndarray, int, str]]
@@ -28,13 +28,13 @@ Sampled = Iterator[tuple[np.ndarray, np.ndarray, int, str]]
 
 def integrate(system: System, plan: Plan, watch: Watch | None = None,
               alarm: Alarming | None = None) -> Trajectory:
-    """The trajectory from the scene's start.  A state that is not finite, a solver that gives up,
-    and an interrupt (Ctrl-C) end it early; what was sampled so far is kept.
+    """The trajectory from the scene's start.
 
-    Runs of emitted integrators stop where an Alarm, made by `alarm`, says that the motion is not
-    the scene's.
-    `watch` is called with each sample as it is reached, and often enough in between to tell how far
-    the run is: after every step of SciPy's and of pure NumPy's, else after 10000."""
+    A state that is not finite, a failing solver, and an interrupt (Ctrl-C) end it early; samples so
+    far are kept.  Runs of emitted integrators also stop if an Alarm, made by `alarm`, reports that
+    the motion is wrong.
+    `watch` is called at each sample and in between: after every step of SciPy and of pure NumPy,
+    else after 10000 steps."""
     times, (q, v) = plan.samples, system.start()
     run = _adaptive if plan.adaptive else partial(fixed, alarm=alarm)
     sampled, stopped, interrupted, steps = [(q, v)], "", False, 0
@@ -65,7 +65,8 @@ def _adaptive(system: System, plan: Plan, *others: object) -> Sampled:
 
 def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
           watch: Watch | None = None, alarm: Alarming | None = None) -> Sampled:
-    """(q, v, steps so far, "") at each sample after the first, or where and why it stopped."""
+    """(q, v, steps so far, "") at each sample after the first; instead of "" the place and reason
+    if the run stopped early."""
     integrator = named(plan.integrator)
     step, taken = system.stepper(integrator.step_name, watch), 0
     if plan.finer > 1 and integrator.splits and system.has("parts"):
@@ -94,8 +95,7 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
 
 def _in_finer_parts(system: System, integrator: Integrator, finer: int
                     ) -> Callable[[int, float, float, np.ndarray, np.ndarray], State]:
-    """An integrator that splits steps, with as many parts of a step as one has that is `finer`
-    times as long."""
+    """The steps of an integrator that splits steps, with parts shorter by `finer`."""
     step = system.stepper(integrator.step_name)
 
     def steps(n: int, t: float, h: float, q: np.ndarray, v: np.ndarray) -> State:
@@ -111,8 +111,8 @@ def _in_finer_parts(system: System, integrator: Integrator, finer: int
 
 def _where(system: System, plan: Plan, start: float, h: float, count: int, q: np.ndarray,
            v: np.ndarray) -> str:
-    """When, after how many of `count` steps from `start`, and in which joint the state stops being
-    finite; why, and what helps."""
+    """The time and the joint at which the state stops being finite, within `count` steps from
+    `start`; with cause and remedy if known."""
     step = system.stepper(named(plan.integrator).step_name)
     for i in range(count):
         before, (q, v) = (q, v), step(1, start + i * h, h, q, v)
@@ -123,7 +123,7 @@ def _where(system: System, plan: Plan, start: float, h: float, count: int, q: np
 
 
 def _cause(system: System, plan: Plan, h: float, q: np.ndarray, v: np.ndarray) -> str:
-    """Why a step that starts here may fail, where it is known, and what helps."""
+    """Cause, if known, and remedy of a failing step that starts at q, v."""
     if plan.integrator != DEFAULT:
         return f"; take a smaller step, or integrator {DEFAULT}"
     if system.has("parts") and np.isnan(system.call("parts", h=h, q=q, v=v)[1]):

@@ -1,4 +1,4 @@
-"""Values of a scene's `runtime` parameters: refused where the scene's file would be."""
+"""Checks values of run-time parameters by the same rules as the numbers in the scene's file."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -10,7 +10,7 @@ from coscrew_codegen.scene.assembly import ModelError
 from coscrew_codegen.scene.effect import ParameterOf
 from coscrew_codegen.scene.model import Model, Parameter, Scalar, value
 from coscrew_codegen.scene.possible import judged, unmoved_mass
-from coscrew_codegen.scene.recorded import carried
+from coscrew_codegen.scene.recorded import exempt_joints
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
 from coscrew_codegen.scene_files.decimals import bounded
 from coscrew_codegen.scene_files.runtime import swapped_model
@@ -20,9 +20,8 @@ _POSITIVE, _NOT_NEGATIVE = "wanted a positive number", "wanted 0 or more"
 
 
 def refuse_settings(scene: Scene, settings: Mapping[str, float], precision: Precision) -> None:
-    """Raise SimulateError for a name that is no parameter of the scene, a number out of its range
-    or the precision's, and numbers that together make a body that cannot exist, or a joint that
-    moves nothing."""
+    """Raise SimulateError for an unknown parameter, a number out of its range or the precision's,
+    and numbers that make a body that cannot exist or leave a joint without inertia."""
     names = tuple(parameter.name for parameter in scene.parameters)
     for name, number in settings.items():
         if name not in names:
@@ -30,7 +29,7 @@ def refuse_settings(scene: Scene, settings: Mapping[str, float], precision: Prec
             raise SimulateError(f"--set {name}: wanted what the scene lists in `runtime`: {listed}")
         try:
             bounded(Fraction(number), f"{number:g}")
-        except (ValueError, OverflowError) as error:  # a NaN or an infinity is no fraction
+        except (ValueError, OverflowError) as error:  # NaN and infinity are not fractions
             raise SimulateError(f"--set {name}={number:g}: {error}") from None
         least, most = (float(precision.limit(x)) for x in ("smallest_normal", "max"))
         if number and not least <= abs(number) <= most:
@@ -50,8 +49,8 @@ def refuse_settings(scene: Scene, settings: Mapping[str, float], precision: Prec
 
 
 def ranges(scene: Scene, settings: Mapping[str, float]) -> Iterator[tuple[Applied, float, float]]:
-    """The ranges that effects keep joints in, with these values of parameters; infinite where they
-    have no end."""
+    """(effect, lower, upper) of the ranges that effects keep joints in, with these values of
+    parameters; infinite where a range has no end."""
     for applied in scene.effects:
         if applied.effect.ascending:
             low, high = (applied.values[name] for name in applied.effect.ascending)
@@ -66,7 +65,7 @@ def _number(given: Setting, settings: Mapping[str, float], without: float) -> fl
 
 
 def _signs(scene: Scene) -> Iterator[tuple[str, str]]:
-    """Names of parameters that have a sign, and which."""
+    """Parameters whose sign is restricted, with the message that says how."""
     for body in scene.model.bodies:
         if body.inertia and isinstance(body.inertia.mass, Parameter):
             yield body.inertia.mass.name, _POSITIVE
@@ -105,6 +104,6 @@ def _refuse_model(scene: Scene, settings: Mapping[str, float]) -> None:
         judged(model, scene.implausible)
     except ModelError as error:
         raise SimulateError(f"{given}: {error}") from None
-    if found := unmoved_mass(model, carried(replace(scene, model=model))):
+    if found := unmoved_mass(model, exempt_joints(replace(scene, model=model))):
         joint, reason = found
         raise SimulateError(f"{given}: joint {joint.name!r}: {reason}")

@@ -1,6 +1,6 @@
 """System: a scene's compiled functions at fixed parameters, in one precision, called by name.
 
-Which inputs a function takes depends on the scene (time, parameters); here all are called alike.
+The inputs of a function depend on the scene (time, parameters); here all are called alike.
 """
 
 from collections.abc import Callable, Mapping
@@ -18,7 +18,7 @@ from coscrew_codegen.simulate.settings import refuse_settings
 
 State = tuple[np.ndarray, np.ndarray]
 Watch = Callable[[float, np.ndarray, np.ndarray], None]
-"""Is told where a run is: t, q, v."""
+"""Receives the current t, q, v of a run."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class System:
 
     @property
     def dtype(self) -> np.dtype:
-        """Of the numbers it computes with."""
+        """The type of its numbers."""
         return np.dtype(self.precision.numpy_type)
 
     @cached_property
@@ -44,11 +44,11 @@ class System:
 
     @property
     def programs(self) -> Mapping[str, Program]:
-        """What each function computes."""
+        """The Program of each function."""
         return {f.name: f.program for f in self.origin.functions.functions if not f.internal}
 
     def computes(self, name: str) -> bool:
-        """Whether the function's results are more than inputs and constants."""
+        """Whether the function computes anything, and does not only return inputs and constants."""
         return any(x.name == name and x.computes for x in self.functions.signatures)
 
     def has(self, name: str) -> bool:
@@ -56,16 +56,16 @@ class System:
         return name in self.inputs
 
     def call(self, name: str, **values: object) -> np.ndarray | tuple[np.ndarray, ...]:
-        """The function's outputs, for at least the inputs it takes (t, h, q, v, a, tau, phi); they
-        broadcast over leading axes."""
+        """The function's outputs for these inputs (t, h, q, v, a, tau, phi), which broadcast over
+        leading axes; inputs that it does not take are ignored."""
         given = {"p": self._p, **values}
         arguments = [np.asarray(given[x], self.dtype) for x in self.inputs[name]]
         return getattr(self.kernels, name)(*arguments)
 
     def stepper(self, name: str, watch: Watch | None = None
                 ) -> Callable[[int, float, float, np.ndarray, np.ndarray], State]:
-        """The integrator as (n, t, h, q, v) -> q and v after n steps of h: in one call of C where
-        the functions are compiled; where they are not, `watch` is told between steps."""
+        """The integrator as (n, t, h, q, v) -> q and v after n steps of h: in one call of C, or in
+        pure NumPy, where `watch` is called after every step."""
         function, p = getattr(self.kernels, name), self._p
         if repeated := getattr(function, "repeated", None):
             return lambda n, t, h, q, v: repeated(n, t, h, p, q, v)
@@ -84,8 +84,8 @@ class System:
 
     def kept(self, q: np.ndarray, v: np.ndarray) -> Callable[[float, np.ndarray, np.ndarray],
                                                              np.ndarray]:
-        """(t, q, v) -> v with the momentum that what floats free has at t, if it starts with q, v
-        at t = 0: undoes what roundings of many steps add up to."""
+        """(t, q, v) -> v corrected to the momentum that floating bases have at t after starting
+        with q, v at t = 0: removes the accumulated rounding errors of many steps."""
         if not self.has("free_momentum"):
             return lambda t, q, v: v
         c = self.call("free_momentum", q=q, v=v)
@@ -97,12 +97,12 @@ class System:
         return both[..., 0], both[..., 1]
 
     def start(self) -> State:
-        """q and v at t = 0, as the scene says: else the neutral configuration, at rest."""
+        """q and v at t = 0: the scene's, by default the neutral configuration at rest."""
         q, v = np.array(self.functions.neutral), np.zeros(self.functions.nv)
         for c in self.functions.coordinates:
             q[c.q] = self.scene.start_q.get(c.joint, q[c.q])
             v[c.v] = self.scene.start_v.get(c.joint, v[c.v])
-        with np.errstate(over="ignore"):  # in single precision; runs refuse what is not finite
+        with np.errstate(over="ignore"):  # in single precision; `integrate` refuses infinities
             return self.normalized(q).astype(self.dtype), v.astype(self.dtype)
 
     def normalized(self, q: np.ndarray) -> np.ndarray:
@@ -114,7 +114,7 @@ class System:
 
     @cached_property
     def quaternions(self) -> tuple[slice, ...]:
-        """Where the quaternions are in q."""
+        """The slices of q that hold quaternions."""
         return tuple(slice(c.q.stop - 4, c.q.stop) for c in self.functions.coordinates
                      if c.kind in ("spherical", "free"))
 
@@ -135,8 +135,8 @@ class System:
 def system(kernels: object, precision: str, settings: Mapping[str, float] | None = None) -> System:
     """The system of `kernels` (as load_scene returns them) in the precision of this name.
 
-    `settings` are values for parameters that the scene keeps at run time; raises SimulateError for
-    others, and for values that a scene's file is refused for."""
+    `settings` are values of run-time parameters.  Raises SimulateError for unknown ones, and for
+    values that a scene's file must not have."""
     functions, scene = kernels.interface, kernels.scene
     found = next(x for x in PRECISIONS if x.name == precision)
     refuse_settings(scene, settings or {}, found)

@@ -8,7 +8,7 @@ from coscrew_codegen.integrators import DEFAULT
 from coscrew_codegen.simulate.findings import ALLOWED, FINER, FINEST, Along, Findings, Met
 from coscrew_codegen.simulate.outcome import gaps
 
-_LEAST = 0.5  # order that steps are judged by
+_LEAST = 0.5  # least order on which a proposed step is based
 
 
 def table(findings: Findings) -> str:
@@ -52,7 +52,7 @@ def _checks(along: tuple[Along, ...]) -> str:
 
 
 def _false(along: Along) -> str:
-    """What is off by more than is allowed, why, and what helps."""
+    """A sentence on a defect beyond the allowed one, with its cause and a remedy; else ""."""
     energy = not along.energy
     if not (energy or along.fine_energy):
         return (f"energy is off by {along.coarse.relative:.2g}, but by {along.fine.relative:.2g} "
@@ -86,7 +86,7 @@ def _finer(along: Along) -> str:
 
 
 def _verdict(along: Along) -> str:
-    """What the defect of energy is."""
+    """The cause of the defect of energy."""
     if along.doubtful:
         return "DOUBTFUL: it does not shrink"
     if along.untold:
@@ -100,8 +100,8 @@ def _verdict(along: Along) -> str:
 
 
 def _order(along: Along) -> float:
-    """As which power of the step the defect of energy falls; 0 if it does not.  Where single
-    precision's is that of double precision, as there: its own is off by rounding."""
+    """The order of the defect of energy in the step; 0 if it does not shrink.  In single precision
+    the order in double, if the defect is the same: rounding disturbs its own."""
     if along.double and along.as_double:
         return _order(along.double)
     finer, times = (along.fine, FINER) if along.fine_helps else (along.finest, FINEST)

@@ -1,4 +1,4 @@
-"""A run as a page that plays it back in space: HTML that needs nothing else, no network either.
+"""A run as a page that plays it back in 3D: self-contained HTML, without network access.
 
 Bodies are boxes of the same mass and inertia; lines go from a body's origin to the joints on it
 and, thinner, to its centre of mass.
@@ -21,9 +21,9 @@ from coscrew_codegen.simulate.system import System
 from coscrew_codegen.simulate.write import delivered
 
 _FRAMES_A_SECOND = 60
-_MOST_NUMBERS = 2_000_000  # of poses: 8 MB, more than enough for a minute of thirty bodies
-_THIN = 0.06  # of a box's longest side, or for a point mass of the model's size
-_LEAST_SHOWN = 3.0  # s that a playback takes before anybody chooses its speed
+_MOST_NUMBERS = 2_000_000  # numbers in all poses: 8 MB, enough for a minute of thirty bodies
+_THIN = 0.06  # least side of a box, relative to its longest or, for a point mass, the model's size
+_LEAST_SHOWN = 3.0  # s: least duration of a playback at the initial speed
 _SPEEDS = ((0.1, "0.1×"), (0.25, "0.25×"), (0.5, "0.5×"), (1, "1×"), (2, "2×"), (5, "5×"))
 
 
@@ -45,7 +45,7 @@ def view(system: System, trajectory: Trajectory, provenance: Provenance, path: P
 
 
 def page(system: System, trajectory: Trajectory, provenance: Provenance) -> str:
-    """The page's text."""
+    """The text of the page."""
     scene, names = system.scene, [body.name for body in system.scene.model.bodies]
     t, q, v, poses = _shown(system, trajectory)
     kinetic, potential = system.energies(t, q, v)
@@ -77,7 +77,8 @@ def _shown(system: System, trajectory: Trajectory) -> tuple[np.ndarray, ...]:
 
 
 def _frames(t: np.ndarray, bodies: int) -> np.ndarray:
-    """Which samples are shown: at most 60 a second and _MOST_NUMBERS in all; always the last."""
+    """Indices of the samples shown: at most 60 per second and _MOST_NUMBERS in all, with the last.
+    """
     most = max(2, min(int(_FRAMES_A_SECOND * t[-1]) + 2, _MOST_NUMBERS // (7 * max(bodies, 1))))
     return np.unique(np.linspace(0, len(t) - 1, min(most, len(t))).round().astype(int))
 
@@ -87,8 +88,8 @@ def _packed(numbers: np.ndarray, kind: str) -> str:
 
 
 def _poses(system: System, t: np.ndarray, q: np.ndarray) -> np.ndarray:
-    """Position and unit quaternion of each body at each time, in single precision, of which there
-    is more than pixels show.  (frames, bodies, 7)."""
+    """Position and unit quaternion of each body at each time, in single precision, which is finer
+    than pixels.  (frames, bodies, 7)."""
     D = np.asarray(system.call("body_poses", t=t, q=q), float).reshape(len(q), -1, 3, 4)
     turned = coscrew.double.quaternion_from_mat3x3(D[..., :3])
     with np.errstate(over="ignore"):
@@ -96,7 +97,7 @@ def _poses(system: System, t: np.ndarray, q: np.ndarray) -> np.ndarray:
 
 
 def _up(system: System) -> list[float]:
-    """Against gravity, where there is any; else z."""
+    """The direction opposite to gravity, or z without gravity."""
     for applied in system.scene.effects:
         if applied.effect.name == "gravity":
             g = np.array([_number(system, x) for x in applied.values["g"]])
@@ -119,7 +120,7 @@ def drawn(system: System) -> Drawn:
 
 
 def _add_joint(system: System, result: Drawn, joint: Joint, numbers: dict[str, int]) -> None:
-    """The line from the parent's origin to the joint, and from there to a body that slides."""
+    """Add the line from the parent's origin to the joint, and from there to a sliding body."""
     body, at = numbers[joint.parent], _numbers(system, joint.placement.t).tolist()
     result.lines.append({"body": body, "points": [[0, 0, 0], at], "rod": False})
     result.extent.append({"body": body, "points": [at]})
@@ -130,7 +131,7 @@ def _add_joint(system: System, result: Drawn, joint: Joint, numbers: dict[str, i
 
 
 def _add_box(system: System, result: Drawn, inertia: Inertia, body: int) -> None:
-    """A box of the body's mass and inertia, and the line to its centre."""
+    """Add a box with the body's mass and inertia, and the line to its centre."""
     half, axes = box_of(*(_numbers(system, x) for x in ((inertia.mass,), inertia.moments)))
     half = np.maximum(half, _THIN * (max(half) if max(half) > 0 else _size(system)))
     centre = _numbers(system, inertia.com)
@@ -160,7 +161,8 @@ def box_of(mass: np.ndarray, moments: np.ndarray) -> tuple[np.ndarray, np.ndarra
 
 
 def _size(system: System) -> float:
-    """About how large the model is: the longest way from joint to joint or centre; else 0.1 m."""
+    """The approximate size of the model: the largest distance from a joint to the next joint or a
+    centre of mass; 0.1 m if that is zero."""
     model = system.scene.model
     offsets = [np.linalg.norm(_numbers(system, j.placement.t)) for j in model.joints]
     centres = [np.linalg.norm(_numbers(system, b.inertia.com)) for b in model.bodies if b.inertia]
@@ -168,7 +170,7 @@ def _size(system: System) -> float:
 
 
 def _labels(system: System) -> list[list[float]]:
-    """Where the bodies' names stand, in their frames: at their centres of mass."""
+    """Positions of the bodies' names, in their frames: the centres of mass."""
     return [_numbers(system, body.inertia.com).tolist() if body.inertia else [0.0] * 3
             for body in system.scene.model.bodies]
 

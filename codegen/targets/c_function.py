@@ -8,8 +8,10 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 from coscrew_codegen.formats import DOUBLE, Precision
-from coscrew_codegen.program import Input, Instruction, Operand, Program
+from coscrew_codegen.program import Input, Operand, Program, by_component
+from coscrew_codegen.targets.c_nested import declarations, language
 from coscrew_codegen.targets.c_statements import WIDTH, Statements, broken, comment_of
+from coscrew_codegen.targets.nesting import Plan
 
 
 @dataclass(frozen=True)
@@ -39,37 +41,43 @@ class Stored:
 
 @dataclass(frozen=True)
 class Body:
-    """The body of a function in a precision: the instructions as declarations, in sections below
-    their headings; then the stores."""
+    """The body of a function in a precision: declarations of the instructions, one operation each
+    and a statement a component, or nested as planned; then the stores."""
 
     program: Program
     precision: Precision
     stored: Stored
-    headings: Sequence[tuple[int, str]] = ()  # (number of an instruction, words above it)
+    plan: Plan | None = None  # of the program, if it is nested
+    headings: Sequence[tuple[int, str]] = ()  # then: (number of an instruction, words above it)
 
     def text(self) -> str:
         """All lines, indented."""
         rows = (row for line in self._lines() for row in line.split("\n"))
         return "\n".join(f"  {row}" for row in rows)
 
-    @property
-    def _statements(self) -> Statements:
-        working = DOUBLE if self.program.wide else self.precision
-        return Statements(self.program, working, self.stored.access)
-
     def _lines(self) -> Iterator[str]:
-        statements, used = self._statements, {x.argument for x in self.program.used_inputs()}
+        used = {x.argument for x in self.program.used_inputs()}
         yield from (f"(void){a.name};" for n, a in enumerate(self.program.inputs)
                     if n not in used and a.name not in self.stored.written)
-        for heading, steps in _sections(self.program.instructions, dict(self.headings)):
-            if heading:
-                yield f"/* {heading} */"
-            if text := statements.declared(steps, WIDTH - 2):
-                yield broken(text, WIDTH - 2) if self.headings else text
-        yield from self._stores(statements)
+        declared, results = self._nested(self.plan) if self.plan else self._stated()
+        yield from declared
+        yield from self._stores(results)
 
-    def _stores(self, statements: Statements) -> Iterator[str]:
-        results = [self._result(statements, x) for x in self.program.results]
+    def _stated(self) -> tuple[Iterator[str], list[str]]:
+        """Declarations, one operation each, and results."""
+        working = DOUBLE if self.program.wide else self.precision
+        statements = Statements(self.program, working, self.stored.access)
+        texts = (statements.declared(steps, WIDTH - 2) for steps in by_component(self.program))
+        return ((broken(text, WIDTH - 2) for text in texts if text),
+                [self._result(statements, x) for x in self.program.results])
+
+    def _nested(self, plan: Plan) -> tuple[Iterator[str], list[str]]:
+        """Declarations in which expressions nest, and results."""
+        nesting = plan.printed(language(plan.program, self.precision), self.stored.access,
+                               dict(self.headings))
+        return declarations(nesting.assigned, self.precision, WIDTH - 2), nesting.results
+
+    def _stores(self, results: Sequence[str]) -> Iterator[str]:
         pairs = list(zip(self.stored.targets, results, strict=True))
         last = ""
         if self.stored.declared:
@@ -115,19 +123,3 @@ def _local_name(access: str, taken: Collection[str]) -> str:
     while name in taken:
         name += "_"
     return name
-
-
-def _sections(instructions: Sequence[Instruction], headings: dict[int, str]
-              ) -> Iterator[tuple[str, list[Instruction]]]:
-    """(heading or "", consecutive instructions of one component); a heading starts a new section.
-    """
-    steps: list[Instruction] = []
-    above = ""
-    for number, step in enumerate(instructions):
-        if steps and (number in headings or step.component != steps[-1].component):
-            yield above, steps
-            above, steps = "", []
-        above = headings.get(number, above)
-        steps.append(step)
-    if steps:
-        yield above, steps

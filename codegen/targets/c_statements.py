@@ -25,6 +25,7 @@ from coscrew_codegen.program import (
     Program,
     Ref,
 )
+from coscrew_codegen.program.ops import COMPARISONS
 
 WIDTH = 100
 
@@ -96,7 +97,7 @@ class Statements:
     def inlined(self) -> dict[str, Instruction]:
         """The comparisons, by name."""
         return {step.name: step for step in self.program.instructions
-                if step.op in (Op.LESS, Op.EQUAL)}
+                if step.op in COMPARISONS}
 
     @cached_property
     def absorbed(self) -> dict[str, Instruction]:

@@ -4,8 +4,9 @@ For languages that round every operation of an expression once; parentheses keep
 order.  Takes time proportional to the Program's length.
 """
 
+import re
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from coscrew_codegen.program import (
@@ -17,22 +18,30 @@ from coscrew_codegen.program import (
     Operand,
     Program,
     Ref,
+    renamed,
 )
 
-CALLS = 4
-"""The precedence of a function call."""
+CHOICE, COMPARISON, SUM, PRODUCT, SIGN, CALL = range(6)
+"""Precedences; the last: of function calls and names."""
 
 
 @dataclass(frozen=True)
 class Language:
-    """How a language writes instructions: a pattern and its precedence for each operation; a
-    constant; a choice between constants, which may need a type; NaN; a comment."""
+    """How a language writes an instruction, a pattern and its precedence; a constant; NaN; a
+    comment."""
 
-    spelling: Mapping[Op, tuple[str, int]]
+    spelling: Callable[[Instruction], tuple[str, int]]
     constant: Callable[[Constant], str]
-    choice_of_constants: str
     not_a_number: str
     comment: str
+
+
+@dataclass(frozen=True)
+class Assignment:
+    """An instruction that is not nested, and its expression."""
+
+    step: Instruction
+    expression: str
 
 
 @dataclass
@@ -40,7 +49,7 @@ class Nesting:
     """The text of a Program.
 
     `access` returns the expression that reads an input; `named` says which instructions are
-    assigned even if they are used once; a line is at most `width` wide."""
+    assigned even if they are used once; `name = expression` is at most `width` wide."""
 
     program: Program
     language: Language
@@ -48,17 +57,22 @@ class Nesting:
     width: int
     headings: Mapping[int, str] = field(default_factory=dict)
     named: Callable[[Instruction], bool] = lambda step: False
-    result_width: int = 0  # longest result that is not assigned to a name
 
     def __post_init__(self) -> None:
-        self.lines: list[str] = []  # assignments and comments
-        self._waiting: dict[str, tuple[str, int]] = {}  # name → expression, its precedence
+        self.assigned: list[Assignment | str] = []  # and headings
+        self._waiting: dict[str, tuple[Instruction, str, int]] = {}  # name → expression, precedence
         self._uses = Counter(x.name for x in self._operands() if isinstance(x, Ref))
         for number, step in enumerate(self.program.instructions):
             if number in self.headings:
                 self._heading(self.headings[number])
             self._take(step)
         self.results = [self._result(x) for x in self.program.results]
+
+    @property
+    def lines(self) -> list[str]:
+        """Assignments and comments."""
+        return [f"{self.language.comment}{x}" if isinstance(x, str) else
+                f"{x.step.name} = {x.expression}" for x in self.assigned]
 
     def _operands(self) -> Iterator[Operand]:
         for step in self.program.instructions:
@@ -70,56 +84,127 @@ class Nesting:
         while the line is short enough; the longest are assigned first."""
         inner = [x.name for x in step.operands
                  if isinstance(x, Ref) and x.name in self._waiting]
-        expression = self._expression(step)
-        while inner and len(step.name) + len(" = ") + len(expression[0]) > self.width:
-            longest = max(inner, key=lambda name: len(self._waiting[name][0]))
+        expression, precedence = self._expression(step)
+        while inner and len(step.name) + len(" = ") + len(expression) > self.width:
+            longest = max(inner, key=lambda name: len(self._waiting[name][1]))
             inner.remove(longest)
-            self._assign(longest, self._waiting.pop(longest)[0])
-            expression = self._expression(step)
+            self._assign(*self._waiting.pop(longest)[:2])
+            expression, precedence = self._expression(step)
         for name in inner:
             del self._waiting[name]
         if self._uses[step.name] == 1 and not self.named(step):
-            self._waiting[step.name] = expression
+            self._waiting[step.name] = step, expression, precedence
         else:
-            self._assign(step.name, expression[0])
+            self._assign(step, expression)
 
     def _heading(self, words: str) -> None:
         """A comment; it replaces one with nothing below it."""
-        if self.lines and self.lines[-1].startswith(self.language.comment):
-            self.lines.pop()
-        self.lines.append(f"{self.language.comment}{words}")
+        if self.assigned and isinstance(self.assigned[-1], str):
+            self.assigned.pop()
+        self.assigned.append(words)
 
-    def _assign(self, name: str, expression: str) -> None:
-        self.lines.append(f"{name} = {expression}")
+    def _assign(self, step: Instruction, expression: str) -> None:
+        self.assigned.append(Assignment(step, expression))
 
     def _result(self, operand: Operand) -> str:
         if isinstance(operand, Ref) and operand.name in self._waiting:
-            text, _ = self._waiting.pop(operand.name)
-            if len(text) <= self.result_width:
-                return text
-            self._assign(operand.name, text)
-        return self._operand(operand, 0)
+            self._assign(*self._waiting.pop(operand.name)[:2])
+        return self._operand(operand, CHOICE)
 
     def _expression(self, step: Instruction) -> tuple[str, int]:
-        spelling, binding = self.language.spelling[step.op]
-        if is_choice_of_constants(step):
-            spelling = self.language.choice_of_constants
-        needed: Sequence[int] = [0] * 4 if binding == CALLS else [binding, binding + 1]
-        operands = [self._operand(x, n) for x, n in zip(step.operands, needed, strict=False)]
-        return spelling.format(*operands), binding
+        spelling, precedence = self.language.spelling(step)
+        operands = [self._operand(x, n)
+                    for x, n in zip(step.operands, _needed(step, precedence), strict=False)]
+        return spelling.format(*operands), precedence
 
     def _operand(self, operand: Operand, needed: int) -> str:
         """The operand's text, in parentheses if its precedence is below `needed`."""
         if isinstance(operand, Input):
             return self.access(operand)
         if isinstance(operand, Constant):
-            return self.language.constant(operand)
+            text = self.language.constant(operand)
+            return f"({text})" if text.startswith("-") and needed > SIGN else text
         if isinstance(operand, NotANumber):
             return self.language.not_a_number
-        text, binding = self._waiting.get(operand.name, (operand.name, CALLS))
-        return text if binding >= needed else f"({text})"
+        if operand.name not in self._waiting:
+            return operand.name
+        _, text, precedence = self._waiting[operand.name]
+        return text if precedence >= needed else f"({text})"
 
 
-def is_choice_of_constants(step: Instruction) -> bool:
-    """Whether this is a choice between constants, which have no type of their own."""
-    return step.op is Op.SELECT and all(isinstance(x, Constant) for x in step.operands[1:])
+def _needed(step: Instruction, precedence: int) -> Sequence[int]:
+    """The precedence that each operand of an instruction of this precedence needs."""
+    if step.op is Op.MUL:
+        return PRODUCT, PRODUCT + 1  # also within a call
+    if precedence == CALL:
+        return [CHOICE] * 4
+    if step.op is Op.SELECT:
+        return [COMPARISON] * 3
+    return [precedence + 1] if step.op is Op.NEG else [precedence, precedence + 1]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Which instructions of a Program are assigned; those without names of their own are numbered
+    without gaps."""
+
+    program: Program
+    assigned: frozenset[str]
+
+    def printed(self, language: Language, access: Callable[[Input], str],
+                headings: Mapping[int, str]) -> Nesting:
+        """Its text in a language, expressions of any length."""
+        return Nesting(self.program, language, access, 1 << 30, headings,
+                       lambda step: step.name in self.assigned)
+
+
+_NUMBERED = re.compile(r"(.+)_([0-9]+)")  # an instruction without a name of its own
+
+
+def planned(program: Program, language: Language, access: Callable[[Input], str], width: int,
+            named: Collection[str] = ()) -> Plan:
+    """A plan that assigns what has a name of its own, is `named` or is used several times, and
+    keeps assignments at most `width` wide in this language."""
+    found = Nesting(program, language, access, width, named=lambda step: (
+        step.name in named or not _NUMBERED.fullmatch(step.name)))
+    chosen = {x.step.name for x in found.assigned if isinstance(x, Assignment)}
+    assigned = [step.name for step in program.instructions if step.name in chosen]
+    names = _numbered(program, assigned)
+    return Plan(renamed(program, names), frozenset(names[x] for x in assigned))
+
+
+def _numbered(program: Program, assigned: Sequence[str]) -> dict[str, str]:
+    """New names by old: assigned instructions are numbered first, then the others; a result that
+    is the only one of its stem loses its number."""
+    steps = [step.name for step in program.instructions]
+    arguments = [a.name for a in (*program.inputs, *program.outputs)]
+    taken = {*steps, *arguments, *(f"{x}o" for x in arguments)}
+    names: dict[str, str] = {}
+    numbers: Counter[str] = Counter()
+    for name in dict.fromkeys((*assigned, *steps)):
+        if match := _NUMBERED.fullmatch(name):
+            numbers[match[1]] += 1
+        names[name] = f"{match[1]}_{numbers[match[1]]}" if match else name
+    alone = Counter(match[1] for x in assigned if (match := _NUMBERED.fullmatch(x)))
+    for x in program.results:
+        match = _NUMBERED.fullmatch(x.name) if isinstance(x, Ref) else None
+        if match and alone[match[1]] == 1 and match[1] not in taken:
+            names[match[0]] = match[1]
+    return names
+
+
+def wrapped(text: str, width: int, indent: int) -> Iterator[str]:
+    """Rows of the text: the first at most `width` wide, the others `indent` less.  Breaks outermost
+    operators first, as late as possible."""
+    while len(text) > width:
+        depth, best, least = 0, -1, len(text)
+        for place, letter in enumerate(text[:width]):
+            depth += (letter in "([") - (letter in ")]")
+            if letter == " " and text[place + 1] in "+-*/?:<" and depth <= least:
+                best, least = place, depth
+        if best < 0:
+            break
+        yield text[:best]
+        text, width = text[best + 1:], width - indent
+        indent = 0
+    yield text

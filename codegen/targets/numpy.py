@@ -13,6 +13,7 @@ from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import (
     Constant,
     Input,
+    Instruction,
     NotANumber,
     Op,
     Program,
@@ -21,20 +22,28 @@ from coscrew_codegen.program import (
 )
 from coscrew_codegen.quantity import Argument, in_words
 from coscrew_codegen.targets.c_statements import WIDTH, listed
-from coscrew_codegen.targets.nesting import Language, Nesting, is_choice_of_constants
+from coscrew_codegen.targets.nesting import (
+    CALL,
+    COMPARISON,
+    PRODUCT,
+    SIGN,
+    SUM,
+    Language,
+    Nesting,
+)
 from coscrew_codegen.tiers import TIERS, Tier
 
 # operation → (pattern, precedence)
 SPELLING = {
-    Op.ADD: ("{} + {}", 1), Op.SUB: ("{} - {}", 1), Op.MUL: ("{} * {}", 2), Op.DIV: ("{} / {}", 2),
-    Op.EXACT_ADD: ("{} + {}", 1), Op.EXACT_SUB: ("{} - {}", 1), Op.NEG: ("-{}", 3),
-    Op.PRODUCT_ERROR: ("product_error({}, {}, {})", 4),
-    Op.PRODUCT_REST: ("product_rest({}, {}, {}, {})", 4),
-    Op.ABS: ("absolute({})", 4), Op.SQRT: ("sqrt({})", 4),
-    Op.SIN: ("sin({})", 4), Op.COS: ("cos({})", 4), Op.ATAN2: ("arctan2({}, {})", 4),
-    Op.EXP: ("exp({})", 4), Op.TANH: ("tanh({})", 4), Op.SCALE: ("{} * {}", 2),
-    Op.LESS: ("{} < {}", 0), Op.EQUAL: ("{} == {}", 0),
-    Op.SELECT: ("where({}, {}, {})", 4),
+    Op.ADD: ("{} + {}", SUM), Op.SUB: ("{} - {}", SUM), Op.MUL: ("{} * {}", PRODUCT),
+    Op.DIV: ("{} / {}", PRODUCT), Op.EXACT_ADD: ("{} + {}", SUM), Op.EXACT_SUB: ("{} - {}", SUM),
+    Op.NEG: ("-{}", SIGN), Op.PRODUCT_ERROR: ("product_error({}, {}, {})", CALL),
+    Op.PRODUCT_REST: ("product_rest({}, {}, {}, {})", CALL),
+    Op.ABS: ("absolute({})", CALL), Op.SQRT: ("sqrt({})", CALL),
+    Op.SIN: ("sin({})", CALL), Op.COS: ("cos({})", CALL), Op.ATAN2: ("arctan2({}, {})", CALL),
+    Op.EXP: ("exp({})", CALL), Op.TANH: ("tanh({})", CALL), Op.SCALE: ("{} * {}", PRODUCT),
+    Op.LESS: ("{} < {}", COMPARISON), Op.EQUAL: ("{} == {}", COMPARISON),
+    Op.SELECT: ("where({}, {}, {})", CALL),
 }
 
 NUMPY_NAMES = {Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos",
@@ -127,7 +136,7 @@ def _types(program: Program, precision: Precision) -> set[str]:
     """The NumPy names that choices need: nan, and the type of constants to choose between."""
     working = DOUBLE if program.wide else precision
     choices = [step for step in program.instructions if step.op is Op.SELECT]
-    return ({working.numpy_type for step in choices if is_choice_of_constants(step)}
+    return ({working.numpy_type for step in choices if _is_choice_of_constants(step)}
             | {"nan" for step in choices if NotANumber() in step.operands})
 
 
@@ -146,7 +155,18 @@ def language(precision: Precision, constant: Callable[[Constant], str]) -> Langu
     """Python with NumPy in a precision.  A `where` of two constants needs a type: NumPy takes it
     from the operands, and Python's numbers have none."""
     kind = precision.numpy_type
-    return Language(SPELLING, constant, f"where({{}}, {kind}({{}}), {kind}({{}}))", "nan", "# ")
+
+    def spelling(step: Instruction) -> tuple[str, int]:
+        if _is_choice_of_constants(step):
+            return f"where({{}}, {kind}({{}}), {kind}({{}}))", CALL
+        return SPELLING[step.op]
+
+    return Language(spelling, constant, "nan", "# ")
+
+
+def _is_choice_of_constants(step: Instruction) -> bool:
+    """Whether this chooses between numbers that have no type of their own."""
+    return step.op is Op.SELECT and all(isinstance(x, Constant) for x in step.operands[1:])
 
 
 class _Writer:

@@ -10,13 +10,13 @@ from functools import partial
 from coscrew_codegen import version
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.identifiers import identifiers
-from coscrew_codegen.program import Input
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, SceneFunctions, Step
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_function import Body, CFunction, Stored, documented
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
+from coscrew_codegen.targets.nesting import Plan
 from coscrew_codegen.targets.scene_c_steps import step_body
 from coscrew_codegen.targets.scene_text import c_name, size
 from coscrew_codegen.targets.target import Files, Target
@@ -28,7 +28,8 @@ _IN_WORDS = {("double",): "double precision alone, as the scene says",
 def files(scene: SceneFunctions, banner: str) -> Files:
     """arm.h and arm.c.  Raises ValueError for a name that they cannot bear."""
     scene_text.check_names(scene)
-    sections = [{"precision": p, "functions": _functions(scene, p)}
+    plans = scene_text.plans(scene)
+    sections = [{"precision": p, "functions": _functions(scene, plans, p)}
                 for p in named(scene.precisions)]
     macros = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
               ("GENERATOR_VERSION_STRING", f'"{version.VERSION}"'),
@@ -37,7 +38,7 @@ def files(scene: SceneFunctions, banner: str) -> Files:
         macros.append(("NP", str(len(scene.parameters))))
     macros += _places(scene)
     macros += [entry for p in named(scene.precisions) for entry in _defaults(scene, p)]
-    names = scene_text.legend(scene, [x.body for part in sections for x in part["functions"]])
+    names = scene_text.legend(plans, [x.body for part in sections for x in part["functions"]])
     shared = {"banner": banner, "name": scene.name, "upper": scene.name.upper(),
               "sections": sections}
     return {
@@ -88,9 +89,11 @@ def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str
             yield f"{name}{precision.suffix.upper()}", text
 
 
-def _functions(scene: SceneFunctions, precision: Precision) -> list[CFunction]:
+def _functions(scene: SceneFunctions, plans: Sequence[Plan],
+               precision: Precision) -> list[CFunction]:
     """All functions that are emitted, in the order in which they call each other."""
-    return [*(_function(scene, f, precision) for f in scene.functions),
+    return [*(_function(scene, f, plan, precision)
+              for f, plan in zip(scene.functions, plans, strict=True)),
             *(_step(scene, step, precision) for step in scene.steps)]
 
 
@@ -106,17 +109,13 @@ def _head(scene: SceneFunctions, name: str, precision: Precision, parameters: Se
     return listed(f"{static}void {c_name(scene, name, precision)}(", parameters, ")", WIDTH - 2)
 
 
-def _function(scene: SceneFunctions, function: Function, precision: Precision) -> CFunction:
-    program, outputs = function.program, scene_text.outputs(function)
+def _function(scene: SceneFunctions, function: Function, plan: Plan,
+              precision: Precision) -> CFunction:
+    program, outputs = plan.program, scene_text.outputs(function)
     parameters = [*(_parameter(a, precision, "const ") for a in program.inputs),
                   *(_parameter(a, precision, "") for a in outputs)]
     shapes = [f"{a.name}: {' × '.join(map(str, a.quantity.shape))}."
               for a in outputs if len(a.quantity.shape) > 1]
-
-    def access(operand: Input) -> str:
-        argument = program.inputs[operand.argument]
-        return f"{argument.name}[{operand.index}]" if argument.quantity.shape else argument.name
-
     targets = [f"{a.name}[{i}]" if a.quantity.shape else f"*{a.name}"
                for a in outputs for i in range(size(a))]
     headings = [(number, scene_text.printable(words)) for number, words in function.headings]
@@ -125,7 +124,8 @@ def _function(scene: SceneFunctions, function: Function, precision: Precision) -
         [scene_text.printable(scene_text.sentence(function.words)), *shapes,
          scene_text.cost(function)],
         _head(scene, function.name, precision, parameters, function.internal),
-        Body(program, precision, Stored(access, targets, [a.name for a in outputs]), headings),
+        Body(program, precision, Stored(scene_text.access(program), targets,
+                                        [a.name for a in outputs]), plan, headings),
         function.internal)
 
 

@@ -11,8 +11,11 @@ from coscrew_codegen.recording.recorder import Recorder, array
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import SceneFunctions, SceneInterface, Signature
 from coscrew_codegen.targets import scene_text
-from coscrew_codegen.targets.c_statements import WIDTH, Statements
-from coscrew_codegen.targets.scene_text import c_name
+from coscrew_codegen.targets.c_function import Body, Stored
+from coscrew_codegen.targets.c_nested import language
+from coscrew_codegen.targets.c_statements import WIDTH
+from coscrew_codegen.targets.nesting import planned
+from coscrew_codegen.targets.scene_text import access, c_name
 from coscrew_codegen.targets.target import Files, Target
 
 # Times and steps are those of steps called one by one: rounded from double.
@@ -52,7 +55,7 @@ def source(scene: SceneFunctions) -> str:
                  "functions": [_function(scene, f, p) for f in callables(scene)]}
                 for p in named(scene.precisions)]
     return render("scene/calls.c", name=scene.name, upper=scene.name.upper(), sections=sections,
-                  begun=_begun() if scene.timed and scene.steps else "")
+                  products=[DOUBLE], begun=_begun() if scene.timed and scene.steps else "")
 
 
 def _begun() -> str:
@@ -61,10 +64,9 @@ def _begun() -> str:
     (t,), (h,), (k,) = (recorder.argument(x) for x in ("t", "h", "k"))
     with recorder.part("at"):
         program = recorder.program("begun", [(array("begun", ()), [t + k * h])])
-    statements = Statements(program, DOUBLE, lambda x: program.inputs[x.argument].name)
-    (result,) = map(statements.operand, program.results)
-    return ("static double begun(double t, double h, double k) {\n"
-            f"  {statements.declared(program.instructions, WIDTH)}\n  return {result};\n}}")
+    plan = planned(program, language(program, DOUBLE), access(program), WIDTH)
+    body = Body(program, DOUBLE, Stored(access(program), ("",), (), "begun"), plan)
+    return f"static double begun(double t, double h, double k) {{\n{body.text()}\n}}"
 
 
 def _function(scene: SceneFunctions, function: Signature, precision: Precision

@@ -8,13 +8,13 @@ from collections.abc import Iterator, Sequence
 from textwrap import wrap
 
 from coscrew_codegen.formats import Precision, named
-from coscrew_codegen.program import Input, NotANumber
+from coscrew_codegen.program import NotANumber
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, SceneFunctions, Split, Step
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_statements import WIDTH, listed
-from coscrew_codegen.targets.nesting import Nesting
+from coscrew_codegen.targets.nesting import Assignment, Plan, wrapped
 from coscrew_codegen.targets.numpy import NUMPY_NAMES, language
 from coscrew_codegen.targets.scene_python_steps import python_name, step_lines
 from coscrew_codegen.targets.target import Files, Target
@@ -46,7 +46,7 @@ def _dictionary(name: str, entries: Sequence[tuple[str, float]]) -> str:
 
 
 def _module(scene: SceneFunctions, banner: str, precision: Precision) -> str:
-    functions = scene.functions
+    functions, plans = scene.functions, scene_text.plans(scene)
     called = {op for f in functions for op in f.program.counts} & set(NUMPY_NAMES)
     names = {NUMPY_NAMES[op] for op in called} | {"errstate", precision.numpy_type}
     if any(NotANumber() in x.operands for f in functions for x in f.program.instructions):
@@ -57,9 +57,9 @@ def _module(scene: SceneFunctions, banner: str, precision: Precision) -> str:
     helpers = ["components", "assembled", "delivered",
                *(["arrays", "spread"] if scene.steps else []),
                *(["rounds", "merged"] if split else [])]
-    made = [*(_function(f, precision) for f in functions),
+    made = [*(_function(f, plan, precision) for f, plan in zip(functions, plans, strict=True)),
             *(_step(scene, step, precision) for step in scene.steps)]
-    legend = scene_text.legend(scene, [x["body"] for x in made])
+    legend = scene_text.legend(plans, [x["body"] for x in made])
     return render("scene/precision.py", banner=banner, name=scene.name, precision=precision,
                   names=[row for words in legend
                          for row in wrap(words, WIDTH, subsequent_indent="    ")],
@@ -78,10 +78,6 @@ def _docstring(paragraphs: Sequence[str]) -> str:
     return "\n".join((first, "", *(f"    {text}" for text in rest)))
 
 
-_RESULT = 40
-"""Characters of a result that is no line of its own."""
-
-
 def _shape(argument: Argument) -> str:
     """(), (6,), (6, 6): the shape behind leading axes, of what no function takes as a matrix."""
     return repr(tuple(argument.quantity.shape))
@@ -94,23 +90,28 @@ def _unpacking(helper: str, arguments: Sequence[tuple[str, str]], precision: Pre
     return listed(f"lead, ({names}) = {helper}(", items, ")", WIDTH - 4)
 
 
-def _function(function: Function, precision: Precision) -> dict[str, str]:
-    program, outputs = function.program, scene_text.outputs(function)
-
-    def access(operand: Input) -> str:
-        argument = program.inputs[operand.argument]
-        return f"{argument.name}[{operand.index}]" if argument.quantity.shape else argument.name
-
+def _function(function: Function, plan: Plan, precision: Precision) -> dict[str, str]:
+    program, outputs = plan.program, scene_text.outputs(function)
     headings = {number: scene_text.printable(words) for number, words in function.headings}
-    expressions = Nesting(program, language(precision, precision.literal), access, WIDTH - 4,
-                          headings, result_width=_RESULT)
+    expressions = plan.printed(language(precision, precision.literal), scene_text.access(program),
+                               headings)
     lines = [_unpacking("components", [(a.name, _shape(a)) for a in program.inputs], precision),
-             *expressions.lines]
+             *map(_assigned, expressions.assigned)]
     made = list(_assembled(outputs, expressions.results, precision))
     lines.append(f"return delivered(out, {made[0]})" if len(made) == 1 else
-                 listed("return delivered(", ["out", *made], ")"))
+                 listed("return delivered(", ["out", *made], ")", WIDTH - 4))
     return _text(python_name(function), [a.name for a in program.inputs],
                  scene_text.words(function), lines)
+
+
+def _assigned(x: Assignment | str) -> str:
+    """A statement, in parentheses if it takes several lines; or a comment."""
+    if isinstance(x, str):
+        return f"# {x}"
+    plain = f"{x.step.name} = {x.expression}"
+    if len(plain) <= WIDTH - 4:
+        return plain
+    return "\n    ".join(wrapped(f"{x.step.name} = ({x.expression})", WIDTH - 4, 4))
 
 
 def _assembled(outputs: Sequence[Argument], results: Sequence[str],

@@ -5,15 +5,17 @@ Knows functions and words; nothing of how a language writes statements.
 
 import keyword
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from math import prod
 
 from coscrew_codegen import scene_symbols
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.program import Constant, counts_in_words
+from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.program import Constant, Input, Program, counts_in_words
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.scene_functions import Function, SceneFunctions, SceneInterface, Step
+from coscrew_codegen.targets.c_nested import language
+from coscrew_codegen.targets.nesting import Plan, planned
 
 _UNITS = {
     "revolute": "q in rad; v in rad/s",
@@ -116,11 +118,29 @@ def _check(function: Function) -> None:
         seen.add(step.name)
 
 
-def legend(scene: SceneFunctions, bodies: Sequence[str]) -> tuple[str, ...]:
+_LONGEST = 150
+"""Characters of a value in double precision, at most: two lines."""
+
+
+def plans(scene: SceneFunctions) -> list[Plan]:
+    """What is assigned in each function: the same in all languages and precisions."""
+    return [planned(f.program, language(f.program, DOUBLE), access(f.program), _LONGEST)
+            for f in scene.functions]
+
+
+def access(program: Program) -> Callable[[Input], str]:
+    """How a function reads its inputs: q[1], t."""
+    def written(operand: Input) -> str:
+        argument = program.inputs[operand.argument]
+        return f"{argument.name}[{operand.index}]" if argument.quantity.shape else argument.name
+    return written
+
+
+def legend(plans: Sequence[Plan], bodies: Sequence[str]) -> tuple[str, ...]:
     """Paragraphs on what the names of instructions in these bodies of functions mean."""
     written = {word for body in bodies for word in re.findall(r"\w+", body)}
     return scene_symbols.legend(sorted(written.intersection(
-        step.name for f in scene.functions for step in f.program.instructions)))
+        name for plan in plans for name in plan.assigned)))
 
 
 def literal(value: float, precision: Precision) -> str:

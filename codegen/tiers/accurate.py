@@ -28,6 +28,7 @@ from coscrew_codegen.program import (
     without_dead_steps,
 )
 from coscrew_codegen.program.bounds import bounds_of
+from coscrew_codegen.program.program import name_of
 from coscrew_codegen.tiers.compensated import Compensator
 from coscrew_codegen.tiers.negation import negating_terms
 from coscrew_codegen.tiers.tier import Tier, rounds_by
@@ -99,7 +100,7 @@ class _Accurate(Compensator):
     def compensate(self, step: Instruction) -> None:
         """Issue hi of a plain instruction under its name; and lo, or the parts of lo that are added
         where it is used."""
-        known = (self._normal.get(getattr(x, "name", ""), x) for x in step.operands)
+        known = (self._normal.get(name_of(x), x) for x in step.operands)
         step = replace(step, operands=tuple(known))
         if step.op not in self._rules:
             super().compensate(step)
@@ -113,7 +114,7 @@ class _Accurate(Compensator):
             self._low[step.name] = total
 
     def _product(self, step: Instruction) -> None:
-        operands = (self._normalized(step, x) if getattr(x, "name", "") in self._overlapping else x
+        operands = (self._normalized(step, x) if name_of(x) in self._overlapping else x
                     for x in step.operands)
         super()._product(replace(step, operands=tuple(operands)))
 
@@ -122,7 +123,7 @@ class _Accurate(Compensator):
         low = self.low(step, operand)
         if low is None or operand in self._normal.values():
             return operand
-        at = replace(step, name=f"{step.name}_of_{operand.name}", op=Op.ADD,
+        at = replace(step, name=f"{step.name}_of_{name_of(operand)}", op=Op.ADD,
                      operands=(operand, low))
         self.steps.append(at)
         total = Ref(at.name)
@@ -131,7 +132,7 @@ class _Accurate(Compensator):
         rests = (self.issue(at, Op.EXACT_SUB, (operand, left), "left_rest"),
                  self.issue(at, Op.EXACT_SUB, (low, right), "right_rest"))
         self._low[at.name] = self.issue(at, Op.EXACT_ADD, rests, "lo")
-        self._normal[operand.name] = total
+        self._normal[name_of(operand)] = total
         return total
 
     def _quotient(self, step: Instruction, low: list[Operand | None]) -> Operand:
@@ -221,9 +222,9 @@ class _Accurate(Compensator):
         total = self.rounded(result)
         if not guarded or total == result:
             return total
-        at = Instruction(f"{total.name}_number", Op.EQUAL, (total, total), total.name)
-        choice = Instruction(f"{result.name}_final", Op.SELECT, (Ref(at.name), total, result),
-                             total.name)
+        at = Instruction(f"{name_of(total)}_number", Op.EQUAL, (total, total), name_of(total))
+        choice = Instruction(f"{name_of(result)}_final", Op.SELECT, (Ref(at.name), total, result),
+                             name_of(total))
         if choice not in self.steps:
             self.steps += [at, choice]
         return Ref(choice.name)

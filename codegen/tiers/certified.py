@@ -31,6 +31,7 @@ from fractions import Fraction
 from coscrew_codegen.formats import Format
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program.program import name_of
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.tiers.tier import Tier
 
@@ -142,7 +143,9 @@ class _Certifier:
         return self._issue(f"{self._name(size.x)}_abs", Op.ABS, (size.x,), component)
 
     def _name(self, x: Operand) -> str:
-        return (self._inputs[x.argument].symbols[x.index].name if isinstance(x, Input) else x.name)
+        if isinstance(x, Input):
+            return str(self._inputs[x.argument].symbols[x.index].name)
+        return name_of(x)
 
     def _issue(self, name: str, op: Op, operands: tuple[Operand, ...], component: str) -> Ref:
         if name not in self._issued:

@@ -12,6 +12,7 @@ to the error.  Where a is a rounded product x y, its error belongs to lo as well
 from dataclasses import replace
 
 from coscrew_codegen.program import Instruction, Op, Operand, Ref, scales
+from coscrew_codegen.program.program import name_of
 
 
 class Compensator:
@@ -34,7 +35,7 @@ class Compensator:
 
     def _negation(self, step: Instruction) -> None:
         """-a, -a_lo.  For a product, a factor and its cross terms are negated, not its error."""
-        name = getattr(step.operands[0], "name", "")
+        name = name_of(step.operands[0])
         product = self._products.get(name)
         self.steps.append(step)
         if name in self._low:
@@ -51,9 +52,9 @@ class Compensator:
         a, b = step.operands
         a_lo, b_lo = (self.low(step, x) for x in step.operands)
         self.steps.append(step)
-        cross = [self.issue(step, Op.MUL, pair, f"cross{number}")
-                 for number, pair in enumerate(((a_lo, b), (a, b_lo)), start=1)
-                 if None not in pair]
+        cross = [self.issue(step, Op.MUL, (x, y), f"cross{number}")
+                 for number, (x, y) in enumerate(((a_lo, b), (a, b_lo)), start=1)
+                 if x is not None and y is not None]
         if scales(step):
             if cross:
                 self._low[step.name] = cross[0]
@@ -75,34 +76,34 @@ class Compensator:
         right = self.issue(step, Op.SUB, (s, a) if add else (a, s), "right")
         left = self.issue(step, Op.EXACT_SUB if add else Op.EXACT_ADD, (s, right), "left")
         rests = self._rest(step, a, left, "left_rest"), self._rest(step, b, right, "right_rest")
-        a_lo, b_lo = (self._low.get(getattr(x, "name", "")) for x in (a, b))
-        products = [getattr(x, "name", "") in self._products for x in (a, b)]
+        a_lo, b_lo = (self._low.get(name_of(x)) for x in (a, b))
+        products = [name_of(x) in self._products for x in (a, b)]
         exact = Op.EXACT_ADD if add else Op.EXACT_SUB
-        terms = [(step.op if any(products) else exact, *rests)]
+        more: list[tuple[Op, Operand]] = []
         if all(products) and a_lo is not None and b_lo is not None:
             cross = self.issue(step, step.op, (a_lo, b_lo), "cross")
-            terms.append((Op.ADD, cross))
+            more.append((Op.ADD, cross))
         else:
-            terms += [(op, x) for op, x in ((step.op, b_lo), (Op.ADD, a_lo)) if x is not None]
-        self._low[step.name] = self._total(step, terms)
+            more += [(op, x) for op, x in ((step.op, b_lo), (Op.ADD, a_lo)) if x is not None]
+        self._low[step.name] = self._total(step, step.op if any(products) else exact, rests, more)
 
-    def _total(self, step: Instruction, terms: list[tuple]) -> Operand:
+    def _total(self, step: Instruction, op: Op, operands: tuple[Operand, ...],
+               more: list[tuple[Op, Operand]]) -> Operand:
         """The terms added in order, the last partial sum named lo."""
-        (op, *operands), *more = terms
         for number, (next_op, operand) in enumerate(more, start=1):
-            operands, op = [self.issue(step, op, tuple(operands), f"lo{number}"), operand], next_op
-        return self.issue(step, op, tuple(operands), "lo")
+            operands, op = (self.issue(step, op, operands, f"lo{number}"), operand), next_op
+        return self.issue(step, op, operands, "lo")
 
     def _rest(self, step: Instruction, x: Operand, share: Operand, name: str) -> Operand:
         """x less its share of the sum, exactly; a product's rounding error is added."""
-        product = self._products.get(getattr(x, "name", ""))
+        product = self._products.get(name_of(x))
         if product is None:
             return self.issue(step, Op.EXACT_SUB, (x, share), name)
         return self.issue(step, Op.PRODUCT_REST, (*product.operands, x, share), name)
 
     def low(self, step: Instruction, x: Operand) -> Operand | None:
         """lo of an operand, with its rounding error if it is a product."""
-        product = self._products.pop(getattr(x, "name", ""), None)
+        product = self._products.pop(name_of(x), None)
         if product is not None:
             own = Instruction(product.name, Op.MUL, product.operands, step.component)
             cross = self._low.get(product.name)
@@ -110,7 +111,7 @@ class Compensator:
                                 "lo" if cross is None else "error")
             self._low[product.name] = (error if cross is None else
                                        self.issue(own, Op.ADD, (error, cross), "lo"))
-        return self._low.get(getattr(x, "name", ""))
+        return self._low.get(name_of(x))
 
     def issue(self, step: Instruction, op: Op, operands: tuple[Operand, ...], suffix: str) -> Ref:
         """Issue an instruction towards the component of `step`, named after `step`."""

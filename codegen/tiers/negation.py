@@ -8,6 +8,7 @@ from collections import Counter
 from dataclasses import replace
 
 from coscrew_codegen.program import Instruction, Op, Program, Ref
+from coscrew_codegen.program.program import name_of
 
 _OTHER = {Op.ADD: Op.SUB, Op.SUB: Op.ADD}
 
@@ -38,7 +39,7 @@ class _Rewriting:
 
     def mark(self, step: Instruction) -> None:
         """Note which operands of this instruction have to be negated."""
-        names = [getattr(x, "name", "") for x in step.operands]
+        names = [name_of(x) for x in step.operands]
         if step.op is Op.NEG and names[0] in self._sums:
             self._negated[names[0]] = step
         elif step.name in self._negated and names[0] in self._sums:
@@ -49,14 +50,14 @@ class _Rewriting:
 
     def of(self, step: Instruction) -> list[Instruction]:
         """The instructions that replace this one."""
-        if step.op is Op.NEG and getattr(step.operands[0], "name", "") in self._negated:
+        if step.op is Op.NEG and name_of(step.operands[0]) in self._negated:
             return []
         if step.name in self._exchanged:
             return [replace(step, op=Op.ADD, operands=step.operands[::-1])]
         if step.name not in self._negated:
             return [step]
         stood_for, (a, b), steps = self._negated[step.name], step.operands, []
-        if getattr(a, "name", "") not in self._negated:
+        if name_of(a) not in self._negated:
             steps = [replace(step, name=f"{step.name}_lead", op=Op.NEG, operands=(a,))]
             a = Ref(steps[0].name)
         new = replace(step, op=_OTHER[step.op], operands=(a, b))

@@ -68,9 +68,9 @@ typedef char
 #endif
 #endif
 
-/* Keeps gcc from contracting across statements.  gcc ignores a lone flag -fassociative-math, but any
-   such pragma would put it in force; hence no-associative-math.  The pragma holds to the end of the
-   compiled file: functions with different options would not be inlined. */
+/* Keeps gcc from contracting across statements.  gcc ignores a lone flag -fassociative-math, but
+   any such pragma would put it in force; hence no-associative-math.  The pragma holds to the end of
+   the compiled file: functions with different options would not be inlined. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("fp-contract=off", "no-associative-math")
 #elif defined(_MSC_VER) && !defined(__clang__)
@@ -2285,7 +2285,8 @@ static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro)
   const double R_largest6 = R_largest5 < R_size_6 ? R_size_6 : R_largest5;
   const double R_largest7 = R_largest6 < R_size_7 ? R_size_7 : R_largest6;
   const double R_largest8 = R_largest7 < R_size_8 ? R_size_8 : R_largest7;
-  const double s_b = R_largest8 < 8.452712498170644e+270 ? 2.409919865102884e-181 : 1.1830521861667747e-271,
+  const double s_b = R_largest8 < 8.452712498170644e+270 ? 2.409919865102884e-181 :
+      1.1830521861667747e-271,
       s_d = R_largest8 < 4.149515568880993e+180 ? 4.909093465297727e-91 : s_b,
       s_f = R_largest8 < 2.037035976334486e+90 ? 1.0 : s_d,
       s_h = R_largest8 < 1.0 ? 2.037035976334486e+90 : s_f,
@@ -19150,8 +19151,10 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double log_v_s_size_1 = fabs(log_upper_1);
   const double log_v_s_size_2 = fabs(log_upper_2);
   const double log_v_s_largest1 = log_v_s_size_0 < log_v_s_size_1 ? log_v_s_size_1 : log_v_s_size_0;
-  const double log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2 : log_v_s_largest1;
-  const double log_v_s_b = 6.703903964971299e+153 < log_v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+  const double log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2 :
+      log_v_s_largest1;
+  const double log_v_s_b = 6.703903964971299e+153 < log_v_s_largest2 ? 3.7291703656001034e-155 :
+      1.0,
       log_v_s_d = log_v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : log_v_s_b,
       log_v_s = log_v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : log_v_s_d;
   const double log_v_y_0 = KSL_MUL(log_upper_0, log_v_s);
@@ -21360,7 +21363,8 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float log_v_s_size_1 = fabsf(log_upper_1);
   const float log_v_s_size_2 = fabsf(log_upper_2);
   const float log_v_s_largest1 = log_v_s_size_0 < log_v_s_size_1 ? log_v_s_size_1 : log_v_s_size_0;
-  const float log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2 : log_v_s_largest1;
+  const float log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2 :
+      log_v_s_largest1;
   const float log_v_s_b = 4.611686e+18f < log_v_s_largest2 ? 2.7105054e-20f : 1.0f,
       log_v_s_d = log_v_s_largest2 < 256.0f ? 1.8014399e+16f : log_v_s_b,
       log_v_s = log_v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : log_v_s_d;

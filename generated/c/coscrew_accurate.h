@@ -68,9 +68,9 @@ typedef char
 #endif
 #endif
 
-/* Keeps gcc from contracting across statements.  gcc ignores a lone flag -fassociative-math, but any
-   such pragma would put it in force; hence no-associative-math.  The pragma holds to the end of the
-   compiled file: functions with different options would not be inlined. */
+/* Keeps gcc from contracting across statements.  gcc ignores a lone flag -fassociative-math, but
+   any such pragma would put it in force; hence no-associative-math.  The pragma holds to the end of
+   the compiled file: functions with different options would not be inlined. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("fp-contract=off", "no-associative-math")
 #elif defined(_MSC_VER) && !defined(__clang__)
@@ -765,7 +765,8 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
+          quotient_0_product),
       quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
@@ -773,7 +774,8 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
+          quotient_1_product),
       quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
@@ -781,7 +783,8 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
+          quotient_2_product),
       quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
@@ -792,7 +795,8 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right,
       self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
       self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
-      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
+      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest +
+          self_0_new_of_quotient_0_right_rest,
       self_0_new = KSL_MUL(self_0_new_of_quotient_0, down), self_0_new_inverse = 1.0 / down,
       self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
@@ -804,7 +808,8 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right,
       self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
       self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
-      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
+      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest +
+          self_1_new_of_quotient_1_right_rest,
       self_1_new = KSL_MUL(self_1_new_of_quotient_1, down),
       self_1_new_back = KSL_MUL(self_1_new, self_0_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
@@ -816,7 +821,8 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right,
       self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
       self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
-      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
+      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest +
+          self_2_new_of_quotient_2_right_rest,
       self_2_new = KSL_MUL(self_2_new_of_quotient_2, down),
       self_2_new_back = KSL_MUL(self_2_new, self_0_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
@@ -885,7 +891,8 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
+          quotient_0_product),
       quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
@@ -893,7 +900,8 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
+          quotient_1_product),
       quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
@@ -901,7 +909,8 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
+          quotient_2_product),
       quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
@@ -1014,29 +1023,37 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
       s_largest1a_of_s_size_0_left = s_largest1a_of_s_size_0 - s_largest1a_of_s_size_0_right,
       s_largest1a_of_s_size_0_left_rest = s_size_0 - s_largest1a_of_s_size_0_left,
       s_largest1a_of_s_size_0_right_rest = s_size_0_lo - s_largest1a_of_s_size_0_right,
-      s_largest1a_of_s_size_0_lo = s_largest1a_of_s_size_0_left_rest + s_largest1a_of_s_size_0_right_rest,
+      s_largest1a_of_s_size_0_lo = s_largest1a_of_s_size_0_left_rest +
+          s_largest1a_of_s_size_0_right_rest,
       s_largest1a_of_s_size_1 = s_size_1 + s_size_1_lo,
       s_largest1a_of_s_size_1_right = s_largest1a_of_s_size_1 - s_size_1,
       s_largest1a_of_s_size_1_left = s_largest1a_of_s_size_1 - s_largest1a_of_s_size_1_right,
       s_largest1a_of_s_size_1_left_rest = s_size_1 - s_largest1a_of_s_size_1_left,
       s_largest1a_of_s_size_1_right_rest = s_size_1_lo - s_largest1a_of_s_size_1_right,
-      s_largest1a_of_s_size_1_lo = s_largest1a_of_s_size_1_left_rest + s_largest1a_of_s_size_1_right_rest,
-      s_largest1 = s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1 ? s_largest1a_of_s_size_1 : s_largest1a_of_s_size_0,
-      s_largest1_lo = s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1 ? s_largest1a_of_s_size_1_lo : s_largest1a_of_s_size_0_lo;
+      s_largest1a_of_s_size_1_lo = s_largest1a_of_s_size_1_left_rest +
+          s_largest1a_of_s_size_1_right_rest,
+      s_largest1 = s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1 ? s_largest1a_of_s_size_1 :
+          s_largest1a_of_s_size_0,
+      s_largest1_lo = s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1 ? s_largest1a_of_s_size_1_lo
+          : s_largest1a_of_s_size_0_lo;
   const double s_largest2a_of_s_largest1 = s_largest1 + s_largest1_lo,
       s_largest2a_of_s_largest1_right = s_largest2a_of_s_largest1 - s_largest1,
       s_largest2a_of_s_largest1_left = s_largest2a_of_s_largest1 - s_largest2a_of_s_largest1_right,
       s_largest2a_of_s_largest1_left_rest = s_largest1 - s_largest2a_of_s_largest1_left,
       s_largest2a_of_s_largest1_right_rest = s_largest1_lo - s_largest2a_of_s_largest1_right,
-      s_largest2a_of_s_largest1_lo = s_largest2a_of_s_largest1_left_rest + s_largest2a_of_s_largest1_right_rest,
+      s_largest2a_of_s_largest1_lo = s_largest2a_of_s_largest1_left_rest +
+          s_largest2a_of_s_largest1_right_rest,
       s_largest2a_of_s_size_2 = s_size_2 + s_size_2_lo,
       s_largest2a_of_s_size_2_right = s_largest2a_of_s_size_2 - s_size_2,
       s_largest2a_of_s_size_2_left = s_largest2a_of_s_size_2 - s_largest2a_of_s_size_2_right,
       s_largest2a_of_s_size_2_left_rest = s_size_2 - s_largest2a_of_s_size_2_left,
       s_largest2a_of_s_size_2_right_rest = s_size_2_lo - s_largest2a_of_s_size_2_right,
-      s_largest2a_of_s_size_2_lo = s_largest2a_of_s_size_2_left_rest + s_largest2a_of_s_size_2_right_rest,
-      s_largest2 = s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2 ? s_largest2a_of_s_size_2 : s_largest2a_of_s_largest1,
-      s_largest2_lo = s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2 ? s_largest2a_of_s_size_2_lo : s_largest2a_of_s_largest1_lo;
+      s_largest2a_of_s_size_2_lo = s_largest2a_of_s_size_2_left_rest +
+          s_largest2a_of_s_size_2_right_rest,
+      s_largest2 = s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2 ? s_largest2a_of_s_size_2 :
+          s_largest2a_of_s_largest1,
+      s_largest2_lo = s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2 ?
+          s_largest2a_of_s_size_2_lo : s_largest2a_of_s_largest1_lo;
   const double s_a_of_s_largest2 = s_largest2 + s_largest2_lo,
       s_b = 6.703903964971299e+153 < s_a_of_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_a_of_s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
@@ -1918,7 +1935,8 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
+          quotient_0_product),
       quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
@@ -1926,7 +1944,8 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
+          quotient_1_product),
       quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
@@ -1934,7 +1953,8 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
+          quotient_2_product),
       quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
@@ -1942,7 +1962,8 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
-      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
+      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor,
+          quotient_3_product),
       quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
@@ -1953,7 +1974,8 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right,
       self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
       self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
-      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
+      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest +
+          self_0_new_of_quotient_0_right_rest,
       self_0_new = KSL_MUL(self_0_new_of_quotient_0, down), self_0_new_inverse = 1.0 / down,
       self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
@@ -1965,7 +1987,8 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right,
       self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
       self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
-      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
+      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest +
+          self_1_new_of_quotient_1_right_rest,
       self_1_new = KSL_MUL(self_1_new_of_quotient_1, down),
       self_1_new_back = KSL_MUL(self_1_new, self_0_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
@@ -1977,7 +2000,8 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right,
       self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
       self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
-      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
+      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest +
+          self_2_new_of_quotient_2_right_rest,
       self_2_new = KSL_MUL(self_2_new_of_quotient_2, down),
       self_2_new_back = KSL_MUL(self_2_new, self_0_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
@@ -1989,7 +2013,8 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right,
       self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
       self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
-      self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest,
+      self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest +
+          self_3_new_of_quotient_3_right_rest,
       self_3_new = KSL_MUL(self_3_new_of_quotient_3, down),
       self_3_new_back = KSL_MUL(self_3_new, self_0_new_inverse),
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
@@ -2068,7 +2093,8 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
+          quotient_0_product),
       quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
@@ -2076,7 +2102,8 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
+          quotient_1_product),
       quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
@@ -2084,7 +2111,8 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
+          quotient_2_product),
       quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
@@ -2092,7 +2120,8 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
-      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
+      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor,
+          quotient_3_product),
       quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
@@ -2435,7 +2464,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
   const double R_largest6 = R_largest5 < R_size_6 ? R_size_6 : R_largest5;
   const double R_largest7 = R_largest6 < R_size_7 ? R_size_7 : R_largest6;
   const double R_largest8 = R_largest7 < R_size_8 ? R_size_8 : R_largest7;
-  const double s_b = R_largest8 < 8.452712498170644e+270 ? 2.409919865102884e-181 : 1.1830521861667747e-271,
+  const double s_b = R_largest8 < 8.452712498170644e+270 ? 2.409919865102884e-181 :
+      1.1830521861667747e-271,
       s_d = R_largest8 < 4.149515568880993e+180 ? 4.909093465297727e-91 : s_b,
       s_f = R_largest8 < 2.037035976334486e+90 ? 1.0 : s_d,
       s_h = R_largest8 < 1.0 ? 2.037035976334486e+90 : s_f,
@@ -2533,7 +2563,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       permanent_i = permanent_d + permanent_h, permanent_i_right = permanent_i - permanent_d,
       permanent_i_left = permanent_i - permanent_i_right,
       permanent_i_left_rest = ksl_product_rest(size0_0, permanent_c, permanent_d, permanent_i_left),
-      permanent_i_right_rest = ksl_product_rest(size0_1, permanent_g, permanent_h, permanent_i_right),
+      permanent_i_right_rest = ksl_product_rest(size0_1, permanent_g, permanent_h,
+          permanent_i_right),
       permanent_i_cross = permanent_d_cross2 + permanent_h_cross2,
       permanent_i_lo1 = permanent_i_left_rest + permanent_i_right_rest,
       permanent_i_lo = permanent_i_lo1 + permanent_i_cross, permanent_j = KSL_MUL(size1_0, size2_1),
@@ -2587,7 +2618,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = quotient_0_of_n0_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
+          quotient_0_product),
       quotient_0_rest = quotient_0_of_n0_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_numerator = quotient_0_exact + quotient_0_of_n0_0_lo,
@@ -2602,7 +2634,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_1_of_n0_1_lo = quotient_1_of_n0_1_left_rest + quotient_1_of_n0_1_right_rest,
       quotient_1 = quotient_1_of_n0_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
+          quotient_1_product),
       quotient_1_rest = quotient_1_of_n0_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_numerator = quotient_1_exact + quotient_1_of_n0_1_lo,
@@ -2617,7 +2650,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_2_of_n0_2_lo = quotient_2_of_n0_2_left_rest + quotient_2_of_n0_2_right_rest,
       quotient_2 = quotient_2_of_n0_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
+          quotient_2_product),
       quotient_2_rest = quotient_2_of_n0_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_numerator = quotient_2_exact + quotient_2_of_n0_2_lo,
@@ -2632,7 +2666,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_3_of_n1_0_lo = quotient_3_of_n1_0_left_rest + quotient_3_of_n1_0_right_rest,
       quotient_3 = quotient_3_of_n1_0 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
-      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
+      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor,
+          quotient_3_product),
       quotient_3_rest = quotient_3_of_n1_0 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_numerator = quotient_3_exact + quotient_3_of_n1_0_lo,
@@ -2647,7 +2682,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_4_of_n1_1_lo = quotient_4_of_n1_1_left_rest + quotient_4_of_n1_1_right_rest,
       quotient_4 = quotient_4_of_n1_1 / quotient_0_of_divisor,
       quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
-      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
+      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor,
+          quotient_4_product),
       quotient_4_rest = quotient_4_of_n1_1 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_numerator = quotient_4_exact + quotient_4_of_n1_1_lo,
@@ -2662,7 +2698,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_5_of_n1_2_lo = quotient_5_of_n1_2_left_rest + quotient_5_of_n1_2_right_rest,
       quotient_5 = quotient_5_of_n1_2 / quotient_0_of_divisor,
       quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
-      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
+      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor,
+          quotient_5_product),
       quotient_5_rest = quotient_5_of_n1_2 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_numerator = quotient_5_exact + quotient_5_of_n1_2_lo,
@@ -2677,7 +2714,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_6_of_n2_0_lo = quotient_6_of_n2_0_left_rest + quotient_6_of_n2_0_right_rest,
       quotient_6 = quotient_6_of_n2_0 / quotient_0_of_divisor,
       quotient_6_product = KSL_MUL(quotient_6, quotient_0_of_divisor),
-      quotient_6_product_error = ksl_product_error(quotient_6, quotient_0_of_divisor, quotient_6_product),
+      quotient_6_product_error = ksl_product_error(quotient_6, quotient_0_of_divisor,
+          quotient_6_product),
       quotient_6_rest = quotient_6_of_n2_0 - quotient_6_product,
       quotient_6_exact = quotient_6_rest - quotient_6_product_error,
       quotient_6_numerator = quotient_6_exact + quotient_6_of_n2_0_lo,
@@ -2692,7 +2730,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_7_of_n2_1_lo = quotient_7_of_n2_1_left_rest + quotient_7_of_n2_1_right_rest,
       quotient_7 = quotient_7_of_n2_1 / quotient_0_of_divisor,
       quotient_7_product = KSL_MUL(quotient_7, quotient_0_of_divisor),
-      quotient_7_product_error = ksl_product_error(quotient_7, quotient_0_of_divisor, quotient_7_product),
+      quotient_7_product_error = ksl_product_error(quotient_7, quotient_0_of_divisor,
+          quotient_7_product),
       quotient_7_rest = quotient_7_of_n2_1 - quotient_7_product,
       quotient_7_exact = quotient_7_rest - quotient_7_product_error,
       quotient_7_numerator = quotient_7_exact + quotient_7_of_n2_1_lo,
@@ -2707,7 +2746,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_8_of_n2_2_lo = quotient_8_of_n2_2_left_rest + quotient_8_of_n2_2_right_rest,
       quotient_8 = quotient_8_of_n2_2 / quotient_0_of_divisor,
       quotient_8_product = KSL_MUL(quotient_8, quotient_0_of_divisor),
-      quotient_8_product_error = ksl_product_error(quotient_8, quotient_0_of_divisor, quotient_8_product),
+      quotient_8_product_error = ksl_product_error(quotient_8, quotient_0_of_divisor,
+          quotient_8_product),
       quotient_8_rest = quotient_8_of_n2_2 - quotient_8_product,
       quotient_8_exact = quotient_8_rest - quotient_8_product_error,
       quotient_8_numerator = quotient_8_exact + quotient_8_of_n2_2_lo,
@@ -2719,7 +2759,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_0_of_quotient_0_left = inverse_0_of_quotient_0 - inverse_0_of_quotient_0_right,
       inverse_0_of_quotient_0_left_rest = quotient_0 - inverse_0_of_quotient_0_left,
       inverse_0_of_quotient_0_right_rest = quotient_0_lo - inverse_0_of_quotient_0_right,
-      inverse_0_of_quotient_0_lo = inverse_0_of_quotient_0_left_rest + inverse_0_of_quotient_0_right_rest,
+      inverse_0_of_quotient_0_lo = inverse_0_of_quotient_0_left_rest +
+          inverse_0_of_quotient_0_right_rest,
       inverse_0 = KSL_MUL(inverse_0_of_quotient_0, s), inverse_0_inverse = 1.0 / s,
       inverse_0_back = KSL_MUL(inverse_0, inverse_0_inverse),
       inverse_0_lost = inverse_0_of_quotient_0 - inverse_0_back,
@@ -2731,7 +2772,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_1_of_quotient_1_left = inverse_1_of_quotient_1 - inverse_1_of_quotient_1_right,
       inverse_1_of_quotient_1_left_rest = quotient_1 - inverse_1_of_quotient_1_left,
       inverse_1_of_quotient_1_right_rest = quotient_1_lo - inverse_1_of_quotient_1_right,
-      inverse_1_of_quotient_1_lo = inverse_1_of_quotient_1_left_rest + inverse_1_of_quotient_1_right_rest,
+      inverse_1_of_quotient_1_lo = inverse_1_of_quotient_1_left_rest +
+          inverse_1_of_quotient_1_right_rest,
       inverse_1 = KSL_MUL(inverse_1_of_quotient_1, s),
       inverse_1_back = KSL_MUL(inverse_1, inverse_0_inverse),
       inverse_1_lost = inverse_1_of_quotient_1 - inverse_1_back,
@@ -2743,7 +2785,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_2_of_quotient_2_left = inverse_2_of_quotient_2 - inverse_2_of_quotient_2_right,
       inverse_2_of_quotient_2_left_rest = quotient_2 - inverse_2_of_quotient_2_left,
       inverse_2_of_quotient_2_right_rest = quotient_2_lo - inverse_2_of_quotient_2_right,
-      inverse_2_of_quotient_2_lo = inverse_2_of_quotient_2_left_rest + inverse_2_of_quotient_2_right_rest,
+      inverse_2_of_quotient_2_lo = inverse_2_of_quotient_2_left_rest +
+          inverse_2_of_quotient_2_right_rest,
       inverse_2 = KSL_MUL(inverse_2_of_quotient_2, s),
       inverse_2_back = KSL_MUL(inverse_2, inverse_0_inverse),
       inverse_2_lost = inverse_2_of_quotient_2 - inverse_2_back,
@@ -2755,7 +2798,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_3_of_quotient_3_left = inverse_3_of_quotient_3 - inverse_3_of_quotient_3_right,
       inverse_3_of_quotient_3_left_rest = quotient_3 - inverse_3_of_quotient_3_left,
       inverse_3_of_quotient_3_right_rest = quotient_3_lo - inverse_3_of_quotient_3_right,
-      inverse_3_of_quotient_3_lo = inverse_3_of_quotient_3_left_rest + inverse_3_of_quotient_3_right_rest,
+      inverse_3_of_quotient_3_lo = inverse_3_of_quotient_3_left_rest +
+          inverse_3_of_quotient_3_right_rest,
       inverse_3 = KSL_MUL(inverse_3_of_quotient_3, s),
       inverse_3_back = KSL_MUL(inverse_3, inverse_0_inverse),
       inverse_3_lost = inverse_3_of_quotient_3 - inverse_3_back,
@@ -2767,7 +2811,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_4_of_quotient_4_left = inverse_4_of_quotient_4 - inverse_4_of_quotient_4_right,
       inverse_4_of_quotient_4_left_rest = quotient_4 - inverse_4_of_quotient_4_left,
       inverse_4_of_quotient_4_right_rest = quotient_4_lo - inverse_4_of_quotient_4_right,
-      inverse_4_of_quotient_4_lo = inverse_4_of_quotient_4_left_rest + inverse_4_of_quotient_4_right_rest,
+      inverse_4_of_quotient_4_lo = inverse_4_of_quotient_4_left_rest +
+          inverse_4_of_quotient_4_right_rest,
       inverse_4 = KSL_MUL(inverse_4_of_quotient_4, s),
       inverse_4_back = KSL_MUL(inverse_4, inverse_0_inverse),
       inverse_4_lost = inverse_4_of_quotient_4 - inverse_4_back,
@@ -2779,7 +2824,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_5_of_quotient_5_left = inverse_5_of_quotient_5 - inverse_5_of_quotient_5_right,
       inverse_5_of_quotient_5_left_rest = quotient_5 - inverse_5_of_quotient_5_left,
       inverse_5_of_quotient_5_right_rest = quotient_5_lo - inverse_5_of_quotient_5_right,
-      inverse_5_of_quotient_5_lo = inverse_5_of_quotient_5_left_rest + inverse_5_of_quotient_5_right_rest,
+      inverse_5_of_quotient_5_lo = inverse_5_of_quotient_5_left_rest +
+          inverse_5_of_quotient_5_right_rest,
       inverse_5 = KSL_MUL(inverse_5_of_quotient_5, s),
       inverse_5_back = KSL_MUL(inverse_5, inverse_0_inverse),
       inverse_5_lost = inverse_5_of_quotient_5 - inverse_5_back,
@@ -2791,7 +2837,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_6_of_quotient_6_left = inverse_6_of_quotient_6 - inverse_6_of_quotient_6_right,
       inverse_6_of_quotient_6_left_rest = quotient_6 - inverse_6_of_quotient_6_left,
       inverse_6_of_quotient_6_right_rest = quotient_6_lo - inverse_6_of_quotient_6_right,
-      inverse_6_of_quotient_6_lo = inverse_6_of_quotient_6_left_rest + inverse_6_of_quotient_6_right_rest,
+      inverse_6_of_quotient_6_lo = inverse_6_of_quotient_6_left_rest +
+          inverse_6_of_quotient_6_right_rest,
       inverse_6 = KSL_MUL(inverse_6_of_quotient_6, s),
       inverse_6_back = KSL_MUL(inverse_6, inverse_0_inverse),
       inverse_6_lost = inverse_6_of_quotient_6 - inverse_6_back,
@@ -2803,7 +2850,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_7_of_quotient_7_left = inverse_7_of_quotient_7 - inverse_7_of_quotient_7_right,
       inverse_7_of_quotient_7_left_rest = quotient_7 - inverse_7_of_quotient_7_left,
       inverse_7_of_quotient_7_right_rest = quotient_7_lo - inverse_7_of_quotient_7_right,
-      inverse_7_of_quotient_7_lo = inverse_7_of_quotient_7_left_rest + inverse_7_of_quotient_7_right_rest,
+      inverse_7_of_quotient_7_lo = inverse_7_of_quotient_7_left_rest +
+          inverse_7_of_quotient_7_right_rest,
       inverse_7 = KSL_MUL(inverse_7_of_quotient_7, s),
       inverse_7_back = KSL_MUL(inverse_7, inverse_0_inverse),
       inverse_7_lost = inverse_7_of_quotient_7 - inverse_7_back,
@@ -2815,7 +2863,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_8_of_quotient_8_left = inverse_8_of_quotient_8 - inverse_8_of_quotient_8_right,
       inverse_8_of_quotient_8_left_rest = quotient_8 - inverse_8_of_quotient_8_left,
       inverse_8_of_quotient_8_right_rest = quotient_8_lo - inverse_8_of_quotient_8_right,
-      inverse_8_of_quotient_8_lo = inverse_8_of_quotient_8_left_rest + inverse_8_of_quotient_8_right_rest,
+      inverse_8_of_quotient_8_lo = inverse_8_of_quotient_8_left_rest +
+          inverse_8_of_quotient_8_right_rest,
       inverse_8 = KSL_MUL(inverse_8_of_quotient_8, s),
       inverse_8_back = KSL_MUL(inverse_8, inverse_0_inverse),
       inverse_8_lost = inverse_8_of_quotient_8 - inverse_8_back,
@@ -2961,13 +3010,16 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double q0_sized_2 = KSL_MUL(self->m02, q0_up);
   const double q0_quotient_0_of_q0_divisor = q0_divisor + q0_divisor_lo,
       q0_quotient_0_of_q0_divisor_right = q0_quotient_0_of_q0_divisor - q0_divisor,
-      q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor - q0_quotient_0_of_q0_divisor_right,
+      q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor -
+          q0_quotient_0_of_q0_divisor_right,
       q0_quotient_0_of_q0_divisor_left_rest = q0_divisor - q0_quotient_0_of_q0_divisor_left,
       q0_quotient_0_of_q0_divisor_right_rest = q0_divisor_lo - q0_quotient_0_of_q0_divisor_right,
-      q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest + q0_quotient_0_of_q0_divisor_right_rest,
+      q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest +
+          q0_quotient_0_of_q0_divisor_right_rest,
       q0_quotient_0 = q0_sized_0 / q0_quotient_0_of_q0_divisor,
       q0_quotient_0_product = KSL_MUL(q0_quotient_0, q0_quotient_0_of_q0_divisor),
-      q0_quotient_0_product_error = ksl_product_error(q0_quotient_0, q0_quotient_0_of_q0_divisor, q0_quotient_0_product),
+      q0_quotient_0_product_error = ksl_product_error(q0_quotient_0, q0_quotient_0_of_q0_divisor,
+          q0_quotient_0_product),
       q0_quotient_0_rest = q0_sized_0 - q0_quotient_0_product,
       q0_quotient_0_exact = q0_quotient_0_rest - q0_quotient_0_product_error,
       q0_quotient_0_cross = KSL_MUL(q0_quotient_0, q0_quotient_0_of_q0_divisor_lo),
@@ -2975,7 +3027,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q0_quotient_0_lo = q0_quotient_0_residual / q0_quotient_0_of_q0_divisor;
   const double q0_quotient_1 = q0_sized_1 / q0_quotient_0_of_q0_divisor,
       q0_quotient_1_product = KSL_MUL(q0_quotient_1, q0_quotient_0_of_q0_divisor),
-      q0_quotient_1_product_error = ksl_product_error(q0_quotient_1, q0_quotient_0_of_q0_divisor, q0_quotient_1_product),
+      q0_quotient_1_product_error = ksl_product_error(q0_quotient_1, q0_quotient_0_of_q0_divisor,
+          q0_quotient_1_product),
       q0_quotient_1_rest = q0_sized_1 - q0_quotient_1_product,
       q0_quotient_1_exact = q0_quotient_1_rest - q0_quotient_1_product_error,
       q0_quotient_1_cross = KSL_MUL(q0_quotient_1, q0_quotient_0_of_q0_divisor_lo),
@@ -2983,7 +3036,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q0_quotient_1_lo = q0_quotient_1_residual / q0_quotient_0_of_q0_divisor;
   const double q0_quotient_2 = q0_sized_2 / q0_quotient_0_of_q0_divisor,
       q0_quotient_2_product = KSL_MUL(q0_quotient_2, q0_quotient_0_of_q0_divisor),
-      q0_quotient_2_product_error = ksl_product_error(q0_quotient_2, q0_quotient_0_of_q0_divisor, q0_quotient_2_product),
+      q0_quotient_2_product_error = ksl_product_error(q0_quotient_2, q0_quotient_0_of_q0_divisor,
+          q0_quotient_2_product),
       q0_quotient_2_rest = q0_sized_2 - q0_quotient_2_product,
       q0_quotient_2_exact = q0_quotient_2_rest - q0_quotient_2_product_error,
       q0_quotient_2_cross = KSL_MUL(q0_quotient_2, q0_quotient_0_of_q0_divisor_lo),
@@ -3064,13 +3118,16 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double u1_sized_2 = KSL_MUL(self->m12, u1_up);
   const double u1_quotient_0_of_u1_divisor = u1_divisor + u1_divisor_lo,
       u1_quotient_0_of_u1_divisor_right = u1_quotient_0_of_u1_divisor - u1_divisor,
-      u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor - u1_quotient_0_of_u1_divisor_right,
+      u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor -
+          u1_quotient_0_of_u1_divisor_right,
       u1_quotient_0_of_u1_divisor_left_rest = u1_divisor - u1_quotient_0_of_u1_divisor_left,
       u1_quotient_0_of_u1_divisor_right_rest = u1_divisor_lo - u1_quotient_0_of_u1_divisor_right,
-      u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest + u1_quotient_0_of_u1_divisor_right_rest,
+      u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest +
+          u1_quotient_0_of_u1_divisor_right_rest,
       u1_quotient_0 = u1_sized_0 / u1_quotient_0_of_u1_divisor,
       u1_quotient_0_product = KSL_MUL(u1_quotient_0, u1_quotient_0_of_u1_divisor),
-      u1_quotient_0_product_error = ksl_product_error(u1_quotient_0, u1_quotient_0_of_u1_divisor, u1_quotient_0_product),
+      u1_quotient_0_product_error = ksl_product_error(u1_quotient_0, u1_quotient_0_of_u1_divisor,
+          u1_quotient_0_product),
       u1_quotient_0_rest = u1_sized_0 - u1_quotient_0_product,
       u1_quotient_0_exact = u1_quotient_0_rest - u1_quotient_0_product_error,
       u1_quotient_0_cross = KSL_MUL(u1_quotient_0, u1_quotient_0_of_u1_divisor_lo),
@@ -3078,7 +3135,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u1_quotient_0_lo = u1_quotient_0_residual / u1_quotient_0_of_u1_divisor;
   const double u1_quotient_1 = u1_sized_1 / u1_quotient_0_of_u1_divisor,
       u1_quotient_1_product = KSL_MUL(u1_quotient_1, u1_quotient_0_of_u1_divisor),
-      u1_quotient_1_product_error = ksl_product_error(u1_quotient_1, u1_quotient_0_of_u1_divisor, u1_quotient_1_product),
+      u1_quotient_1_product_error = ksl_product_error(u1_quotient_1, u1_quotient_0_of_u1_divisor,
+          u1_quotient_1_product),
       u1_quotient_1_rest = u1_sized_1 - u1_quotient_1_product,
       u1_quotient_1_exact = u1_quotient_1_rest - u1_quotient_1_product_error,
       u1_quotient_1_cross = KSL_MUL(u1_quotient_1, u1_quotient_0_of_u1_divisor_lo),
@@ -3086,7 +3144,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u1_quotient_1_lo = u1_quotient_1_residual / u1_quotient_0_of_u1_divisor;
   const double u1_quotient_2 = u1_sized_2 / u1_quotient_0_of_u1_divisor,
       u1_quotient_2_product = KSL_MUL(u1_quotient_2, u1_quotient_0_of_u1_divisor),
-      u1_quotient_2_product_error = ksl_product_error(u1_quotient_2, u1_quotient_0_of_u1_divisor, u1_quotient_2_product),
+      u1_quotient_2_product_error = ksl_product_error(u1_quotient_2, u1_quotient_0_of_u1_divisor,
+          u1_quotient_2_product),
       u1_quotient_2_rest = u1_sized_2 - u1_quotient_2_product,
       u1_quotient_2_exact = u1_quotient_2_rest - u1_quotient_2_product_error,
       u1_quotient_2_cross = KSL_MUL(u1_quotient_2, u1_quotient_0_of_u1_divisor_lo),
@@ -3346,13 +3405,16 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double u2_sized_2 = KSL_MUL(self->m22, u2_up);
   const double u2_quotient_0_of_u2_divisor = u2_divisor + u2_divisor_lo,
       u2_quotient_0_of_u2_divisor_right = u2_quotient_0_of_u2_divisor - u2_divisor,
-      u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor - u2_quotient_0_of_u2_divisor_right,
+      u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor -
+          u2_quotient_0_of_u2_divisor_right,
       u2_quotient_0_of_u2_divisor_left_rest = u2_divisor - u2_quotient_0_of_u2_divisor_left,
       u2_quotient_0_of_u2_divisor_right_rest = u2_divisor_lo - u2_quotient_0_of_u2_divisor_right,
-      u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest + u2_quotient_0_of_u2_divisor_right_rest,
+      u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest +
+          u2_quotient_0_of_u2_divisor_right_rest,
       u2_quotient_0 = u2_sized_0 / u2_quotient_0_of_u2_divisor,
       u2_quotient_0_product = KSL_MUL(u2_quotient_0, u2_quotient_0_of_u2_divisor),
-      u2_quotient_0_product_error = ksl_product_error(u2_quotient_0, u2_quotient_0_of_u2_divisor, u2_quotient_0_product),
+      u2_quotient_0_product_error = ksl_product_error(u2_quotient_0, u2_quotient_0_of_u2_divisor,
+          u2_quotient_0_product),
       u2_quotient_0_rest = u2_sized_0 - u2_quotient_0_product,
       u2_quotient_0_exact = u2_quotient_0_rest - u2_quotient_0_product_error,
       u2_quotient_0_cross = KSL_MUL(u2_quotient_0, u2_quotient_0_of_u2_divisor_lo),
@@ -3360,7 +3422,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_quotient_0_lo = u2_quotient_0_residual / u2_quotient_0_of_u2_divisor;
   const double u2_quotient_1 = u2_sized_1 / u2_quotient_0_of_u2_divisor,
       u2_quotient_1_product = KSL_MUL(u2_quotient_1, u2_quotient_0_of_u2_divisor),
-      u2_quotient_1_product_error = ksl_product_error(u2_quotient_1, u2_quotient_0_of_u2_divisor, u2_quotient_1_product),
+      u2_quotient_1_product_error = ksl_product_error(u2_quotient_1, u2_quotient_0_of_u2_divisor,
+          u2_quotient_1_product),
       u2_quotient_1_rest = u2_sized_1 - u2_quotient_1_product,
       u2_quotient_1_exact = u2_quotient_1_rest - u2_quotient_1_product_error,
       u2_quotient_1_cross = KSL_MUL(u2_quotient_1, u2_quotient_0_of_u2_divisor_lo),
@@ -3368,7 +3431,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_quotient_1_lo = u2_quotient_1_residual / u2_quotient_0_of_u2_divisor;
   const double u2_quotient_2 = u2_sized_2 / u2_quotient_0_of_u2_divisor,
       u2_quotient_2_product = KSL_MUL(u2_quotient_2, u2_quotient_0_of_u2_divisor),
-      u2_quotient_2_product_error = ksl_product_error(u2_quotient_2, u2_quotient_0_of_u2_divisor, u2_quotient_2_product),
+      u2_quotient_2_product_error = ksl_product_error(u2_quotient_2, u2_quotient_0_of_u2_divisor,
+          u2_quotient_2_product),
       u2_quotient_2_rest = u2_sized_2 - u2_quotient_2_product,
       u2_quotient_2_exact = u2_quotient_2_rest - u2_quotient_2_product_error,
       u2_quotient_2_cross = KSL_MUL(u2_quotient_2, u2_quotient_0_of_u2_divisor_lo),
@@ -3464,23 +3528,32 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double self_22_new = dependent == 1.0 ? (double)NAN : q2_2,
       self_22_new_lo = dependent == 1.0 ? 0.0 : q2_2_lo;
   const double self_00_new_rounded = self_00_new + self_00_new_lo,
-      self_00_new_final = self_00_new_rounded == self_00_new_rounded ? self_00_new_rounded : self_00_new;
+      self_00_new_final = self_00_new_rounded == self_00_new_rounded ? self_00_new_rounded :
+          self_00_new;
   const double self_01_new_rounded = self_01_new + self_01_new_lo,
-      self_01_new_final = self_01_new_rounded == self_01_new_rounded ? self_01_new_rounded : self_01_new;
+      self_01_new_final = self_01_new_rounded == self_01_new_rounded ? self_01_new_rounded :
+          self_01_new;
   const double self_02_new_rounded = self_02_new + self_02_new_lo,
-      self_02_new_final = self_02_new_rounded == self_02_new_rounded ? self_02_new_rounded : self_02_new;
+      self_02_new_final = self_02_new_rounded == self_02_new_rounded ? self_02_new_rounded :
+          self_02_new;
   const double self_10_new_rounded = self_10_new + self_10_new_lo,
-      self_10_new_final = self_10_new_rounded == self_10_new_rounded ? self_10_new_rounded : self_10_new;
+      self_10_new_final = self_10_new_rounded == self_10_new_rounded ? self_10_new_rounded :
+          self_10_new;
   const double self_11_new_rounded = self_11_new + self_11_new_lo,
-      self_11_new_final = self_11_new_rounded == self_11_new_rounded ? self_11_new_rounded : self_11_new;
+      self_11_new_final = self_11_new_rounded == self_11_new_rounded ? self_11_new_rounded :
+          self_11_new;
   const double self_12_new_rounded = self_12_new + self_12_new_lo,
-      self_12_new_final = self_12_new_rounded == self_12_new_rounded ? self_12_new_rounded : self_12_new;
+      self_12_new_final = self_12_new_rounded == self_12_new_rounded ? self_12_new_rounded :
+          self_12_new;
   const double self_20_new_rounded = self_20_new + self_20_new_lo,
-      self_20_new_final = self_20_new_rounded == self_20_new_rounded ? self_20_new_rounded : self_20_new;
+      self_20_new_final = self_20_new_rounded == self_20_new_rounded ? self_20_new_rounded :
+          self_20_new;
   const double self_21_new_rounded = self_21_new + self_21_new_lo,
-      self_21_new_final = self_21_new_rounded == self_21_new_rounded ? self_21_new_rounded : self_21_new;
+      self_21_new_final = self_21_new_rounded == self_21_new_rounded ? self_21_new_rounded :
+          self_21_new;
   const double self_22_new_rounded = self_22_new + self_22_new_lo,
-      self_22_new_final = self_22_new_rounded == self_22_new_rounded ? self_22_new_rounded : self_22_new;
+      self_22_new_final = self_22_new_rounded == self_22_new_rounded ? self_22_new_rounded :
+          self_22_new;
   self->m00 = self_00_new_final;
   self->m01 = self_01_new_final;
   self->m02 = self_02_new_final;
@@ -3545,13 +3618,16 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   const double q0_sized_2 = KSL_MUL(R->m02, q0_up);
   const double q0_quotient_0_of_q0_divisor = q0_divisor + q0_divisor_lo,
       q0_quotient_0_of_q0_divisor_right = q0_quotient_0_of_q0_divisor - q0_divisor,
-      q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor - q0_quotient_0_of_q0_divisor_right,
+      q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor -
+          q0_quotient_0_of_q0_divisor_right,
       q0_quotient_0_of_q0_divisor_left_rest = q0_divisor - q0_quotient_0_of_q0_divisor_left,
       q0_quotient_0_of_q0_divisor_right_rest = q0_divisor_lo - q0_quotient_0_of_q0_divisor_right,
-      q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest + q0_quotient_0_of_q0_divisor_right_rest,
+      q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest +
+          q0_quotient_0_of_q0_divisor_right_rest,
       q0_quotient_0 = q0_sized_0 / q0_quotient_0_of_q0_divisor,
       q0_quotient_0_product = KSL_MUL(q0_quotient_0, q0_quotient_0_of_q0_divisor),
-      q0_quotient_0_product_error = ksl_product_error(q0_quotient_0, q0_quotient_0_of_q0_divisor, q0_quotient_0_product),
+      q0_quotient_0_product_error = ksl_product_error(q0_quotient_0, q0_quotient_0_of_q0_divisor,
+          q0_quotient_0_product),
       q0_quotient_0_rest = q0_sized_0 - q0_quotient_0_product,
       q0_quotient_0_exact = q0_quotient_0_rest - q0_quotient_0_product_error,
       q0_quotient_0_cross = KSL_MUL(q0_quotient_0, q0_quotient_0_of_q0_divisor_lo),
@@ -3559,7 +3635,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q0_quotient_0_lo = q0_quotient_0_residual / q0_quotient_0_of_q0_divisor;
   const double q0_quotient_1 = q0_sized_1 / q0_quotient_0_of_q0_divisor,
       q0_quotient_1_product = KSL_MUL(q0_quotient_1, q0_quotient_0_of_q0_divisor),
-      q0_quotient_1_product_error = ksl_product_error(q0_quotient_1, q0_quotient_0_of_q0_divisor, q0_quotient_1_product),
+      q0_quotient_1_product_error = ksl_product_error(q0_quotient_1, q0_quotient_0_of_q0_divisor,
+          q0_quotient_1_product),
       q0_quotient_1_rest = q0_sized_1 - q0_quotient_1_product,
       q0_quotient_1_exact = q0_quotient_1_rest - q0_quotient_1_product_error,
       q0_quotient_1_cross = KSL_MUL(q0_quotient_1, q0_quotient_0_of_q0_divisor_lo),
@@ -3567,7 +3644,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q0_quotient_1_lo = q0_quotient_1_residual / q0_quotient_0_of_q0_divisor;
   const double q0_quotient_2 = q0_sized_2 / q0_quotient_0_of_q0_divisor,
       q0_quotient_2_product = KSL_MUL(q0_quotient_2, q0_quotient_0_of_q0_divisor),
-      q0_quotient_2_product_error = ksl_product_error(q0_quotient_2, q0_quotient_0_of_q0_divisor, q0_quotient_2_product),
+      q0_quotient_2_product_error = ksl_product_error(q0_quotient_2, q0_quotient_0_of_q0_divisor,
+          q0_quotient_2_product),
       q0_quotient_2_rest = q0_sized_2 - q0_quotient_2_product,
       q0_quotient_2_exact = q0_quotient_2_rest - q0_quotient_2_product_error,
       q0_quotient_2_cross = KSL_MUL(q0_quotient_2, q0_quotient_0_of_q0_divisor_lo),
@@ -3648,13 +3726,16 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   const double u1_sized_2 = KSL_MUL(R->m12, u1_up);
   const double u1_quotient_0_of_u1_divisor = u1_divisor + u1_divisor_lo,
       u1_quotient_0_of_u1_divisor_right = u1_quotient_0_of_u1_divisor - u1_divisor,
-      u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor - u1_quotient_0_of_u1_divisor_right,
+      u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor -
+          u1_quotient_0_of_u1_divisor_right,
       u1_quotient_0_of_u1_divisor_left_rest = u1_divisor - u1_quotient_0_of_u1_divisor_left,
       u1_quotient_0_of_u1_divisor_right_rest = u1_divisor_lo - u1_quotient_0_of_u1_divisor_right,
-      u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest + u1_quotient_0_of_u1_divisor_right_rest,
+      u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest +
+          u1_quotient_0_of_u1_divisor_right_rest,
       u1_quotient_0 = u1_sized_0 / u1_quotient_0_of_u1_divisor,
       u1_quotient_0_product = KSL_MUL(u1_quotient_0, u1_quotient_0_of_u1_divisor),
-      u1_quotient_0_product_error = ksl_product_error(u1_quotient_0, u1_quotient_0_of_u1_divisor, u1_quotient_0_product),
+      u1_quotient_0_product_error = ksl_product_error(u1_quotient_0, u1_quotient_0_of_u1_divisor,
+          u1_quotient_0_product),
       u1_quotient_0_rest = u1_sized_0 - u1_quotient_0_product,
       u1_quotient_0_exact = u1_quotient_0_rest - u1_quotient_0_product_error,
       u1_quotient_0_cross = KSL_MUL(u1_quotient_0, u1_quotient_0_of_u1_divisor_lo),
@@ -3662,7 +3743,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u1_quotient_0_lo = u1_quotient_0_residual / u1_quotient_0_of_u1_divisor;
   const double u1_quotient_1 = u1_sized_1 / u1_quotient_0_of_u1_divisor,
       u1_quotient_1_product = KSL_MUL(u1_quotient_1, u1_quotient_0_of_u1_divisor),
-      u1_quotient_1_product_error = ksl_product_error(u1_quotient_1, u1_quotient_0_of_u1_divisor, u1_quotient_1_product),
+      u1_quotient_1_product_error = ksl_product_error(u1_quotient_1, u1_quotient_0_of_u1_divisor,
+          u1_quotient_1_product),
       u1_quotient_1_rest = u1_sized_1 - u1_quotient_1_product,
       u1_quotient_1_exact = u1_quotient_1_rest - u1_quotient_1_product_error,
       u1_quotient_1_cross = KSL_MUL(u1_quotient_1, u1_quotient_0_of_u1_divisor_lo),
@@ -3670,7 +3752,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u1_quotient_1_lo = u1_quotient_1_residual / u1_quotient_0_of_u1_divisor;
   const double u1_quotient_2 = u1_sized_2 / u1_quotient_0_of_u1_divisor,
       u1_quotient_2_product = KSL_MUL(u1_quotient_2, u1_quotient_0_of_u1_divisor),
-      u1_quotient_2_product_error = ksl_product_error(u1_quotient_2, u1_quotient_0_of_u1_divisor, u1_quotient_2_product),
+      u1_quotient_2_product_error = ksl_product_error(u1_quotient_2, u1_quotient_0_of_u1_divisor,
+          u1_quotient_2_product),
       u1_quotient_2_rest = u1_sized_2 - u1_quotient_2_product,
       u1_quotient_2_exact = u1_quotient_2_rest - u1_quotient_2_product_error,
       u1_quotient_2_cross = KSL_MUL(u1_quotient_2, u1_quotient_0_of_u1_divisor_lo),
@@ -3930,13 +4013,16 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   const double u2_sized_2 = KSL_MUL(R->m22, u2_up);
   const double u2_quotient_0_of_u2_divisor = u2_divisor + u2_divisor_lo,
       u2_quotient_0_of_u2_divisor_right = u2_quotient_0_of_u2_divisor - u2_divisor,
-      u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor - u2_quotient_0_of_u2_divisor_right,
+      u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor -
+          u2_quotient_0_of_u2_divisor_right,
       u2_quotient_0_of_u2_divisor_left_rest = u2_divisor - u2_quotient_0_of_u2_divisor_left,
       u2_quotient_0_of_u2_divisor_right_rest = u2_divisor_lo - u2_quotient_0_of_u2_divisor_right,
-      u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest + u2_quotient_0_of_u2_divisor_right_rest,
+      u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest +
+          u2_quotient_0_of_u2_divisor_right_rest,
       u2_quotient_0 = u2_sized_0 / u2_quotient_0_of_u2_divisor,
       u2_quotient_0_product = KSL_MUL(u2_quotient_0, u2_quotient_0_of_u2_divisor),
-      u2_quotient_0_product_error = ksl_product_error(u2_quotient_0, u2_quotient_0_of_u2_divisor, u2_quotient_0_product),
+      u2_quotient_0_product_error = ksl_product_error(u2_quotient_0, u2_quotient_0_of_u2_divisor,
+          u2_quotient_0_product),
       u2_quotient_0_rest = u2_sized_0 - u2_quotient_0_product,
       u2_quotient_0_exact = u2_quotient_0_rest - u2_quotient_0_product_error,
       u2_quotient_0_cross = KSL_MUL(u2_quotient_0, u2_quotient_0_of_u2_divisor_lo),
@@ -3944,7 +4030,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_quotient_0_lo = u2_quotient_0_residual / u2_quotient_0_of_u2_divisor;
   const double u2_quotient_1 = u2_sized_1 / u2_quotient_0_of_u2_divisor,
       u2_quotient_1_product = KSL_MUL(u2_quotient_1, u2_quotient_0_of_u2_divisor),
-      u2_quotient_1_product_error = ksl_product_error(u2_quotient_1, u2_quotient_0_of_u2_divisor, u2_quotient_1_product),
+      u2_quotient_1_product_error = ksl_product_error(u2_quotient_1, u2_quotient_0_of_u2_divisor,
+          u2_quotient_1_product),
       u2_quotient_1_rest = u2_sized_1 - u2_quotient_1_product,
       u2_quotient_1_exact = u2_quotient_1_rest - u2_quotient_1_product_error,
       u2_quotient_1_cross = KSL_MUL(u2_quotient_1, u2_quotient_0_of_u2_divisor_lo),
@@ -3952,7 +4039,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_quotient_1_lo = u2_quotient_1_residual / u2_quotient_0_of_u2_divisor;
   const double u2_quotient_2 = u2_sized_2 / u2_quotient_0_of_u2_divisor,
       u2_quotient_2_product = KSL_MUL(u2_quotient_2, u2_quotient_0_of_u2_divisor),
-      u2_quotient_2_product_error = ksl_product_error(u2_quotient_2, u2_quotient_0_of_u2_divisor, u2_quotient_2_product),
+      u2_quotient_2_product_error = ksl_product_error(u2_quotient_2, u2_quotient_0_of_u2_divisor,
+          u2_quotient_2_product),
       u2_quotient_2_rest = u2_sized_2 - u2_quotient_2_product,
       u2_quotient_2_exact = u2_quotient_2_rest - u2_quotient_2_product_error,
       u2_quotient_2_cross = KSL_MUL(u2_quotient_2, u2_quotient_0_of_u2_divisor_lo),
@@ -4440,7 +4528,8 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
       size_a_cross = size_a_cross1 + size_a_cross2, size_b = 1.0 + size_a,
       size_b_right = size_b - 1.0, size_b_left = size_b - size_b_right,
       size_b_left_rest = 1.0 - size_b_left,
-      size_b_right_rest = ksl_product_rest(magnitude_of_theta, magnitude_of_theta, size_a, size_b_right),
+      size_b_right_rest = ksl_product_rest(magnitude_of_theta, magnitude_of_theta, size_a,
+          size_b_right),
       size_b_lo1 = size_b_left_rest + size_b_right_rest, size_b_lo = size_b_lo1 + size_a_cross,
       size_c_of_size_b = size_b + size_b_lo, size_c_of_size_b_right = size_c_of_size_b - size_b,
       size_c_of_size_b_left = size_c_of_size_b - size_c_of_size_b_right,
@@ -4731,32 +4820,45 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       v_s_size_2_lo = v_s_size_2_of_upper_2 < 0.0 ? v_s_size_2_opposite : v_s_size_2_of_upper_2_lo;
   const double v_s_largest1a_of_v_s_size_0 = v_s_size_0 + v_s_size_0_lo,
       v_s_largest1a_of_v_s_size_0_right = v_s_largest1a_of_v_s_size_0 - v_s_size_0,
-      v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 - v_s_largest1a_of_v_s_size_0_right,
+      v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 -
+          v_s_largest1a_of_v_s_size_0_right,
       v_s_largest1a_of_v_s_size_0_left_rest = v_s_size_0 - v_s_largest1a_of_v_s_size_0_left,
       v_s_largest1a_of_v_s_size_0_right_rest = v_s_size_0_lo - v_s_largest1a_of_v_s_size_0_right,
-      v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest + v_s_largest1a_of_v_s_size_0_right_rest,
+      v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest +
+          v_s_largest1a_of_v_s_size_0_right_rest,
       v_s_largest1a_of_v_s_size_1 = v_s_size_1 + v_s_size_1_lo,
       v_s_largest1a_of_v_s_size_1_right = v_s_largest1a_of_v_s_size_1 - v_s_size_1,
-      v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 - v_s_largest1a_of_v_s_size_1_right,
+      v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 -
+          v_s_largest1a_of_v_s_size_1_right,
       v_s_largest1a_of_v_s_size_1_left_rest = v_s_size_1 - v_s_largest1a_of_v_s_size_1_left,
       v_s_largest1a_of_v_s_size_1_right_rest = v_s_size_1_lo - v_s_largest1a_of_v_s_size_1_right,
-      v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest + v_s_largest1a_of_v_s_size_1_right_rest,
-      v_s_largest1 = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ? v_s_largest1a_of_v_s_size_1 : v_s_largest1a_of_v_s_size_0,
-      v_s_largest1_lo = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ? v_s_largest1a_of_v_s_size_1_lo : v_s_largest1a_of_v_s_size_0_lo;
+      v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest +
+          v_s_largest1a_of_v_s_size_1_right_rest,
+      v_s_largest1 = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ?
+          v_s_largest1a_of_v_s_size_1 : v_s_largest1a_of_v_s_size_0,
+      v_s_largest1_lo = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ?
+          v_s_largest1a_of_v_s_size_1_lo : v_s_largest1a_of_v_s_size_0_lo;
   const double v_s_largest2a_of_v_s_largest1 = v_s_largest1 + v_s_largest1_lo,
       v_s_largest2a_of_v_s_largest1_right = v_s_largest2a_of_v_s_largest1 - v_s_largest1,
-      v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 - v_s_largest2a_of_v_s_largest1_right,
+      v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 -
+          v_s_largest2a_of_v_s_largest1_right,
       v_s_largest2a_of_v_s_largest1_left_rest = v_s_largest1 - v_s_largest2a_of_v_s_largest1_left,
-      v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo - v_s_largest2a_of_v_s_largest1_right,
-      v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest + v_s_largest2a_of_v_s_largest1_right_rest,
+      v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo -
+          v_s_largest2a_of_v_s_largest1_right,
+      v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest +
+          v_s_largest2a_of_v_s_largest1_right_rest,
       v_s_largest2a_of_v_s_size_2 = v_s_size_2 + v_s_size_2_lo,
       v_s_largest2a_of_v_s_size_2_right = v_s_largest2a_of_v_s_size_2 - v_s_size_2,
-      v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 - v_s_largest2a_of_v_s_size_2_right,
+      v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 -
+          v_s_largest2a_of_v_s_size_2_right,
       v_s_largest2a_of_v_s_size_2_left_rest = v_s_size_2 - v_s_largest2a_of_v_s_size_2_left,
       v_s_largest2a_of_v_s_size_2_right_rest = v_s_size_2_lo - v_s_largest2a_of_v_s_size_2_right,
-      v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest + v_s_largest2a_of_v_s_size_2_right_rest,
-      v_s_largest2 = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ? v_s_largest2a_of_v_s_size_2 : v_s_largest2a_of_v_s_largest1,
-      v_s_largest2_lo = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ? v_s_largest2a_of_v_s_size_2_lo : v_s_largest2a_of_v_s_largest1_lo;
+      v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest +
+          v_s_largest2a_of_v_s_size_2_right_rest,
+      v_s_largest2 = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ?
+          v_s_largest2a_of_v_s_size_2 : v_s_largest2a_of_v_s_largest1,
+      v_s_largest2_lo = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ?
+          v_s_largest2a_of_v_s_size_2_lo : v_s_largest2a_of_v_s_largest1_lo;
   const double v_s_a_of_v_s_largest2 = v_s_largest2 + v_s_largest2_lo,
       v_s_b = 6.703903964971299e+153 < v_s_a_of_v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_a_of_v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
@@ -4970,7 +5072,8 @@ static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat
   const double R_largest6 = R_largest5 < R_size_6 ? R_size_6 : R_largest5;
   const double R_largest7 = R_largest6 < R_size_7 ? R_size_7 : R_largest6;
   const double R_largest8 = R_largest7 < R_size_8 ? R_size_8 : R_largest7;
-  const double s_b = R_largest8 < 1.329227995784916e+36 ? 8.271806125530277e-25 : 7.52316384526264e-37,
+  const double s_b = R_largest8 < 1.329227995784916e+36 ? 8.271806125530277e-25 :
+      7.52316384526264e-37,
       s_d = R_largest8 < 1.2089258196146292e+24 ? 9.094947017729282e-13 : s_b,
       s_f = R_largest8 < 1099511627776.0 ? 1.0 : s_d,
       s_h = R_largest8 < 1.0 ? 1099511627776.0 : s_f,
@@ -5578,14 +5681,17 @@ static inline void ksl_SE3_invert_accurate(ksl_SE3_t *self) {
       self_03_new_b = KSL_MUL(self->m10, self->m13), self_03_new_c = self_03_new_a + self_03_new_b,
       self_03_new_c_right = self_03_new_c - self_03_new_a,
       self_03_new_c_left = self_03_new_c - self_03_new_c_right,
-      self_03_new_c_left_rest = ksl_product_rest(self->m00, self->m03, self_03_new_a, self_03_new_c_left),
-      self_03_new_c_right_rest = ksl_product_rest(self->m10, self->m13, self_03_new_b, self_03_new_c_right),
+      self_03_new_c_left_rest = ksl_product_rest(self->m00, self->m03, self_03_new_a,
+          self_03_new_c_left),
+      self_03_new_c_right_rest = ksl_product_rest(self->m10, self->m13, self_03_new_b,
+          self_03_new_c_right),
       self_03_new_c_lo = self_03_new_c_left_rest + self_03_new_c_right_rest,
       self_03_new_d = KSL_MUL(self->m20, self->m23), self_03_new_e = self_03_new_c + self_03_new_d,
       self_03_new_e_right = self_03_new_e - self_03_new_c,
       self_03_new_e_left = self_03_new_e - self_03_new_e_right,
       self_03_new_e_left_rest = self_03_new_c - self_03_new_e_left,
-      self_03_new_e_right_rest = ksl_product_rest(self->m20, self->m23, self_03_new_d, self_03_new_e_right),
+      self_03_new_e_right_rest = ksl_product_rest(self->m20, self->m23, self_03_new_d,
+          self_03_new_e_right),
       self_03_new_e_lo1 = self_03_new_e_left_rest + self_03_new_e_right_rest,
       self_03_new_e_lo = self_03_new_e_lo1 + self_03_new_c_lo, self_03_new = -self_03_new_e,
       self_03_new_lo = -self_03_new_e_lo;
@@ -5593,14 +5699,17 @@ static inline void ksl_SE3_invert_accurate(ksl_SE3_t *self) {
       self_13_new_b = KSL_MUL(self->m11, self->m13), self_13_new_c = self_13_new_a + self_13_new_b,
       self_13_new_c_right = self_13_new_c - self_13_new_a,
       self_13_new_c_left = self_13_new_c - self_13_new_c_right,
-      self_13_new_c_left_rest = ksl_product_rest(self->m01, self->m03, self_13_new_a, self_13_new_c_left),
-      self_13_new_c_right_rest = ksl_product_rest(self->m11, self->m13, self_13_new_b, self_13_new_c_right),
+      self_13_new_c_left_rest = ksl_product_rest(self->m01, self->m03, self_13_new_a,
+          self_13_new_c_left),
+      self_13_new_c_right_rest = ksl_product_rest(self->m11, self->m13, self_13_new_b,
+          self_13_new_c_right),
       self_13_new_c_lo = self_13_new_c_left_rest + self_13_new_c_right_rest,
       self_13_new_d = KSL_MUL(self->m21, self->m23), self_13_new_e = self_13_new_c + self_13_new_d,
       self_13_new_e_right = self_13_new_e - self_13_new_c,
       self_13_new_e_left = self_13_new_e - self_13_new_e_right,
       self_13_new_e_left_rest = self_13_new_c - self_13_new_e_left,
-      self_13_new_e_right_rest = ksl_product_rest(self->m21, self->m23, self_13_new_d, self_13_new_e_right),
+      self_13_new_e_right_rest = ksl_product_rest(self->m21, self->m23, self_13_new_d,
+          self_13_new_e_right),
       self_13_new_e_lo1 = self_13_new_e_left_rest + self_13_new_e_right_rest,
       self_13_new_e_lo = self_13_new_e_lo1 + self_13_new_c_lo, self_13_new = -self_13_new_e,
       self_13_new_lo = -self_13_new_e_lo;
@@ -5608,14 +5717,17 @@ static inline void ksl_SE3_invert_accurate(ksl_SE3_t *self) {
       self_23_new_b = KSL_MUL(self->m12, self->m13), self_23_new_c = self_23_new_a + self_23_new_b,
       self_23_new_c_right = self_23_new_c - self_23_new_a,
       self_23_new_c_left = self_23_new_c - self_23_new_c_right,
-      self_23_new_c_left_rest = ksl_product_rest(self->m02, self->m03, self_23_new_a, self_23_new_c_left),
-      self_23_new_c_right_rest = ksl_product_rest(self->m12, self->m13, self_23_new_b, self_23_new_c_right),
+      self_23_new_c_left_rest = ksl_product_rest(self->m02, self->m03, self_23_new_a,
+          self_23_new_c_left),
+      self_23_new_c_right_rest = ksl_product_rest(self->m12, self->m13, self_23_new_b,
+          self_23_new_c_right),
       self_23_new_c_lo = self_23_new_c_left_rest + self_23_new_c_right_rest,
       self_23_new_d = KSL_MUL(self->m22, self->m23), self_23_new_e = self_23_new_c + self_23_new_d,
       self_23_new_e_right = self_23_new_e - self_23_new_c,
       self_23_new_e_left = self_23_new_e - self_23_new_e_right,
       self_23_new_e_left_rest = self_23_new_c - self_23_new_e_left,
-      self_23_new_e_right_rest = ksl_product_rest(self->m22, self->m23, self_23_new_d, self_23_new_e_right),
+      self_23_new_e_right_rest = ksl_product_rest(self->m22, self->m23, self_23_new_d,
+          self_23_new_e_right),
       self_23_new_e_lo1 = self_23_new_e_left_rest + self_23_new_e_right_rest,
       self_23_new_e_lo = self_23_new_e_lo1 + self_23_new_c_lo, self_23_new = -self_23_new_e,
       self_23_new_lo = -self_23_new_e_lo;
@@ -11397,7 +11509,8 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
+          quotient_0_product),
       quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
@@ -11405,7 +11518,8 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
+          quotient_1_product),
       quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
@@ -11413,7 +11527,8 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
+          quotient_2_product),
       quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
@@ -11421,7 +11536,8 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
-      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
+      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor,
+          quotient_3_product),
       quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
@@ -11429,7 +11545,8 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double quotient_4 = sized_4 / quotient_0_of_divisor,
       quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
-      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
+      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor,
+          quotient_4_product),
       quotient_4_rest = sized_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
@@ -11437,7 +11554,8 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
   const double quotient_5 = sized_5 / quotient_0_of_divisor,
       quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
-      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
+      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor,
+          quotient_5_product),
       quotient_5_rest = sized_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
@@ -11448,7 +11566,8 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right,
       self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
       self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
-      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
+      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest +
+          self_0_new_of_quotient_0_right_rest,
       self_0_new = KSL_MUL(self_0_new_of_quotient_0, after_0), self_0_new_inverse = 1.0 / after_0,
       self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
@@ -11460,7 +11579,8 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right,
       self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
       self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
-      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
+      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest +
+          self_1_new_of_quotient_1_right_rest,
       self_1_new = KSL_MUL(self_1_new_of_quotient_1, after_1), self_1_new_inverse = 1.0 / after_1,
       self_1_new_back = KSL_MUL(self_1_new, self_1_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
@@ -11472,7 +11592,8 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right,
       self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
       self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
-      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
+      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest +
+          self_2_new_of_quotient_2_right_rest,
       self_2_new = KSL_MUL(self_2_new_of_quotient_2, after_2), self_2_new_inverse = 1.0 / after_2,
       self_2_new_back = KSL_MUL(self_2_new, self_2_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
@@ -11484,7 +11605,8 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right,
       self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
       self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
-      self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest,
+      self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest +
+          self_3_new_of_quotient_3_right_rest,
       self_3_new = KSL_MUL(self_3_new_of_quotient_3, after_3), self_3_new_inverse = 1.0 / after_3,
       self_3_new_back = KSL_MUL(self_3_new, self_3_new_inverse),
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
@@ -11496,7 +11618,8 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_4_new_of_quotient_4_left = self_4_new_of_quotient_4 - self_4_new_of_quotient_4_right,
       self_4_new_of_quotient_4_left_rest = quotient_4 - self_4_new_of_quotient_4_left,
       self_4_new_of_quotient_4_right_rest = quotient_4_lo - self_4_new_of_quotient_4_right,
-      self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest + self_4_new_of_quotient_4_right_rest,
+      self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest +
+          self_4_new_of_quotient_4_right_rest,
       self_4_new = KSL_MUL(self_4_new_of_quotient_4, after_4), self_4_new_inverse = 1.0 / after_4,
       self_4_new_back = KSL_MUL(self_4_new, self_4_new_inverse),
       self_4_new_lost = self_4_new_of_quotient_4 - self_4_new_back,
@@ -11508,7 +11631,8 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_5_new_of_quotient_5_left = self_5_new_of_quotient_5 - self_5_new_of_quotient_5_right,
       self_5_new_of_quotient_5_left_rest = quotient_5 - self_5_new_of_quotient_5_left,
       self_5_new_of_quotient_5_right_rest = quotient_5_lo - self_5_new_of_quotient_5_right,
-      self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest + self_5_new_of_quotient_5_right_rest,
+      self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest +
+          self_5_new_of_quotient_5_right_rest,
       self_5_new = KSL_MUL(self_5_new_of_quotient_5, after_5), self_5_new_inverse = 1.0 / after_5,
       self_5_new_back = KSL_MUL(self_5_new, self_5_new_inverse),
       self_5_new_lost = self_5_new_of_quotient_5 - self_5_new_back,
@@ -11610,7 +11734,8 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
+          quotient_0_product),
       quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
@@ -11618,7 +11743,8 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
+          quotient_1_product),
       quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
@@ -11626,7 +11752,8 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
+          quotient_2_product),
       quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
@@ -11634,7 +11761,8 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
-      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
+      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor,
+          quotient_3_product),
       quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
@@ -11642,7 +11770,8 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double quotient_4 = sized_4 / quotient_0_of_divisor,
       quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
-      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
+      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor,
+          quotient_4_product),
       quotient_4_rest = sized_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
@@ -11650,7 +11779,8 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
   const double quotient_5 = sized_5 / quotient_0_of_divisor,
       quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
-      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
+      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor,
+          quotient_5_product),
       quotient_5_rest = sized_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
@@ -14547,7 +14677,8 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
+          quotient_0_product),
       quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
@@ -14555,7 +14686,8 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
+          quotient_1_product),
       quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
@@ -14563,7 +14695,8 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
+          quotient_2_product),
       quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
@@ -14571,7 +14704,8 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
-      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
+      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor,
+          quotient_3_product),
       quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
@@ -14579,7 +14713,8 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double quotient_4 = sized_4 / quotient_0_of_divisor,
       quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
-      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
+      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor,
+          quotient_4_product),
       quotient_4_rest = sized_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
@@ -14587,7 +14722,8 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
   const double quotient_5 = sized_5 / quotient_0_of_divisor,
       quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
-      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
+      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor,
+          quotient_5_product),
       quotient_5_rest = sized_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
@@ -14598,7 +14734,8 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right,
       self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
       self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
-      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
+      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest +
+          self_0_new_of_quotient_0_right_rest,
       self_0_new = KSL_MUL(self_0_new_of_quotient_0, after_0), self_0_new_inverse = 1.0 / after_0,
       self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
@@ -14610,7 +14747,8 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right,
       self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
       self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
-      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
+      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest +
+          self_1_new_of_quotient_1_right_rest,
       self_1_new = KSL_MUL(self_1_new_of_quotient_1, after_1), self_1_new_inverse = 1.0 / after_1,
       self_1_new_back = KSL_MUL(self_1_new, self_1_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
@@ -14622,7 +14760,8 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right,
       self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
       self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
-      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
+      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest +
+          self_2_new_of_quotient_2_right_rest,
       self_2_new = KSL_MUL(self_2_new_of_quotient_2, after_2), self_2_new_inverse = 1.0 / after_2,
       self_2_new_back = KSL_MUL(self_2_new, self_2_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
@@ -14634,7 +14773,8 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right,
       self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
       self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
-      self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest,
+      self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest +
+          self_3_new_of_quotient_3_right_rest,
       self_3_new = KSL_MUL(self_3_new_of_quotient_3, after_3), self_3_new_inverse = 1.0 / after_3,
       self_3_new_back = KSL_MUL(self_3_new, self_3_new_inverse),
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
@@ -14646,7 +14786,8 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_4_new_of_quotient_4_left = self_4_new_of_quotient_4 - self_4_new_of_quotient_4_right,
       self_4_new_of_quotient_4_left_rest = quotient_4 - self_4_new_of_quotient_4_left,
       self_4_new_of_quotient_4_right_rest = quotient_4_lo - self_4_new_of_quotient_4_right,
-      self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest + self_4_new_of_quotient_4_right_rest,
+      self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest +
+          self_4_new_of_quotient_4_right_rest,
       self_4_new = KSL_MUL(self_4_new_of_quotient_4, after_4), self_4_new_inverse = 1.0 / after_4,
       self_4_new_back = KSL_MUL(self_4_new, self_4_new_inverse),
       self_4_new_lost = self_4_new_of_quotient_4 - self_4_new_back,
@@ -14658,7 +14799,8 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_5_new_of_quotient_5_left = self_5_new_of_quotient_5 - self_5_new_of_quotient_5_right,
       self_5_new_of_quotient_5_left_rest = quotient_5 - self_5_new_of_quotient_5_left,
       self_5_new_of_quotient_5_right_rest = quotient_5_lo - self_5_new_of_quotient_5_right,
-      self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest + self_5_new_of_quotient_5_right_rest,
+      self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest +
+          self_5_new_of_quotient_5_right_rest,
       self_5_new = KSL_MUL(self_5_new_of_quotient_5, after_5), self_5_new_inverse = 1.0 / after_5,
       self_5_new_back = KSL_MUL(self_5_new, self_5_new_inverse),
       self_5_new_lost = self_5_new_of_quotient_5 - self_5_new_back,
@@ -14760,7 +14902,8 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
+          quotient_0_product),
       quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
@@ -14768,7 +14911,8 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
+          quotient_1_product),
       quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
@@ -14776,7 +14920,8 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
+          quotient_2_product),
       quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
@@ -14784,7 +14929,8 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
-      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
+      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor,
+          quotient_3_product),
       quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
@@ -14792,7 +14938,8 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
   const double quotient_4 = sized_4 / quotient_0_of_divisor,
       quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
-      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
+      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor,
+          quotient_4_product),
       quotient_4_rest = sized_4 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
@@ -14800,7 +14947,8 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
   const double quotient_5 = sized_5 / quotient_0_of_divisor,
       quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
-      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
+      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor,
+          quotient_5_product),
       quotient_5_rest = sized_5 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
@@ -18213,7 +18361,8 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
+          quotient_0_product),
       quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
@@ -18221,7 +18370,8 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
+          quotient_1_product),
       quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
@@ -18229,7 +18379,8 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
+          quotient_2_product),
       quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
@@ -18237,7 +18388,8 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
-      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
+      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor,
+          quotient_3_product),
       quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
@@ -18248,7 +18400,8 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right,
       self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
       self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
-      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
+      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest +
+          self_0_new_of_quotient_0_right_rest,
       self_0_new = KSL_MUL(self_0_new_of_quotient_0, down), self_0_new_inverse = 1.0 / down,
       self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
@@ -18260,7 +18413,8 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right,
       self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
       self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
-      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
+      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest +
+          self_1_new_of_quotient_1_right_rest,
       self_1_new = KSL_MUL(self_1_new_of_quotient_1, down),
       self_1_new_back = KSL_MUL(self_1_new, self_0_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
@@ -18272,7 +18426,8 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right,
       self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
       self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
-      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
+      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest +
+          self_2_new_of_quotient_2_right_rest,
       self_2_new = KSL_MUL(self_2_new_of_quotient_2, down),
       self_2_new_back = KSL_MUL(self_2_new, self_0_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
@@ -18284,7 +18439,8 @@ static inline void ksl_quaternion_normalize_accurate(ksl_quaternion_t *self) {
       self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right,
       self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
       self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
-      self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest,
+      self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest +
+          self_3_new_of_quotient_3_right_rest,
       self_3_new = KSL_MUL(self_3_new_of_quotient_3, down),
       self_3_new_back = KSL_MUL(self_3_new, self_0_new_inverse),
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
@@ -18364,7 +18520,8 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
+          quotient_0_product),
       quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
@@ -18372,7 +18529,8 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
+          quotient_1_product),
       quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
@@ -18380,7 +18538,8 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
+          quotient_2_product),
       quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
@@ -18388,7 +18547,8 @@ static inline void ksl_quaternion_normalized_accurate(const ksl_quaternion_t *q,
       quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
   const double quotient_3 = sized_3 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
-      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
+      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor,
+          quotient_3_product),
       quotient_3_rest = sized_3 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
@@ -22237,32 +22397,45 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       v_s_size_2_lo = v_s_size_2_of_upper_2 < 0.0 ? v_s_size_2_opposite : v_s_size_2_of_upper_2_lo;
   const double v_s_largest1a_of_v_s_size_0 = v_s_size_0 + v_s_size_0_lo,
       v_s_largest1a_of_v_s_size_0_right = v_s_largest1a_of_v_s_size_0 - v_s_size_0,
-      v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 - v_s_largest1a_of_v_s_size_0_right,
+      v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 -
+          v_s_largest1a_of_v_s_size_0_right,
       v_s_largest1a_of_v_s_size_0_left_rest = v_s_size_0 - v_s_largest1a_of_v_s_size_0_left,
       v_s_largest1a_of_v_s_size_0_right_rest = v_s_size_0_lo - v_s_largest1a_of_v_s_size_0_right,
-      v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest + v_s_largest1a_of_v_s_size_0_right_rest,
+      v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest +
+          v_s_largest1a_of_v_s_size_0_right_rest,
       v_s_largest1a_of_v_s_size_1 = v_s_size_1 + v_s_size_1_lo,
       v_s_largest1a_of_v_s_size_1_right = v_s_largest1a_of_v_s_size_1 - v_s_size_1,
-      v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 - v_s_largest1a_of_v_s_size_1_right,
+      v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 -
+          v_s_largest1a_of_v_s_size_1_right,
       v_s_largest1a_of_v_s_size_1_left_rest = v_s_size_1 - v_s_largest1a_of_v_s_size_1_left,
       v_s_largest1a_of_v_s_size_1_right_rest = v_s_size_1_lo - v_s_largest1a_of_v_s_size_1_right,
-      v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest + v_s_largest1a_of_v_s_size_1_right_rest,
-      v_s_largest1 = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ? v_s_largest1a_of_v_s_size_1 : v_s_largest1a_of_v_s_size_0,
-      v_s_largest1_lo = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ? v_s_largest1a_of_v_s_size_1_lo : v_s_largest1a_of_v_s_size_0_lo;
+      v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest +
+          v_s_largest1a_of_v_s_size_1_right_rest,
+      v_s_largest1 = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ?
+          v_s_largest1a_of_v_s_size_1 : v_s_largest1a_of_v_s_size_0,
+      v_s_largest1_lo = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ?
+          v_s_largest1a_of_v_s_size_1_lo : v_s_largest1a_of_v_s_size_0_lo;
   const double v_s_largest2a_of_v_s_largest1 = v_s_largest1 + v_s_largest1_lo,
       v_s_largest2a_of_v_s_largest1_right = v_s_largest2a_of_v_s_largest1 - v_s_largest1,
-      v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 - v_s_largest2a_of_v_s_largest1_right,
+      v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 -
+          v_s_largest2a_of_v_s_largest1_right,
       v_s_largest2a_of_v_s_largest1_left_rest = v_s_largest1 - v_s_largest2a_of_v_s_largest1_left,
-      v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo - v_s_largest2a_of_v_s_largest1_right,
-      v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest + v_s_largest2a_of_v_s_largest1_right_rest,
+      v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo -
+          v_s_largest2a_of_v_s_largest1_right,
+      v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest +
+          v_s_largest2a_of_v_s_largest1_right_rest,
       v_s_largest2a_of_v_s_size_2 = v_s_size_2 + v_s_size_2_lo,
       v_s_largest2a_of_v_s_size_2_right = v_s_largest2a_of_v_s_size_2 - v_s_size_2,
-      v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 - v_s_largest2a_of_v_s_size_2_right,
+      v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 -
+          v_s_largest2a_of_v_s_size_2_right,
       v_s_largest2a_of_v_s_size_2_left_rest = v_s_size_2 - v_s_largest2a_of_v_s_size_2_left,
       v_s_largest2a_of_v_s_size_2_right_rest = v_s_size_2_lo - v_s_largest2a_of_v_s_size_2_right,
-      v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest + v_s_largest2a_of_v_s_size_2_right_rest,
-      v_s_largest2 = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ? v_s_largest2a_of_v_s_size_2 : v_s_largest2a_of_v_s_largest1,
-      v_s_largest2_lo = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ? v_s_largest2a_of_v_s_size_2_lo : v_s_largest2a_of_v_s_largest1_lo;
+      v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest +
+          v_s_largest2a_of_v_s_size_2_right_rest,
+      v_s_largest2 = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ?
+          v_s_largest2a_of_v_s_size_2 : v_s_largest2a_of_v_s_largest1,
+      v_s_largest2_lo = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ?
+          v_s_largest2a_of_v_s_size_2_lo : v_s_largest2a_of_v_s_largest1_lo;
   const double v_s_a_of_v_s_largest2 = v_s_largest2 + v_s_largest2_lo,
       v_s_b = 6.703903964971299e+153 < v_s_a_of_v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_a_of_v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
@@ -22474,7 +22647,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       correction_0_of_defect_0_left = correction_0_of_defect_0 - correction_0_of_defect_0_right,
       correction_0_of_defect_0_left_rest = defect_0 - correction_0_of_defect_0_left,
       correction_0_of_defect_0_right_rest = defect_0_lo - correction_0_of_defect_0_right,
-      correction_0_of_defect_0_lo = correction_0_of_defect_0_left_rest + correction_0_of_defect_0_right_rest,
+      correction_0_of_defect_0_lo = correction_0_of_defect_0_left_rest +
+          correction_0_of_defect_0_right_rest,
       correction_0 = KSL_MUL(0.5, correction_0_of_defect_0),
       correction_0_cross2 = KSL_MUL(0.5, correction_0_of_defect_0_lo);
   const double correction_1_of_defect_1 = defect_1 + defect_1_lo,
@@ -22482,7 +22656,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       correction_1_of_defect_1_left = correction_1_of_defect_1 - correction_1_of_defect_1_right,
       correction_1_of_defect_1_left_rest = defect_1 - correction_1_of_defect_1_left,
       correction_1_of_defect_1_right_rest = defect_1_lo - correction_1_of_defect_1_right,
-      correction_1_of_defect_1_lo = correction_1_of_defect_1_left_rest + correction_1_of_defect_1_right_rest,
+      correction_1_of_defect_1_lo = correction_1_of_defect_1_left_rest +
+          correction_1_of_defect_1_right_rest,
       correction_1 = KSL_MUL(0.5, correction_1_of_defect_1),
       correction_1_cross2 = KSL_MUL(0.5, correction_1_of_defect_1_lo);
   const double correction_2_of_defect_2 = defect_2 + defect_2_lo,
@@ -22490,7 +22665,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       correction_2_of_defect_2_left = correction_2_of_defect_2 - correction_2_of_defect_2_right,
       correction_2_of_defect_2_left_rest = defect_2 - correction_2_of_defect_2_left,
       correction_2_of_defect_2_right_rest = defect_2_lo - correction_2_of_defect_2_right,
-      correction_2_of_defect_2_lo = correction_2_of_defect_2_left_rest + correction_2_of_defect_2_right_rest,
+      correction_2_of_defect_2_lo = correction_2_of_defect_2_left_rest +
+          correction_2_of_defect_2_right_rest,
       correction_2 = KSL_MUL(0.5, correction_2_of_defect_2),
       correction_2_cross2 = KSL_MUL(0.5, correction_2_of_defect_2_lo);
   const double correction_3 = KSL_MUL(0.5, defect_3),
@@ -22506,8 +22682,10 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_00_new_c = self_00_new_a + self_00_new_b,
       self_00_new_c_right = self_00_new_c - self_00_new_a,
       self_00_new_c_left = self_00_new_c - self_00_new_c_right,
-      self_00_new_c_left_rest = ksl_product_rest(self->m00, correction_0, self_00_new_a, self_00_new_c_left),
-      self_00_new_c_right_rest = ksl_product_rest(self->m01, correction_3, self_00_new_b, self_00_new_c_right),
+      self_00_new_c_left_rest = ksl_product_rest(self->m00, correction_0, self_00_new_a,
+          self_00_new_c_left),
+      self_00_new_c_right_rest = ksl_product_rest(self->m01, correction_3, self_00_new_b,
+          self_00_new_c_right),
       self_00_new_c_cross = self_00_new_a_cross2 + self_00_new_b_cross2,
       self_00_new_c_lo1 = self_00_new_c_left_rest + self_00_new_c_right_rest,
       self_00_new_c_lo = self_00_new_c_lo1 + self_00_new_c_cross,
@@ -22517,7 +22695,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_00_new_e_right = self_00_new_e - self_00_new_c,
       self_00_new_e_left = self_00_new_e - self_00_new_e_right,
       self_00_new_e_left_rest = self_00_new_c - self_00_new_e_left,
-      self_00_new_e_right_rest = ksl_product_rest(self->m02, correction_4, self_00_new_d, self_00_new_e_right),
+      self_00_new_e_right_rest = ksl_product_rest(self->m02, correction_4, self_00_new_d,
+          self_00_new_e_right),
       self_00_new_e_lo1 = self_00_new_e_left_rest + self_00_new_e_right_rest,
       self_00_new_e_lo2 = self_00_new_e_lo1 + self_00_new_d_cross2,
       self_00_new_e_lo = self_00_new_e_lo2 + self_00_new_c_lo,
@@ -22534,8 +22713,10 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_01_new_c = self_01_new_a + self_01_new_b,
       self_01_new_c_right = self_01_new_c - self_01_new_a,
       self_01_new_c_left = self_01_new_c - self_01_new_c_right,
-      self_01_new_c_left_rest = ksl_product_rest(self->m00, correction_3, self_01_new_a, self_01_new_c_left),
-      self_01_new_c_right_rest = ksl_product_rest(self->m01, correction_1, self_01_new_b, self_01_new_c_right),
+      self_01_new_c_left_rest = ksl_product_rest(self->m00, correction_3, self_01_new_a,
+          self_01_new_c_left),
+      self_01_new_c_right_rest = ksl_product_rest(self->m01, correction_1, self_01_new_b,
+          self_01_new_c_right),
       self_01_new_c_cross = self_01_new_a_cross2 + self_01_new_b_cross2,
       self_01_new_c_lo1 = self_01_new_c_left_rest + self_01_new_c_right_rest,
       self_01_new_c_lo = self_01_new_c_lo1 + self_01_new_c_cross,
@@ -22545,7 +22726,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_01_new_e_right = self_01_new_e - self_01_new_c,
       self_01_new_e_left = self_01_new_e - self_01_new_e_right,
       self_01_new_e_left_rest = self_01_new_c - self_01_new_e_left,
-      self_01_new_e_right_rest = ksl_product_rest(self->m02, correction_5, self_01_new_d, self_01_new_e_right),
+      self_01_new_e_right_rest = ksl_product_rest(self->m02, correction_5, self_01_new_d,
+          self_01_new_e_right),
       self_01_new_e_lo1 = self_01_new_e_left_rest + self_01_new_e_right_rest,
       self_01_new_e_lo2 = self_01_new_e_lo1 + self_01_new_d_cross2,
       self_01_new_e_lo = self_01_new_e_lo2 + self_01_new_c_lo,
@@ -22562,8 +22744,10 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_02_new_c = self_02_new_a + self_02_new_b,
       self_02_new_c_right = self_02_new_c - self_02_new_a,
       self_02_new_c_left = self_02_new_c - self_02_new_c_right,
-      self_02_new_c_left_rest = ksl_product_rest(self->m00, correction_4, self_02_new_a, self_02_new_c_left),
-      self_02_new_c_right_rest = ksl_product_rest(self->m01, correction_5, self_02_new_b, self_02_new_c_right),
+      self_02_new_c_left_rest = ksl_product_rest(self->m00, correction_4, self_02_new_a,
+          self_02_new_c_left),
+      self_02_new_c_right_rest = ksl_product_rest(self->m01, correction_5, self_02_new_b,
+          self_02_new_c_right),
       self_02_new_c_cross = self_02_new_a_cross2 + self_02_new_b_cross2,
       self_02_new_c_lo1 = self_02_new_c_left_rest + self_02_new_c_right_rest,
       self_02_new_c_lo = self_02_new_c_lo1 + self_02_new_c_cross,
@@ -22573,7 +22757,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_02_new_e_right = self_02_new_e - self_02_new_c,
       self_02_new_e_left = self_02_new_e - self_02_new_e_right,
       self_02_new_e_left_rest = self_02_new_c - self_02_new_e_left,
-      self_02_new_e_right_rest = ksl_product_rest(self->m02, correction_2, self_02_new_d, self_02_new_e_right),
+      self_02_new_e_right_rest = ksl_product_rest(self->m02, correction_2, self_02_new_d,
+          self_02_new_e_right),
       self_02_new_e_lo1 = self_02_new_e_left_rest + self_02_new_e_right_rest,
       self_02_new_e_lo2 = self_02_new_e_lo1 + self_02_new_d_cross2,
       self_02_new_e_lo = self_02_new_e_lo2 + self_02_new_c_lo,
@@ -22590,8 +22775,10 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_10_new_c = self_10_new_a + self_10_new_b,
       self_10_new_c_right = self_10_new_c - self_10_new_a,
       self_10_new_c_left = self_10_new_c - self_10_new_c_right,
-      self_10_new_c_left_rest = ksl_product_rest(self->m10, correction_0, self_10_new_a, self_10_new_c_left),
-      self_10_new_c_right_rest = ksl_product_rest(self->m11, correction_3, self_10_new_b, self_10_new_c_right),
+      self_10_new_c_left_rest = ksl_product_rest(self->m10, correction_0, self_10_new_a,
+          self_10_new_c_left),
+      self_10_new_c_right_rest = ksl_product_rest(self->m11, correction_3, self_10_new_b,
+          self_10_new_c_right),
       self_10_new_c_cross = self_10_new_a_cross2 + self_10_new_b_cross2,
       self_10_new_c_lo1 = self_10_new_c_left_rest + self_10_new_c_right_rest,
       self_10_new_c_lo = self_10_new_c_lo1 + self_10_new_c_cross,
@@ -22601,7 +22788,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_10_new_e_right = self_10_new_e - self_10_new_c,
       self_10_new_e_left = self_10_new_e - self_10_new_e_right,
       self_10_new_e_left_rest = self_10_new_c - self_10_new_e_left,
-      self_10_new_e_right_rest = ksl_product_rest(self->m12, correction_4, self_10_new_d, self_10_new_e_right),
+      self_10_new_e_right_rest = ksl_product_rest(self->m12, correction_4, self_10_new_d,
+          self_10_new_e_right),
       self_10_new_e_lo1 = self_10_new_e_left_rest + self_10_new_e_right_rest,
       self_10_new_e_lo2 = self_10_new_e_lo1 + self_10_new_d_cross2,
       self_10_new_e_lo = self_10_new_e_lo2 + self_10_new_c_lo,
@@ -22618,8 +22806,10 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_11_new_c = self_11_new_a + self_11_new_b,
       self_11_new_c_right = self_11_new_c - self_11_new_a,
       self_11_new_c_left = self_11_new_c - self_11_new_c_right,
-      self_11_new_c_left_rest = ksl_product_rest(self->m10, correction_3, self_11_new_a, self_11_new_c_left),
-      self_11_new_c_right_rest = ksl_product_rest(self->m11, correction_1, self_11_new_b, self_11_new_c_right),
+      self_11_new_c_left_rest = ksl_product_rest(self->m10, correction_3, self_11_new_a,
+          self_11_new_c_left),
+      self_11_new_c_right_rest = ksl_product_rest(self->m11, correction_1, self_11_new_b,
+          self_11_new_c_right),
       self_11_new_c_cross = self_11_new_a_cross2 + self_11_new_b_cross2,
       self_11_new_c_lo1 = self_11_new_c_left_rest + self_11_new_c_right_rest,
       self_11_new_c_lo = self_11_new_c_lo1 + self_11_new_c_cross,
@@ -22629,7 +22819,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_11_new_e_right = self_11_new_e - self_11_new_c,
       self_11_new_e_left = self_11_new_e - self_11_new_e_right,
       self_11_new_e_left_rest = self_11_new_c - self_11_new_e_left,
-      self_11_new_e_right_rest = ksl_product_rest(self->m12, correction_5, self_11_new_d, self_11_new_e_right),
+      self_11_new_e_right_rest = ksl_product_rest(self->m12, correction_5, self_11_new_d,
+          self_11_new_e_right),
       self_11_new_e_lo1 = self_11_new_e_left_rest + self_11_new_e_right_rest,
       self_11_new_e_lo2 = self_11_new_e_lo1 + self_11_new_d_cross2,
       self_11_new_e_lo = self_11_new_e_lo2 + self_11_new_c_lo,
@@ -22646,8 +22837,10 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_12_new_c = self_12_new_a + self_12_new_b,
       self_12_new_c_right = self_12_new_c - self_12_new_a,
       self_12_new_c_left = self_12_new_c - self_12_new_c_right,
-      self_12_new_c_left_rest = ksl_product_rest(self->m10, correction_4, self_12_new_a, self_12_new_c_left),
-      self_12_new_c_right_rest = ksl_product_rest(self->m11, correction_5, self_12_new_b, self_12_new_c_right),
+      self_12_new_c_left_rest = ksl_product_rest(self->m10, correction_4, self_12_new_a,
+          self_12_new_c_left),
+      self_12_new_c_right_rest = ksl_product_rest(self->m11, correction_5, self_12_new_b,
+          self_12_new_c_right),
       self_12_new_c_cross = self_12_new_a_cross2 + self_12_new_b_cross2,
       self_12_new_c_lo1 = self_12_new_c_left_rest + self_12_new_c_right_rest,
       self_12_new_c_lo = self_12_new_c_lo1 + self_12_new_c_cross,
@@ -22657,7 +22850,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_12_new_e_right = self_12_new_e - self_12_new_c,
       self_12_new_e_left = self_12_new_e - self_12_new_e_right,
       self_12_new_e_left_rest = self_12_new_c - self_12_new_e_left,
-      self_12_new_e_right_rest = ksl_product_rest(self->m12, correction_2, self_12_new_d, self_12_new_e_right),
+      self_12_new_e_right_rest = ksl_product_rest(self->m12, correction_2, self_12_new_d,
+          self_12_new_e_right),
       self_12_new_e_lo1 = self_12_new_e_left_rest + self_12_new_e_right_rest,
       self_12_new_e_lo2 = self_12_new_e_lo1 + self_12_new_d_cross2,
       self_12_new_e_lo = self_12_new_e_lo2 + self_12_new_c_lo,
@@ -22674,8 +22868,10 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_20_new_c = self_20_new_a + self_20_new_b,
       self_20_new_c_right = self_20_new_c - self_20_new_a,
       self_20_new_c_left = self_20_new_c - self_20_new_c_right,
-      self_20_new_c_left_rest = ksl_product_rest(self->m20, correction_0, self_20_new_a, self_20_new_c_left),
-      self_20_new_c_right_rest = ksl_product_rest(self->m21, correction_3, self_20_new_b, self_20_new_c_right),
+      self_20_new_c_left_rest = ksl_product_rest(self->m20, correction_0, self_20_new_a,
+          self_20_new_c_left),
+      self_20_new_c_right_rest = ksl_product_rest(self->m21, correction_3, self_20_new_b,
+          self_20_new_c_right),
       self_20_new_c_cross = self_20_new_a_cross2 + self_20_new_b_cross2,
       self_20_new_c_lo1 = self_20_new_c_left_rest + self_20_new_c_right_rest,
       self_20_new_c_lo = self_20_new_c_lo1 + self_20_new_c_cross,
@@ -22685,7 +22881,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_20_new_e_right = self_20_new_e - self_20_new_c,
       self_20_new_e_left = self_20_new_e - self_20_new_e_right,
       self_20_new_e_left_rest = self_20_new_c - self_20_new_e_left,
-      self_20_new_e_right_rest = ksl_product_rest(self->m22, correction_4, self_20_new_d, self_20_new_e_right),
+      self_20_new_e_right_rest = ksl_product_rest(self->m22, correction_4, self_20_new_d,
+          self_20_new_e_right),
       self_20_new_e_lo1 = self_20_new_e_left_rest + self_20_new_e_right_rest,
       self_20_new_e_lo2 = self_20_new_e_lo1 + self_20_new_d_cross2,
       self_20_new_e_lo = self_20_new_e_lo2 + self_20_new_c_lo,
@@ -22702,8 +22899,10 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_21_new_c = self_21_new_a + self_21_new_b,
       self_21_new_c_right = self_21_new_c - self_21_new_a,
       self_21_new_c_left = self_21_new_c - self_21_new_c_right,
-      self_21_new_c_left_rest = ksl_product_rest(self->m20, correction_3, self_21_new_a, self_21_new_c_left),
-      self_21_new_c_right_rest = ksl_product_rest(self->m21, correction_1, self_21_new_b, self_21_new_c_right),
+      self_21_new_c_left_rest = ksl_product_rest(self->m20, correction_3, self_21_new_a,
+          self_21_new_c_left),
+      self_21_new_c_right_rest = ksl_product_rest(self->m21, correction_1, self_21_new_b,
+          self_21_new_c_right),
       self_21_new_c_cross = self_21_new_a_cross2 + self_21_new_b_cross2,
       self_21_new_c_lo1 = self_21_new_c_left_rest + self_21_new_c_right_rest,
       self_21_new_c_lo = self_21_new_c_lo1 + self_21_new_c_cross,
@@ -22713,7 +22912,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_21_new_e_right = self_21_new_e - self_21_new_c,
       self_21_new_e_left = self_21_new_e - self_21_new_e_right,
       self_21_new_e_left_rest = self_21_new_c - self_21_new_e_left,
-      self_21_new_e_right_rest = ksl_product_rest(self->m22, correction_5, self_21_new_d, self_21_new_e_right),
+      self_21_new_e_right_rest = ksl_product_rest(self->m22, correction_5, self_21_new_d,
+          self_21_new_e_right),
       self_21_new_e_lo1 = self_21_new_e_left_rest + self_21_new_e_right_rest,
       self_21_new_e_lo2 = self_21_new_e_lo1 + self_21_new_d_cross2,
       self_21_new_e_lo = self_21_new_e_lo2 + self_21_new_c_lo,
@@ -22730,8 +22930,10 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_22_new_c = self_22_new_a + self_22_new_b,
       self_22_new_c_right = self_22_new_c - self_22_new_a,
       self_22_new_c_left = self_22_new_c - self_22_new_c_right,
-      self_22_new_c_left_rest = ksl_product_rest(self->m20, correction_4, self_22_new_a, self_22_new_c_left),
-      self_22_new_c_right_rest = ksl_product_rest(self->m21, correction_5, self_22_new_b, self_22_new_c_right),
+      self_22_new_c_left_rest = ksl_product_rest(self->m20, correction_4, self_22_new_a,
+          self_22_new_c_left),
+      self_22_new_c_right_rest = ksl_product_rest(self->m21, correction_5, self_22_new_b,
+          self_22_new_c_right),
       self_22_new_c_cross = self_22_new_a_cross2 + self_22_new_b_cross2,
       self_22_new_c_lo1 = self_22_new_c_left_rest + self_22_new_c_right_rest,
       self_22_new_c_lo = self_22_new_c_lo1 + self_22_new_c_cross,
@@ -22741,7 +22943,8 @@ static inline void ksl_mat3x3_orthonormalize_accurate(ksl_mat3x3_t *self) {
       self_22_new_e_right = self_22_new_e - self_22_new_c,
       self_22_new_e_left = self_22_new_e - self_22_new_e_right,
       self_22_new_e_left_rest = self_22_new_c - self_22_new_e_left,
-      self_22_new_e_right_rest = ksl_product_rest(self->m22, correction_2, self_22_new_d, self_22_new_e_right),
+      self_22_new_e_right_rest = ksl_product_rest(self->m22, correction_2, self_22_new_d,
+          self_22_new_e_right),
       self_22_new_e_lo1 = self_22_new_e_left_rest + self_22_new_e_right_rest,
       self_22_new_e_lo2 = self_22_new_e_lo1 + self_22_new_d_cross2,
       self_22_new_e_lo = self_22_new_e_lo2 + self_22_new_c_lo,
@@ -22869,7 +23072,8 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       correction_0_of_defect_0_left = correction_0_of_defect_0 - correction_0_of_defect_0_right,
       correction_0_of_defect_0_left_rest = defect_0 - correction_0_of_defect_0_left,
       correction_0_of_defect_0_right_rest = defect_0_lo - correction_0_of_defect_0_right,
-      correction_0_of_defect_0_lo = correction_0_of_defect_0_left_rest + correction_0_of_defect_0_right_rest,
+      correction_0_of_defect_0_lo = correction_0_of_defect_0_left_rest +
+          correction_0_of_defect_0_right_rest,
       correction_0 = KSL_MUL(0.5, correction_0_of_defect_0),
       correction_0_cross2 = KSL_MUL(0.5, correction_0_of_defect_0_lo);
   const double correction_1_of_defect_1 = defect_1 + defect_1_lo,
@@ -22877,7 +23081,8 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       correction_1_of_defect_1_left = correction_1_of_defect_1 - correction_1_of_defect_1_right,
       correction_1_of_defect_1_left_rest = defect_1 - correction_1_of_defect_1_left,
       correction_1_of_defect_1_right_rest = defect_1_lo - correction_1_of_defect_1_right,
-      correction_1_of_defect_1_lo = correction_1_of_defect_1_left_rest + correction_1_of_defect_1_right_rest,
+      correction_1_of_defect_1_lo = correction_1_of_defect_1_left_rest +
+          correction_1_of_defect_1_right_rest,
       correction_1 = KSL_MUL(0.5, correction_1_of_defect_1),
       correction_1_cross2 = KSL_MUL(0.5, correction_1_of_defect_1_lo);
   const double correction_2_of_defect_2 = defect_2 + defect_2_lo,
@@ -22885,7 +23090,8 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
       correction_2_of_defect_2_left = correction_2_of_defect_2 - correction_2_of_defect_2_right,
       correction_2_of_defect_2_left_rest = defect_2 - correction_2_of_defect_2_left,
       correction_2_of_defect_2_right_rest = defect_2_lo - correction_2_of_defect_2_right,
-      correction_2_of_defect_2_lo = correction_2_of_defect_2_left_rest + correction_2_of_defect_2_right_rest,
+      correction_2_of_defect_2_lo = correction_2_of_defect_2_left_rest +
+          correction_2_of_defect_2_right_rest,
       correction_2 = KSL_MUL(0.5, correction_2_of_defect_2),
       correction_2_cross2 = KSL_MUL(0.5, correction_2_of_defect_2_lo);
   const double correction_3 = KSL_MUL(0.5, defect_3),
@@ -23395,8 +23601,10 @@ static inline double ksl_mat3x3_ldl_accurate(const ksl_mat3x3_t *A, ksl_mat3x3_t
       smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
       smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
       smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
-      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
-      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 :
+          smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo :
+          smallest1a_of_part1_lo;
   const double own2 = 0.0 < A->m22 ? A->m22 : 1.0;
   const double part2a_of_u2 = u2 + u2_lo, part2a_of_u2_right = part2a_of_u2 - u2,
       part2a_of_u2_left = part2a_of_u2 - part2a_of_u2_right,
@@ -23414,15 +23622,18 @@ static inline double ksl_mat3x3_ldl_accurate(const ksl_mat3x3_t *A, ksl_mat3x3_t
       smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
       smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
       smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
-      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest +
+          smallest2a_of_smallest1_right_rest,
       smallest2a_of_part2 = part2 + part2_lo,
       smallest2a_of_part2_right = smallest2a_of_part2 - part2,
       smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
       smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
       smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
       smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
-      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
-      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 :
+          smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo :
+          smallest2a_of_part2_lo;
   const double smallest2_rounded = smallest2 + smallest2_lo,
       smallest2_final = smallest2_rounded == smallest2_rounded ? smallest2_rounded : smallest2;
   const double l0_0_rounded = l0_0 + l0_0_lo,
@@ -23595,8 +23806,10 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
       smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
       smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
-      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
-      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 :
+          smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo :
+          smallest1a_of_part1_lo;
   const double own2 = 0.0 < A->m22 ? A->m22 : 1.0;
   const double part2a = divisor2a_of_u2 / own2, part2a_product = KSL_MUL(part2a, own2),
       part2a_product_error = ksl_product_error(part2a, own2, part2a_product),
@@ -23609,15 +23822,18 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
       smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
       smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
-      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest +
+          smallest2a_of_smallest1_right_rest,
       smallest2a_of_part2 = part2 + part2_lo,
       smallest2a_of_part2_right = smallest2a_of_part2 - part2,
       smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
       smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
       smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
       smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
-      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
-      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 :
+          smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo :
+          smallest2a_of_part2_lo;
   const double less_0 = KSL_MUL(A->m00, 0.9999999999999944);
   const double less_1 = KSL_MUL(A->m11, 0.9999999999999944);
   const double less_2 = KSL_MUL(A->m22, 0.9999999999999944);
@@ -23627,18 +23843,22 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       less_divisor0a_of_less_0_left = less_divisor0a_of_less_0 - less_divisor0a_of_less_0_right,
       less_divisor0a_of_less_0_left_rest = less_0 - less_divisor0a_of_less_0_left,
       less_divisor0a_of_less_0_right_rest = less_0_lo - less_divisor0a_of_less_0_right,
-      less_divisor0a_of_less_0_lo = less_divisor0a_of_less_0_left_rest + less_divisor0a_of_less_0_right_rest,
+      less_divisor0a_of_less_0_lo = less_divisor0a_of_less_0_left_rest +
+          less_divisor0a_of_less_0_right_rest,
       less_divisor0 = 0.0 < less_divisor0a_of_less_0 ? less_divisor0a_of_less_0 : 1.0,
       less_divisor0_lo = 0.0 < less_divisor0a_of_less_0 ? less_divisor0a_of_less_0_lo : 0.0;
   const double less_l0_0_of_less_divisor0 = less_divisor0 + less_divisor0_lo,
       less_l0_0_of_less_divisor0_right = less_l0_0_of_less_divisor0 - less_divisor0,
-      less_l0_0_of_less_divisor0_left = less_l0_0_of_less_divisor0 - less_l0_0_of_less_divisor0_right,
+      less_l0_0_of_less_divisor0_left = less_l0_0_of_less_divisor0 -
+          less_l0_0_of_less_divisor0_right,
       less_l0_0_of_less_divisor0_left_rest = less_divisor0 - less_l0_0_of_less_divisor0_left,
       less_l0_0_of_less_divisor0_right_rest = less_divisor0_lo - less_l0_0_of_less_divisor0_right,
-      less_l0_0_of_less_divisor0_lo = less_l0_0_of_less_divisor0_left_rest + less_l0_0_of_less_divisor0_right_rest,
+      less_l0_0_of_less_divisor0_lo = less_l0_0_of_less_divisor0_left_rest +
+          less_l0_0_of_less_divisor0_right_rest,
       less_l0_0 = A->m10 / less_l0_0_of_less_divisor0,
       less_l0_0_product = KSL_MUL(less_l0_0, less_l0_0_of_less_divisor0),
-      less_l0_0_product_error = ksl_product_error(less_l0_0, less_l0_0_of_less_divisor0, less_l0_0_product),
+      less_l0_0_product_error = ksl_product_error(less_l0_0, less_l0_0_of_less_divisor0,
+          less_l0_0_product),
       less_l0_0_rest = A->m10 - less_l0_0_product,
       less_l0_0_exact = less_l0_0_rest - less_l0_0_product_error,
       less_l0_0_cross = KSL_MUL(less_l0_0, less_l0_0_of_less_divisor0_lo),
@@ -23646,7 +23866,8 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       less_l0_0_lo = less_l0_0_residual / less_l0_0_of_less_divisor0;
   const double less_l0_1 = A->m20 / less_l0_0_of_less_divisor0,
       less_l0_1_product = KSL_MUL(less_l0_1, less_l0_0_of_less_divisor0),
-      less_l0_1_product_error = ksl_product_error(less_l0_1, less_l0_0_of_less_divisor0, less_l0_1_product),
+      less_l0_1_product_error = ksl_product_error(less_l0_1, less_l0_0_of_less_divisor0,
+          less_l0_1_product),
       less_l0_1_rest = A->m20 - less_l0_1_product,
       less_l0_1_exact = less_l0_1_rest - less_l0_1_product_error,
       less_l0_1_cross = KSL_MUL(less_l0_1, less_l0_0_of_less_divisor0_lo),
@@ -23668,10 +23889,12 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       less_u1_1_lo = less_u1_1_lo1 - less_u1_1a_cross2;
   const double less_divisor1a_of_less_u1_0 = less_u1_0 + less_u1_0_lo,
       less_divisor1a_of_less_u1_0_right = less_divisor1a_of_less_u1_0 - less_u1_0,
-      less_divisor1a_of_less_u1_0_left = less_divisor1a_of_less_u1_0 - less_divisor1a_of_less_u1_0_right,
+      less_divisor1a_of_less_u1_0_left = less_divisor1a_of_less_u1_0 -
+          less_divisor1a_of_less_u1_0_right,
       less_divisor1a_of_less_u1_0_left_rest = less_u1_0 - less_divisor1a_of_less_u1_0_left,
       less_divisor1a_of_less_u1_0_right_rest = less_u1_0_lo - less_divisor1a_of_less_u1_0_right,
-      less_divisor1a_of_less_u1_0_lo = less_divisor1a_of_less_u1_0_left_rest + less_divisor1a_of_less_u1_0_right_rest,
+      less_divisor1a_of_less_u1_0_lo = less_divisor1a_of_less_u1_0_left_rest +
+          less_divisor1a_of_less_u1_0_right_rest,
       less_divisor1 = 0.0 < less_divisor1a_of_less_u1_0 ? less_divisor1a_of_less_u1_0 : 1.0,
       less_divisor1_lo = 0.0 < less_divisor1a_of_less_u1_0 ? less_divisor1a_of_less_u1_0_lo : 0.0;
   const double less_l1_of_less_u1_1 = less_u1_1 + less_u1_1_lo,
@@ -23685,7 +23908,8 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       less_l1_of_less_divisor1_left = less_l1_of_less_divisor1 - less_l1_of_less_divisor1_right,
       less_l1_of_less_divisor1_left_rest = less_divisor1 - less_l1_of_less_divisor1_left,
       less_l1_of_less_divisor1_right_rest = less_divisor1_lo - less_l1_of_less_divisor1_right,
-      less_l1_of_less_divisor1_lo = less_l1_of_less_divisor1_left_rest + less_l1_of_less_divisor1_right_rest,
+      less_l1_of_less_divisor1_lo = less_l1_of_less_divisor1_left_rest +
+          less_l1_of_less_divisor1_right_rest,
       less_l1 = less_l1_of_less_u1_1 / less_l1_of_less_divisor1,
       less_l1_product = KSL_MUL(less_l1, less_l1_of_less_divisor1),
       less_l1_product_error = ksl_product_error(less_l1, less_l1_of_less_divisor1, less_l1_product),
@@ -23880,7 +24104,8 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       refined_z0_of_residual_0_left = refined_z0_of_residual_0 - refined_z0_of_residual_0_right,
       refined_z0_of_residual_0_left_rest = residual_0 - refined_z0_of_residual_0_left,
       refined_z0_of_residual_0_right_rest = residual_0_lo - refined_z0_of_residual_0_right,
-      refined_z0_of_residual_0_lo = refined_z0_of_residual_0_left_rest + refined_z0_of_residual_0_right_rest,
+      refined_z0_of_residual_0_lo = refined_z0_of_residual_0_left_rest +
+          refined_z0_of_residual_0_right_rest,
       refined_z0 = refined_z0_of_residual_0 / divisor0,
       refined_z0_product = KSL_MUL(refined_z0, divisor0),
       refined_z0_product_error = ksl_product_error(refined_z0, divisor0, refined_z0_product),
@@ -23893,7 +24118,8 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       refined_z1_of_refined_y1_left = refined_z1_of_refined_y1 - refined_z1_of_refined_y1_right,
       refined_z1_of_refined_y1_left_rest = refined_y1 - refined_z1_of_refined_y1_left,
       refined_z1_of_refined_y1_right_rest = refined_y1_lo - refined_z1_of_refined_y1_right,
-      refined_z1_of_refined_y1_lo = refined_z1_of_refined_y1_left_rest + refined_z1_of_refined_y1_right_rest,
+      refined_z1_of_refined_y1_lo = refined_z1_of_refined_y1_left_rest +
+          refined_z1_of_refined_y1_right_rest,
       refined_z1 = refined_z1_of_refined_y1 / l1_of_divisor1,
       refined_z1_product = KSL_MUL(refined_z1, l1_of_divisor1),
       refined_z1_product_error = ksl_product_error(refined_z1, l1_of_divisor1, refined_z1_product),
@@ -23908,7 +24134,8 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       refined_z2_of_refined_y2_left = refined_z2_of_refined_y2 - refined_z2_of_refined_y2_right,
       refined_z2_of_refined_y2_left_rest = refined_y2 - refined_z2_of_refined_y2_left,
       refined_z2_of_refined_y2_right_rest = refined_y2_lo - refined_z2_of_refined_y2_right,
-      refined_z2_of_refined_y2_lo = refined_z2_of_refined_y2_left_rest + refined_z2_of_refined_y2_right_rest,
+      refined_z2_of_refined_y2_lo = refined_z2_of_refined_y2_left_rest +
+          refined_z2_of_refined_y2_right_rest,
       refined_z2 = refined_z2_of_refined_y2 / z2_of_divisor2,
       refined_z2_product = KSL_MUL(refined_z2, z2_of_divisor2),
       refined_z2_product_error = ksl_product_error(refined_z2, z2_of_divisor2, refined_z2_product),
@@ -24409,8 +24636,10 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
       smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
       smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
-      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
-      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 :
+          smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo :
+          smallest1a_of_part1_lo;
   const double own2 = 0.0 < A->at[2][2] ? A->at[2][2] : 1.0;
   const double part2a = divisor2a_of_u2_0 / own2, part2a_product = KSL_MUL(part2a, own2),
       part2a_product_error = ksl_product_error(part2a, own2, part2a_product),
@@ -24424,15 +24653,18 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
       smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
       smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
-      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest +
+          smallest2a_of_smallest1_right_rest,
       smallest2a_of_part2 = part2 + part2_lo,
       smallest2a_of_part2_right = smallest2a_of_part2 - part2,
       smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
       smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
       smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
       smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
-      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
-      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 :
+          smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo :
+          smallest2a_of_part2_lo;
   const double own3 = 0.0 < A->at[3][3] ? A->at[3][3] : 1.0;
   const double part3a = divisor3a_of_u3_0 / own3, part3a_product = KSL_MUL(part3a, own3),
       part3a_product_error = ksl_product_error(part3a, own3, part3a_product),
@@ -24446,15 +24678,18 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       smallest3a_of_smallest2_left = smallest3a_of_smallest2 - smallest3a_of_smallest2_right,
       smallest3a_of_smallest2_left_rest = smallest2 - smallest3a_of_smallest2_left,
       smallest3a_of_smallest2_right_rest = smallest2_lo - smallest3a_of_smallest2_right,
-      smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest + smallest3a_of_smallest2_right_rest,
+      smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest +
+          smallest3a_of_smallest2_right_rest,
       smallest3a_of_part3 = part3 + part3_lo,
       smallest3a_of_part3_right = smallest3a_of_part3 - part3,
       smallest3a_of_part3_left = smallest3a_of_part3 - smallest3a_of_part3_right,
       smallest3a_of_part3_left_rest = part3 - smallest3a_of_part3_left,
       smallest3a_of_part3_right_rest = part3_lo - smallest3a_of_part3_right,
       smallest3a_of_part3_lo = smallest3a_of_part3_left_rest + smallest3a_of_part3_right_rest,
-      smallest3 = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2 : smallest3a_of_part3,
-      smallest3_lo = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2_lo : smallest3a_of_part3_lo;
+      smallest3 = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2 :
+          smallest3a_of_part3,
+      smallest3_lo = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2_lo :
+          smallest3a_of_part3_lo;
   const double own4 = 0.0 < A->at[4][4] ? A->at[4][4] : 1.0;
   const double part4a = divisor4a_of_u4_0 / own4, part4a_product = KSL_MUL(part4a, own4),
       part4a_product_error = ksl_product_error(part4a, own4, part4a_product),
@@ -24468,15 +24703,18 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       smallest4a_of_smallest3_left = smallest4a_of_smallest3 - smallest4a_of_smallest3_right,
       smallest4a_of_smallest3_left_rest = smallest3 - smallest4a_of_smallest3_left,
       smallest4a_of_smallest3_right_rest = smallest3_lo - smallest4a_of_smallest3_right,
-      smallest4a_of_smallest3_lo = smallest4a_of_smallest3_left_rest + smallest4a_of_smallest3_right_rest,
+      smallest4a_of_smallest3_lo = smallest4a_of_smallest3_left_rest +
+          smallest4a_of_smallest3_right_rest,
       smallest4a_of_part4 = part4 + part4_lo,
       smallest4a_of_part4_right = smallest4a_of_part4 - part4,
       smallest4a_of_part4_left = smallest4a_of_part4 - smallest4a_of_part4_right,
       smallest4a_of_part4_left_rest = part4 - smallest4a_of_part4_left,
       smallest4a_of_part4_right_rest = part4_lo - smallest4a_of_part4_right,
       smallest4a_of_part4_lo = smallest4a_of_part4_left_rest + smallest4a_of_part4_right_rest,
-      smallest4 = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3 : smallest4a_of_part4,
-      smallest4_lo = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3_lo : smallest4a_of_part4_lo;
+      smallest4 = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3 :
+          smallest4a_of_part4,
+      smallest4_lo = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3_lo :
+          smallest4a_of_part4_lo;
   const double own5 = 0.0 < A->at[5][5] ? A->at[5][5] : 1.0;
   const double part5a_of_u5 = u5 + u5_lo, part5a_of_u5_right = part5a_of_u5 - u5,
       part5a_of_u5_left = part5a_of_u5 - part5a_of_u5_right,
@@ -24495,15 +24733,18 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       smallest5a_of_smallest4_left = smallest5a_of_smallest4 - smallest5a_of_smallest4_right,
       smallest5a_of_smallest4_left_rest = smallest4 - smallest5a_of_smallest4_left,
       smallest5a_of_smallest4_right_rest = smallest4_lo - smallest5a_of_smallest4_right,
-      smallest5a_of_smallest4_lo = smallest5a_of_smallest4_left_rest + smallest5a_of_smallest4_right_rest,
+      smallest5a_of_smallest4_lo = smallest5a_of_smallest4_left_rest +
+          smallest5a_of_smallest4_right_rest,
       smallest5a_of_part5 = part5 + part5_lo,
       smallest5a_of_part5_right = smallest5a_of_part5 - part5,
       smallest5a_of_part5_left = smallest5a_of_part5 - smallest5a_of_part5_right,
       smallest5a_of_part5_left_rest = part5 - smallest5a_of_part5_left,
       smallest5a_of_part5_right_rest = part5_lo - smallest5a_of_part5_right,
       smallest5a_of_part5_lo = smallest5a_of_part5_left_rest + smallest5a_of_part5_right_rest,
-      smallest5 = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4 : smallest5a_of_part5,
-      smallest5_lo = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4_lo : smallest5a_of_part5_lo;
+      smallest5 = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4 :
+          smallest5a_of_part5,
+      smallest5_lo = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4_lo :
+          smallest5a_of_part5_lo;
   const double smallest5_rounded = smallest5 + smallest5_lo,
       smallest5_final = smallest5_rounded == smallest5_rounded ? smallest5_rounded : smallest5;
   const double l0_0_rounded = l0_0 + l0_0_lo,
@@ -25218,8 +25459,10 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
       smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
       smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
-      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
-      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 :
+          smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo :
+          smallest1a_of_part1_lo;
   const double own2 = 0.0 < A->at[2][2] ? A->at[2][2] : 1.0;
   const double part2a = divisor2a_of_u2_0 / own2, part2a_product = KSL_MUL(part2a, own2),
       part2a_product_error = ksl_product_error(part2a, own2, part2a_product),
@@ -25233,15 +25476,18 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
       smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
       smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
-      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest +
+          smallest2a_of_smallest1_right_rest,
       smallest2a_of_part2 = part2 + part2_lo,
       smallest2a_of_part2_right = smallest2a_of_part2 - part2,
       smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
       smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
       smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
       smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
-      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
-      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 :
+          smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo :
+          smallest2a_of_part2_lo;
   const double own3 = 0.0 < A->at[3][3] ? A->at[3][3] : 1.0;
   const double part3a = divisor3a_of_u3_0 / own3, part3a_product = KSL_MUL(part3a, own3),
       part3a_product_error = ksl_product_error(part3a, own3, part3a_product),
@@ -25255,15 +25501,18 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       smallest3a_of_smallest2_left = smallest3a_of_smallest2 - smallest3a_of_smallest2_right,
       smallest3a_of_smallest2_left_rest = smallest2 - smallest3a_of_smallest2_left,
       smallest3a_of_smallest2_right_rest = smallest2_lo - smallest3a_of_smallest2_right,
-      smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest + smallest3a_of_smallest2_right_rest,
+      smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest +
+          smallest3a_of_smallest2_right_rest,
       smallest3a_of_part3 = part3 + part3_lo,
       smallest3a_of_part3_right = smallest3a_of_part3 - part3,
       smallest3a_of_part3_left = smallest3a_of_part3 - smallest3a_of_part3_right,
       smallest3a_of_part3_left_rest = part3 - smallest3a_of_part3_left,
       smallest3a_of_part3_right_rest = part3_lo - smallest3a_of_part3_right,
       smallest3a_of_part3_lo = smallest3a_of_part3_left_rest + smallest3a_of_part3_right_rest,
-      smallest3 = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2 : smallest3a_of_part3,
-      smallest3_lo = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2_lo : smallest3a_of_part3_lo;
+      smallest3 = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2 :
+          smallest3a_of_part3,
+      smallest3_lo = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2_lo :
+          smallest3a_of_part3_lo;
   const double own4 = 0.0 < A->at[4][4] ? A->at[4][4] : 1.0;
   const double part4a = divisor4a_of_u4_0 / own4, part4a_product = KSL_MUL(part4a, own4),
       part4a_product_error = ksl_product_error(part4a, own4, part4a_product),
@@ -25277,15 +25526,18 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       smallest4a_of_smallest3_left = smallest4a_of_smallest3 - smallest4a_of_smallest3_right,
       smallest4a_of_smallest3_left_rest = smallest3 - smallest4a_of_smallest3_left,
       smallest4a_of_smallest3_right_rest = smallest3_lo - smallest4a_of_smallest3_right,
-      smallest4a_of_smallest3_lo = smallest4a_of_smallest3_left_rest + smallest4a_of_smallest3_right_rest,
+      smallest4a_of_smallest3_lo = smallest4a_of_smallest3_left_rest +
+          smallest4a_of_smallest3_right_rest,
       smallest4a_of_part4 = part4 + part4_lo,
       smallest4a_of_part4_right = smallest4a_of_part4 - part4,
       smallest4a_of_part4_left = smallest4a_of_part4 - smallest4a_of_part4_right,
       smallest4a_of_part4_left_rest = part4 - smallest4a_of_part4_left,
       smallest4a_of_part4_right_rest = part4_lo - smallest4a_of_part4_right,
       smallest4a_of_part4_lo = smallest4a_of_part4_left_rest + smallest4a_of_part4_right_rest,
-      smallest4 = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3 : smallest4a_of_part4,
-      smallest4_lo = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3_lo : smallest4a_of_part4_lo;
+      smallest4 = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3 :
+          smallest4a_of_part4,
+      smallest4_lo = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3_lo :
+          smallest4a_of_part4_lo;
   const double own5 = 0.0 < A->at[5][5] ? A->at[5][5] : 1.0;
   const double part5a = divisor5a_of_u5 / own5, part5a_product = KSL_MUL(part5a, own5),
       part5a_product_error = ksl_product_error(part5a, own5, part5a_product),
@@ -25299,15 +25551,18 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       smallest5a_of_smallest4_left = smallest5a_of_smallest4 - smallest5a_of_smallest4_right,
       smallest5a_of_smallest4_left_rest = smallest4 - smallest5a_of_smallest4_left,
       smallest5a_of_smallest4_right_rest = smallest4_lo - smallest5a_of_smallest4_right,
-      smallest5a_of_smallest4_lo = smallest5a_of_smallest4_left_rest + smallest5a_of_smallest4_right_rest,
+      smallest5a_of_smallest4_lo = smallest5a_of_smallest4_left_rest +
+          smallest5a_of_smallest4_right_rest,
       smallest5a_of_part5 = part5 + part5_lo,
       smallest5a_of_part5_right = smallest5a_of_part5 - part5,
       smallest5a_of_part5_left = smallest5a_of_part5 - smallest5a_of_part5_right,
       smallest5a_of_part5_left_rest = part5 - smallest5a_of_part5_left,
       smallest5a_of_part5_right_rest = part5_lo - smallest5a_of_part5_right,
       smallest5a_of_part5_lo = smallest5a_of_part5_left_rest + smallest5a_of_part5_right_rest,
-      smallest5 = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4 : smallest5a_of_part5,
-      smallest5_lo = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4_lo : smallest5a_of_part5_lo;
+      smallest5 = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4 :
+          smallest5a_of_part5,
+      smallest5_lo = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4_lo :
+          smallest5a_of_part5_lo;
   const double less_0 = KSL_MUL(A->at[0][0], 0.9999999999999944);
   const double less_1 = KSL_MUL(A->at[1][1], 0.9999999999999944);
   const double less_2 = KSL_MUL(A->at[2][2], 0.9999999999999944);
@@ -25320,18 +25575,22 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_divisor0a_of_less_0_left = less_divisor0a_of_less_0 - less_divisor0a_of_less_0_right,
       less_divisor0a_of_less_0_left_rest = less_0 - less_divisor0a_of_less_0_left,
       less_divisor0a_of_less_0_right_rest = less_0_lo - less_divisor0a_of_less_0_right,
-      less_divisor0a_of_less_0_lo = less_divisor0a_of_less_0_left_rest + less_divisor0a_of_less_0_right_rest,
+      less_divisor0a_of_less_0_lo = less_divisor0a_of_less_0_left_rest +
+          less_divisor0a_of_less_0_right_rest,
       less_divisor0 = 0.0 < less_divisor0a_of_less_0 ? less_divisor0a_of_less_0 : 1.0,
       less_divisor0_lo = 0.0 < less_divisor0a_of_less_0 ? less_divisor0a_of_less_0_lo : 0.0;
   const double less_l0_0_of_less_divisor0 = less_divisor0 + less_divisor0_lo,
       less_l0_0_of_less_divisor0_right = less_l0_0_of_less_divisor0 - less_divisor0,
-      less_l0_0_of_less_divisor0_left = less_l0_0_of_less_divisor0 - less_l0_0_of_less_divisor0_right,
+      less_l0_0_of_less_divisor0_left = less_l0_0_of_less_divisor0 -
+          less_l0_0_of_less_divisor0_right,
       less_l0_0_of_less_divisor0_left_rest = less_divisor0 - less_l0_0_of_less_divisor0_left,
       less_l0_0_of_less_divisor0_right_rest = less_divisor0_lo - less_l0_0_of_less_divisor0_right,
-      less_l0_0_of_less_divisor0_lo = less_l0_0_of_less_divisor0_left_rest + less_l0_0_of_less_divisor0_right_rest,
+      less_l0_0_of_less_divisor0_lo = less_l0_0_of_less_divisor0_left_rest +
+          less_l0_0_of_less_divisor0_right_rest,
       less_l0_0 = A->at[0][1] / less_l0_0_of_less_divisor0,
       less_l0_0_product = KSL_MUL(less_l0_0, less_l0_0_of_less_divisor0),
-      less_l0_0_product_error = ksl_product_error(less_l0_0, less_l0_0_of_less_divisor0, less_l0_0_product),
+      less_l0_0_product_error = ksl_product_error(less_l0_0, less_l0_0_of_less_divisor0,
+          less_l0_0_product),
       less_l0_0_rest = A->at[0][1] - less_l0_0_product,
       less_l0_0_exact = less_l0_0_rest - less_l0_0_product_error,
       less_l0_0_cross = KSL_MUL(less_l0_0, less_l0_0_of_less_divisor0_lo),
@@ -25339,7 +25598,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l0_0_lo = less_l0_0_residual / less_l0_0_of_less_divisor0;
   const double less_l0_1 = A->at[0][2] / less_l0_0_of_less_divisor0,
       less_l0_1_product = KSL_MUL(less_l0_1, less_l0_0_of_less_divisor0),
-      less_l0_1_product_error = ksl_product_error(less_l0_1, less_l0_0_of_less_divisor0, less_l0_1_product),
+      less_l0_1_product_error = ksl_product_error(less_l0_1, less_l0_0_of_less_divisor0,
+          less_l0_1_product),
       less_l0_1_rest = A->at[0][2] - less_l0_1_product,
       less_l0_1_exact = less_l0_1_rest - less_l0_1_product_error,
       less_l0_1_cross = KSL_MUL(less_l0_1, less_l0_0_of_less_divisor0_lo),
@@ -25347,7 +25607,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l0_1_lo = less_l0_1_residual / less_l0_0_of_less_divisor0;
   const double less_l0_2 = A->at[0][3] / less_l0_0_of_less_divisor0,
       less_l0_2_product = KSL_MUL(less_l0_2, less_l0_0_of_less_divisor0),
-      less_l0_2_product_error = ksl_product_error(less_l0_2, less_l0_0_of_less_divisor0, less_l0_2_product),
+      less_l0_2_product_error = ksl_product_error(less_l0_2, less_l0_0_of_less_divisor0,
+          less_l0_2_product),
       less_l0_2_rest = A->at[0][3] - less_l0_2_product,
       less_l0_2_exact = less_l0_2_rest - less_l0_2_product_error,
       less_l0_2_cross = KSL_MUL(less_l0_2, less_l0_0_of_less_divisor0_lo),
@@ -25355,7 +25616,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l0_2_lo = less_l0_2_residual / less_l0_0_of_less_divisor0;
   const double less_l0_3 = A->at[0][4] / less_l0_0_of_less_divisor0,
       less_l0_3_product = KSL_MUL(less_l0_3, less_l0_0_of_less_divisor0),
-      less_l0_3_product_error = ksl_product_error(less_l0_3, less_l0_0_of_less_divisor0, less_l0_3_product),
+      less_l0_3_product_error = ksl_product_error(less_l0_3, less_l0_0_of_less_divisor0,
+          less_l0_3_product),
       less_l0_3_rest = A->at[0][4] - less_l0_3_product,
       less_l0_3_exact = less_l0_3_rest - less_l0_3_product_error,
       less_l0_3_cross = KSL_MUL(less_l0_3, less_l0_0_of_less_divisor0_lo),
@@ -25363,7 +25625,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l0_3_lo = less_l0_3_residual / less_l0_0_of_less_divisor0;
   const double less_l0_4 = A->at[0][5] / less_l0_0_of_less_divisor0,
       less_l0_4_product = KSL_MUL(less_l0_4, less_l0_0_of_less_divisor0),
-      less_l0_4_product_error = ksl_product_error(less_l0_4, less_l0_0_of_less_divisor0, less_l0_4_product),
+      less_l0_4_product_error = ksl_product_error(less_l0_4, less_l0_0_of_less_divisor0,
+          less_l0_4_product),
       less_l0_4_rest = A->at[0][5] - less_l0_4_product,
       less_l0_4_exact = less_l0_4_rest - less_l0_4_product_error,
       less_l0_4_cross = KSL_MUL(less_l0_4, less_l0_0_of_less_divisor0_lo),
@@ -25372,7 +25635,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_u1_0a = KSL_MUL(A->at[0][1], less_l0_0),
       less_u1_0a_cross2 = KSL_MUL(A->at[0][1], less_l0_0_lo), less_u1_0 = less_1 - less_u1_0a,
       less_u1_0_right = less_1 - less_u1_0, less_u1_0_left = less_u1_0 + less_u1_0_right,
-      less_u1_0_left_rest = ksl_product_rest(A->at[1][1], 0.9999999999999944, less_1, less_u1_0_left),
+      less_u1_0_left_rest = ksl_product_rest(A->at[1][1], 0.9999999999999944, less_1,
+          less_u1_0_left),
       less_u1_0_right_rest = ksl_product_rest(A->at[0][1], less_l0_0, less_u1_0a, less_u1_0_right),
       less_u1_0_lo1 = less_u1_0_left_rest - less_u1_0_right_rest,
       less_u1_0_lo = less_u1_0_lo1 - less_u1_0a_cross2;
@@ -25406,10 +25670,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u1_4_lo = less_u1_4_lo1 - less_u1_4a_cross2;
   const double less_divisor1a_of_less_u1_0 = less_u1_0 + less_u1_0_lo,
       less_divisor1a_of_less_u1_0_right = less_divisor1a_of_less_u1_0 - less_u1_0,
-      less_divisor1a_of_less_u1_0_left = less_divisor1a_of_less_u1_0 - less_divisor1a_of_less_u1_0_right,
+      less_divisor1a_of_less_u1_0_left = less_divisor1a_of_less_u1_0 -
+          less_divisor1a_of_less_u1_0_right,
       less_divisor1a_of_less_u1_0_left_rest = less_u1_0 - less_divisor1a_of_less_u1_0_left,
       less_divisor1a_of_less_u1_0_right_rest = less_u1_0_lo - less_divisor1a_of_less_u1_0_right,
-      less_divisor1a_of_less_u1_0_lo = less_divisor1a_of_less_u1_0_left_rest + less_divisor1a_of_less_u1_0_right_rest,
+      less_divisor1a_of_less_u1_0_lo = less_divisor1a_of_less_u1_0_left_rest +
+          less_divisor1a_of_less_u1_0_right_rest,
       less_divisor1 = 0.0 < less_divisor1a_of_less_u1_0 ? less_divisor1a_of_less_u1_0 : 1.0,
       less_divisor1_lo = 0.0 < less_divisor1a_of_less_u1_0 ? less_divisor1a_of_less_u1_0_lo : 0.0;
   const double less_l1_0_of_less_u1_1 = less_u1_1 + less_u1_1_lo,
@@ -25417,16 +25683,20 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l1_0_of_less_u1_1_left = less_l1_0_of_less_u1_1 - less_l1_0_of_less_u1_1_right,
       less_l1_0_of_less_u1_1_left_rest = less_u1_1 - less_l1_0_of_less_u1_1_left,
       less_l1_0_of_less_u1_1_right_rest = less_u1_1_lo - less_l1_0_of_less_u1_1_right,
-      less_l1_0_of_less_u1_1_lo = less_l1_0_of_less_u1_1_left_rest + less_l1_0_of_less_u1_1_right_rest,
+      less_l1_0_of_less_u1_1_lo = less_l1_0_of_less_u1_1_left_rest +
+          less_l1_0_of_less_u1_1_right_rest,
       less_l1_0_of_less_divisor1 = less_divisor1 + less_divisor1_lo,
       less_l1_0_of_less_divisor1_right = less_l1_0_of_less_divisor1 - less_divisor1,
-      less_l1_0_of_less_divisor1_left = less_l1_0_of_less_divisor1 - less_l1_0_of_less_divisor1_right,
+      less_l1_0_of_less_divisor1_left = less_l1_0_of_less_divisor1 -
+          less_l1_0_of_less_divisor1_right,
       less_l1_0_of_less_divisor1_left_rest = less_divisor1 - less_l1_0_of_less_divisor1_left,
       less_l1_0_of_less_divisor1_right_rest = less_divisor1_lo - less_l1_0_of_less_divisor1_right,
-      less_l1_0_of_less_divisor1_lo = less_l1_0_of_less_divisor1_left_rest + less_l1_0_of_less_divisor1_right_rest,
+      less_l1_0_of_less_divisor1_lo = less_l1_0_of_less_divisor1_left_rest +
+          less_l1_0_of_less_divisor1_right_rest,
       less_l1_0 = less_l1_0_of_less_u1_1 / less_l1_0_of_less_divisor1,
       less_l1_0_product = KSL_MUL(less_l1_0, less_l1_0_of_less_divisor1),
-      less_l1_0_product_error = ksl_product_error(less_l1_0, less_l1_0_of_less_divisor1, less_l1_0_product),
+      less_l1_0_product_error = ksl_product_error(less_l1_0, less_l1_0_of_less_divisor1,
+          less_l1_0_product),
       less_l1_0_rest = less_l1_0_of_less_u1_1 - less_l1_0_product,
       less_l1_0_exact = less_l1_0_rest - less_l1_0_product_error,
       less_l1_0_numerator = less_l1_0_exact + less_l1_0_of_less_u1_1_lo,
@@ -25438,10 +25708,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l1_1_of_less_u1_2_left = less_l1_1_of_less_u1_2 - less_l1_1_of_less_u1_2_right,
       less_l1_1_of_less_u1_2_left_rest = less_u1_2 - less_l1_1_of_less_u1_2_left,
       less_l1_1_of_less_u1_2_right_rest = less_u1_2_lo - less_l1_1_of_less_u1_2_right,
-      less_l1_1_of_less_u1_2_lo = less_l1_1_of_less_u1_2_left_rest + less_l1_1_of_less_u1_2_right_rest,
+      less_l1_1_of_less_u1_2_lo = less_l1_1_of_less_u1_2_left_rest +
+          less_l1_1_of_less_u1_2_right_rest,
       less_l1_1 = less_l1_1_of_less_u1_2 / less_l1_0_of_less_divisor1,
       less_l1_1_product = KSL_MUL(less_l1_1, less_l1_0_of_less_divisor1),
-      less_l1_1_product_error = ksl_product_error(less_l1_1, less_l1_0_of_less_divisor1, less_l1_1_product),
+      less_l1_1_product_error = ksl_product_error(less_l1_1, less_l1_0_of_less_divisor1,
+          less_l1_1_product),
       less_l1_1_rest = less_l1_1_of_less_u1_2 - less_l1_1_product,
       less_l1_1_exact = less_l1_1_rest - less_l1_1_product_error,
       less_l1_1_numerator = less_l1_1_exact + less_l1_1_of_less_u1_2_lo,
@@ -25453,10 +25725,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l1_2_of_less_u1_3_left = less_l1_2_of_less_u1_3 - less_l1_2_of_less_u1_3_right,
       less_l1_2_of_less_u1_3_left_rest = less_u1_3 - less_l1_2_of_less_u1_3_left,
       less_l1_2_of_less_u1_3_right_rest = less_u1_3_lo - less_l1_2_of_less_u1_3_right,
-      less_l1_2_of_less_u1_3_lo = less_l1_2_of_less_u1_3_left_rest + less_l1_2_of_less_u1_3_right_rest,
+      less_l1_2_of_less_u1_3_lo = less_l1_2_of_less_u1_3_left_rest +
+          less_l1_2_of_less_u1_3_right_rest,
       less_l1_2 = less_l1_2_of_less_u1_3 / less_l1_0_of_less_divisor1,
       less_l1_2_product = KSL_MUL(less_l1_2, less_l1_0_of_less_divisor1),
-      less_l1_2_product_error = ksl_product_error(less_l1_2, less_l1_0_of_less_divisor1, less_l1_2_product),
+      less_l1_2_product_error = ksl_product_error(less_l1_2, less_l1_0_of_less_divisor1,
+          less_l1_2_product),
       less_l1_2_rest = less_l1_2_of_less_u1_3 - less_l1_2_product,
       less_l1_2_exact = less_l1_2_rest - less_l1_2_product_error,
       less_l1_2_numerator = less_l1_2_exact + less_l1_2_of_less_u1_3_lo,
@@ -25468,10 +25742,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l1_3_of_less_u1_4_left = less_l1_3_of_less_u1_4 - less_l1_3_of_less_u1_4_right,
       less_l1_3_of_less_u1_4_left_rest = less_u1_4 - less_l1_3_of_less_u1_4_left,
       less_l1_3_of_less_u1_4_right_rest = less_u1_4_lo - less_l1_3_of_less_u1_4_right,
-      less_l1_3_of_less_u1_4_lo = less_l1_3_of_less_u1_4_left_rest + less_l1_3_of_less_u1_4_right_rest,
+      less_l1_3_of_less_u1_4_lo = less_l1_3_of_less_u1_4_left_rest +
+          less_l1_3_of_less_u1_4_right_rest,
       less_l1_3 = less_l1_3_of_less_u1_4 / less_l1_0_of_less_divisor1,
       less_l1_3_product = KSL_MUL(less_l1_3, less_l1_0_of_less_divisor1),
-      less_l1_3_product_error = ksl_product_error(less_l1_3, less_l1_0_of_less_divisor1, less_l1_3_product),
+      less_l1_3_product_error = ksl_product_error(less_l1_3, less_l1_0_of_less_divisor1,
+          less_l1_3_product),
       less_l1_3_rest = less_l1_3_of_less_u1_4 - less_l1_3_product,
       less_l1_3_exact = less_l1_3_rest - less_l1_3_product_error,
       less_l1_3_numerator = less_l1_3_exact + less_l1_3_of_less_u1_4_lo,
@@ -25481,8 +25757,10 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_u2_0a = KSL_MUL(A->at[0][2], less_l0_1),
       less_u2_0a_cross2 = KSL_MUL(A->at[0][2], less_l0_1_lo), less_u2_0b = less_2 - less_u2_0a,
       less_u2_0b_right = less_2 - less_u2_0b, less_u2_0b_left = less_u2_0b + less_u2_0b_right,
-      less_u2_0b_left_rest = ksl_product_rest(A->at[2][2], 0.9999999999999944, less_2, less_u2_0b_left),
-      less_u2_0b_right_rest = ksl_product_rest(A->at[0][2], less_l0_1, less_u2_0a, less_u2_0b_right),
+      less_u2_0b_left_rest = ksl_product_rest(A->at[2][2], 0.9999999999999944, less_2,
+          less_u2_0b_left),
+      less_u2_0b_right_rest = ksl_product_rest(A->at[0][2], less_l0_1, less_u2_0a,
+          less_u2_0b_right),
       less_u2_0b_lo1 = less_u2_0b_left_rest - less_u2_0b_right_rest,
       less_u2_0b_lo = less_u2_0b_lo1 - less_u2_0a_cross2,
       less_u2_0c = KSL_MUL(less_l1_0_of_less_u1_1, less_l1_0),
@@ -25491,7 +25769,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u2_0c_cross = less_u2_0c_cross1 + less_u2_0c_cross2, less_u2_0 = less_u2_0b - less_u2_0c,
       less_u2_0_right = less_u2_0b - less_u2_0, less_u2_0_left = less_u2_0 + less_u2_0_right,
       less_u2_0_left_rest = less_u2_0b - less_u2_0_left,
-      less_u2_0_right_rest = ksl_product_rest(less_l1_0_of_less_u1_1, less_l1_0, less_u2_0c, less_u2_0_right),
+      less_u2_0_right_rest = ksl_product_rest(less_l1_0_of_less_u1_1, less_l1_0, less_u2_0c,
+          less_u2_0_right),
       less_u2_0_lo1 = less_u2_0_left_rest - less_u2_0_right_rest,
       less_u2_0_lo2 = less_u2_0_lo1 - less_u2_0c_cross,
       less_u2_0_lo = less_u2_0_lo2 + less_u2_0b_lo;
@@ -25499,7 +25778,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u2_1a_cross2 = KSL_MUL(A->at[0][3], less_l0_1_lo), less_u2_1b = A->at[2][3] - less_u2_1a,
       less_u2_1b_right = A->at[2][3] - less_u2_1b, less_u2_1b_left = less_u2_1b + less_u2_1b_right,
       less_u2_1b_left_rest = A->at[2][3] - less_u2_1b_left,
-      less_u2_1b_right_rest = ksl_product_rest(A->at[0][3], less_l0_1, less_u2_1a, less_u2_1b_right),
+      less_u2_1b_right_rest = ksl_product_rest(A->at[0][3], less_l0_1, less_u2_1a,
+          less_u2_1b_right),
       less_u2_1b_lo1 = less_u2_1b_left_rest - less_u2_1b_right_rest,
       less_u2_1b_lo = less_u2_1b_lo1 - less_u2_1a_cross2,
       less_u2_1c = KSL_MUL(less_l1_1_of_less_u1_2, less_l1_0),
@@ -25508,7 +25788,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u2_1c_cross = less_u2_1c_cross1 + less_u2_1c_cross2, less_u2_1 = less_u2_1b - less_u2_1c,
       less_u2_1_right = less_u2_1b - less_u2_1, less_u2_1_left = less_u2_1 + less_u2_1_right,
       less_u2_1_left_rest = less_u2_1b - less_u2_1_left,
-      less_u2_1_right_rest = ksl_product_rest(less_l1_1_of_less_u1_2, less_l1_0, less_u2_1c, less_u2_1_right),
+      less_u2_1_right_rest = ksl_product_rest(less_l1_1_of_less_u1_2, less_l1_0, less_u2_1c,
+          less_u2_1_right),
       less_u2_1_lo1 = less_u2_1_left_rest - less_u2_1_right_rest,
       less_u2_1_lo2 = less_u2_1_lo1 - less_u2_1c_cross,
       less_u2_1_lo = less_u2_1_lo2 + less_u2_1b_lo;
@@ -25516,7 +25797,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u2_2a_cross2 = KSL_MUL(A->at[0][4], less_l0_1_lo), less_u2_2b = A->at[2][4] - less_u2_2a,
       less_u2_2b_right = A->at[2][4] - less_u2_2b, less_u2_2b_left = less_u2_2b + less_u2_2b_right,
       less_u2_2b_left_rest = A->at[2][4] - less_u2_2b_left,
-      less_u2_2b_right_rest = ksl_product_rest(A->at[0][4], less_l0_1, less_u2_2a, less_u2_2b_right),
+      less_u2_2b_right_rest = ksl_product_rest(A->at[0][4], less_l0_1, less_u2_2a,
+          less_u2_2b_right),
       less_u2_2b_lo1 = less_u2_2b_left_rest - less_u2_2b_right_rest,
       less_u2_2b_lo = less_u2_2b_lo1 - less_u2_2a_cross2,
       less_u2_2c = KSL_MUL(less_l1_2_of_less_u1_3, less_l1_0),
@@ -25525,7 +25807,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u2_2c_cross = less_u2_2c_cross1 + less_u2_2c_cross2, less_u2_2 = less_u2_2b - less_u2_2c,
       less_u2_2_right = less_u2_2b - less_u2_2, less_u2_2_left = less_u2_2 + less_u2_2_right,
       less_u2_2_left_rest = less_u2_2b - less_u2_2_left,
-      less_u2_2_right_rest = ksl_product_rest(less_l1_2_of_less_u1_3, less_l1_0, less_u2_2c, less_u2_2_right),
+      less_u2_2_right_rest = ksl_product_rest(less_l1_2_of_less_u1_3, less_l1_0, less_u2_2c,
+          less_u2_2_right),
       less_u2_2_lo1 = less_u2_2_left_rest - less_u2_2_right_rest,
       less_u2_2_lo2 = less_u2_2_lo1 - less_u2_2c_cross,
       less_u2_2_lo = less_u2_2_lo2 + less_u2_2b_lo;
@@ -25533,7 +25816,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u2_3a_cross2 = KSL_MUL(A->at[0][5], less_l0_1_lo), less_u2_3b = A->at[2][5] - less_u2_3a,
       less_u2_3b_right = A->at[2][5] - less_u2_3b, less_u2_3b_left = less_u2_3b + less_u2_3b_right,
       less_u2_3b_left_rest = A->at[2][5] - less_u2_3b_left,
-      less_u2_3b_right_rest = ksl_product_rest(A->at[0][5], less_l0_1, less_u2_3a, less_u2_3b_right),
+      less_u2_3b_right_rest = ksl_product_rest(A->at[0][5], less_l0_1, less_u2_3a,
+          less_u2_3b_right),
       less_u2_3b_lo1 = less_u2_3b_left_rest - less_u2_3b_right_rest,
       less_u2_3b_lo = less_u2_3b_lo1 - less_u2_3a_cross2,
       less_u2_3c = KSL_MUL(less_l1_3_of_less_u1_4, less_l1_0),
@@ -25542,16 +25826,19 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u2_3c_cross = less_u2_3c_cross1 + less_u2_3c_cross2, less_u2_3 = less_u2_3b - less_u2_3c,
       less_u2_3_right = less_u2_3b - less_u2_3, less_u2_3_left = less_u2_3 + less_u2_3_right,
       less_u2_3_left_rest = less_u2_3b - less_u2_3_left,
-      less_u2_3_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_0, less_u2_3c, less_u2_3_right),
+      less_u2_3_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_0, less_u2_3c,
+          less_u2_3_right),
       less_u2_3_lo1 = less_u2_3_left_rest - less_u2_3_right_rest,
       less_u2_3_lo2 = less_u2_3_lo1 - less_u2_3c_cross,
       less_u2_3_lo = less_u2_3_lo2 + less_u2_3b_lo;
   const double less_divisor2a_of_less_u2_0 = less_u2_0 + less_u2_0_lo,
       less_divisor2a_of_less_u2_0_right = less_divisor2a_of_less_u2_0 - less_u2_0,
-      less_divisor2a_of_less_u2_0_left = less_divisor2a_of_less_u2_0 - less_divisor2a_of_less_u2_0_right,
+      less_divisor2a_of_less_u2_0_left = less_divisor2a_of_less_u2_0 -
+          less_divisor2a_of_less_u2_0_right,
       less_divisor2a_of_less_u2_0_left_rest = less_u2_0 - less_divisor2a_of_less_u2_0_left,
       less_divisor2a_of_less_u2_0_right_rest = less_u2_0_lo - less_divisor2a_of_less_u2_0_right,
-      less_divisor2a_of_less_u2_0_lo = less_divisor2a_of_less_u2_0_left_rest + less_divisor2a_of_less_u2_0_right_rest,
+      less_divisor2a_of_less_u2_0_lo = less_divisor2a_of_less_u2_0_left_rest +
+          less_divisor2a_of_less_u2_0_right_rest,
       less_divisor2 = 0.0 < less_divisor2a_of_less_u2_0 ? less_divisor2a_of_less_u2_0 : 1.0,
       less_divisor2_lo = 0.0 < less_divisor2a_of_less_u2_0 ? less_divisor2a_of_less_u2_0_lo : 0.0;
   const double less_l2_0_of_less_u2_1 = less_u2_1 + less_u2_1_lo,
@@ -25559,16 +25846,20 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l2_0_of_less_u2_1_left = less_l2_0_of_less_u2_1 - less_l2_0_of_less_u2_1_right,
       less_l2_0_of_less_u2_1_left_rest = less_u2_1 - less_l2_0_of_less_u2_1_left,
       less_l2_0_of_less_u2_1_right_rest = less_u2_1_lo - less_l2_0_of_less_u2_1_right,
-      less_l2_0_of_less_u2_1_lo = less_l2_0_of_less_u2_1_left_rest + less_l2_0_of_less_u2_1_right_rest,
+      less_l2_0_of_less_u2_1_lo = less_l2_0_of_less_u2_1_left_rest +
+          less_l2_0_of_less_u2_1_right_rest,
       less_l2_0_of_less_divisor2 = less_divisor2 + less_divisor2_lo,
       less_l2_0_of_less_divisor2_right = less_l2_0_of_less_divisor2 - less_divisor2,
-      less_l2_0_of_less_divisor2_left = less_l2_0_of_less_divisor2 - less_l2_0_of_less_divisor2_right,
+      less_l2_0_of_less_divisor2_left = less_l2_0_of_less_divisor2 -
+          less_l2_0_of_less_divisor2_right,
       less_l2_0_of_less_divisor2_left_rest = less_divisor2 - less_l2_0_of_less_divisor2_left,
       less_l2_0_of_less_divisor2_right_rest = less_divisor2_lo - less_l2_0_of_less_divisor2_right,
-      less_l2_0_of_less_divisor2_lo = less_l2_0_of_less_divisor2_left_rest + less_l2_0_of_less_divisor2_right_rest,
+      less_l2_0_of_less_divisor2_lo = less_l2_0_of_less_divisor2_left_rest +
+          less_l2_0_of_less_divisor2_right_rest,
       less_l2_0 = less_l2_0_of_less_u2_1 / less_l2_0_of_less_divisor2,
       less_l2_0_product = KSL_MUL(less_l2_0, less_l2_0_of_less_divisor2),
-      less_l2_0_product_error = ksl_product_error(less_l2_0, less_l2_0_of_less_divisor2, less_l2_0_product),
+      less_l2_0_product_error = ksl_product_error(less_l2_0, less_l2_0_of_less_divisor2,
+          less_l2_0_product),
       less_l2_0_rest = less_l2_0_of_less_u2_1 - less_l2_0_product,
       less_l2_0_exact = less_l2_0_rest - less_l2_0_product_error,
       less_l2_0_numerator = less_l2_0_exact + less_l2_0_of_less_u2_1_lo,
@@ -25580,10 +25871,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l2_1_of_less_u2_2_left = less_l2_1_of_less_u2_2 - less_l2_1_of_less_u2_2_right,
       less_l2_1_of_less_u2_2_left_rest = less_u2_2 - less_l2_1_of_less_u2_2_left,
       less_l2_1_of_less_u2_2_right_rest = less_u2_2_lo - less_l2_1_of_less_u2_2_right,
-      less_l2_1_of_less_u2_2_lo = less_l2_1_of_less_u2_2_left_rest + less_l2_1_of_less_u2_2_right_rest,
+      less_l2_1_of_less_u2_2_lo = less_l2_1_of_less_u2_2_left_rest +
+          less_l2_1_of_less_u2_2_right_rest,
       less_l2_1 = less_l2_1_of_less_u2_2 / less_l2_0_of_less_divisor2,
       less_l2_1_product = KSL_MUL(less_l2_1, less_l2_0_of_less_divisor2),
-      less_l2_1_product_error = ksl_product_error(less_l2_1, less_l2_0_of_less_divisor2, less_l2_1_product),
+      less_l2_1_product_error = ksl_product_error(less_l2_1, less_l2_0_of_less_divisor2,
+          less_l2_1_product),
       less_l2_1_rest = less_l2_1_of_less_u2_2 - less_l2_1_product,
       less_l2_1_exact = less_l2_1_rest - less_l2_1_product_error,
       less_l2_1_numerator = less_l2_1_exact + less_l2_1_of_less_u2_2_lo,
@@ -25595,10 +25888,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l2_2_of_less_u2_3_left = less_l2_2_of_less_u2_3 - less_l2_2_of_less_u2_3_right,
       less_l2_2_of_less_u2_3_left_rest = less_u2_3 - less_l2_2_of_less_u2_3_left,
       less_l2_2_of_less_u2_3_right_rest = less_u2_3_lo - less_l2_2_of_less_u2_3_right,
-      less_l2_2_of_less_u2_3_lo = less_l2_2_of_less_u2_3_left_rest + less_l2_2_of_less_u2_3_right_rest,
+      less_l2_2_of_less_u2_3_lo = less_l2_2_of_less_u2_3_left_rest +
+          less_l2_2_of_less_u2_3_right_rest,
       less_l2_2 = less_l2_2_of_less_u2_3 / less_l2_0_of_less_divisor2,
       less_l2_2_product = KSL_MUL(less_l2_2, less_l2_0_of_less_divisor2),
-      less_l2_2_product_error = ksl_product_error(less_l2_2, less_l2_0_of_less_divisor2, less_l2_2_product),
+      less_l2_2_product_error = ksl_product_error(less_l2_2, less_l2_0_of_less_divisor2,
+          less_l2_2_product),
       less_l2_2_rest = less_l2_2_of_less_u2_3 - less_l2_2_product,
       less_l2_2_exact = less_l2_2_rest - less_l2_2_product_error,
       less_l2_2_numerator = less_l2_2_exact + less_l2_2_of_less_u2_3_lo,
@@ -25608,8 +25903,10 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_u3_0a = KSL_MUL(A->at[0][3], less_l0_2),
       less_u3_0a_cross2 = KSL_MUL(A->at[0][3], less_l0_2_lo), less_u3_0b = less_3 - less_u3_0a,
       less_u3_0b_right = less_3 - less_u3_0b, less_u3_0b_left = less_u3_0b + less_u3_0b_right,
-      less_u3_0b_left_rest = ksl_product_rest(A->at[3][3], 0.9999999999999944, less_3, less_u3_0b_left),
-      less_u3_0b_right_rest = ksl_product_rest(A->at[0][3], less_l0_2, less_u3_0a, less_u3_0b_right),
+      less_u3_0b_left_rest = ksl_product_rest(A->at[3][3], 0.9999999999999944, less_3,
+          less_u3_0b_left),
+      less_u3_0b_right_rest = ksl_product_rest(A->at[0][3], less_l0_2, less_u3_0a,
+          less_u3_0b_right),
       less_u3_0b_lo1 = less_u3_0b_left_rest - less_u3_0b_right_rest,
       less_u3_0b_lo = less_u3_0b_lo1 - less_u3_0a_cross2,
       less_u3_0c = KSL_MUL(less_l1_1_of_less_u1_2, less_l1_1),
@@ -25619,7 +25916,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_0d = less_u3_0b - less_u3_0c, less_u3_0d_right = less_u3_0b - less_u3_0d,
       less_u3_0d_left = less_u3_0d + less_u3_0d_right,
       less_u3_0d_left_rest = less_u3_0b - less_u3_0d_left,
-      less_u3_0d_right_rest = ksl_product_rest(less_l1_1_of_less_u1_2, less_l1_1, less_u3_0c, less_u3_0d_right),
+      less_u3_0d_right_rest = ksl_product_rest(less_l1_1_of_less_u1_2, less_l1_1, less_u3_0c,
+          less_u3_0d_right),
       less_u3_0d_lo1 = less_u3_0d_left_rest - less_u3_0d_right_rest,
       less_u3_0d_lo2 = less_u3_0d_lo1 - less_u3_0c_cross,
       less_u3_0d_lo = less_u3_0d_lo2 + less_u3_0b_lo,
@@ -25629,7 +25927,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_0e_cross = less_u3_0e_cross1 + less_u3_0e_cross2, less_u3_0 = less_u3_0d - less_u3_0e,
       less_u3_0_right = less_u3_0d - less_u3_0, less_u3_0_left = less_u3_0 + less_u3_0_right,
       less_u3_0_left_rest = less_u3_0d - less_u3_0_left,
-      less_u3_0_right_rest = ksl_product_rest(less_l2_0_of_less_u2_1, less_l2_0, less_u3_0e, less_u3_0_right),
+      less_u3_0_right_rest = ksl_product_rest(less_l2_0_of_less_u2_1, less_l2_0, less_u3_0e,
+          less_u3_0_right),
       less_u3_0_lo1 = less_u3_0_left_rest - less_u3_0_right_rest,
       less_u3_0_lo2 = less_u3_0_lo1 - less_u3_0e_cross,
       less_u3_0_lo = less_u3_0_lo2 + less_u3_0d_lo;
@@ -25637,7 +25936,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_1a_cross2 = KSL_MUL(A->at[0][4], less_l0_2_lo), less_u3_1b = A->at[3][4] - less_u3_1a,
       less_u3_1b_right = A->at[3][4] - less_u3_1b, less_u3_1b_left = less_u3_1b + less_u3_1b_right,
       less_u3_1b_left_rest = A->at[3][4] - less_u3_1b_left,
-      less_u3_1b_right_rest = ksl_product_rest(A->at[0][4], less_l0_2, less_u3_1a, less_u3_1b_right),
+      less_u3_1b_right_rest = ksl_product_rest(A->at[0][4], less_l0_2, less_u3_1a,
+          less_u3_1b_right),
       less_u3_1b_lo1 = less_u3_1b_left_rest - less_u3_1b_right_rest,
       less_u3_1b_lo = less_u3_1b_lo1 - less_u3_1a_cross2,
       less_u3_1c = KSL_MUL(less_l1_2_of_less_u1_3, less_l1_1),
@@ -25647,7 +25947,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_1d = less_u3_1b - less_u3_1c, less_u3_1d_right = less_u3_1b - less_u3_1d,
       less_u3_1d_left = less_u3_1d + less_u3_1d_right,
       less_u3_1d_left_rest = less_u3_1b - less_u3_1d_left,
-      less_u3_1d_right_rest = ksl_product_rest(less_l1_2_of_less_u1_3, less_l1_1, less_u3_1c, less_u3_1d_right),
+      less_u3_1d_right_rest = ksl_product_rest(less_l1_2_of_less_u1_3, less_l1_1, less_u3_1c,
+          less_u3_1d_right),
       less_u3_1d_lo1 = less_u3_1d_left_rest - less_u3_1d_right_rest,
       less_u3_1d_lo2 = less_u3_1d_lo1 - less_u3_1c_cross,
       less_u3_1d_lo = less_u3_1d_lo2 + less_u3_1b_lo,
@@ -25657,7 +25958,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_1e_cross = less_u3_1e_cross1 + less_u3_1e_cross2, less_u3_1 = less_u3_1d - less_u3_1e,
       less_u3_1_right = less_u3_1d - less_u3_1, less_u3_1_left = less_u3_1 + less_u3_1_right,
       less_u3_1_left_rest = less_u3_1d - less_u3_1_left,
-      less_u3_1_right_rest = ksl_product_rest(less_l2_1_of_less_u2_2, less_l2_0, less_u3_1e, less_u3_1_right),
+      less_u3_1_right_rest = ksl_product_rest(less_l2_1_of_less_u2_2, less_l2_0, less_u3_1e,
+          less_u3_1_right),
       less_u3_1_lo1 = less_u3_1_left_rest - less_u3_1_right_rest,
       less_u3_1_lo2 = less_u3_1_lo1 - less_u3_1e_cross,
       less_u3_1_lo = less_u3_1_lo2 + less_u3_1d_lo;
@@ -25665,7 +25967,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_2a_cross2 = KSL_MUL(A->at[0][5], less_l0_2_lo), less_u3_2b = A->at[3][5] - less_u3_2a,
       less_u3_2b_right = A->at[3][5] - less_u3_2b, less_u3_2b_left = less_u3_2b + less_u3_2b_right,
       less_u3_2b_left_rest = A->at[3][5] - less_u3_2b_left,
-      less_u3_2b_right_rest = ksl_product_rest(A->at[0][5], less_l0_2, less_u3_2a, less_u3_2b_right),
+      less_u3_2b_right_rest = ksl_product_rest(A->at[0][5], less_l0_2, less_u3_2a,
+          less_u3_2b_right),
       less_u3_2b_lo1 = less_u3_2b_left_rest - less_u3_2b_right_rest,
       less_u3_2b_lo = less_u3_2b_lo1 - less_u3_2a_cross2,
       less_u3_2c = KSL_MUL(less_l1_3_of_less_u1_4, less_l1_1),
@@ -25675,7 +25978,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_2d = less_u3_2b - less_u3_2c, less_u3_2d_right = less_u3_2b - less_u3_2d,
       less_u3_2d_left = less_u3_2d + less_u3_2d_right,
       less_u3_2d_left_rest = less_u3_2b - less_u3_2d_left,
-      less_u3_2d_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_1, less_u3_2c, less_u3_2d_right),
+      less_u3_2d_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_1, less_u3_2c,
+          less_u3_2d_right),
       less_u3_2d_lo1 = less_u3_2d_left_rest - less_u3_2d_right_rest,
       less_u3_2d_lo2 = less_u3_2d_lo1 - less_u3_2c_cross,
       less_u3_2d_lo = less_u3_2d_lo2 + less_u3_2b_lo,
@@ -25685,16 +25989,19 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_2e_cross = less_u3_2e_cross1 + less_u3_2e_cross2, less_u3_2 = less_u3_2d - less_u3_2e,
       less_u3_2_right = less_u3_2d - less_u3_2, less_u3_2_left = less_u3_2 + less_u3_2_right,
       less_u3_2_left_rest = less_u3_2d - less_u3_2_left,
-      less_u3_2_right_rest = ksl_product_rest(less_l2_2_of_less_u2_3, less_l2_0, less_u3_2e, less_u3_2_right),
+      less_u3_2_right_rest = ksl_product_rest(less_l2_2_of_less_u2_3, less_l2_0, less_u3_2e,
+          less_u3_2_right),
       less_u3_2_lo1 = less_u3_2_left_rest - less_u3_2_right_rest,
       less_u3_2_lo2 = less_u3_2_lo1 - less_u3_2e_cross,
       less_u3_2_lo = less_u3_2_lo2 + less_u3_2d_lo;
   const double less_divisor3a_of_less_u3_0 = less_u3_0 + less_u3_0_lo,
       less_divisor3a_of_less_u3_0_right = less_divisor3a_of_less_u3_0 - less_u3_0,
-      less_divisor3a_of_less_u3_0_left = less_divisor3a_of_less_u3_0 - less_divisor3a_of_less_u3_0_right,
+      less_divisor3a_of_less_u3_0_left = less_divisor3a_of_less_u3_0 -
+          less_divisor3a_of_less_u3_0_right,
       less_divisor3a_of_less_u3_0_left_rest = less_u3_0 - less_divisor3a_of_less_u3_0_left,
       less_divisor3a_of_less_u3_0_right_rest = less_u3_0_lo - less_divisor3a_of_less_u3_0_right,
-      less_divisor3a_of_less_u3_0_lo = less_divisor3a_of_less_u3_0_left_rest + less_divisor3a_of_less_u3_0_right_rest,
+      less_divisor3a_of_less_u3_0_lo = less_divisor3a_of_less_u3_0_left_rest +
+          less_divisor3a_of_less_u3_0_right_rest,
       less_divisor3 = 0.0 < less_divisor3a_of_less_u3_0 ? less_divisor3a_of_less_u3_0 : 1.0,
       less_divisor3_lo = 0.0 < less_divisor3a_of_less_u3_0 ? less_divisor3a_of_less_u3_0_lo : 0.0;
   const double less_l3_0_of_less_u3_1 = less_u3_1 + less_u3_1_lo,
@@ -25702,16 +26009,20 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l3_0_of_less_u3_1_left = less_l3_0_of_less_u3_1 - less_l3_0_of_less_u3_1_right,
       less_l3_0_of_less_u3_1_left_rest = less_u3_1 - less_l3_0_of_less_u3_1_left,
       less_l3_0_of_less_u3_1_right_rest = less_u3_1_lo - less_l3_0_of_less_u3_1_right,
-      less_l3_0_of_less_u3_1_lo = less_l3_0_of_less_u3_1_left_rest + less_l3_0_of_less_u3_1_right_rest,
+      less_l3_0_of_less_u3_1_lo = less_l3_0_of_less_u3_1_left_rest +
+          less_l3_0_of_less_u3_1_right_rest,
       less_l3_0_of_less_divisor3 = less_divisor3 + less_divisor3_lo,
       less_l3_0_of_less_divisor3_right = less_l3_0_of_less_divisor3 - less_divisor3,
-      less_l3_0_of_less_divisor3_left = less_l3_0_of_less_divisor3 - less_l3_0_of_less_divisor3_right,
+      less_l3_0_of_less_divisor3_left = less_l3_0_of_less_divisor3 -
+          less_l3_0_of_less_divisor3_right,
       less_l3_0_of_less_divisor3_left_rest = less_divisor3 - less_l3_0_of_less_divisor3_left,
       less_l3_0_of_less_divisor3_right_rest = less_divisor3_lo - less_l3_0_of_less_divisor3_right,
-      less_l3_0_of_less_divisor3_lo = less_l3_0_of_less_divisor3_left_rest + less_l3_0_of_less_divisor3_right_rest,
+      less_l3_0_of_less_divisor3_lo = less_l3_0_of_less_divisor3_left_rest +
+          less_l3_0_of_less_divisor3_right_rest,
       less_l3_0 = less_l3_0_of_less_u3_1 / less_l3_0_of_less_divisor3,
       less_l3_0_product = KSL_MUL(less_l3_0, less_l3_0_of_less_divisor3),
-      less_l3_0_product_error = ksl_product_error(less_l3_0, less_l3_0_of_less_divisor3, less_l3_0_product),
+      less_l3_0_product_error = ksl_product_error(less_l3_0, less_l3_0_of_less_divisor3,
+          less_l3_0_product),
       less_l3_0_rest = less_l3_0_of_less_u3_1 - less_l3_0_product,
       less_l3_0_exact = less_l3_0_rest - less_l3_0_product_error,
       less_l3_0_numerator = less_l3_0_exact + less_l3_0_of_less_u3_1_lo,
@@ -25723,10 +26034,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l3_1_of_less_u3_2_left = less_l3_1_of_less_u3_2 - less_l3_1_of_less_u3_2_right,
       less_l3_1_of_less_u3_2_left_rest = less_u3_2 - less_l3_1_of_less_u3_2_left,
       less_l3_1_of_less_u3_2_right_rest = less_u3_2_lo - less_l3_1_of_less_u3_2_right,
-      less_l3_1_of_less_u3_2_lo = less_l3_1_of_less_u3_2_left_rest + less_l3_1_of_less_u3_2_right_rest,
+      less_l3_1_of_less_u3_2_lo = less_l3_1_of_less_u3_2_left_rest +
+          less_l3_1_of_less_u3_2_right_rest,
       less_l3_1 = less_l3_1_of_less_u3_2 / less_l3_0_of_less_divisor3,
       less_l3_1_product = KSL_MUL(less_l3_1, less_l3_0_of_less_divisor3),
-      less_l3_1_product_error = ksl_product_error(less_l3_1, less_l3_0_of_less_divisor3, less_l3_1_product),
+      less_l3_1_product_error = ksl_product_error(less_l3_1, less_l3_0_of_less_divisor3,
+          less_l3_1_product),
       less_l3_1_rest = less_l3_1_of_less_u3_2 - less_l3_1_product,
       less_l3_1_exact = less_l3_1_rest - less_l3_1_product_error,
       less_l3_1_numerator = less_l3_1_exact + less_l3_1_of_less_u3_2_lo,
@@ -25736,8 +26049,10 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_u4_0a = KSL_MUL(A->at[0][4], less_l0_3),
       less_u4_0a_cross2 = KSL_MUL(A->at[0][4], less_l0_3_lo), less_u4_0b = less_4 - less_u4_0a,
       less_u4_0b_right = less_4 - less_u4_0b, less_u4_0b_left = less_u4_0b + less_u4_0b_right,
-      less_u4_0b_left_rest = ksl_product_rest(A->at[4][4], 0.9999999999999944, less_4, less_u4_0b_left),
-      less_u4_0b_right_rest = ksl_product_rest(A->at[0][4], less_l0_3, less_u4_0a, less_u4_0b_right),
+      less_u4_0b_left_rest = ksl_product_rest(A->at[4][4], 0.9999999999999944, less_4,
+          less_u4_0b_left),
+      less_u4_0b_right_rest = ksl_product_rest(A->at[0][4], less_l0_3, less_u4_0a,
+          less_u4_0b_right),
       less_u4_0b_lo1 = less_u4_0b_left_rest - less_u4_0b_right_rest,
       less_u4_0b_lo = less_u4_0b_lo1 - less_u4_0a_cross2,
       less_u4_0c = KSL_MUL(less_l1_2_of_less_u1_3, less_l1_2),
@@ -25747,7 +26062,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u4_0d = less_u4_0b - less_u4_0c, less_u4_0d_right = less_u4_0b - less_u4_0d,
       less_u4_0d_left = less_u4_0d + less_u4_0d_right,
       less_u4_0d_left_rest = less_u4_0b - less_u4_0d_left,
-      less_u4_0d_right_rest = ksl_product_rest(less_l1_2_of_less_u1_3, less_l1_2, less_u4_0c, less_u4_0d_right),
+      less_u4_0d_right_rest = ksl_product_rest(less_l1_2_of_less_u1_3, less_l1_2, less_u4_0c,
+          less_u4_0d_right),
       less_u4_0d_lo1 = less_u4_0d_left_rest - less_u4_0d_right_rest,
       less_u4_0d_lo2 = less_u4_0d_lo1 - less_u4_0c_cross,
       less_u4_0d_lo = less_u4_0d_lo2 + less_u4_0b_lo,
@@ -25758,7 +26074,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u4_0f = less_u4_0d - less_u4_0e, less_u4_0f_right = less_u4_0d - less_u4_0f,
       less_u4_0f_left = less_u4_0f + less_u4_0f_right,
       less_u4_0f_left_rest = less_u4_0d - less_u4_0f_left,
-      less_u4_0f_right_rest = ksl_product_rest(less_l2_1_of_less_u2_2, less_l2_1, less_u4_0e, less_u4_0f_right),
+      less_u4_0f_right_rest = ksl_product_rest(less_l2_1_of_less_u2_2, less_l2_1, less_u4_0e,
+          less_u4_0f_right),
       less_u4_0f_lo1 = less_u4_0f_left_rest - less_u4_0f_right_rest,
       less_u4_0f_lo2 = less_u4_0f_lo1 - less_u4_0e_cross,
       less_u4_0f_lo = less_u4_0f_lo2 + less_u4_0d_lo,
@@ -25768,7 +26085,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u4_0g_cross = less_u4_0g_cross1 + less_u4_0g_cross2, less_u4_0 = less_u4_0f - less_u4_0g,
       less_u4_0_right = less_u4_0f - less_u4_0, less_u4_0_left = less_u4_0 + less_u4_0_right,
       less_u4_0_left_rest = less_u4_0f - less_u4_0_left,
-      less_u4_0_right_rest = ksl_product_rest(less_l3_0_of_less_u3_1, less_l3_0, less_u4_0g, less_u4_0_right),
+      less_u4_0_right_rest = ksl_product_rest(less_l3_0_of_less_u3_1, less_l3_0, less_u4_0g,
+          less_u4_0_right),
       less_u4_0_lo1 = less_u4_0_left_rest - less_u4_0_right_rest,
       less_u4_0_lo2 = less_u4_0_lo1 - less_u4_0g_cross,
       less_u4_0_lo = less_u4_0_lo2 + less_u4_0f_lo;
@@ -25776,7 +26094,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u4_1a_cross2 = KSL_MUL(A->at[0][5], less_l0_3_lo), less_u4_1b = A->at[4][5] - less_u4_1a,
       less_u4_1b_right = A->at[4][5] - less_u4_1b, less_u4_1b_left = less_u4_1b + less_u4_1b_right,
       less_u4_1b_left_rest = A->at[4][5] - less_u4_1b_left,
-      less_u4_1b_right_rest = ksl_product_rest(A->at[0][5], less_l0_3, less_u4_1a, less_u4_1b_right),
+      less_u4_1b_right_rest = ksl_product_rest(A->at[0][5], less_l0_3, less_u4_1a,
+          less_u4_1b_right),
       less_u4_1b_lo1 = less_u4_1b_left_rest - less_u4_1b_right_rest,
       less_u4_1b_lo = less_u4_1b_lo1 - less_u4_1a_cross2,
       less_u4_1c = KSL_MUL(less_l1_3_of_less_u1_4, less_l1_2),
@@ -25786,7 +26105,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u4_1d = less_u4_1b - less_u4_1c, less_u4_1d_right = less_u4_1b - less_u4_1d,
       less_u4_1d_left = less_u4_1d + less_u4_1d_right,
       less_u4_1d_left_rest = less_u4_1b - less_u4_1d_left,
-      less_u4_1d_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_2, less_u4_1c, less_u4_1d_right),
+      less_u4_1d_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_2, less_u4_1c,
+          less_u4_1d_right),
       less_u4_1d_lo1 = less_u4_1d_left_rest - less_u4_1d_right_rest,
       less_u4_1d_lo2 = less_u4_1d_lo1 - less_u4_1c_cross,
       less_u4_1d_lo = less_u4_1d_lo2 + less_u4_1b_lo,
@@ -25797,7 +26117,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u4_1f = less_u4_1d - less_u4_1e, less_u4_1f_right = less_u4_1d - less_u4_1f,
       less_u4_1f_left = less_u4_1f + less_u4_1f_right,
       less_u4_1f_left_rest = less_u4_1d - less_u4_1f_left,
-      less_u4_1f_right_rest = ksl_product_rest(less_l2_2_of_less_u2_3, less_l2_1, less_u4_1e, less_u4_1f_right),
+      less_u4_1f_right_rest = ksl_product_rest(less_l2_2_of_less_u2_3, less_l2_1, less_u4_1e,
+          less_u4_1f_right),
       less_u4_1f_lo1 = less_u4_1f_left_rest - less_u4_1f_right_rest,
       less_u4_1f_lo2 = less_u4_1f_lo1 - less_u4_1e_cross,
       less_u4_1f_lo = less_u4_1f_lo2 + less_u4_1d_lo,
@@ -25807,16 +26128,19 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u4_1g_cross = less_u4_1g_cross1 + less_u4_1g_cross2, less_u4_1 = less_u4_1f - less_u4_1g,
       less_u4_1_right = less_u4_1f - less_u4_1, less_u4_1_left = less_u4_1 + less_u4_1_right,
       less_u4_1_left_rest = less_u4_1f - less_u4_1_left,
-      less_u4_1_right_rest = ksl_product_rest(less_l3_1_of_less_u3_2, less_l3_0, less_u4_1g, less_u4_1_right),
+      less_u4_1_right_rest = ksl_product_rest(less_l3_1_of_less_u3_2, less_l3_0, less_u4_1g,
+          less_u4_1_right),
       less_u4_1_lo1 = less_u4_1_left_rest - less_u4_1_right_rest,
       less_u4_1_lo2 = less_u4_1_lo1 - less_u4_1g_cross,
       less_u4_1_lo = less_u4_1_lo2 + less_u4_1f_lo;
   const double less_divisor4a_of_less_u4_0 = less_u4_0 + less_u4_0_lo,
       less_divisor4a_of_less_u4_0_right = less_divisor4a_of_less_u4_0 - less_u4_0,
-      less_divisor4a_of_less_u4_0_left = less_divisor4a_of_less_u4_0 - less_divisor4a_of_less_u4_0_right,
+      less_divisor4a_of_less_u4_0_left = less_divisor4a_of_less_u4_0 -
+          less_divisor4a_of_less_u4_0_right,
       less_divisor4a_of_less_u4_0_left_rest = less_u4_0 - less_divisor4a_of_less_u4_0_left,
       less_divisor4a_of_less_u4_0_right_rest = less_u4_0_lo - less_divisor4a_of_less_u4_0_right,
-      less_divisor4a_of_less_u4_0_lo = less_divisor4a_of_less_u4_0_left_rest + less_divisor4a_of_less_u4_0_right_rest,
+      less_divisor4a_of_less_u4_0_lo = less_divisor4a_of_less_u4_0_left_rest +
+          less_divisor4a_of_less_u4_0_right_rest,
       less_divisor4 = 0.0 < less_divisor4a_of_less_u4_0 ? less_divisor4a_of_less_u4_0 : 1.0,
       less_divisor4_lo = 0.0 < less_divisor4a_of_less_u4_0 ? less_divisor4a_of_less_u4_0_lo : 0.0;
   const double less_l4_of_less_u4_1 = less_u4_1 + less_u4_1_lo,
@@ -25830,7 +26154,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l4_of_less_divisor4_left = less_l4_of_less_divisor4 - less_l4_of_less_divisor4_right,
       less_l4_of_less_divisor4_left_rest = less_divisor4 - less_l4_of_less_divisor4_left,
       less_l4_of_less_divisor4_right_rest = less_divisor4_lo - less_l4_of_less_divisor4_right,
-      less_l4_of_less_divisor4_lo = less_l4_of_less_divisor4_left_rest + less_l4_of_less_divisor4_right_rest,
+      less_l4_of_less_divisor4_lo = less_l4_of_less_divisor4_left_rest +
+          less_l4_of_less_divisor4_right_rest,
       less_l4 = less_l4_of_less_u4_1 / less_l4_of_less_divisor4,
       less_l4_product = KSL_MUL(less_l4, less_l4_of_less_divisor4),
       less_l4_product_error = ksl_product_error(less_l4, less_l4_of_less_divisor4, less_l4_product),
@@ -25853,7 +26178,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u5c_cross = less_u5c_cross1 + less_u5c_cross2, less_u5d = less_u5b - less_u5c,
       less_u5d_right = less_u5b - less_u5d, less_u5d_left = less_u5d + less_u5d_right,
       less_u5d_left_rest = less_u5b - less_u5d_left,
-      less_u5d_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_3, less_u5c, less_u5d_right),
+      less_u5d_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_3, less_u5c,
+          less_u5d_right),
       less_u5d_lo1 = less_u5d_left_rest - less_u5d_right_rest,
       less_u5d_lo2 = less_u5d_lo1 - less_u5c_cross, less_u5d_lo = less_u5d_lo2 + less_u5b_lo,
       less_u5e = KSL_MUL(less_l2_2_of_less_u2_3, less_l2_2),
@@ -25862,7 +26188,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u5e_cross = less_u5e_cross1 + less_u5e_cross2, less_u5f = less_u5d - less_u5e,
       less_u5f_right = less_u5d - less_u5f, less_u5f_left = less_u5f + less_u5f_right,
       less_u5f_left_rest = less_u5d - less_u5f_left,
-      less_u5f_right_rest = ksl_product_rest(less_l2_2_of_less_u2_3, less_l2_2, less_u5e, less_u5f_right),
+      less_u5f_right_rest = ksl_product_rest(less_l2_2_of_less_u2_3, less_l2_2, less_u5e,
+          less_u5f_right),
       less_u5f_lo1 = less_u5f_left_rest - less_u5f_right_rest,
       less_u5f_lo2 = less_u5f_lo1 - less_u5e_cross, less_u5f_lo = less_u5f_lo2 + less_u5d_lo,
       less_u5g = KSL_MUL(less_l3_1_of_less_u3_2, less_l3_1),
@@ -25871,7 +26198,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u5g_cross = less_u5g_cross1 + less_u5g_cross2, less_u5h = less_u5f - less_u5g,
       less_u5h_right = less_u5f - less_u5h, less_u5h_left = less_u5h + less_u5h_right,
       less_u5h_left_rest = less_u5f - less_u5h_left,
-      less_u5h_right_rest = ksl_product_rest(less_l3_1_of_less_u3_2, less_l3_1, less_u5g, less_u5h_right),
+      less_u5h_right_rest = ksl_product_rest(less_l3_1_of_less_u3_2, less_l3_1, less_u5g,
+          less_u5h_right),
       less_u5h_lo1 = less_u5h_left_rest - less_u5h_right_rest,
       less_u5h_lo2 = less_u5h_lo1 - less_u5g_cross, less_u5h_lo = less_u5h_lo2 + less_u5f_lo,
       less_u5i = KSL_MUL(less_l4_of_less_u4_1, less_l4),
@@ -26532,7 +26860,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       refined_z0_of_residual_0_left = refined_z0_of_residual_0 - refined_z0_of_residual_0_right,
       refined_z0_of_residual_0_left_rest = residual_0 - refined_z0_of_residual_0_left,
       refined_z0_of_residual_0_right_rest = residual_0_lo - refined_z0_of_residual_0_right,
-      refined_z0_of_residual_0_lo = refined_z0_of_residual_0_left_rest + refined_z0_of_residual_0_right_rest,
+      refined_z0_of_residual_0_lo = refined_z0_of_residual_0_left_rest +
+          refined_z0_of_residual_0_right_rest,
       refined_z0 = refined_z0_of_residual_0 / divisor0,
       refined_z0_product = KSL_MUL(refined_z0, divisor0),
       refined_z0_product_error = ksl_product_error(refined_z0, divisor0, refined_z0_product),
@@ -26545,10 +26874,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       refined_z1_of_refined_y1_left = refined_z1_of_refined_y1 - refined_z1_of_refined_y1_right,
       refined_z1_of_refined_y1_left_rest = refined_y1 - refined_z1_of_refined_y1_left,
       refined_z1_of_refined_y1_right_rest = refined_y1_lo - refined_z1_of_refined_y1_right,
-      refined_z1_of_refined_y1_lo = refined_z1_of_refined_y1_left_rest + refined_z1_of_refined_y1_right_rest,
+      refined_z1_of_refined_y1_lo = refined_z1_of_refined_y1_left_rest +
+          refined_z1_of_refined_y1_right_rest,
       refined_z1 = refined_z1_of_refined_y1 / l1_0_of_divisor1,
       refined_z1_product = KSL_MUL(refined_z1, l1_0_of_divisor1),
-      refined_z1_product_error = ksl_product_error(refined_z1, l1_0_of_divisor1, refined_z1_product),
+      refined_z1_product_error = ksl_product_error(refined_z1, l1_0_of_divisor1,
+          refined_z1_product),
       refined_z1_rest = refined_z1_of_refined_y1 - refined_z1_product,
       refined_z1_exact = refined_z1_rest - refined_z1_product_error,
       refined_z1_numerator = refined_z1_exact + refined_z1_of_refined_y1_lo,
@@ -26560,10 +26891,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       refined_z2_of_refined_y2_left = refined_z2_of_refined_y2 - refined_z2_of_refined_y2_right,
       refined_z2_of_refined_y2_left_rest = refined_y2 - refined_z2_of_refined_y2_left,
       refined_z2_of_refined_y2_right_rest = refined_y2_lo - refined_z2_of_refined_y2_right,
-      refined_z2_of_refined_y2_lo = refined_z2_of_refined_y2_left_rest + refined_z2_of_refined_y2_right_rest,
+      refined_z2_of_refined_y2_lo = refined_z2_of_refined_y2_left_rest +
+          refined_z2_of_refined_y2_right_rest,
       refined_z2 = refined_z2_of_refined_y2 / l2_0_of_divisor2,
       refined_z2_product = KSL_MUL(refined_z2, l2_0_of_divisor2),
-      refined_z2_product_error = ksl_product_error(refined_z2, l2_0_of_divisor2, refined_z2_product),
+      refined_z2_product_error = ksl_product_error(refined_z2, l2_0_of_divisor2,
+          refined_z2_product),
       refined_z2_rest = refined_z2_of_refined_y2 - refined_z2_product,
       refined_z2_exact = refined_z2_rest - refined_z2_product_error,
       refined_z2_numerator = refined_z2_exact + refined_z2_of_refined_y2_lo,
@@ -26575,10 +26908,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       refined_z3_of_refined_y3_left = refined_z3_of_refined_y3 - refined_z3_of_refined_y3_right,
       refined_z3_of_refined_y3_left_rest = refined_y3 - refined_z3_of_refined_y3_left,
       refined_z3_of_refined_y3_right_rest = refined_y3_lo - refined_z3_of_refined_y3_right,
-      refined_z3_of_refined_y3_lo = refined_z3_of_refined_y3_left_rest + refined_z3_of_refined_y3_right_rest,
+      refined_z3_of_refined_y3_lo = refined_z3_of_refined_y3_left_rest +
+          refined_z3_of_refined_y3_right_rest,
       refined_z3 = refined_z3_of_refined_y3 / l3_0_of_divisor3,
       refined_z3_product = KSL_MUL(refined_z3, l3_0_of_divisor3),
-      refined_z3_product_error = ksl_product_error(refined_z3, l3_0_of_divisor3, refined_z3_product),
+      refined_z3_product_error = ksl_product_error(refined_z3, l3_0_of_divisor3,
+          refined_z3_product),
       refined_z3_rest = refined_z3_of_refined_y3 - refined_z3_product,
       refined_z3_exact = refined_z3_rest - refined_z3_product_error,
       refined_z3_numerator = refined_z3_exact + refined_z3_of_refined_y3_lo,
@@ -26590,7 +26925,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       refined_z4_of_refined_y4_left = refined_z4_of_refined_y4 - refined_z4_of_refined_y4_right,
       refined_z4_of_refined_y4_left_rest = refined_y4 - refined_z4_of_refined_y4_left,
       refined_z4_of_refined_y4_right_rest = refined_y4_lo - refined_z4_of_refined_y4_right,
-      refined_z4_of_refined_y4_lo = refined_z4_of_refined_y4_left_rest + refined_z4_of_refined_y4_right_rest,
+      refined_z4_of_refined_y4_lo = refined_z4_of_refined_y4_left_rest +
+          refined_z4_of_refined_y4_right_rest,
       refined_z4 = refined_z4_of_refined_y4 / l4_of_divisor4,
       refined_z4_product = KSL_MUL(refined_z4, l4_of_divisor4),
       refined_z4_product_error = ksl_product_error(refined_z4, l4_of_divisor4, refined_z4_product),
@@ -26605,7 +26941,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       refined_z5_of_refined_y5_left = refined_z5_of_refined_y5 - refined_z5_of_refined_y5_right,
       refined_z5_of_refined_y5_left_rest = refined_y5 - refined_z5_of_refined_y5_left,
       refined_z5_of_refined_y5_right_rest = refined_y5_lo - refined_z5_of_refined_y5_right,
-      refined_z5_of_refined_y5_lo = refined_z5_of_refined_y5_left_rest + refined_z5_of_refined_y5_right_rest,
+      refined_z5_of_refined_y5_lo = refined_z5_of_refined_y5_left_rest +
+          refined_z5_of_refined_y5_right_rest,
       refined_z5 = refined_z5_of_refined_y5 / z5_of_divisor5,
       refined_z5_product = KSL_MUL(refined_z5, z5_of_divisor5),
       refined_z5_product_error = ksl_product_error(refined_z5, z5_of_divisor5, refined_z5_product),
@@ -27768,8 +28105,10 @@ static inline void ksl_inertia_rotate_accurate(ksl_inertia_t *self, const ksl_ma
       self_1_new_b = KSL_MUL(self->mt.y, R->m01), self_1_new_c = self_1_new_a + self_1_new_b,
       self_1_new_c_right = self_1_new_c - self_1_new_a,
       self_1_new_c_left = self_1_new_c - self_1_new_c_right,
-      self_1_new_c_left_rest = ksl_product_rest(self->mt.x, R->m00, self_1_new_a, self_1_new_c_left),
-      self_1_new_c_right_rest = ksl_product_rest(self->mt.y, R->m01, self_1_new_b, self_1_new_c_right),
+      self_1_new_c_left_rest = ksl_product_rest(self->mt.x, R->m00, self_1_new_a,
+          self_1_new_c_left),
+      self_1_new_c_right_rest = ksl_product_rest(self->mt.y, R->m01, self_1_new_b,
+          self_1_new_c_right),
       self_1_new_c_lo = self_1_new_c_left_rest + self_1_new_c_right_rest,
       self_1_new_d = KSL_MUL(self->mt.z, R->m02), self_1_new = self_1_new_c + self_1_new_d,
       self_1_new_right = self_1_new - self_1_new_c, self_1_new_left = self_1_new - self_1_new_right,
@@ -27781,8 +28120,10 @@ static inline void ksl_inertia_rotate_accurate(ksl_inertia_t *self, const ksl_ma
       self_2_new_b = KSL_MUL(self->mt.y, R->m11), self_2_new_c = self_2_new_a + self_2_new_b,
       self_2_new_c_right = self_2_new_c - self_2_new_a,
       self_2_new_c_left = self_2_new_c - self_2_new_c_right,
-      self_2_new_c_left_rest = ksl_product_rest(self->mt.x, R->m10, self_2_new_a, self_2_new_c_left),
-      self_2_new_c_right_rest = ksl_product_rest(self->mt.y, R->m11, self_2_new_b, self_2_new_c_right),
+      self_2_new_c_left_rest = ksl_product_rest(self->mt.x, R->m10, self_2_new_a,
+          self_2_new_c_left),
+      self_2_new_c_right_rest = ksl_product_rest(self->mt.y, R->m11, self_2_new_b,
+          self_2_new_c_right),
       self_2_new_c_lo = self_2_new_c_left_rest + self_2_new_c_right_rest,
       self_2_new_d = KSL_MUL(self->mt.z, R->m12), self_2_new = self_2_new_c + self_2_new_d,
       self_2_new_right = self_2_new - self_2_new_c, self_2_new_left = self_2_new - self_2_new_right,
@@ -27794,8 +28135,10 @@ static inline void ksl_inertia_rotate_accurate(ksl_inertia_t *self, const ksl_ma
       self_3_new_b = KSL_MUL(self->mt.y, R->m21), self_3_new_c = self_3_new_a + self_3_new_b,
       self_3_new_c_right = self_3_new_c - self_3_new_a,
       self_3_new_c_left = self_3_new_c - self_3_new_c_right,
-      self_3_new_c_left_rest = ksl_product_rest(self->mt.x, R->m20, self_3_new_a, self_3_new_c_left),
-      self_3_new_c_right_rest = ksl_product_rest(self->mt.y, R->m21, self_3_new_b, self_3_new_c_right),
+      self_3_new_c_left_rest = ksl_product_rest(self->mt.x, R->m20, self_3_new_a,
+          self_3_new_c_left),
+      self_3_new_c_right_rest = ksl_product_rest(self->mt.y, R->m21, self_3_new_b,
+          self_3_new_c_right),
       self_3_new_c_lo = self_3_new_c_left_rest + self_3_new_c_right_rest,
       self_3_new_d = KSL_MUL(self->mt.z, R->m22), self_3_new = self_3_new_c + self_3_new_d,
       self_3_new_right = self_3_new - self_3_new_c, self_3_new_left = self_3_new - self_3_new_right,
@@ -28308,14 +28651,17 @@ static inline void ksl_inertia_transform_accurate(ksl_inertia_t *self, const ksl
       self_1_new_c = KSL_MUL(self->mt.y, D->m01), self_1_new_d = self_1_new_b + self_1_new_c,
       self_1_new_d_right = self_1_new_d - self_1_new_b,
       self_1_new_d_left = self_1_new_d - self_1_new_d_right,
-      self_1_new_d_left_rest = ksl_product_rest(self->mt.x, D->m00, self_1_new_b, self_1_new_d_left),
-      self_1_new_d_right_rest = ksl_product_rest(self->mt.y, D->m01, self_1_new_c, self_1_new_d_right),
+      self_1_new_d_left_rest = ksl_product_rest(self->mt.x, D->m00, self_1_new_b,
+          self_1_new_d_left),
+      self_1_new_d_right_rest = ksl_product_rest(self->mt.y, D->m01, self_1_new_c,
+          self_1_new_d_right),
       self_1_new_d_lo = self_1_new_d_left_rest + self_1_new_d_right_rest,
       self_1_new_e = KSL_MUL(self->mt.z, D->m02), self_1_new_f = self_1_new_d + self_1_new_e,
       self_1_new_f_right = self_1_new_f - self_1_new_d,
       self_1_new_f_left = self_1_new_f - self_1_new_f_right,
       self_1_new_f_left_rest = self_1_new_d - self_1_new_f_left,
-      self_1_new_f_right_rest = ksl_product_rest(self->mt.z, D->m02, self_1_new_e, self_1_new_f_right),
+      self_1_new_f_right_rest = ksl_product_rest(self->mt.z, D->m02, self_1_new_e,
+          self_1_new_f_right),
       self_1_new_f_lo1 = self_1_new_f_left_rest + self_1_new_f_right_rest,
       self_1_new_f_lo = self_1_new_f_lo1 + self_1_new_d_lo,
       self_1_new = self_1_new_a + self_1_new_f, self_1_new_right = self_1_new - self_1_new_a,
@@ -28328,14 +28674,17 @@ static inline void ksl_inertia_transform_accurate(ksl_inertia_t *self, const ksl
       self_2_new_c = KSL_MUL(self->mt.y, D->m11), self_2_new_d = self_2_new_b + self_2_new_c,
       self_2_new_d_right = self_2_new_d - self_2_new_b,
       self_2_new_d_left = self_2_new_d - self_2_new_d_right,
-      self_2_new_d_left_rest = ksl_product_rest(self->mt.x, D->m10, self_2_new_b, self_2_new_d_left),
-      self_2_new_d_right_rest = ksl_product_rest(self->mt.y, D->m11, self_2_new_c, self_2_new_d_right),
+      self_2_new_d_left_rest = ksl_product_rest(self->mt.x, D->m10, self_2_new_b,
+          self_2_new_d_left),
+      self_2_new_d_right_rest = ksl_product_rest(self->mt.y, D->m11, self_2_new_c,
+          self_2_new_d_right),
       self_2_new_d_lo = self_2_new_d_left_rest + self_2_new_d_right_rest,
       self_2_new_e = KSL_MUL(self->mt.z, D->m12), self_2_new_f = self_2_new_d + self_2_new_e,
       self_2_new_f_right = self_2_new_f - self_2_new_d,
       self_2_new_f_left = self_2_new_f - self_2_new_f_right,
       self_2_new_f_left_rest = self_2_new_d - self_2_new_f_left,
-      self_2_new_f_right_rest = ksl_product_rest(self->mt.z, D->m12, self_2_new_e, self_2_new_f_right),
+      self_2_new_f_right_rest = ksl_product_rest(self->mt.z, D->m12, self_2_new_e,
+          self_2_new_f_right),
       self_2_new_f_lo1 = self_2_new_f_left_rest + self_2_new_f_right_rest,
       self_2_new_f_lo = self_2_new_f_lo1 + self_2_new_d_lo,
       self_2_new = self_2_new_a + self_2_new_f, self_2_new_right = self_2_new - self_2_new_a,
@@ -28348,14 +28697,17 @@ static inline void ksl_inertia_transform_accurate(ksl_inertia_t *self, const ksl
       self_3_new_c = KSL_MUL(self->mt.y, D->m21), self_3_new_d = self_3_new_b + self_3_new_c,
       self_3_new_d_right = self_3_new_d - self_3_new_b,
       self_3_new_d_left = self_3_new_d - self_3_new_d_right,
-      self_3_new_d_left_rest = ksl_product_rest(self->mt.x, D->m20, self_3_new_b, self_3_new_d_left),
-      self_3_new_d_right_rest = ksl_product_rest(self->mt.y, D->m21, self_3_new_c, self_3_new_d_right),
+      self_3_new_d_left_rest = ksl_product_rest(self->mt.x, D->m20, self_3_new_b,
+          self_3_new_d_left),
+      self_3_new_d_right_rest = ksl_product_rest(self->mt.y, D->m21, self_3_new_c,
+          self_3_new_d_right),
       self_3_new_d_lo = self_3_new_d_left_rest + self_3_new_d_right_rest,
       self_3_new_e = KSL_MUL(self->mt.z, D->m22), self_3_new_f = self_3_new_d + self_3_new_e,
       self_3_new_f_right = self_3_new_f - self_3_new_d,
       self_3_new_f_left = self_3_new_f - self_3_new_f_right,
       self_3_new_f_left_rest = self_3_new_d - self_3_new_f_left,
-      self_3_new_f_right_rest = ksl_product_rest(self->mt.z, D->m22, self_3_new_e, self_3_new_f_right),
+      self_3_new_f_right_rest = ksl_product_rest(self->mt.z, D->m22, self_3_new_e,
+          self_3_new_f_right),
       self_3_new_f_lo1 = self_3_new_f_left_rest + self_3_new_f_right_rest,
       self_3_new_f_lo = self_3_new_f_lo1 + self_3_new_d_lo,
       self_3_new = self_3_new_a + self_3_new_f, self_3_new_right = self_3_new - self_3_new_a,
@@ -30743,7 +31095,8 @@ static inline void ksl_spatial_inertia_transformed_accurate(const ksl_SE3_t *D,
       turned_4b_cross2 = KSL_MUL(D->m01, turned_4b_of_RI_1_lo), turned_4c = turned_4a + turned_4b,
       turned_4c_right = turned_4c - turned_4a, turned_4c_left = turned_4c - turned_4c_right,
       turned_4c_left_rest = ksl_product_rest(D->m00, turned_4a_of_RI_0, turned_4a, turned_4c_left),
-      turned_4c_right_rest = ksl_product_rest(D->m01, turned_4b_of_RI_1, turned_4b, turned_4c_right),
+      turned_4c_right_rest = ksl_product_rest(D->m01, turned_4b_of_RI_1, turned_4b,
+          turned_4c_right),
       turned_4c_cross = turned_4a_cross2 + turned_4b_cross2,
       turned_4c_lo1 = turned_4c_left_rest + turned_4c_right_rest,
       turned_4c_lo = turned_4c_lo1 + turned_4c_cross, turned_4d_of_RI_2 = RI_2 + RI_2_lo,
@@ -30776,7 +31129,8 @@ static inline void ksl_spatial_inertia_transformed_accurate(const ksl_SE3_t *D,
       turned_5b_cross2 = KSL_MUL(D->m11, turned_5b_of_RI_4_lo), turned_5c = turned_5a + turned_5b,
       turned_5c_right = turned_5c - turned_5a, turned_5c_left = turned_5c - turned_5c_right,
       turned_5c_left_rest = ksl_product_rest(D->m10, turned_5a_of_RI_3, turned_5a, turned_5c_left),
-      turned_5c_right_rest = ksl_product_rest(D->m11, turned_5b_of_RI_4, turned_5b, turned_5c_right),
+      turned_5c_right_rest = ksl_product_rest(D->m11, turned_5b_of_RI_4, turned_5b,
+          turned_5c_right),
       turned_5c_cross = turned_5a_cross2 + turned_5b_cross2,
       turned_5c_lo1 = turned_5c_left_rest + turned_5c_right_rest,
       turned_5c_lo = turned_5c_lo1 + turned_5c_cross, turned_5d_of_RI_5 = RI_5 + RI_5_lo,
@@ -30809,7 +31163,8 @@ static inline void ksl_spatial_inertia_transformed_accurate(const ksl_SE3_t *D,
       turned_6b_cross2 = KSL_MUL(D->m21, turned_6b_of_RI_7_lo), turned_6c = turned_6a + turned_6b,
       turned_6c_right = turned_6c - turned_6a, turned_6c_left = turned_6c - turned_6c_right,
       turned_6c_left_rest = ksl_product_rest(D->m20, turned_6a_of_RI_6, turned_6a, turned_6c_left),
-      turned_6c_right_rest = ksl_product_rest(D->m21, turned_6b_of_RI_7, turned_6b, turned_6c_right),
+      turned_6c_right_rest = ksl_product_rest(D->m21, turned_6b_of_RI_7, turned_6b,
+          turned_6c_right),
       turned_6c_cross = turned_6a_cross2 + turned_6b_cross2,
       turned_6c_lo1 = turned_6c_left_rest + turned_6c_right_rest,
       turned_6c_lo = turned_6c_lo1 + turned_6c_cross, turned_6d_of_RI_8 = RI_8 + RI_8_lo,
@@ -30831,7 +31186,8 @@ static inline void ksl_spatial_inertia_transformed_accurate(const ksl_SE3_t *D,
       turned_7b_cross2 = KSL_MUL(D->m11, turned_4b_of_RI_1_lo), turned_7c = turned_7a + turned_7b,
       turned_7c_right = turned_7c - turned_7a, turned_7c_left = turned_7c - turned_7c_right,
       turned_7c_left_rest = ksl_product_rest(D->m10, turned_4a_of_RI_0, turned_7a, turned_7c_left),
-      turned_7c_right_rest = ksl_product_rest(D->m11, turned_4b_of_RI_1, turned_7b, turned_7c_right),
+      turned_7c_right_rest = ksl_product_rest(D->m11, turned_4b_of_RI_1, turned_7b,
+          turned_7c_right),
       turned_7c_cross = turned_7a_cross2 + turned_7b_cross2,
       turned_7c_lo1 = turned_7c_left_rest + turned_7c_right_rest,
       turned_7c_lo = turned_7c_lo1 + turned_7c_cross,
@@ -30848,7 +31204,8 @@ static inline void ksl_spatial_inertia_transformed_accurate(const ksl_SE3_t *D,
       turned_8b_cross2 = KSL_MUL(D->m21, turned_4b_of_RI_1_lo), turned_8c = turned_8a + turned_8b,
       turned_8c_right = turned_8c - turned_8a, turned_8c_left = turned_8c - turned_8c_right,
       turned_8c_left_rest = ksl_product_rest(D->m20, turned_4a_of_RI_0, turned_8a, turned_8c_left),
-      turned_8c_right_rest = ksl_product_rest(D->m21, turned_4b_of_RI_1, turned_8b, turned_8c_right),
+      turned_8c_right_rest = ksl_product_rest(D->m21, turned_4b_of_RI_1, turned_8b,
+          turned_8c_right),
       turned_8c_cross = turned_8a_cross2 + turned_8b_cross2,
       turned_8c_lo1 = turned_8c_left_rest + turned_8c_right_rest,
       turned_8c_lo = turned_8c_lo1 + turned_8c_cross,
@@ -30865,7 +31222,8 @@ static inline void ksl_spatial_inertia_transformed_accurate(const ksl_SE3_t *D,
       turned_9b_cross2 = KSL_MUL(D->m21, turned_5b_of_RI_4_lo), turned_9c = turned_9a + turned_9b,
       turned_9c_right = turned_9c - turned_9a, turned_9c_left = turned_9c - turned_9c_right,
       turned_9c_left_rest = ksl_product_rest(D->m20, turned_5a_of_RI_3, turned_9a, turned_9c_left),
-      turned_9c_right_rest = ksl_product_rest(D->m21, turned_5b_of_RI_4, turned_9b, turned_9c_right),
+      turned_9c_right_rest = ksl_product_rest(D->m21, turned_5b_of_RI_4, turned_9b,
+          turned_9c_right),
       turned_9c_cross = turned_9a_cross2 + turned_9b_cross2,
       turned_9c_lo1 = turned_9c_left_rest + turned_9c_right_rest,
       turned_9c_lo = turned_9c_lo1 + turned_9c_cross,
@@ -31222,8 +31580,10 @@ static inline double ksl_spatial_inertia_consistency_accurate(const ksl_spatial_
       smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
       smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
       smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
-      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
-      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 :
+          smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo :
+          smallest1a_of_part1_lo;
   const double own2a_of_sigma_1 = sigma_1 + sigma_1_lo,
       own2a_of_sigma_1_right = own2a_of_sigma_1 - sigma_1,
       own2a_of_sigma_1_left = own2a_of_sigma_1 - own2a_of_sigma_1_right,
@@ -31252,15 +31612,18 @@ static inline double ksl_spatial_inertia_consistency_accurate(const ksl_spatial_
       smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
       smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
       smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
-      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest +
+          smallest2a_of_smallest1_right_rest,
       smallest2a_of_part2 = part2 + part2_lo,
       smallest2a_of_part2_right = smallest2a_of_part2 - part2,
       smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
       smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
       smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
       smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
-      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
-      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 :
+          smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo :
+          smallest2a_of_part2_lo;
   const double own3a_of_sigma_2 = sigma_2 + sigma_2_lo,
       own3a_of_sigma_2_right = own3a_of_sigma_2 - sigma_2,
       own3a_of_sigma_2_left = own3a_of_sigma_2 - own3a_of_sigma_2_right,
@@ -31294,15 +31657,18 @@ static inline double ksl_spatial_inertia_consistency_accurate(const ksl_spatial_
       smallest3a_of_smallest2_left = smallest3a_of_smallest2 - smallest3a_of_smallest2_right,
       smallest3a_of_smallest2_left_rest = smallest2 - smallest3a_of_smallest2_left,
       smallest3a_of_smallest2_right_rest = smallest2_lo - smallest3a_of_smallest2_right,
-      smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest + smallest3a_of_smallest2_right_rest,
+      smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest +
+          smallest3a_of_smallest2_right_rest,
       smallest3a_of_part3 = part3 + part3_lo,
       smallest3a_of_part3_right = smallest3a_of_part3 - part3,
       smallest3a_of_part3_left = smallest3a_of_part3 - smallest3a_of_part3_right,
       smallest3a_of_part3_left_rest = part3 - smallest3a_of_part3_left,
       smallest3a_of_part3_right_rest = part3_lo - smallest3a_of_part3_right,
       smallest3a_of_part3_lo = smallest3a_of_part3_left_rest + smallest3a_of_part3_right_rest,
-      smallest3 = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2 : smallest3a_of_part3,
-      smallest3_lo = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2_lo : smallest3a_of_part3_lo;
+      smallest3 = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2 :
+          smallest3a_of_part3,
+      smallest3_lo = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2_lo :
+          smallest3a_of_part3_lo;
   const double smallest3_rounded = smallest3 + smallest3_lo,
       smallest3_final = smallest3_rounded == smallest3_rounded ? smallest3_rounded : smallest3;
   return smallest3_final;

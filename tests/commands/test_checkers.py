@@ -24,6 +24,16 @@ def test_ruff_finds_nothing():
             "examples", "docs", "setup.py")
 
 
+def test_mypy_finds_nothing():
+    """Packages go by the names they are installed under: links lead from these to the folders."""
+    links = ROOT / "build" / "typed"
+    links.mkdir(parents=True, exist_ok=True)
+    for name, folder in (("coscrew_codegen", "codegen"), ("coscrew", "generated/python")):
+        if not (links / name).exists():
+            (links / name).symlink_to(ROOT / folder)
+    checked("mypy", "--no-error-summary", "-p", "coscrew_codegen", "-p", "tests.support")
+
+
 def tidy(path: Path) -> None:
     """clang-tidy finds nothing but what .clang-tidy gives reasons to leave out."""
     run(["clang-tidy", "--quiet", f"--config-file={ROOT / '.clang-tidy'}", path, "--", "-x", "c",

@@ -11,7 +11,7 @@ from coscrew_codegen.mechanics import derive
 from coscrew_codegen.recording.recorder import Recorder, array
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import SceneFunctions
-from coscrew_codegen.targets import scene_c, scene_python
+from coscrew_codegen.targets import scene_c, scene_python, scene_text
 from tests.support.scenes.effect_scenes import PLACES, arm, effects, mechanism
 from tests.support.scenes.mechanisms import gravity, scene
 
@@ -53,8 +53,8 @@ def test_legends_tell_the_symbols_that_occur_and_no_others(functions: SceneFunct
         words = set(re.findall(r"\w+", code))
         told = {x for row in re.findall(r"^ *([A-Za-z]+(?:, [A-Za-z]+)*): ", text, re.MULTILINE)
                 for x in row.split(", ")} & {x for xs in scene_symbols.SYMBOLS for x in xs}
-        used = {scene_symbols.reading(x)[0] for f in functions.functions
-                for x in (step.name for step in f.program.instructions) if x in words} - {""}
+        used = {scene_symbols.reading(x)[0] for plan in scene_text.plans(functions)
+                for x in plan.assigned if x in words} - {""}
         assert told == used
 
 

@@ -107,7 +107,7 @@ def test_headings_stand_above_their_bodies():
     text = files(CASES["slider"]())["slider.c"]
     body = text[text.index("slider_forward_dynamics"):]
     places = [body.index(x)
-              for x in ("/* carriage */", "speed_0 =", "/* load: its spring", "late =")]
+              for x in ("/* carriage */", "friction_0a =", "/* load: its spring", "late =")]
     assert places == sorted(places)
 
 

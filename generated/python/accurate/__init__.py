@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "f8da7653ade4ef7f")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "9717816c641815dd")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

@@ -15,7 +15,7 @@ import sys
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "4caef92984d14ba0")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "6d1ebf971f6037b2")
 
 if COMPILED:
     from coscrew.certified._gufunc import (

@@ -10,15 +10,18 @@ SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-O0"
 X86 = platform.machine() in ("x86_64", "AMD64")
 
 
-def _fma() -> tuple[str, ...]:
-    """What x86 needs for instructions that fuse; elsewhere they are there."""
-    flags = Path("/proc/cpuinfo").read_text() if Path("/proc/cpuinfo").exists() else ""
-    return ("-mfma", "-mavx2") if X86 and " fma " in flags and " avx2 " in flags else ()
+def _can(*instructions: str) -> bool:
+    """Whether this is an x86 that has all of these instructions."""
+    known = Path("/proc/cpuinfo")
+    return X86 and known.exists() and {*instructions} <= {*known.read_text().split()}
 
 
-FMA = _fma()
+FMA = ("-mfma", "-mavx2") if _can("fma", "avx2") else ()
+"""What x86 needs for instructions that fuse; elsewhere they are there."""
+HASWELL = ("-march=haswell",) if _can("fma", "avx2", "bmi2", "movbe") else ()
 UNHEEDED = "-fassociative-math"  # alone, gcc says so; a pragma may put it in force
-TUNED = (*FMA, "-mtune=sapphirerapids") if FMA else ()
+TUNED = ("-march=sapphirerapids",) if _can("avx512_fp16", "amx_tile") else (
+    (*FMA, "-mtune=sapphirerapids") if FMA else ())
 
 
 def has_sanitizers(compiler: str) -> bool:

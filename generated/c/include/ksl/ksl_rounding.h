@@ -65,9 +65,9 @@ typedef char
 #endif
 #endif
 
-/* Keeps gcc from contracting across statements.  gcc ignores a lone flag -fassociative-math, but any
-   such pragma would put it in force; hence no-associative-math.  The pragma holds to the end of the
-   compiled file: functions with different options would not be inlined. */
+/* Keeps gcc from contracting across statements.  gcc ignores a lone flag -fassociative-math, but
+   any such pragma would put it in force; hence no-associative-math.  The pragma holds to the end of
+   the compiled file: functions with different options would not be inlined. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("fp-contract=off", "no-associative-math")
 #elif defined(_MSC_VER) && !defined(__clang__)

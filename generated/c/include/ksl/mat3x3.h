@@ -265,7 +265,8 @@ static inline double ksl_mat3x3_inverse(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro)
   const double R_largest6 = R_largest5 < R_size_6 ? R_size_6 : R_largest5;
   const double R_largest7 = R_largest6 < R_size_7 ? R_size_7 : R_largest6;
   const double R_largest8 = R_largest7 < R_size_8 ? R_size_8 : R_largest7;
-  const double s_b = R_largest8 < 8.452712498170644e+270 ? 2.409919865102884e-181 : 1.1830521861667747e-271,
+  const double s_b = R_largest8 < 8.452712498170644e+270 ? 2.409919865102884e-181 :
+      1.1830521861667747e-271,
       s_d = R_largest8 < 4.149515568880993e+180 ? 4.909093465297727e-91 : s_b,
       s_f = R_largest8 < 2.037035976334486e+90 ? 1.0 : s_d,
       s_h = R_largest8 < 1.0 ? 2.037035976334486e+90 : s_f,

@@ -142,7 +142,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
   const double R_largest6 = R_largest5 < R_size_6 ? R_size_6 : R_largest5;
   const double R_largest7 = R_largest6 < R_size_7 ? R_size_7 : R_largest6;
   const double R_largest8 = R_largest7 < R_size_8 ? R_size_8 : R_largest7;
-  const double s_b = R_largest8 < 8.452712498170644e+270 ? 2.409919865102884e-181 : 1.1830521861667747e-271,
+  const double s_b = R_largest8 < 8.452712498170644e+270 ? 2.409919865102884e-181 :
+      1.1830521861667747e-271,
       s_d = R_largest8 < 4.149515568880993e+180 ? 4.909093465297727e-91 : s_b,
       s_f = R_largest8 < 2.037035976334486e+90 ? 1.0 : s_d,
       s_h = R_largest8 < 1.0 ? 2.037035976334486e+90 : s_f,
@@ -240,7 +241,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       permanent_i = permanent_d + permanent_h, permanent_i_right = permanent_i - permanent_d,
       permanent_i_left = permanent_i - permanent_i_right,
       permanent_i_left_rest = ksl_product_rest(size0_0, permanent_c, permanent_d, permanent_i_left),
-      permanent_i_right_rest = ksl_product_rest(size0_1, permanent_g, permanent_h, permanent_i_right),
+      permanent_i_right_rest = ksl_product_rest(size0_1, permanent_g, permanent_h,
+          permanent_i_right),
       permanent_i_cross = permanent_d_cross2 + permanent_h_cross2,
       permanent_i_lo1 = permanent_i_left_rest + permanent_i_right_rest,
       permanent_i_lo = permanent_i_lo1 + permanent_i_cross, permanent_j = KSL_MUL(size1_0, size2_1),
@@ -294,7 +296,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = quotient_0_of_n0_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
+          quotient_0_product),
       quotient_0_rest = quotient_0_of_n0_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_numerator = quotient_0_exact + quotient_0_of_n0_0_lo,
@@ -309,7 +312,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_1_of_n0_1_lo = quotient_1_of_n0_1_left_rest + quotient_1_of_n0_1_right_rest,
       quotient_1 = quotient_1_of_n0_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
+          quotient_1_product),
       quotient_1_rest = quotient_1_of_n0_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_numerator = quotient_1_exact + quotient_1_of_n0_1_lo,
@@ -324,7 +328,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_2_of_n0_2_lo = quotient_2_of_n0_2_left_rest + quotient_2_of_n0_2_right_rest,
       quotient_2 = quotient_2_of_n0_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
+          quotient_2_product),
       quotient_2_rest = quotient_2_of_n0_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_numerator = quotient_2_exact + quotient_2_of_n0_2_lo,
@@ -339,7 +344,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_3_of_n1_0_lo = quotient_3_of_n1_0_left_rest + quotient_3_of_n1_0_right_rest,
       quotient_3 = quotient_3_of_n1_0 / quotient_0_of_divisor,
       quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
-      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor, quotient_3_product),
+      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor,
+          quotient_3_product),
       quotient_3_rest = quotient_3_of_n1_0 - quotient_3_product,
       quotient_3_exact = quotient_3_rest - quotient_3_product_error,
       quotient_3_numerator = quotient_3_exact + quotient_3_of_n1_0_lo,
@@ -354,7 +360,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_4_of_n1_1_lo = quotient_4_of_n1_1_left_rest + quotient_4_of_n1_1_right_rest,
       quotient_4 = quotient_4_of_n1_1 / quotient_0_of_divisor,
       quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
-      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor, quotient_4_product),
+      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor,
+          quotient_4_product),
       quotient_4_rest = quotient_4_of_n1_1 - quotient_4_product,
       quotient_4_exact = quotient_4_rest - quotient_4_product_error,
       quotient_4_numerator = quotient_4_exact + quotient_4_of_n1_1_lo,
@@ -369,7 +376,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_5_of_n1_2_lo = quotient_5_of_n1_2_left_rest + quotient_5_of_n1_2_right_rest,
       quotient_5 = quotient_5_of_n1_2 / quotient_0_of_divisor,
       quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
-      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor, quotient_5_product),
+      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor,
+          quotient_5_product),
       quotient_5_rest = quotient_5_of_n1_2 - quotient_5_product,
       quotient_5_exact = quotient_5_rest - quotient_5_product_error,
       quotient_5_numerator = quotient_5_exact + quotient_5_of_n1_2_lo,
@@ -384,7 +392,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_6_of_n2_0_lo = quotient_6_of_n2_0_left_rest + quotient_6_of_n2_0_right_rest,
       quotient_6 = quotient_6_of_n2_0 / quotient_0_of_divisor,
       quotient_6_product = KSL_MUL(quotient_6, quotient_0_of_divisor),
-      quotient_6_product_error = ksl_product_error(quotient_6, quotient_0_of_divisor, quotient_6_product),
+      quotient_6_product_error = ksl_product_error(quotient_6, quotient_0_of_divisor,
+          quotient_6_product),
       quotient_6_rest = quotient_6_of_n2_0 - quotient_6_product,
       quotient_6_exact = quotient_6_rest - quotient_6_product_error,
       quotient_6_numerator = quotient_6_exact + quotient_6_of_n2_0_lo,
@@ -399,7 +408,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_7_of_n2_1_lo = quotient_7_of_n2_1_left_rest + quotient_7_of_n2_1_right_rest,
       quotient_7 = quotient_7_of_n2_1 / quotient_0_of_divisor,
       quotient_7_product = KSL_MUL(quotient_7, quotient_0_of_divisor),
-      quotient_7_product_error = ksl_product_error(quotient_7, quotient_0_of_divisor, quotient_7_product),
+      quotient_7_product_error = ksl_product_error(quotient_7, quotient_0_of_divisor,
+          quotient_7_product),
       quotient_7_rest = quotient_7_of_n2_1 - quotient_7_product,
       quotient_7_exact = quotient_7_rest - quotient_7_product_error,
       quotient_7_numerator = quotient_7_exact + quotient_7_of_n2_1_lo,
@@ -414,7 +424,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       quotient_8_of_n2_2_lo = quotient_8_of_n2_2_left_rest + quotient_8_of_n2_2_right_rest,
       quotient_8 = quotient_8_of_n2_2 / quotient_0_of_divisor,
       quotient_8_product = KSL_MUL(quotient_8, quotient_0_of_divisor),
-      quotient_8_product_error = ksl_product_error(quotient_8, quotient_0_of_divisor, quotient_8_product),
+      quotient_8_product_error = ksl_product_error(quotient_8, quotient_0_of_divisor,
+          quotient_8_product),
       quotient_8_rest = quotient_8_of_n2_2 - quotient_8_product,
       quotient_8_exact = quotient_8_rest - quotient_8_product_error,
       quotient_8_numerator = quotient_8_exact + quotient_8_of_n2_2_lo,
@@ -426,7 +437,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_0_of_quotient_0_left = inverse_0_of_quotient_0 - inverse_0_of_quotient_0_right,
       inverse_0_of_quotient_0_left_rest = quotient_0 - inverse_0_of_quotient_0_left,
       inverse_0_of_quotient_0_right_rest = quotient_0_lo - inverse_0_of_quotient_0_right,
-      inverse_0_of_quotient_0_lo = inverse_0_of_quotient_0_left_rest + inverse_0_of_quotient_0_right_rest,
+      inverse_0_of_quotient_0_lo = inverse_0_of_quotient_0_left_rest +
+          inverse_0_of_quotient_0_right_rest,
       inverse_0 = KSL_MUL(inverse_0_of_quotient_0, s), inverse_0_inverse = 1.0 / s,
       inverse_0_back = KSL_MUL(inverse_0, inverse_0_inverse),
       inverse_0_lost = inverse_0_of_quotient_0 - inverse_0_back,
@@ -438,7 +450,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_1_of_quotient_1_left = inverse_1_of_quotient_1 - inverse_1_of_quotient_1_right,
       inverse_1_of_quotient_1_left_rest = quotient_1 - inverse_1_of_quotient_1_left,
       inverse_1_of_quotient_1_right_rest = quotient_1_lo - inverse_1_of_quotient_1_right,
-      inverse_1_of_quotient_1_lo = inverse_1_of_quotient_1_left_rest + inverse_1_of_quotient_1_right_rest,
+      inverse_1_of_quotient_1_lo = inverse_1_of_quotient_1_left_rest +
+          inverse_1_of_quotient_1_right_rest,
       inverse_1 = KSL_MUL(inverse_1_of_quotient_1, s),
       inverse_1_back = KSL_MUL(inverse_1, inverse_0_inverse),
       inverse_1_lost = inverse_1_of_quotient_1 - inverse_1_back,
@@ -450,7 +463,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_2_of_quotient_2_left = inverse_2_of_quotient_2 - inverse_2_of_quotient_2_right,
       inverse_2_of_quotient_2_left_rest = quotient_2 - inverse_2_of_quotient_2_left,
       inverse_2_of_quotient_2_right_rest = quotient_2_lo - inverse_2_of_quotient_2_right,
-      inverse_2_of_quotient_2_lo = inverse_2_of_quotient_2_left_rest + inverse_2_of_quotient_2_right_rest,
+      inverse_2_of_quotient_2_lo = inverse_2_of_quotient_2_left_rest +
+          inverse_2_of_quotient_2_right_rest,
       inverse_2 = KSL_MUL(inverse_2_of_quotient_2, s),
       inverse_2_back = KSL_MUL(inverse_2, inverse_0_inverse),
       inverse_2_lost = inverse_2_of_quotient_2 - inverse_2_back,
@@ -462,7 +476,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_3_of_quotient_3_left = inverse_3_of_quotient_3 - inverse_3_of_quotient_3_right,
       inverse_3_of_quotient_3_left_rest = quotient_3 - inverse_3_of_quotient_3_left,
       inverse_3_of_quotient_3_right_rest = quotient_3_lo - inverse_3_of_quotient_3_right,
-      inverse_3_of_quotient_3_lo = inverse_3_of_quotient_3_left_rest + inverse_3_of_quotient_3_right_rest,
+      inverse_3_of_quotient_3_lo = inverse_3_of_quotient_3_left_rest +
+          inverse_3_of_quotient_3_right_rest,
       inverse_3 = KSL_MUL(inverse_3_of_quotient_3, s),
       inverse_3_back = KSL_MUL(inverse_3, inverse_0_inverse),
       inverse_3_lost = inverse_3_of_quotient_3 - inverse_3_back,
@@ -474,7 +489,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_4_of_quotient_4_left = inverse_4_of_quotient_4 - inverse_4_of_quotient_4_right,
       inverse_4_of_quotient_4_left_rest = quotient_4 - inverse_4_of_quotient_4_left,
       inverse_4_of_quotient_4_right_rest = quotient_4_lo - inverse_4_of_quotient_4_right,
-      inverse_4_of_quotient_4_lo = inverse_4_of_quotient_4_left_rest + inverse_4_of_quotient_4_right_rest,
+      inverse_4_of_quotient_4_lo = inverse_4_of_quotient_4_left_rest +
+          inverse_4_of_quotient_4_right_rest,
       inverse_4 = KSL_MUL(inverse_4_of_quotient_4, s),
       inverse_4_back = KSL_MUL(inverse_4, inverse_0_inverse),
       inverse_4_lost = inverse_4_of_quotient_4 - inverse_4_back,
@@ -486,7 +502,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_5_of_quotient_5_left = inverse_5_of_quotient_5 - inverse_5_of_quotient_5_right,
       inverse_5_of_quotient_5_left_rest = quotient_5 - inverse_5_of_quotient_5_left,
       inverse_5_of_quotient_5_right_rest = quotient_5_lo - inverse_5_of_quotient_5_right,
-      inverse_5_of_quotient_5_lo = inverse_5_of_quotient_5_left_rest + inverse_5_of_quotient_5_right_rest,
+      inverse_5_of_quotient_5_lo = inverse_5_of_quotient_5_left_rest +
+          inverse_5_of_quotient_5_right_rest,
       inverse_5 = KSL_MUL(inverse_5_of_quotient_5, s),
       inverse_5_back = KSL_MUL(inverse_5, inverse_0_inverse),
       inverse_5_lost = inverse_5_of_quotient_5 - inverse_5_back,
@@ -498,7 +515,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_6_of_quotient_6_left = inverse_6_of_quotient_6 - inverse_6_of_quotient_6_right,
       inverse_6_of_quotient_6_left_rest = quotient_6 - inverse_6_of_quotient_6_left,
       inverse_6_of_quotient_6_right_rest = quotient_6_lo - inverse_6_of_quotient_6_right,
-      inverse_6_of_quotient_6_lo = inverse_6_of_quotient_6_left_rest + inverse_6_of_quotient_6_right_rest,
+      inverse_6_of_quotient_6_lo = inverse_6_of_quotient_6_left_rest +
+          inverse_6_of_quotient_6_right_rest,
       inverse_6 = KSL_MUL(inverse_6_of_quotient_6, s),
       inverse_6_back = KSL_MUL(inverse_6, inverse_0_inverse),
       inverse_6_lost = inverse_6_of_quotient_6 - inverse_6_back,
@@ -510,7 +528,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_7_of_quotient_7_left = inverse_7_of_quotient_7 - inverse_7_of_quotient_7_right,
       inverse_7_of_quotient_7_left_rest = quotient_7 - inverse_7_of_quotient_7_left,
       inverse_7_of_quotient_7_right_rest = quotient_7_lo - inverse_7_of_quotient_7_right,
-      inverse_7_of_quotient_7_lo = inverse_7_of_quotient_7_left_rest + inverse_7_of_quotient_7_right_rest,
+      inverse_7_of_quotient_7_lo = inverse_7_of_quotient_7_left_rest +
+          inverse_7_of_quotient_7_right_rest,
       inverse_7 = KSL_MUL(inverse_7_of_quotient_7, s),
       inverse_7_back = KSL_MUL(inverse_7, inverse_0_inverse),
       inverse_7_lost = inverse_7_of_quotient_7 - inverse_7_back,
@@ -522,7 +541,8 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_8_of_quotient_8_left = inverse_8_of_quotient_8 - inverse_8_of_quotient_8_right,
       inverse_8_of_quotient_8_left_rest = quotient_8 - inverse_8_of_quotient_8_left,
       inverse_8_of_quotient_8_right_rest = quotient_8_lo - inverse_8_of_quotient_8_right,
-      inverse_8_of_quotient_8_lo = inverse_8_of_quotient_8_left_rest + inverse_8_of_quotient_8_right_rest,
+      inverse_8_of_quotient_8_lo = inverse_8_of_quotient_8_left_rest +
+          inverse_8_of_quotient_8_right_rest,
       inverse_8 = KSL_MUL(inverse_8_of_quotient_8, s),
       inverse_8_back = KSL_MUL(inverse_8, inverse_0_inverse),
       inverse_8_lost = inverse_8_of_quotient_8 - inverse_8_back,
@@ -668,13 +688,16 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double q0_sized_2 = KSL_MUL(self->m02, q0_up);
   const double q0_quotient_0_of_q0_divisor = q0_divisor + q0_divisor_lo,
       q0_quotient_0_of_q0_divisor_right = q0_quotient_0_of_q0_divisor - q0_divisor,
-      q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor - q0_quotient_0_of_q0_divisor_right,
+      q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor -
+          q0_quotient_0_of_q0_divisor_right,
       q0_quotient_0_of_q0_divisor_left_rest = q0_divisor - q0_quotient_0_of_q0_divisor_left,
       q0_quotient_0_of_q0_divisor_right_rest = q0_divisor_lo - q0_quotient_0_of_q0_divisor_right,
-      q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest + q0_quotient_0_of_q0_divisor_right_rest,
+      q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest +
+          q0_quotient_0_of_q0_divisor_right_rest,
       q0_quotient_0 = q0_sized_0 / q0_quotient_0_of_q0_divisor,
       q0_quotient_0_product = KSL_MUL(q0_quotient_0, q0_quotient_0_of_q0_divisor),
-      q0_quotient_0_product_error = ksl_product_error(q0_quotient_0, q0_quotient_0_of_q0_divisor, q0_quotient_0_product),
+      q0_quotient_0_product_error = ksl_product_error(q0_quotient_0, q0_quotient_0_of_q0_divisor,
+          q0_quotient_0_product),
       q0_quotient_0_rest = q0_sized_0 - q0_quotient_0_product,
       q0_quotient_0_exact = q0_quotient_0_rest - q0_quotient_0_product_error,
       q0_quotient_0_cross = KSL_MUL(q0_quotient_0, q0_quotient_0_of_q0_divisor_lo),
@@ -682,7 +705,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q0_quotient_0_lo = q0_quotient_0_residual / q0_quotient_0_of_q0_divisor;
   const double q0_quotient_1 = q0_sized_1 / q0_quotient_0_of_q0_divisor,
       q0_quotient_1_product = KSL_MUL(q0_quotient_1, q0_quotient_0_of_q0_divisor),
-      q0_quotient_1_product_error = ksl_product_error(q0_quotient_1, q0_quotient_0_of_q0_divisor, q0_quotient_1_product),
+      q0_quotient_1_product_error = ksl_product_error(q0_quotient_1, q0_quotient_0_of_q0_divisor,
+          q0_quotient_1_product),
       q0_quotient_1_rest = q0_sized_1 - q0_quotient_1_product,
       q0_quotient_1_exact = q0_quotient_1_rest - q0_quotient_1_product_error,
       q0_quotient_1_cross = KSL_MUL(q0_quotient_1, q0_quotient_0_of_q0_divisor_lo),
@@ -690,7 +714,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q0_quotient_1_lo = q0_quotient_1_residual / q0_quotient_0_of_q0_divisor;
   const double q0_quotient_2 = q0_sized_2 / q0_quotient_0_of_q0_divisor,
       q0_quotient_2_product = KSL_MUL(q0_quotient_2, q0_quotient_0_of_q0_divisor),
-      q0_quotient_2_product_error = ksl_product_error(q0_quotient_2, q0_quotient_0_of_q0_divisor, q0_quotient_2_product),
+      q0_quotient_2_product_error = ksl_product_error(q0_quotient_2, q0_quotient_0_of_q0_divisor,
+          q0_quotient_2_product),
       q0_quotient_2_rest = q0_sized_2 - q0_quotient_2_product,
       q0_quotient_2_exact = q0_quotient_2_rest - q0_quotient_2_product_error,
       q0_quotient_2_cross = KSL_MUL(q0_quotient_2, q0_quotient_0_of_q0_divisor_lo),
@@ -771,13 +796,16 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double u1_sized_2 = KSL_MUL(self->m12, u1_up);
   const double u1_quotient_0_of_u1_divisor = u1_divisor + u1_divisor_lo,
       u1_quotient_0_of_u1_divisor_right = u1_quotient_0_of_u1_divisor - u1_divisor,
-      u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor - u1_quotient_0_of_u1_divisor_right,
+      u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor -
+          u1_quotient_0_of_u1_divisor_right,
       u1_quotient_0_of_u1_divisor_left_rest = u1_divisor - u1_quotient_0_of_u1_divisor_left,
       u1_quotient_0_of_u1_divisor_right_rest = u1_divisor_lo - u1_quotient_0_of_u1_divisor_right,
-      u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest + u1_quotient_0_of_u1_divisor_right_rest,
+      u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest +
+          u1_quotient_0_of_u1_divisor_right_rest,
       u1_quotient_0 = u1_sized_0 / u1_quotient_0_of_u1_divisor,
       u1_quotient_0_product = KSL_MUL(u1_quotient_0, u1_quotient_0_of_u1_divisor),
-      u1_quotient_0_product_error = ksl_product_error(u1_quotient_0, u1_quotient_0_of_u1_divisor, u1_quotient_0_product),
+      u1_quotient_0_product_error = ksl_product_error(u1_quotient_0, u1_quotient_0_of_u1_divisor,
+          u1_quotient_0_product),
       u1_quotient_0_rest = u1_sized_0 - u1_quotient_0_product,
       u1_quotient_0_exact = u1_quotient_0_rest - u1_quotient_0_product_error,
       u1_quotient_0_cross = KSL_MUL(u1_quotient_0, u1_quotient_0_of_u1_divisor_lo),
@@ -785,7 +813,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u1_quotient_0_lo = u1_quotient_0_residual / u1_quotient_0_of_u1_divisor;
   const double u1_quotient_1 = u1_sized_1 / u1_quotient_0_of_u1_divisor,
       u1_quotient_1_product = KSL_MUL(u1_quotient_1, u1_quotient_0_of_u1_divisor),
-      u1_quotient_1_product_error = ksl_product_error(u1_quotient_1, u1_quotient_0_of_u1_divisor, u1_quotient_1_product),
+      u1_quotient_1_product_error = ksl_product_error(u1_quotient_1, u1_quotient_0_of_u1_divisor,
+          u1_quotient_1_product),
       u1_quotient_1_rest = u1_sized_1 - u1_quotient_1_product,
       u1_quotient_1_exact = u1_quotient_1_rest - u1_quotient_1_product_error,
       u1_quotient_1_cross = KSL_MUL(u1_quotient_1, u1_quotient_0_of_u1_divisor_lo),
@@ -793,7 +822,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u1_quotient_1_lo = u1_quotient_1_residual / u1_quotient_0_of_u1_divisor;
   const double u1_quotient_2 = u1_sized_2 / u1_quotient_0_of_u1_divisor,
       u1_quotient_2_product = KSL_MUL(u1_quotient_2, u1_quotient_0_of_u1_divisor),
-      u1_quotient_2_product_error = ksl_product_error(u1_quotient_2, u1_quotient_0_of_u1_divisor, u1_quotient_2_product),
+      u1_quotient_2_product_error = ksl_product_error(u1_quotient_2, u1_quotient_0_of_u1_divisor,
+          u1_quotient_2_product),
       u1_quotient_2_rest = u1_sized_2 - u1_quotient_2_product,
       u1_quotient_2_exact = u1_quotient_2_rest - u1_quotient_2_product_error,
       u1_quotient_2_cross = KSL_MUL(u1_quotient_2, u1_quotient_0_of_u1_divisor_lo),
@@ -1053,13 +1083,16 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double u2_sized_2 = KSL_MUL(self->m22, u2_up);
   const double u2_quotient_0_of_u2_divisor = u2_divisor + u2_divisor_lo,
       u2_quotient_0_of_u2_divisor_right = u2_quotient_0_of_u2_divisor - u2_divisor,
-      u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor - u2_quotient_0_of_u2_divisor_right,
+      u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor -
+          u2_quotient_0_of_u2_divisor_right,
       u2_quotient_0_of_u2_divisor_left_rest = u2_divisor - u2_quotient_0_of_u2_divisor_left,
       u2_quotient_0_of_u2_divisor_right_rest = u2_divisor_lo - u2_quotient_0_of_u2_divisor_right,
-      u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest + u2_quotient_0_of_u2_divisor_right_rest,
+      u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest +
+          u2_quotient_0_of_u2_divisor_right_rest,
       u2_quotient_0 = u2_sized_0 / u2_quotient_0_of_u2_divisor,
       u2_quotient_0_product = KSL_MUL(u2_quotient_0, u2_quotient_0_of_u2_divisor),
-      u2_quotient_0_product_error = ksl_product_error(u2_quotient_0, u2_quotient_0_of_u2_divisor, u2_quotient_0_product),
+      u2_quotient_0_product_error = ksl_product_error(u2_quotient_0, u2_quotient_0_of_u2_divisor,
+          u2_quotient_0_product),
       u2_quotient_0_rest = u2_sized_0 - u2_quotient_0_product,
       u2_quotient_0_exact = u2_quotient_0_rest - u2_quotient_0_product_error,
       u2_quotient_0_cross = KSL_MUL(u2_quotient_0, u2_quotient_0_of_u2_divisor_lo),
@@ -1067,7 +1100,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_quotient_0_lo = u2_quotient_0_residual / u2_quotient_0_of_u2_divisor;
   const double u2_quotient_1 = u2_sized_1 / u2_quotient_0_of_u2_divisor,
       u2_quotient_1_product = KSL_MUL(u2_quotient_1, u2_quotient_0_of_u2_divisor),
-      u2_quotient_1_product_error = ksl_product_error(u2_quotient_1, u2_quotient_0_of_u2_divisor, u2_quotient_1_product),
+      u2_quotient_1_product_error = ksl_product_error(u2_quotient_1, u2_quotient_0_of_u2_divisor,
+          u2_quotient_1_product),
       u2_quotient_1_rest = u2_sized_1 - u2_quotient_1_product,
       u2_quotient_1_exact = u2_quotient_1_rest - u2_quotient_1_product_error,
       u2_quotient_1_cross = KSL_MUL(u2_quotient_1, u2_quotient_0_of_u2_divisor_lo),
@@ -1075,7 +1109,8 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_quotient_1_lo = u2_quotient_1_residual / u2_quotient_0_of_u2_divisor;
   const double u2_quotient_2 = u2_sized_2 / u2_quotient_0_of_u2_divisor,
       u2_quotient_2_product = KSL_MUL(u2_quotient_2, u2_quotient_0_of_u2_divisor),
-      u2_quotient_2_product_error = ksl_product_error(u2_quotient_2, u2_quotient_0_of_u2_divisor, u2_quotient_2_product),
+      u2_quotient_2_product_error = ksl_product_error(u2_quotient_2, u2_quotient_0_of_u2_divisor,
+          u2_quotient_2_product),
       u2_quotient_2_rest = u2_sized_2 - u2_quotient_2_product,
       u2_quotient_2_exact = u2_quotient_2_rest - u2_quotient_2_product_error,
       u2_quotient_2_cross = KSL_MUL(u2_quotient_2, u2_quotient_0_of_u2_divisor_lo),
@@ -1171,23 +1206,32 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double self_22_new = dependent == 1.0 ? (double)NAN : q2_2,
       self_22_new_lo = dependent == 1.0 ? 0.0 : q2_2_lo;
   const double self_00_new_rounded = self_00_new + self_00_new_lo,
-      self_00_new_final = self_00_new_rounded == self_00_new_rounded ? self_00_new_rounded : self_00_new;
+      self_00_new_final = self_00_new_rounded == self_00_new_rounded ? self_00_new_rounded :
+          self_00_new;
   const double self_01_new_rounded = self_01_new + self_01_new_lo,
-      self_01_new_final = self_01_new_rounded == self_01_new_rounded ? self_01_new_rounded : self_01_new;
+      self_01_new_final = self_01_new_rounded == self_01_new_rounded ? self_01_new_rounded :
+          self_01_new;
   const double self_02_new_rounded = self_02_new + self_02_new_lo,
-      self_02_new_final = self_02_new_rounded == self_02_new_rounded ? self_02_new_rounded : self_02_new;
+      self_02_new_final = self_02_new_rounded == self_02_new_rounded ? self_02_new_rounded :
+          self_02_new;
   const double self_10_new_rounded = self_10_new + self_10_new_lo,
-      self_10_new_final = self_10_new_rounded == self_10_new_rounded ? self_10_new_rounded : self_10_new;
+      self_10_new_final = self_10_new_rounded == self_10_new_rounded ? self_10_new_rounded :
+          self_10_new;
   const double self_11_new_rounded = self_11_new + self_11_new_lo,
-      self_11_new_final = self_11_new_rounded == self_11_new_rounded ? self_11_new_rounded : self_11_new;
+      self_11_new_final = self_11_new_rounded == self_11_new_rounded ? self_11_new_rounded :
+          self_11_new;
   const double self_12_new_rounded = self_12_new + self_12_new_lo,
-      self_12_new_final = self_12_new_rounded == self_12_new_rounded ? self_12_new_rounded : self_12_new;
+      self_12_new_final = self_12_new_rounded == self_12_new_rounded ? self_12_new_rounded :
+          self_12_new;
   const double self_20_new_rounded = self_20_new + self_20_new_lo,
-      self_20_new_final = self_20_new_rounded == self_20_new_rounded ? self_20_new_rounded : self_20_new;
+      self_20_new_final = self_20_new_rounded == self_20_new_rounded ? self_20_new_rounded :
+          self_20_new;
   const double self_21_new_rounded = self_21_new + self_21_new_lo,
-      self_21_new_final = self_21_new_rounded == self_21_new_rounded ? self_21_new_rounded : self_21_new;
+      self_21_new_final = self_21_new_rounded == self_21_new_rounded ? self_21_new_rounded :
+          self_21_new;
   const double self_22_new_rounded = self_22_new + self_22_new_lo,
-      self_22_new_final = self_22_new_rounded == self_22_new_rounded ? self_22_new_rounded : self_22_new;
+      self_22_new_final = self_22_new_rounded == self_22_new_rounded ? self_22_new_rounded :
+          self_22_new;
   self->m00 = self_00_new_final;
   self->m01 = self_01_new_final;
   self->m02 = self_02_new_final;
@@ -1252,13 +1296,16 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   const double q0_sized_2 = KSL_MUL(R->m02, q0_up);
   const double q0_quotient_0_of_q0_divisor = q0_divisor + q0_divisor_lo,
       q0_quotient_0_of_q0_divisor_right = q0_quotient_0_of_q0_divisor - q0_divisor,
-      q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor - q0_quotient_0_of_q0_divisor_right,
+      q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor -
+          q0_quotient_0_of_q0_divisor_right,
       q0_quotient_0_of_q0_divisor_left_rest = q0_divisor - q0_quotient_0_of_q0_divisor_left,
       q0_quotient_0_of_q0_divisor_right_rest = q0_divisor_lo - q0_quotient_0_of_q0_divisor_right,
-      q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest + q0_quotient_0_of_q0_divisor_right_rest,
+      q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest +
+          q0_quotient_0_of_q0_divisor_right_rest,
       q0_quotient_0 = q0_sized_0 / q0_quotient_0_of_q0_divisor,
       q0_quotient_0_product = KSL_MUL(q0_quotient_0, q0_quotient_0_of_q0_divisor),
-      q0_quotient_0_product_error = ksl_product_error(q0_quotient_0, q0_quotient_0_of_q0_divisor, q0_quotient_0_product),
+      q0_quotient_0_product_error = ksl_product_error(q0_quotient_0, q0_quotient_0_of_q0_divisor,
+          q0_quotient_0_product),
       q0_quotient_0_rest = q0_sized_0 - q0_quotient_0_product,
       q0_quotient_0_exact = q0_quotient_0_rest - q0_quotient_0_product_error,
       q0_quotient_0_cross = KSL_MUL(q0_quotient_0, q0_quotient_0_of_q0_divisor_lo),
@@ -1266,7 +1313,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q0_quotient_0_lo = q0_quotient_0_residual / q0_quotient_0_of_q0_divisor;
   const double q0_quotient_1 = q0_sized_1 / q0_quotient_0_of_q0_divisor,
       q0_quotient_1_product = KSL_MUL(q0_quotient_1, q0_quotient_0_of_q0_divisor),
-      q0_quotient_1_product_error = ksl_product_error(q0_quotient_1, q0_quotient_0_of_q0_divisor, q0_quotient_1_product),
+      q0_quotient_1_product_error = ksl_product_error(q0_quotient_1, q0_quotient_0_of_q0_divisor,
+          q0_quotient_1_product),
       q0_quotient_1_rest = q0_sized_1 - q0_quotient_1_product,
       q0_quotient_1_exact = q0_quotient_1_rest - q0_quotient_1_product_error,
       q0_quotient_1_cross = KSL_MUL(q0_quotient_1, q0_quotient_0_of_q0_divisor_lo),
@@ -1274,7 +1322,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q0_quotient_1_lo = q0_quotient_1_residual / q0_quotient_0_of_q0_divisor;
   const double q0_quotient_2 = q0_sized_2 / q0_quotient_0_of_q0_divisor,
       q0_quotient_2_product = KSL_MUL(q0_quotient_2, q0_quotient_0_of_q0_divisor),
-      q0_quotient_2_product_error = ksl_product_error(q0_quotient_2, q0_quotient_0_of_q0_divisor, q0_quotient_2_product),
+      q0_quotient_2_product_error = ksl_product_error(q0_quotient_2, q0_quotient_0_of_q0_divisor,
+          q0_quotient_2_product),
       q0_quotient_2_rest = q0_sized_2 - q0_quotient_2_product,
       q0_quotient_2_exact = q0_quotient_2_rest - q0_quotient_2_product_error,
       q0_quotient_2_cross = KSL_MUL(q0_quotient_2, q0_quotient_0_of_q0_divisor_lo),
@@ -1355,13 +1404,16 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   const double u1_sized_2 = KSL_MUL(R->m12, u1_up);
   const double u1_quotient_0_of_u1_divisor = u1_divisor + u1_divisor_lo,
       u1_quotient_0_of_u1_divisor_right = u1_quotient_0_of_u1_divisor - u1_divisor,
-      u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor - u1_quotient_0_of_u1_divisor_right,
+      u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor -
+          u1_quotient_0_of_u1_divisor_right,
       u1_quotient_0_of_u1_divisor_left_rest = u1_divisor - u1_quotient_0_of_u1_divisor_left,
       u1_quotient_0_of_u1_divisor_right_rest = u1_divisor_lo - u1_quotient_0_of_u1_divisor_right,
-      u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest + u1_quotient_0_of_u1_divisor_right_rest,
+      u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest +
+          u1_quotient_0_of_u1_divisor_right_rest,
       u1_quotient_0 = u1_sized_0 / u1_quotient_0_of_u1_divisor,
       u1_quotient_0_product = KSL_MUL(u1_quotient_0, u1_quotient_0_of_u1_divisor),
-      u1_quotient_0_product_error = ksl_product_error(u1_quotient_0, u1_quotient_0_of_u1_divisor, u1_quotient_0_product),
+      u1_quotient_0_product_error = ksl_product_error(u1_quotient_0, u1_quotient_0_of_u1_divisor,
+          u1_quotient_0_product),
       u1_quotient_0_rest = u1_sized_0 - u1_quotient_0_product,
       u1_quotient_0_exact = u1_quotient_0_rest - u1_quotient_0_product_error,
       u1_quotient_0_cross = KSL_MUL(u1_quotient_0, u1_quotient_0_of_u1_divisor_lo),
@@ -1369,7 +1421,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u1_quotient_0_lo = u1_quotient_0_residual / u1_quotient_0_of_u1_divisor;
   const double u1_quotient_1 = u1_sized_1 / u1_quotient_0_of_u1_divisor,
       u1_quotient_1_product = KSL_MUL(u1_quotient_1, u1_quotient_0_of_u1_divisor),
-      u1_quotient_1_product_error = ksl_product_error(u1_quotient_1, u1_quotient_0_of_u1_divisor, u1_quotient_1_product),
+      u1_quotient_1_product_error = ksl_product_error(u1_quotient_1, u1_quotient_0_of_u1_divisor,
+          u1_quotient_1_product),
       u1_quotient_1_rest = u1_sized_1 - u1_quotient_1_product,
       u1_quotient_1_exact = u1_quotient_1_rest - u1_quotient_1_product_error,
       u1_quotient_1_cross = KSL_MUL(u1_quotient_1, u1_quotient_0_of_u1_divisor_lo),
@@ -1377,7 +1430,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u1_quotient_1_lo = u1_quotient_1_residual / u1_quotient_0_of_u1_divisor;
   const double u1_quotient_2 = u1_sized_2 / u1_quotient_0_of_u1_divisor,
       u1_quotient_2_product = KSL_MUL(u1_quotient_2, u1_quotient_0_of_u1_divisor),
-      u1_quotient_2_product_error = ksl_product_error(u1_quotient_2, u1_quotient_0_of_u1_divisor, u1_quotient_2_product),
+      u1_quotient_2_product_error = ksl_product_error(u1_quotient_2, u1_quotient_0_of_u1_divisor,
+          u1_quotient_2_product),
       u1_quotient_2_rest = u1_sized_2 - u1_quotient_2_product,
       u1_quotient_2_exact = u1_quotient_2_rest - u1_quotient_2_product_error,
       u1_quotient_2_cross = KSL_MUL(u1_quotient_2, u1_quotient_0_of_u1_divisor_lo),
@@ -1637,13 +1691,16 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
   const double u2_sized_2 = KSL_MUL(R->m22, u2_up);
   const double u2_quotient_0_of_u2_divisor = u2_divisor + u2_divisor_lo,
       u2_quotient_0_of_u2_divisor_right = u2_quotient_0_of_u2_divisor - u2_divisor,
-      u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor - u2_quotient_0_of_u2_divisor_right,
+      u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor -
+          u2_quotient_0_of_u2_divisor_right,
       u2_quotient_0_of_u2_divisor_left_rest = u2_divisor - u2_quotient_0_of_u2_divisor_left,
       u2_quotient_0_of_u2_divisor_right_rest = u2_divisor_lo - u2_quotient_0_of_u2_divisor_right,
-      u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest + u2_quotient_0_of_u2_divisor_right_rest,
+      u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest +
+          u2_quotient_0_of_u2_divisor_right_rest,
       u2_quotient_0 = u2_sized_0 / u2_quotient_0_of_u2_divisor,
       u2_quotient_0_product = KSL_MUL(u2_quotient_0, u2_quotient_0_of_u2_divisor),
-      u2_quotient_0_product_error = ksl_product_error(u2_quotient_0, u2_quotient_0_of_u2_divisor, u2_quotient_0_product),
+      u2_quotient_0_product_error = ksl_product_error(u2_quotient_0, u2_quotient_0_of_u2_divisor,
+          u2_quotient_0_product),
       u2_quotient_0_rest = u2_sized_0 - u2_quotient_0_product,
       u2_quotient_0_exact = u2_quotient_0_rest - u2_quotient_0_product_error,
       u2_quotient_0_cross = KSL_MUL(u2_quotient_0, u2_quotient_0_of_u2_divisor_lo),
@@ -1651,7 +1708,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_quotient_0_lo = u2_quotient_0_residual / u2_quotient_0_of_u2_divisor;
   const double u2_quotient_1 = u2_sized_1 / u2_quotient_0_of_u2_divisor,
       u2_quotient_1_product = KSL_MUL(u2_quotient_1, u2_quotient_0_of_u2_divisor),
-      u2_quotient_1_product_error = ksl_product_error(u2_quotient_1, u2_quotient_0_of_u2_divisor, u2_quotient_1_product),
+      u2_quotient_1_product_error = ksl_product_error(u2_quotient_1, u2_quotient_0_of_u2_divisor,
+          u2_quotient_1_product),
       u2_quotient_1_rest = u2_sized_1 - u2_quotient_1_product,
       u2_quotient_1_exact = u2_quotient_1_rest - u2_quotient_1_product_error,
       u2_quotient_1_cross = KSL_MUL(u2_quotient_1, u2_quotient_0_of_u2_divisor_lo),
@@ -1659,7 +1717,8 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_quotient_1_lo = u2_quotient_1_residual / u2_quotient_0_of_u2_divisor;
   const double u2_quotient_2 = u2_sized_2 / u2_quotient_0_of_u2_divisor,
       u2_quotient_2_product = KSL_MUL(u2_quotient_2, u2_quotient_0_of_u2_divisor),
-      u2_quotient_2_product_error = ksl_product_error(u2_quotient_2, u2_quotient_0_of_u2_divisor, u2_quotient_2_product),
+      u2_quotient_2_product_error = ksl_product_error(u2_quotient_2, u2_quotient_0_of_u2_divisor,
+          u2_quotient_2_product),
       u2_quotient_2_rest = u2_sized_2 - u2_quotient_2_product,
       u2_quotient_2_exact = u2_quotient_2_rest - u2_quotient_2_product_error,
       u2_quotient_2_cross = KSL_MUL(u2_quotient_2, u2_quotient_0_of_u2_divisor_lo),
@@ -2147,7 +2206,8 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
       size_a_cross = size_a_cross1 + size_a_cross2, size_b = 1.0 + size_a,
       size_b_right = size_b - 1.0, size_b_left = size_b - size_b_right,
       size_b_left_rest = 1.0 - size_b_left,
-      size_b_right_rest = ksl_product_rest(magnitude_of_theta, magnitude_of_theta, size_a, size_b_right),
+      size_b_right_rest = ksl_product_rest(magnitude_of_theta, magnitude_of_theta, size_a,
+          size_b_right),
       size_b_lo1 = size_b_left_rest + size_b_right_rest, size_b_lo = size_b_lo1 + size_a_cross,
       size_c_of_size_b = size_b + size_b_lo, size_c_of_size_b_right = size_c_of_size_b - size_b,
       size_c_of_size_b_left = size_c_of_size_b - size_c_of_size_b_right,
@@ -2438,32 +2498,45 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       v_s_size_2_lo = v_s_size_2_of_upper_2 < 0.0 ? v_s_size_2_opposite : v_s_size_2_of_upper_2_lo;
   const double v_s_largest1a_of_v_s_size_0 = v_s_size_0 + v_s_size_0_lo,
       v_s_largest1a_of_v_s_size_0_right = v_s_largest1a_of_v_s_size_0 - v_s_size_0,
-      v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 - v_s_largest1a_of_v_s_size_0_right,
+      v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 -
+          v_s_largest1a_of_v_s_size_0_right,
       v_s_largest1a_of_v_s_size_0_left_rest = v_s_size_0 - v_s_largest1a_of_v_s_size_0_left,
       v_s_largest1a_of_v_s_size_0_right_rest = v_s_size_0_lo - v_s_largest1a_of_v_s_size_0_right,
-      v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest + v_s_largest1a_of_v_s_size_0_right_rest,
+      v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest +
+          v_s_largest1a_of_v_s_size_0_right_rest,
       v_s_largest1a_of_v_s_size_1 = v_s_size_1 + v_s_size_1_lo,
       v_s_largest1a_of_v_s_size_1_right = v_s_largest1a_of_v_s_size_1 - v_s_size_1,
-      v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 - v_s_largest1a_of_v_s_size_1_right,
+      v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 -
+          v_s_largest1a_of_v_s_size_1_right,
       v_s_largest1a_of_v_s_size_1_left_rest = v_s_size_1 - v_s_largest1a_of_v_s_size_1_left,
       v_s_largest1a_of_v_s_size_1_right_rest = v_s_size_1_lo - v_s_largest1a_of_v_s_size_1_right,
-      v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest + v_s_largest1a_of_v_s_size_1_right_rest,
-      v_s_largest1 = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ? v_s_largest1a_of_v_s_size_1 : v_s_largest1a_of_v_s_size_0,
-      v_s_largest1_lo = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ? v_s_largest1a_of_v_s_size_1_lo : v_s_largest1a_of_v_s_size_0_lo;
+      v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest +
+          v_s_largest1a_of_v_s_size_1_right_rest,
+      v_s_largest1 = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ?
+          v_s_largest1a_of_v_s_size_1 : v_s_largest1a_of_v_s_size_0,
+      v_s_largest1_lo = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1 ?
+          v_s_largest1a_of_v_s_size_1_lo : v_s_largest1a_of_v_s_size_0_lo;
   const double v_s_largest2a_of_v_s_largest1 = v_s_largest1 + v_s_largest1_lo,
       v_s_largest2a_of_v_s_largest1_right = v_s_largest2a_of_v_s_largest1 - v_s_largest1,
-      v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 - v_s_largest2a_of_v_s_largest1_right,
+      v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 -
+          v_s_largest2a_of_v_s_largest1_right,
       v_s_largest2a_of_v_s_largest1_left_rest = v_s_largest1 - v_s_largest2a_of_v_s_largest1_left,
-      v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo - v_s_largest2a_of_v_s_largest1_right,
-      v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest + v_s_largest2a_of_v_s_largest1_right_rest,
+      v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo -
+          v_s_largest2a_of_v_s_largest1_right,
+      v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest +
+          v_s_largest2a_of_v_s_largest1_right_rest,
       v_s_largest2a_of_v_s_size_2 = v_s_size_2 + v_s_size_2_lo,
       v_s_largest2a_of_v_s_size_2_right = v_s_largest2a_of_v_s_size_2 - v_s_size_2,
-      v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 - v_s_largest2a_of_v_s_size_2_right,
+      v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 -
+          v_s_largest2a_of_v_s_size_2_right,
       v_s_largest2a_of_v_s_size_2_left_rest = v_s_size_2 - v_s_largest2a_of_v_s_size_2_left,
       v_s_largest2a_of_v_s_size_2_right_rest = v_s_size_2_lo - v_s_largest2a_of_v_s_size_2_right,
-      v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest + v_s_largest2a_of_v_s_size_2_right_rest,
-      v_s_largest2 = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ? v_s_largest2a_of_v_s_size_2 : v_s_largest2a_of_v_s_largest1,
-      v_s_largest2_lo = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ? v_s_largest2a_of_v_s_size_2_lo : v_s_largest2a_of_v_s_largest1_lo;
+      v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest +
+          v_s_largest2a_of_v_s_size_2_right_rest,
+      v_s_largest2 = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ?
+          v_s_largest2a_of_v_s_size_2 : v_s_largest2a_of_v_s_largest1,
+      v_s_largest2_lo = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2 ?
+          v_s_largest2a_of_v_s_size_2_lo : v_s_largest2a_of_v_s_largest1_lo;
   const double v_s_a_of_v_s_largest2 = v_s_largest2 + v_s_largest2_lo,
       v_s_b = 6.703903964971299e+153 < v_s_a_of_v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_a_of_v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
@@ -2677,7 +2750,8 @@ static inline float ksl_mat3x3f_inverse_accurate(const ksl_mat3x3f_t *R, ksl_mat
   const double R_largest6 = R_largest5 < R_size_6 ? R_size_6 : R_largest5;
   const double R_largest7 = R_largest6 < R_size_7 ? R_size_7 : R_largest6;
   const double R_largest8 = R_largest7 < R_size_8 ? R_size_8 : R_largest7;
-  const double s_b = R_largest8 < 1.329227995784916e+36 ? 8.271806125530277e-25 : 7.52316384526264e-37,
+  const double s_b = R_largest8 < 1.329227995784916e+36 ? 8.271806125530277e-25 :
+      7.52316384526264e-37,
       s_d = R_largest8 < 1.2089258196146292e+24 ? 9.094947017729282e-13 : s_b,
       s_f = R_largest8 < 1099511627776.0 ? 1.0 : s_d,
       s_h = R_largest8 < 1.0 ? 1099511627776.0 : s_f,

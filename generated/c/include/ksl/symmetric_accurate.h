@@ -92,8 +92,10 @@ static inline double ksl_mat3x3_ldl_accurate(const ksl_mat3x3_t *A, ksl_mat3x3_t
       smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
       smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
       smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
-      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
-      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 :
+          smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo :
+          smallest1a_of_part1_lo;
   const double own2 = 0.0 < A->m22 ? A->m22 : 1.0;
   const double part2a_of_u2 = u2 + u2_lo, part2a_of_u2_right = part2a_of_u2 - u2,
       part2a_of_u2_left = part2a_of_u2 - part2a_of_u2_right,
@@ -111,15 +113,18 @@ static inline double ksl_mat3x3_ldl_accurate(const ksl_mat3x3_t *A, ksl_mat3x3_t
       smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
       smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
       smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
-      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest +
+          smallest2a_of_smallest1_right_rest,
       smallest2a_of_part2 = part2 + part2_lo,
       smallest2a_of_part2_right = smallest2a_of_part2 - part2,
       smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
       smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
       smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
       smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
-      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
-      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 :
+          smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo :
+          smallest2a_of_part2_lo;
   const double smallest2_rounded = smallest2 + smallest2_lo,
       smallest2_final = smallest2_rounded == smallest2_rounded ? smallest2_rounded : smallest2;
   const double l0_0_rounded = l0_0 + l0_0_lo,
@@ -292,8 +297,10 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
       smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
       smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
-      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
-      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 :
+          smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo :
+          smallest1a_of_part1_lo;
   const double own2 = 0.0 < A->m22 ? A->m22 : 1.0;
   const double part2a = divisor2a_of_u2 / own2, part2a_product = KSL_MUL(part2a, own2),
       part2a_product_error = ksl_product_error(part2a, own2, part2a_product),
@@ -306,15 +313,18 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
       smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
       smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
-      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest +
+          smallest2a_of_smallest1_right_rest,
       smallest2a_of_part2 = part2 + part2_lo,
       smallest2a_of_part2_right = smallest2a_of_part2 - part2,
       smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
       smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
       smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
       smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
-      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
-      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 :
+          smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo :
+          smallest2a_of_part2_lo;
   const double less_0 = KSL_MUL(A->m00, 0.9999999999999944);
   const double less_1 = KSL_MUL(A->m11, 0.9999999999999944);
   const double less_2 = KSL_MUL(A->m22, 0.9999999999999944);
@@ -324,18 +334,22 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       less_divisor0a_of_less_0_left = less_divisor0a_of_less_0 - less_divisor0a_of_less_0_right,
       less_divisor0a_of_less_0_left_rest = less_0 - less_divisor0a_of_less_0_left,
       less_divisor0a_of_less_0_right_rest = less_0_lo - less_divisor0a_of_less_0_right,
-      less_divisor0a_of_less_0_lo = less_divisor0a_of_less_0_left_rest + less_divisor0a_of_less_0_right_rest,
+      less_divisor0a_of_less_0_lo = less_divisor0a_of_less_0_left_rest +
+          less_divisor0a_of_less_0_right_rest,
       less_divisor0 = 0.0 < less_divisor0a_of_less_0 ? less_divisor0a_of_less_0 : 1.0,
       less_divisor0_lo = 0.0 < less_divisor0a_of_less_0 ? less_divisor0a_of_less_0_lo : 0.0;
   const double less_l0_0_of_less_divisor0 = less_divisor0 + less_divisor0_lo,
       less_l0_0_of_less_divisor0_right = less_l0_0_of_less_divisor0 - less_divisor0,
-      less_l0_0_of_less_divisor0_left = less_l0_0_of_less_divisor0 - less_l0_0_of_less_divisor0_right,
+      less_l0_0_of_less_divisor0_left = less_l0_0_of_less_divisor0 -
+          less_l0_0_of_less_divisor0_right,
       less_l0_0_of_less_divisor0_left_rest = less_divisor0 - less_l0_0_of_less_divisor0_left,
       less_l0_0_of_less_divisor0_right_rest = less_divisor0_lo - less_l0_0_of_less_divisor0_right,
-      less_l0_0_of_less_divisor0_lo = less_l0_0_of_less_divisor0_left_rest + less_l0_0_of_less_divisor0_right_rest,
+      less_l0_0_of_less_divisor0_lo = less_l0_0_of_less_divisor0_left_rest +
+          less_l0_0_of_less_divisor0_right_rest,
       less_l0_0 = A->m10 / less_l0_0_of_less_divisor0,
       less_l0_0_product = KSL_MUL(less_l0_0, less_l0_0_of_less_divisor0),
-      less_l0_0_product_error = ksl_product_error(less_l0_0, less_l0_0_of_less_divisor0, less_l0_0_product),
+      less_l0_0_product_error = ksl_product_error(less_l0_0, less_l0_0_of_less_divisor0,
+          less_l0_0_product),
       less_l0_0_rest = A->m10 - less_l0_0_product,
       less_l0_0_exact = less_l0_0_rest - less_l0_0_product_error,
       less_l0_0_cross = KSL_MUL(less_l0_0, less_l0_0_of_less_divisor0_lo),
@@ -343,7 +357,8 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       less_l0_0_lo = less_l0_0_residual / less_l0_0_of_less_divisor0;
   const double less_l0_1 = A->m20 / less_l0_0_of_less_divisor0,
       less_l0_1_product = KSL_MUL(less_l0_1, less_l0_0_of_less_divisor0),
-      less_l0_1_product_error = ksl_product_error(less_l0_1, less_l0_0_of_less_divisor0, less_l0_1_product),
+      less_l0_1_product_error = ksl_product_error(less_l0_1, less_l0_0_of_less_divisor0,
+          less_l0_1_product),
       less_l0_1_rest = A->m20 - less_l0_1_product,
       less_l0_1_exact = less_l0_1_rest - less_l0_1_product_error,
       less_l0_1_cross = KSL_MUL(less_l0_1, less_l0_0_of_less_divisor0_lo),
@@ -365,10 +380,12 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       less_u1_1_lo = less_u1_1_lo1 - less_u1_1a_cross2;
   const double less_divisor1a_of_less_u1_0 = less_u1_0 + less_u1_0_lo,
       less_divisor1a_of_less_u1_0_right = less_divisor1a_of_less_u1_0 - less_u1_0,
-      less_divisor1a_of_less_u1_0_left = less_divisor1a_of_less_u1_0 - less_divisor1a_of_less_u1_0_right,
+      less_divisor1a_of_less_u1_0_left = less_divisor1a_of_less_u1_0 -
+          less_divisor1a_of_less_u1_0_right,
       less_divisor1a_of_less_u1_0_left_rest = less_u1_0 - less_divisor1a_of_less_u1_0_left,
       less_divisor1a_of_less_u1_0_right_rest = less_u1_0_lo - less_divisor1a_of_less_u1_0_right,
-      less_divisor1a_of_less_u1_0_lo = less_divisor1a_of_less_u1_0_left_rest + less_divisor1a_of_less_u1_0_right_rest,
+      less_divisor1a_of_less_u1_0_lo = less_divisor1a_of_less_u1_0_left_rest +
+          less_divisor1a_of_less_u1_0_right_rest,
       less_divisor1 = 0.0 < less_divisor1a_of_less_u1_0 ? less_divisor1a_of_less_u1_0 : 1.0,
       less_divisor1_lo = 0.0 < less_divisor1a_of_less_u1_0 ? less_divisor1a_of_less_u1_0_lo : 0.0;
   const double less_l1_of_less_u1_1 = less_u1_1 + less_u1_1_lo,
@@ -382,7 +399,8 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       less_l1_of_less_divisor1_left = less_l1_of_less_divisor1 - less_l1_of_less_divisor1_right,
       less_l1_of_less_divisor1_left_rest = less_divisor1 - less_l1_of_less_divisor1_left,
       less_l1_of_less_divisor1_right_rest = less_divisor1_lo - less_l1_of_less_divisor1_right,
-      less_l1_of_less_divisor1_lo = less_l1_of_less_divisor1_left_rest + less_l1_of_less_divisor1_right_rest,
+      less_l1_of_less_divisor1_lo = less_l1_of_less_divisor1_left_rest +
+          less_l1_of_less_divisor1_right_rest,
       less_l1 = less_l1_of_less_u1_1 / less_l1_of_less_divisor1,
       less_l1_product = KSL_MUL(less_l1, less_l1_of_less_divisor1),
       less_l1_product_error = ksl_product_error(less_l1, less_l1_of_less_divisor1, less_l1_product),
@@ -577,7 +595,8 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       refined_z0_of_residual_0_left = refined_z0_of_residual_0 - refined_z0_of_residual_0_right,
       refined_z0_of_residual_0_left_rest = residual_0 - refined_z0_of_residual_0_left,
       refined_z0_of_residual_0_right_rest = residual_0_lo - refined_z0_of_residual_0_right,
-      refined_z0_of_residual_0_lo = refined_z0_of_residual_0_left_rest + refined_z0_of_residual_0_right_rest,
+      refined_z0_of_residual_0_lo = refined_z0_of_residual_0_left_rest +
+          refined_z0_of_residual_0_right_rest,
       refined_z0 = refined_z0_of_residual_0 / divisor0,
       refined_z0_product = KSL_MUL(refined_z0, divisor0),
       refined_z0_product_error = ksl_product_error(refined_z0, divisor0, refined_z0_product),
@@ -590,7 +609,8 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       refined_z1_of_refined_y1_left = refined_z1_of_refined_y1 - refined_z1_of_refined_y1_right,
       refined_z1_of_refined_y1_left_rest = refined_y1 - refined_z1_of_refined_y1_left,
       refined_z1_of_refined_y1_right_rest = refined_y1_lo - refined_z1_of_refined_y1_right,
-      refined_z1_of_refined_y1_lo = refined_z1_of_refined_y1_left_rest + refined_z1_of_refined_y1_right_rest,
+      refined_z1_of_refined_y1_lo = refined_z1_of_refined_y1_left_rest +
+          refined_z1_of_refined_y1_right_rest,
       refined_z1 = refined_z1_of_refined_y1 / l1_of_divisor1,
       refined_z1_product = KSL_MUL(refined_z1, l1_of_divisor1),
       refined_z1_product_error = ksl_product_error(refined_z1, l1_of_divisor1, refined_z1_product),
@@ -605,7 +625,8 @@ static inline double ksl_mat3x3_solve_accurate(const ksl_mat3x3_t *A, const ksl_
       refined_z2_of_refined_y2_left = refined_z2_of_refined_y2 - refined_z2_of_refined_y2_right,
       refined_z2_of_refined_y2_left_rest = refined_y2 - refined_z2_of_refined_y2_left,
       refined_z2_of_refined_y2_right_rest = refined_y2_lo - refined_z2_of_refined_y2_right,
-      refined_z2_of_refined_y2_lo = refined_z2_of_refined_y2_left_rest + refined_z2_of_refined_y2_right_rest,
+      refined_z2_of_refined_y2_lo = refined_z2_of_refined_y2_left_rest +
+          refined_z2_of_refined_y2_right_rest,
       refined_z2 = refined_z2_of_refined_y2 / z2_of_divisor2,
       refined_z2_product = KSL_MUL(refined_z2, z2_of_divisor2),
       refined_z2_product_error = ksl_product_error(refined_z2, z2_of_divisor2, refined_z2_product),
@@ -1106,8 +1127,10 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
       smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
       smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
-      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
-      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 :
+          smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo :
+          smallest1a_of_part1_lo;
   const double own2 = 0.0 < A->at[2][2] ? A->at[2][2] : 1.0;
   const double part2a = divisor2a_of_u2_0 / own2, part2a_product = KSL_MUL(part2a, own2),
       part2a_product_error = ksl_product_error(part2a, own2, part2a_product),
@@ -1121,15 +1144,18 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
       smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
       smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
-      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest +
+          smallest2a_of_smallest1_right_rest,
       smallest2a_of_part2 = part2 + part2_lo,
       smallest2a_of_part2_right = smallest2a_of_part2 - part2,
       smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
       smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
       smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
       smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
-      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
-      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 :
+          smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo :
+          smallest2a_of_part2_lo;
   const double own3 = 0.0 < A->at[3][3] ? A->at[3][3] : 1.0;
   const double part3a = divisor3a_of_u3_0 / own3, part3a_product = KSL_MUL(part3a, own3),
       part3a_product_error = ksl_product_error(part3a, own3, part3a_product),
@@ -1143,15 +1169,18 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       smallest3a_of_smallest2_left = smallest3a_of_smallest2 - smallest3a_of_smallest2_right,
       smallest3a_of_smallest2_left_rest = smallest2 - smallest3a_of_smallest2_left,
       smallest3a_of_smallest2_right_rest = smallest2_lo - smallest3a_of_smallest2_right,
-      smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest + smallest3a_of_smallest2_right_rest,
+      smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest +
+          smallest3a_of_smallest2_right_rest,
       smallest3a_of_part3 = part3 + part3_lo,
       smallest3a_of_part3_right = smallest3a_of_part3 - part3,
       smallest3a_of_part3_left = smallest3a_of_part3 - smallest3a_of_part3_right,
       smallest3a_of_part3_left_rest = part3 - smallest3a_of_part3_left,
       smallest3a_of_part3_right_rest = part3_lo - smallest3a_of_part3_right,
       smallest3a_of_part3_lo = smallest3a_of_part3_left_rest + smallest3a_of_part3_right_rest,
-      smallest3 = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2 : smallest3a_of_part3,
-      smallest3_lo = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2_lo : smallest3a_of_part3_lo;
+      smallest3 = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2 :
+          smallest3a_of_part3,
+      smallest3_lo = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2_lo :
+          smallest3a_of_part3_lo;
   const double own4 = 0.0 < A->at[4][4] ? A->at[4][4] : 1.0;
   const double part4a = divisor4a_of_u4_0 / own4, part4a_product = KSL_MUL(part4a, own4),
       part4a_product_error = ksl_product_error(part4a, own4, part4a_product),
@@ -1165,15 +1194,18 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       smallest4a_of_smallest3_left = smallest4a_of_smallest3 - smallest4a_of_smallest3_right,
       smallest4a_of_smallest3_left_rest = smallest3 - smallest4a_of_smallest3_left,
       smallest4a_of_smallest3_right_rest = smallest3_lo - smallest4a_of_smallest3_right,
-      smallest4a_of_smallest3_lo = smallest4a_of_smallest3_left_rest + smallest4a_of_smallest3_right_rest,
+      smallest4a_of_smallest3_lo = smallest4a_of_smallest3_left_rest +
+          smallest4a_of_smallest3_right_rest,
       smallest4a_of_part4 = part4 + part4_lo,
       smallest4a_of_part4_right = smallest4a_of_part4 - part4,
       smallest4a_of_part4_left = smallest4a_of_part4 - smallest4a_of_part4_right,
       smallest4a_of_part4_left_rest = part4 - smallest4a_of_part4_left,
       smallest4a_of_part4_right_rest = part4_lo - smallest4a_of_part4_right,
       smallest4a_of_part4_lo = smallest4a_of_part4_left_rest + smallest4a_of_part4_right_rest,
-      smallest4 = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3 : smallest4a_of_part4,
-      smallest4_lo = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3_lo : smallest4a_of_part4_lo;
+      smallest4 = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3 :
+          smallest4a_of_part4,
+      smallest4_lo = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3_lo :
+          smallest4a_of_part4_lo;
   const double own5 = 0.0 < A->at[5][5] ? A->at[5][5] : 1.0;
   const double part5a_of_u5 = u5 + u5_lo, part5a_of_u5_right = part5a_of_u5 - u5,
       part5a_of_u5_left = part5a_of_u5 - part5a_of_u5_right,
@@ -1192,15 +1224,18 @@ static inline double ksl_mat6x6_ldl_accurate(const ksl_mat6x6_t *A, ksl_mat6x6_t
       smallest5a_of_smallest4_left = smallest5a_of_smallest4 - smallest5a_of_smallest4_right,
       smallest5a_of_smallest4_left_rest = smallest4 - smallest5a_of_smallest4_left,
       smallest5a_of_smallest4_right_rest = smallest4_lo - smallest5a_of_smallest4_right,
-      smallest5a_of_smallest4_lo = smallest5a_of_smallest4_left_rest + smallest5a_of_smallest4_right_rest,
+      smallest5a_of_smallest4_lo = smallest5a_of_smallest4_left_rest +
+          smallest5a_of_smallest4_right_rest,
       smallest5a_of_part5 = part5 + part5_lo,
       smallest5a_of_part5_right = smallest5a_of_part5 - part5,
       smallest5a_of_part5_left = smallest5a_of_part5 - smallest5a_of_part5_right,
       smallest5a_of_part5_left_rest = part5 - smallest5a_of_part5_left,
       smallest5a_of_part5_right_rest = part5_lo - smallest5a_of_part5_right,
       smallest5a_of_part5_lo = smallest5a_of_part5_left_rest + smallest5a_of_part5_right_rest,
-      smallest5 = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4 : smallest5a_of_part5,
-      smallest5_lo = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4_lo : smallest5a_of_part5_lo;
+      smallest5 = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4 :
+          smallest5a_of_part5,
+      smallest5_lo = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4_lo :
+          smallest5a_of_part5_lo;
   const double smallest5_rounded = smallest5 + smallest5_lo,
       smallest5_final = smallest5_rounded == smallest5_rounded ? smallest5_rounded : smallest5;
   const double l0_0_rounded = l0_0 + l0_0_lo,
@@ -1915,8 +1950,10 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       smallest1a_of_part1_left_rest = part1 - smallest1a_of_part1_left,
       smallest1a_of_part1_right_rest = part1_lo - smallest1a_of_part1_right,
       smallest1a_of_part1_lo = smallest1a_of_part1_left_rest + smallest1a_of_part1_right_rest,
-      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 : smallest1a_of_part1,
-      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo : smallest1a_of_part1_lo;
+      smallest1 = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0 :
+          smallest1a_of_part1,
+      smallest1_lo = smallest1a_of_part0 < smallest1a_of_part1 ? smallest1a_of_part0_lo :
+          smallest1a_of_part1_lo;
   const double own2 = 0.0 < A->at[2][2] ? A->at[2][2] : 1.0;
   const double part2a = divisor2a_of_u2_0 / own2, part2a_product = KSL_MUL(part2a, own2),
       part2a_product_error = ksl_product_error(part2a, own2, part2a_product),
@@ -1930,15 +1967,18 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       smallest2a_of_smallest1_left = smallest2a_of_smallest1 - smallest2a_of_smallest1_right,
       smallest2a_of_smallest1_left_rest = smallest1 - smallest2a_of_smallest1_left,
       smallest2a_of_smallest1_right_rest = smallest1_lo - smallest2a_of_smallest1_right,
-      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest + smallest2a_of_smallest1_right_rest,
+      smallest2a_of_smallest1_lo = smallest2a_of_smallest1_left_rest +
+          smallest2a_of_smallest1_right_rest,
       smallest2a_of_part2 = part2 + part2_lo,
       smallest2a_of_part2_right = smallest2a_of_part2 - part2,
       smallest2a_of_part2_left = smallest2a_of_part2 - smallest2a_of_part2_right,
       smallest2a_of_part2_left_rest = part2 - smallest2a_of_part2_left,
       smallest2a_of_part2_right_rest = part2_lo - smallest2a_of_part2_right,
       smallest2a_of_part2_lo = smallest2a_of_part2_left_rest + smallest2a_of_part2_right_rest,
-      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 : smallest2a_of_part2,
-      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo : smallest2a_of_part2_lo;
+      smallest2 = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1 :
+          smallest2a_of_part2,
+      smallest2_lo = smallest2a_of_smallest1 < smallest2a_of_part2 ? smallest2a_of_smallest1_lo :
+          smallest2a_of_part2_lo;
   const double own3 = 0.0 < A->at[3][3] ? A->at[3][3] : 1.0;
   const double part3a = divisor3a_of_u3_0 / own3, part3a_product = KSL_MUL(part3a, own3),
       part3a_product_error = ksl_product_error(part3a, own3, part3a_product),
@@ -1952,15 +1992,18 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       smallest3a_of_smallest2_left = smallest3a_of_smallest2 - smallest3a_of_smallest2_right,
       smallest3a_of_smallest2_left_rest = smallest2 - smallest3a_of_smallest2_left,
       smallest3a_of_smallest2_right_rest = smallest2_lo - smallest3a_of_smallest2_right,
-      smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest + smallest3a_of_smallest2_right_rest,
+      smallest3a_of_smallest2_lo = smallest3a_of_smallest2_left_rest +
+          smallest3a_of_smallest2_right_rest,
       smallest3a_of_part3 = part3 + part3_lo,
       smallest3a_of_part3_right = smallest3a_of_part3 - part3,
       smallest3a_of_part3_left = smallest3a_of_part3 - smallest3a_of_part3_right,
       smallest3a_of_part3_left_rest = part3 - smallest3a_of_part3_left,
       smallest3a_of_part3_right_rest = part3_lo - smallest3a_of_part3_right,
       smallest3a_of_part3_lo = smallest3a_of_part3_left_rest + smallest3a_of_part3_right_rest,
-      smallest3 = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2 : smallest3a_of_part3,
-      smallest3_lo = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2_lo : smallest3a_of_part3_lo;
+      smallest3 = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2 :
+          smallest3a_of_part3,
+      smallest3_lo = smallest3a_of_smallest2 < smallest3a_of_part3 ? smallest3a_of_smallest2_lo :
+          smallest3a_of_part3_lo;
   const double own4 = 0.0 < A->at[4][4] ? A->at[4][4] : 1.0;
   const double part4a = divisor4a_of_u4_0 / own4, part4a_product = KSL_MUL(part4a, own4),
       part4a_product_error = ksl_product_error(part4a, own4, part4a_product),
@@ -1974,15 +2017,18 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       smallest4a_of_smallest3_left = smallest4a_of_smallest3 - smallest4a_of_smallest3_right,
       smallest4a_of_smallest3_left_rest = smallest3 - smallest4a_of_smallest3_left,
       smallest4a_of_smallest3_right_rest = smallest3_lo - smallest4a_of_smallest3_right,
-      smallest4a_of_smallest3_lo = smallest4a_of_smallest3_left_rest + smallest4a_of_smallest3_right_rest,
+      smallest4a_of_smallest3_lo = smallest4a_of_smallest3_left_rest +
+          smallest4a_of_smallest3_right_rest,
       smallest4a_of_part4 = part4 + part4_lo,
       smallest4a_of_part4_right = smallest4a_of_part4 - part4,
       smallest4a_of_part4_left = smallest4a_of_part4 - smallest4a_of_part4_right,
       smallest4a_of_part4_left_rest = part4 - smallest4a_of_part4_left,
       smallest4a_of_part4_right_rest = part4_lo - smallest4a_of_part4_right,
       smallest4a_of_part4_lo = smallest4a_of_part4_left_rest + smallest4a_of_part4_right_rest,
-      smallest4 = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3 : smallest4a_of_part4,
-      smallest4_lo = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3_lo : smallest4a_of_part4_lo;
+      smallest4 = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3 :
+          smallest4a_of_part4,
+      smallest4_lo = smallest4a_of_smallest3 < smallest4a_of_part4 ? smallest4a_of_smallest3_lo :
+          smallest4a_of_part4_lo;
   const double own5 = 0.0 < A->at[5][5] ? A->at[5][5] : 1.0;
   const double part5a = divisor5a_of_u5 / own5, part5a_product = KSL_MUL(part5a, own5),
       part5a_product_error = ksl_product_error(part5a, own5, part5a_product),
@@ -1996,15 +2042,18 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       smallest5a_of_smallest4_left = smallest5a_of_smallest4 - smallest5a_of_smallest4_right,
       smallest5a_of_smallest4_left_rest = smallest4 - smallest5a_of_smallest4_left,
       smallest5a_of_smallest4_right_rest = smallest4_lo - smallest5a_of_smallest4_right,
-      smallest5a_of_smallest4_lo = smallest5a_of_smallest4_left_rest + smallest5a_of_smallest4_right_rest,
+      smallest5a_of_smallest4_lo = smallest5a_of_smallest4_left_rest +
+          smallest5a_of_smallest4_right_rest,
       smallest5a_of_part5 = part5 + part5_lo,
       smallest5a_of_part5_right = smallest5a_of_part5 - part5,
       smallest5a_of_part5_left = smallest5a_of_part5 - smallest5a_of_part5_right,
       smallest5a_of_part5_left_rest = part5 - smallest5a_of_part5_left,
       smallest5a_of_part5_right_rest = part5_lo - smallest5a_of_part5_right,
       smallest5a_of_part5_lo = smallest5a_of_part5_left_rest + smallest5a_of_part5_right_rest,
-      smallest5 = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4 : smallest5a_of_part5,
-      smallest5_lo = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4_lo : smallest5a_of_part5_lo;
+      smallest5 = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4 :
+          smallest5a_of_part5,
+      smallest5_lo = smallest5a_of_smallest4 < smallest5a_of_part5 ? smallest5a_of_smallest4_lo :
+          smallest5a_of_part5_lo;
   const double less_0 = KSL_MUL(A->at[0][0], 0.9999999999999944);
   const double less_1 = KSL_MUL(A->at[1][1], 0.9999999999999944);
   const double less_2 = KSL_MUL(A->at[2][2], 0.9999999999999944);
@@ -2017,18 +2066,22 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_divisor0a_of_less_0_left = less_divisor0a_of_less_0 - less_divisor0a_of_less_0_right,
       less_divisor0a_of_less_0_left_rest = less_0 - less_divisor0a_of_less_0_left,
       less_divisor0a_of_less_0_right_rest = less_0_lo - less_divisor0a_of_less_0_right,
-      less_divisor0a_of_less_0_lo = less_divisor0a_of_less_0_left_rest + less_divisor0a_of_less_0_right_rest,
+      less_divisor0a_of_less_0_lo = less_divisor0a_of_less_0_left_rest +
+          less_divisor0a_of_less_0_right_rest,
       less_divisor0 = 0.0 < less_divisor0a_of_less_0 ? less_divisor0a_of_less_0 : 1.0,
       less_divisor0_lo = 0.0 < less_divisor0a_of_less_0 ? less_divisor0a_of_less_0_lo : 0.0;
   const double less_l0_0_of_less_divisor0 = less_divisor0 + less_divisor0_lo,
       less_l0_0_of_less_divisor0_right = less_l0_0_of_less_divisor0 - less_divisor0,
-      less_l0_0_of_less_divisor0_left = less_l0_0_of_less_divisor0 - less_l0_0_of_less_divisor0_right,
+      less_l0_0_of_less_divisor0_left = less_l0_0_of_less_divisor0 -
+          less_l0_0_of_less_divisor0_right,
       less_l0_0_of_less_divisor0_left_rest = less_divisor0 - less_l0_0_of_less_divisor0_left,
       less_l0_0_of_less_divisor0_right_rest = less_divisor0_lo - less_l0_0_of_less_divisor0_right,
-      less_l0_0_of_less_divisor0_lo = less_l0_0_of_less_divisor0_left_rest + less_l0_0_of_less_divisor0_right_rest,
+      less_l0_0_of_less_divisor0_lo = less_l0_0_of_less_divisor0_left_rest +
+          less_l0_0_of_less_divisor0_right_rest,
       less_l0_0 = A->at[0][1] / less_l0_0_of_less_divisor0,
       less_l0_0_product = KSL_MUL(less_l0_0, less_l0_0_of_less_divisor0),
-      less_l0_0_product_error = ksl_product_error(less_l0_0, less_l0_0_of_less_divisor0, less_l0_0_product),
+      less_l0_0_product_error = ksl_product_error(less_l0_0, less_l0_0_of_less_divisor0,
+          less_l0_0_product),
       less_l0_0_rest = A->at[0][1] - less_l0_0_product,
       less_l0_0_exact = less_l0_0_rest - less_l0_0_product_error,
       less_l0_0_cross = KSL_MUL(less_l0_0, less_l0_0_of_less_divisor0_lo),
@@ -2036,7 +2089,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l0_0_lo = less_l0_0_residual / less_l0_0_of_less_divisor0;
   const double less_l0_1 = A->at[0][2] / less_l0_0_of_less_divisor0,
       less_l0_1_product = KSL_MUL(less_l0_1, less_l0_0_of_less_divisor0),
-      less_l0_1_product_error = ksl_product_error(less_l0_1, less_l0_0_of_less_divisor0, less_l0_1_product),
+      less_l0_1_product_error = ksl_product_error(less_l0_1, less_l0_0_of_less_divisor0,
+          less_l0_1_product),
       less_l0_1_rest = A->at[0][2] - less_l0_1_product,
       less_l0_1_exact = less_l0_1_rest - less_l0_1_product_error,
       less_l0_1_cross = KSL_MUL(less_l0_1, less_l0_0_of_less_divisor0_lo),
@@ -2044,7 +2098,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l0_1_lo = less_l0_1_residual / less_l0_0_of_less_divisor0;
   const double less_l0_2 = A->at[0][3] / less_l0_0_of_less_divisor0,
       less_l0_2_product = KSL_MUL(less_l0_2, less_l0_0_of_less_divisor0),
-      less_l0_2_product_error = ksl_product_error(less_l0_2, less_l0_0_of_less_divisor0, less_l0_2_product),
+      less_l0_2_product_error = ksl_product_error(less_l0_2, less_l0_0_of_less_divisor0,
+          less_l0_2_product),
       less_l0_2_rest = A->at[0][3] - less_l0_2_product,
       less_l0_2_exact = less_l0_2_rest - less_l0_2_product_error,
       less_l0_2_cross = KSL_MUL(less_l0_2, less_l0_0_of_less_divisor0_lo),
@@ -2052,7 +2107,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l0_2_lo = less_l0_2_residual / less_l0_0_of_less_divisor0;
   const double less_l0_3 = A->at[0][4] / less_l0_0_of_less_divisor0,
       less_l0_3_product = KSL_MUL(less_l0_3, less_l0_0_of_less_divisor0),
-      less_l0_3_product_error = ksl_product_error(less_l0_3, less_l0_0_of_less_divisor0, less_l0_3_product),
+      less_l0_3_product_error = ksl_product_error(less_l0_3, less_l0_0_of_less_divisor0,
+          less_l0_3_product),
       less_l0_3_rest = A->at[0][4] - less_l0_3_product,
       less_l0_3_exact = less_l0_3_rest - less_l0_3_product_error,
       less_l0_3_cross = KSL_MUL(less_l0_3, less_l0_0_of_less_divisor0_lo),
@@ -2060,7 +2116,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l0_3_lo = less_l0_3_residual / less_l0_0_of_less_divisor0;
   const double less_l0_4 = A->at[0][5] / less_l0_0_of_less_divisor0,
       less_l0_4_product = KSL_MUL(less_l0_4, less_l0_0_of_less_divisor0),
-      less_l0_4_product_error = ksl_product_error(less_l0_4, less_l0_0_of_less_divisor0, less_l0_4_product),
+      less_l0_4_product_error = ksl_product_error(less_l0_4, less_l0_0_of_less_divisor0,
+          less_l0_4_product),
       less_l0_4_rest = A->at[0][5] - less_l0_4_product,
       less_l0_4_exact = less_l0_4_rest - less_l0_4_product_error,
       less_l0_4_cross = KSL_MUL(less_l0_4, less_l0_0_of_less_divisor0_lo),
@@ -2069,7 +2126,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_u1_0a = KSL_MUL(A->at[0][1], less_l0_0),
       less_u1_0a_cross2 = KSL_MUL(A->at[0][1], less_l0_0_lo), less_u1_0 = less_1 - less_u1_0a,
       less_u1_0_right = less_1 - less_u1_0, less_u1_0_left = less_u1_0 + less_u1_0_right,
-      less_u1_0_left_rest = ksl_product_rest(A->at[1][1], 0.9999999999999944, less_1, less_u1_0_left),
+      less_u1_0_left_rest = ksl_product_rest(A->at[1][1], 0.9999999999999944, less_1,
+          less_u1_0_left),
       less_u1_0_right_rest = ksl_product_rest(A->at[0][1], less_l0_0, less_u1_0a, less_u1_0_right),
       less_u1_0_lo1 = less_u1_0_left_rest - less_u1_0_right_rest,
       less_u1_0_lo = less_u1_0_lo1 - less_u1_0a_cross2;
@@ -2103,10 +2161,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u1_4_lo = less_u1_4_lo1 - less_u1_4a_cross2;
   const double less_divisor1a_of_less_u1_0 = less_u1_0 + less_u1_0_lo,
       less_divisor1a_of_less_u1_0_right = less_divisor1a_of_less_u1_0 - less_u1_0,
-      less_divisor1a_of_less_u1_0_left = less_divisor1a_of_less_u1_0 - less_divisor1a_of_less_u1_0_right,
+      less_divisor1a_of_less_u1_0_left = less_divisor1a_of_less_u1_0 -
+          less_divisor1a_of_less_u1_0_right,
       less_divisor1a_of_less_u1_0_left_rest = less_u1_0 - less_divisor1a_of_less_u1_0_left,
       less_divisor1a_of_less_u1_0_right_rest = less_u1_0_lo - less_divisor1a_of_less_u1_0_right,
-      less_divisor1a_of_less_u1_0_lo = less_divisor1a_of_less_u1_0_left_rest + less_divisor1a_of_less_u1_0_right_rest,
+      less_divisor1a_of_less_u1_0_lo = less_divisor1a_of_less_u1_0_left_rest +
+          less_divisor1a_of_less_u1_0_right_rest,
       less_divisor1 = 0.0 < less_divisor1a_of_less_u1_0 ? less_divisor1a_of_less_u1_0 : 1.0,
       less_divisor1_lo = 0.0 < less_divisor1a_of_less_u1_0 ? less_divisor1a_of_less_u1_0_lo : 0.0;
   const double less_l1_0_of_less_u1_1 = less_u1_1 + less_u1_1_lo,
@@ -2114,16 +2174,20 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l1_0_of_less_u1_1_left = less_l1_0_of_less_u1_1 - less_l1_0_of_less_u1_1_right,
       less_l1_0_of_less_u1_1_left_rest = less_u1_1 - less_l1_0_of_less_u1_1_left,
       less_l1_0_of_less_u1_1_right_rest = less_u1_1_lo - less_l1_0_of_less_u1_1_right,
-      less_l1_0_of_less_u1_1_lo = less_l1_0_of_less_u1_1_left_rest + less_l1_0_of_less_u1_1_right_rest,
+      less_l1_0_of_less_u1_1_lo = less_l1_0_of_less_u1_1_left_rest +
+          less_l1_0_of_less_u1_1_right_rest,
       less_l1_0_of_less_divisor1 = less_divisor1 + less_divisor1_lo,
       less_l1_0_of_less_divisor1_right = less_l1_0_of_less_divisor1 - less_divisor1,
-      less_l1_0_of_less_divisor1_left = less_l1_0_of_less_divisor1 - less_l1_0_of_less_divisor1_right,
+      less_l1_0_of_less_divisor1_left = less_l1_0_of_less_divisor1 -
+          less_l1_0_of_less_divisor1_right,
       less_l1_0_of_less_divisor1_left_rest = less_divisor1 - less_l1_0_of_less_divisor1_left,
       less_l1_0_of_less_divisor1_right_rest = less_divisor1_lo - less_l1_0_of_less_divisor1_right,
-      less_l1_0_of_less_divisor1_lo = less_l1_0_of_less_divisor1_left_rest + less_l1_0_of_less_divisor1_right_rest,
+      less_l1_0_of_less_divisor1_lo = less_l1_0_of_less_divisor1_left_rest +
+          less_l1_0_of_less_divisor1_right_rest,
       less_l1_0 = less_l1_0_of_less_u1_1 / less_l1_0_of_less_divisor1,
       less_l1_0_product = KSL_MUL(less_l1_0, less_l1_0_of_less_divisor1),
-      less_l1_0_product_error = ksl_product_error(less_l1_0, less_l1_0_of_less_divisor1, less_l1_0_product),
+      less_l1_0_product_error = ksl_product_error(less_l1_0, less_l1_0_of_less_divisor1,
+          less_l1_0_product),
       less_l1_0_rest = less_l1_0_of_less_u1_1 - less_l1_0_product,
       less_l1_0_exact = less_l1_0_rest - less_l1_0_product_error,
       less_l1_0_numerator = less_l1_0_exact + less_l1_0_of_less_u1_1_lo,
@@ -2135,10 +2199,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l1_1_of_less_u1_2_left = less_l1_1_of_less_u1_2 - less_l1_1_of_less_u1_2_right,
       less_l1_1_of_less_u1_2_left_rest = less_u1_2 - less_l1_1_of_less_u1_2_left,
       less_l1_1_of_less_u1_2_right_rest = less_u1_2_lo - less_l1_1_of_less_u1_2_right,
-      less_l1_1_of_less_u1_2_lo = less_l1_1_of_less_u1_2_left_rest + less_l1_1_of_less_u1_2_right_rest,
+      less_l1_1_of_less_u1_2_lo = less_l1_1_of_less_u1_2_left_rest +
+          less_l1_1_of_less_u1_2_right_rest,
       less_l1_1 = less_l1_1_of_less_u1_2 / less_l1_0_of_less_divisor1,
       less_l1_1_product = KSL_MUL(less_l1_1, less_l1_0_of_less_divisor1),
-      less_l1_1_product_error = ksl_product_error(less_l1_1, less_l1_0_of_less_divisor1, less_l1_1_product),
+      less_l1_1_product_error = ksl_product_error(less_l1_1, less_l1_0_of_less_divisor1,
+          less_l1_1_product),
       less_l1_1_rest = less_l1_1_of_less_u1_2 - less_l1_1_product,
       less_l1_1_exact = less_l1_1_rest - less_l1_1_product_error,
       less_l1_1_numerator = less_l1_1_exact + less_l1_1_of_less_u1_2_lo,
@@ -2150,10 +2216,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l1_2_of_less_u1_3_left = less_l1_2_of_less_u1_3 - less_l1_2_of_less_u1_3_right,
       less_l1_2_of_less_u1_3_left_rest = less_u1_3 - less_l1_2_of_less_u1_3_left,
       less_l1_2_of_less_u1_3_right_rest = less_u1_3_lo - less_l1_2_of_less_u1_3_right,
-      less_l1_2_of_less_u1_3_lo = less_l1_2_of_less_u1_3_left_rest + less_l1_2_of_less_u1_3_right_rest,
+      less_l1_2_of_less_u1_3_lo = less_l1_2_of_less_u1_3_left_rest +
+          less_l1_2_of_less_u1_3_right_rest,
       less_l1_2 = less_l1_2_of_less_u1_3 / less_l1_0_of_less_divisor1,
       less_l1_2_product = KSL_MUL(less_l1_2, less_l1_0_of_less_divisor1),
-      less_l1_2_product_error = ksl_product_error(less_l1_2, less_l1_0_of_less_divisor1, less_l1_2_product),
+      less_l1_2_product_error = ksl_product_error(less_l1_2, less_l1_0_of_less_divisor1,
+          less_l1_2_product),
       less_l1_2_rest = less_l1_2_of_less_u1_3 - less_l1_2_product,
       less_l1_2_exact = less_l1_2_rest - less_l1_2_product_error,
       less_l1_2_numerator = less_l1_2_exact + less_l1_2_of_less_u1_3_lo,
@@ -2165,10 +2233,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l1_3_of_less_u1_4_left = less_l1_3_of_less_u1_4 - less_l1_3_of_less_u1_4_right,
       less_l1_3_of_less_u1_4_left_rest = less_u1_4 - less_l1_3_of_less_u1_4_left,
       less_l1_3_of_less_u1_4_right_rest = less_u1_4_lo - less_l1_3_of_less_u1_4_right,
-      less_l1_3_of_less_u1_4_lo = less_l1_3_of_less_u1_4_left_rest + less_l1_3_of_less_u1_4_right_rest,
+      less_l1_3_of_less_u1_4_lo = less_l1_3_of_less_u1_4_left_rest +
+          less_l1_3_of_less_u1_4_right_rest,
       less_l1_3 = less_l1_3_of_less_u1_4 / less_l1_0_of_less_divisor1,
       less_l1_3_product = KSL_MUL(less_l1_3, less_l1_0_of_less_divisor1),
-      less_l1_3_product_error = ksl_product_error(less_l1_3, less_l1_0_of_less_divisor1, less_l1_3_product),
+      less_l1_3_product_error = ksl_product_error(less_l1_3, less_l1_0_of_less_divisor1,
+          less_l1_3_product),
       less_l1_3_rest = less_l1_3_of_less_u1_4 - less_l1_3_product,
       less_l1_3_exact = less_l1_3_rest - less_l1_3_product_error,
       less_l1_3_numerator = less_l1_3_exact + less_l1_3_of_less_u1_4_lo,
@@ -2178,8 +2248,10 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_u2_0a = KSL_MUL(A->at[0][2], less_l0_1),
       less_u2_0a_cross2 = KSL_MUL(A->at[0][2], less_l0_1_lo), less_u2_0b = less_2 - less_u2_0a,
       less_u2_0b_right = less_2 - less_u2_0b, less_u2_0b_left = less_u2_0b + less_u2_0b_right,
-      less_u2_0b_left_rest = ksl_product_rest(A->at[2][2], 0.9999999999999944, less_2, less_u2_0b_left),
-      less_u2_0b_right_rest = ksl_product_rest(A->at[0][2], less_l0_1, less_u2_0a, less_u2_0b_right),
+      less_u2_0b_left_rest = ksl_product_rest(A->at[2][2], 0.9999999999999944, less_2,
+          less_u2_0b_left),
+      less_u2_0b_right_rest = ksl_product_rest(A->at[0][2], less_l0_1, less_u2_0a,
+          less_u2_0b_right),
       less_u2_0b_lo1 = less_u2_0b_left_rest - less_u2_0b_right_rest,
       less_u2_0b_lo = less_u2_0b_lo1 - less_u2_0a_cross2,
       less_u2_0c = KSL_MUL(less_l1_0_of_less_u1_1, less_l1_0),
@@ -2188,7 +2260,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u2_0c_cross = less_u2_0c_cross1 + less_u2_0c_cross2, less_u2_0 = less_u2_0b - less_u2_0c,
       less_u2_0_right = less_u2_0b - less_u2_0, less_u2_0_left = less_u2_0 + less_u2_0_right,
       less_u2_0_left_rest = less_u2_0b - less_u2_0_left,
-      less_u2_0_right_rest = ksl_product_rest(less_l1_0_of_less_u1_1, less_l1_0, less_u2_0c, less_u2_0_right),
+      less_u2_0_right_rest = ksl_product_rest(less_l1_0_of_less_u1_1, less_l1_0, less_u2_0c,
+          less_u2_0_right),
       less_u2_0_lo1 = less_u2_0_left_rest - less_u2_0_right_rest,
       less_u2_0_lo2 = less_u2_0_lo1 - less_u2_0c_cross,
       less_u2_0_lo = less_u2_0_lo2 + less_u2_0b_lo;
@@ -2196,7 +2269,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u2_1a_cross2 = KSL_MUL(A->at[0][3], less_l0_1_lo), less_u2_1b = A->at[2][3] - less_u2_1a,
       less_u2_1b_right = A->at[2][3] - less_u2_1b, less_u2_1b_left = less_u2_1b + less_u2_1b_right,
       less_u2_1b_left_rest = A->at[2][3] - less_u2_1b_left,
-      less_u2_1b_right_rest = ksl_product_rest(A->at[0][3], less_l0_1, less_u2_1a, less_u2_1b_right),
+      less_u2_1b_right_rest = ksl_product_rest(A->at[0][3], less_l0_1, less_u2_1a,
+          less_u2_1b_right),
       less_u2_1b_lo1 = less_u2_1b_left_rest - less_u2_1b_right_rest,
       less_u2_1b_lo = less_u2_1b_lo1 - less_u2_1a_cross2,
       less_u2_1c = KSL_MUL(less_l1_1_of_less_u1_2, less_l1_0),
@@ -2205,7 +2279,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u2_1c_cross = less_u2_1c_cross1 + less_u2_1c_cross2, less_u2_1 = less_u2_1b - less_u2_1c,
       less_u2_1_right = less_u2_1b - less_u2_1, less_u2_1_left = less_u2_1 + less_u2_1_right,
       less_u2_1_left_rest = less_u2_1b - less_u2_1_left,
-      less_u2_1_right_rest = ksl_product_rest(less_l1_1_of_less_u1_2, less_l1_0, less_u2_1c, less_u2_1_right),
+      less_u2_1_right_rest = ksl_product_rest(less_l1_1_of_less_u1_2, less_l1_0, less_u2_1c,
+          less_u2_1_right),
       less_u2_1_lo1 = less_u2_1_left_rest - less_u2_1_right_rest,
       less_u2_1_lo2 = less_u2_1_lo1 - less_u2_1c_cross,
       less_u2_1_lo = less_u2_1_lo2 + less_u2_1b_lo;
@@ -2213,7 +2288,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u2_2a_cross2 = KSL_MUL(A->at[0][4], less_l0_1_lo), less_u2_2b = A->at[2][4] - less_u2_2a,
       less_u2_2b_right = A->at[2][4] - less_u2_2b, less_u2_2b_left = less_u2_2b + less_u2_2b_right,
       less_u2_2b_left_rest = A->at[2][4] - less_u2_2b_left,
-      less_u2_2b_right_rest = ksl_product_rest(A->at[0][4], less_l0_1, less_u2_2a, less_u2_2b_right),
+      less_u2_2b_right_rest = ksl_product_rest(A->at[0][4], less_l0_1, less_u2_2a,
+          less_u2_2b_right),
       less_u2_2b_lo1 = less_u2_2b_left_rest - less_u2_2b_right_rest,
       less_u2_2b_lo = less_u2_2b_lo1 - less_u2_2a_cross2,
       less_u2_2c = KSL_MUL(less_l1_2_of_less_u1_3, less_l1_0),
@@ -2222,7 +2298,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u2_2c_cross = less_u2_2c_cross1 + less_u2_2c_cross2, less_u2_2 = less_u2_2b - less_u2_2c,
       less_u2_2_right = less_u2_2b - less_u2_2, less_u2_2_left = less_u2_2 + less_u2_2_right,
       less_u2_2_left_rest = less_u2_2b - less_u2_2_left,
-      less_u2_2_right_rest = ksl_product_rest(less_l1_2_of_less_u1_3, less_l1_0, less_u2_2c, less_u2_2_right),
+      less_u2_2_right_rest = ksl_product_rest(less_l1_2_of_less_u1_3, less_l1_0, less_u2_2c,
+          less_u2_2_right),
       less_u2_2_lo1 = less_u2_2_left_rest - less_u2_2_right_rest,
       less_u2_2_lo2 = less_u2_2_lo1 - less_u2_2c_cross,
       less_u2_2_lo = less_u2_2_lo2 + less_u2_2b_lo;
@@ -2230,7 +2307,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u2_3a_cross2 = KSL_MUL(A->at[0][5], less_l0_1_lo), less_u2_3b = A->at[2][5] - less_u2_3a,
       less_u2_3b_right = A->at[2][5] - less_u2_3b, less_u2_3b_left = less_u2_3b + less_u2_3b_right,
       less_u2_3b_left_rest = A->at[2][5] - less_u2_3b_left,
-      less_u2_3b_right_rest = ksl_product_rest(A->at[0][5], less_l0_1, less_u2_3a, less_u2_3b_right),
+      less_u2_3b_right_rest = ksl_product_rest(A->at[0][5], less_l0_1, less_u2_3a,
+          less_u2_3b_right),
       less_u2_3b_lo1 = less_u2_3b_left_rest - less_u2_3b_right_rest,
       less_u2_3b_lo = less_u2_3b_lo1 - less_u2_3a_cross2,
       less_u2_3c = KSL_MUL(less_l1_3_of_less_u1_4, less_l1_0),
@@ -2239,16 +2317,19 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u2_3c_cross = less_u2_3c_cross1 + less_u2_3c_cross2, less_u2_3 = less_u2_3b - less_u2_3c,
       less_u2_3_right = less_u2_3b - less_u2_3, less_u2_3_left = less_u2_3 + less_u2_3_right,
       less_u2_3_left_rest = less_u2_3b - less_u2_3_left,
-      less_u2_3_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_0, less_u2_3c, less_u2_3_right),
+      less_u2_3_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_0, less_u2_3c,
+          less_u2_3_right),
       less_u2_3_lo1 = less_u2_3_left_rest - less_u2_3_right_rest,
       less_u2_3_lo2 = less_u2_3_lo1 - less_u2_3c_cross,
       less_u2_3_lo = less_u2_3_lo2 + less_u2_3b_lo;
   const double less_divisor2a_of_less_u2_0 = less_u2_0 + less_u2_0_lo,
       less_divisor2a_of_less_u2_0_right = less_divisor2a_of_less_u2_0 - less_u2_0,
-      less_divisor2a_of_less_u2_0_left = less_divisor2a_of_less_u2_0 - less_divisor2a_of_less_u2_0_right,
+      less_divisor2a_of_less_u2_0_left = less_divisor2a_of_less_u2_0 -
+          less_divisor2a_of_less_u2_0_right,
       less_divisor2a_of_less_u2_0_left_rest = less_u2_0 - less_divisor2a_of_less_u2_0_left,
       less_divisor2a_of_less_u2_0_right_rest = less_u2_0_lo - less_divisor2a_of_less_u2_0_right,
-      less_divisor2a_of_less_u2_0_lo = less_divisor2a_of_less_u2_0_left_rest + less_divisor2a_of_less_u2_0_right_rest,
+      less_divisor2a_of_less_u2_0_lo = less_divisor2a_of_less_u2_0_left_rest +
+          less_divisor2a_of_less_u2_0_right_rest,
       less_divisor2 = 0.0 < less_divisor2a_of_less_u2_0 ? less_divisor2a_of_less_u2_0 : 1.0,
       less_divisor2_lo = 0.0 < less_divisor2a_of_less_u2_0 ? less_divisor2a_of_less_u2_0_lo : 0.0;
   const double less_l2_0_of_less_u2_1 = less_u2_1 + less_u2_1_lo,
@@ -2256,16 +2337,20 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l2_0_of_less_u2_1_left = less_l2_0_of_less_u2_1 - less_l2_0_of_less_u2_1_right,
       less_l2_0_of_less_u2_1_left_rest = less_u2_1 - less_l2_0_of_less_u2_1_left,
       less_l2_0_of_less_u2_1_right_rest = less_u2_1_lo - less_l2_0_of_less_u2_1_right,
-      less_l2_0_of_less_u2_1_lo = less_l2_0_of_less_u2_1_left_rest + less_l2_0_of_less_u2_1_right_rest,
+      less_l2_0_of_less_u2_1_lo = less_l2_0_of_less_u2_1_left_rest +
+          less_l2_0_of_less_u2_1_right_rest,
       less_l2_0_of_less_divisor2 = less_divisor2 + less_divisor2_lo,
       less_l2_0_of_less_divisor2_right = less_l2_0_of_less_divisor2 - less_divisor2,
-      less_l2_0_of_less_divisor2_left = less_l2_0_of_less_divisor2 - less_l2_0_of_less_divisor2_right,
+      less_l2_0_of_less_divisor2_left = less_l2_0_of_less_divisor2 -
+          less_l2_0_of_less_divisor2_right,
       less_l2_0_of_less_divisor2_left_rest = less_divisor2 - less_l2_0_of_less_divisor2_left,
       less_l2_0_of_less_divisor2_right_rest = less_divisor2_lo - less_l2_0_of_less_divisor2_right,
-      less_l2_0_of_less_divisor2_lo = less_l2_0_of_less_divisor2_left_rest + less_l2_0_of_less_divisor2_right_rest,
+      less_l2_0_of_less_divisor2_lo = less_l2_0_of_less_divisor2_left_rest +
+          less_l2_0_of_less_divisor2_right_rest,
       less_l2_0 = less_l2_0_of_less_u2_1 / less_l2_0_of_less_divisor2,
       less_l2_0_product = KSL_MUL(less_l2_0, less_l2_0_of_less_divisor2),
-      less_l2_0_product_error = ksl_product_error(less_l2_0, less_l2_0_of_less_divisor2, less_l2_0_product),
+      less_l2_0_product_error = ksl_product_error(less_l2_0, less_l2_0_of_less_divisor2,
+          less_l2_0_product),
       less_l2_0_rest = less_l2_0_of_less_u2_1 - less_l2_0_product,
       less_l2_0_exact = less_l2_0_rest - less_l2_0_product_error,
       less_l2_0_numerator = less_l2_0_exact + less_l2_0_of_less_u2_1_lo,
@@ -2277,10 +2362,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l2_1_of_less_u2_2_left = less_l2_1_of_less_u2_2 - less_l2_1_of_less_u2_2_right,
       less_l2_1_of_less_u2_2_left_rest = less_u2_2 - less_l2_1_of_less_u2_2_left,
       less_l2_1_of_less_u2_2_right_rest = less_u2_2_lo - less_l2_1_of_less_u2_2_right,
-      less_l2_1_of_less_u2_2_lo = less_l2_1_of_less_u2_2_left_rest + less_l2_1_of_less_u2_2_right_rest,
+      less_l2_1_of_less_u2_2_lo = less_l2_1_of_less_u2_2_left_rest +
+          less_l2_1_of_less_u2_2_right_rest,
       less_l2_1 = less_l2_1_of_less_u2_2 / less_l2_0_of_less_divisor2,
       less_l2_1_product = KSL_MUL(less_l2_1, less_l2_0_of_less_divisor2),
-      less_l2_1_product_error = ksl_product_error(less_l2_1, less_l2_0_of_less_divisor2, less_l2_1_product),
+      less_l2_1_product_error = ksl_product_error(less_l2_1, less_l2_0_of_less_divisor2,
+          less_l2_1_product),
       less_l2_1_rest = less_l2_1_of_less_u2_2 - less_l2_1_product,
       less_l2_1_exact = less_l2_1_rest - less_l2_1_product_error,
       less_l2_1_numerator = less_l2_1_exact + less_l2_1_of_less_u2_2_lo,
@@ -2292,10 +2379,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l2_2_of_less_u2_3_left = less_l2_2_of_less_u2_3 - less_l2_2_of_less_u2_3_right,
       less_l2_2_of_less_u2_3_left_rest = less_u2_3 - less_l2_2_of_less_u2_3_left,
       less_l2_2_of_less_u2_3_right_rest = less_u2_3_lo - less_l2_2_of_less_u2_3_right,
-      less_l2_2_of_less_u2_3_lo = less_l2_2_of_less_u2_3_left_rest + less_l2_2_of_less_u2_3_right_rest,
+      less_l2_2_of_less_u2_3_lo = less_l2_2_of_less_u2_3_left_rest +
+          less_l2_2_of_less_u2_3_right_rest,
       less_l2_2 = less_l2_2_of_less_u2_3 / less_l2_0_of_less_divisor2,
       less_l2_2_product = KSL_MUL(less_l2_2, less_l2_0_of_less_divisor2),
-      less_l2_2_product_error = ksl_product_error(less_l2_2, less_l2_0_of_less_divisor2, less_l2_2_product),
+      less_l2_2_product_error = ksl_product_error(less_l2_2, less_l2_0_of_less_divisor2,
+          less_l2_2_product),
       less_l2_2_rest = less_l2_2_of_less_u2_3 - less_l2_2_product,
       less_l2_2_exact = less_l2_2_rest - less_l2_2_product_error,
       less_l2_2_numerator = less_l2_2_exact + less_l2_2_of_less_u2_3_lo,
@@ -2305,8 +2394,10 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_u3_0a = KSL_MUL(A->at[0][3], less_l0_2),
       less_u3_0a_cross2 = KSL_MUL(A->at[0][3], less_l0_2_lo), less_u3_0b = less_3 - less_u3_0a,
       less_u3_0b_right = less_3 - less_u3_0b, less_u3_0b_left = less_u3_0b + less_u3_0b_right,
-      less_u3_0b_left_rest = ksl_product_rest(A->at[3][3], 0.9999999999999944, less_3, less_u3_0b_left),
-      less_u3_0b_right_rest = ksl_product_rest(A->at[0][3], less_l0_2, less_u3_0a, less_u3_0b_right),
+      less_u3_0b_left_rest = ksl_product_rest(A->at[3][3], 0.9999999999999944, less_3,
+          less_u3_0b_left),
+      less_u3_0b_right_rest = ksl_product_rest(A->at[0][3], less_l0_2, less_u3_0a,
+          less_u3_0b_right),
       less_u3_0b_lo1 = less_u3_0b_left_rest - less_u3_0b_right_rest,
       less_u3_0b_lo = less_u3_0b_lo1 - less_u3_0a_cross2,
       less_u3_0c = KSL_MUL(less_l1_1_of_less_u1_2, less_l1_1),
@@ -2316,7 +2407,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_0d = less_u3_0b - less_u3_0c, less_u3_0d_right = less_u3_0b - less_u3_0d,
       less_u3_0d_left = less_u3_0d + less_u3_0d_right,
       less_u3_0d_left_rest = less_u3_0b - less_u3_0d_left,
-      less_u3_0d_right_rest = ksl_product_rest(less_l1_1_of_less_u1_2, less_l1_1, less_u3_0c, less_u3_0d_right),
+      less_u3_0d_right_rest = ksl_product_rest(less_l1_1_of_less_u1_2, less_l1_1, less_u3_0c,
+          less_u3_0d_right),
       less_u3_0d_lo1 = less_u3_0d_left_rest - less_u3_0d_right_rest,
       less_u3_0d_lo2 = less_u3_0d_lo1 - less_u3_0c_cross,
       less_u3_0d_lo = less_u3_0d_lo2 + less_u3_0b_lo,
@@ -2326,7 +2418,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_0e_cross = less_u3_0e_cross1 + less_u3_0e_cross2, less_u3_0 = less_u3_0d - less_u3_0e,
       less_u3_0_right = less_u3_0d - less_u3_0, less_u3_0_left = less_u3_0 + less_u3_0_right,
       less_u3_0_left_rest = less_u3_0d - less_u3_0_left,
-      less_u3_0_right_rest = ksl_product_rest(less_l2_0_of_less_u2_1, less_l2_0, less_u3_0e, less_u3_0_right),
+      less_u3_0_right_rest = ksl_product_rest(less_l2_0_of_less_u2_1, less_l2_0, less_u3_0e,
+          less_u3_0_right),
       less_u3_0_lo1 = less_u3_0_left_rest - less_u3_0_right_rest,
       less_u3_0_lo2 = less_u3_0_lo1 - less_u3_0e_cross,
       less_u3_0_lo = less_u3_0_lo2 + less_u3_0d_lo;
@@ -2334,7 +2427,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_1a_cross2 = KSL_MUL(A->at[0][4], less_l0_2_lo), less_u3_1b = A->at[3][4] - less_u3_1a,
       less_u3_1b_right = A->at[3][4] - less_u3_1b, less_u3_1b_left = less_u3_1b + less_u3_1b_right,
       less_u3_1b_left_rest = A->at[3][4] - less_u3_1b_left,
-      less_u3_1b_right_rest = ksl_product_rest(A->at[0][4], less_l0_2, less_u3_1a, less_u3_1b_right),
+      less_u3_1b_right_rest = ksl_product_rest(A->at[0][4], less_l0_2, less_u3_1a,
+          less_u3_1b_right),
       less_u3_1b_lo1 = less_u3_1b_left_rest - less_u3_1b_right_rest,
       less_u3_1b_lo = less_u3_1b_lo1 - less_u3_1a_cross2,
       less_u3_1c = KSL_MUL(less_l1_2_of_less_u1_3, less_l1_1),
@@ -2344,7 +2438,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_1d = less_u3_1b - less_u3_1c, less_u3_1d_right = less_u3_1b - less_u3_1d,
       less_u3_1d_left = less_u3_1d + less_u3_1d_right,
       less_u3_1d_left_rest = less_u3_1b - less_u3_1d_left,
-      less_u3_1d_right_rest = ksl_product_rest(less_l1_2_of_less_u1_3, less_l1_1, less_u3_1c, less_u3_1d_right),
+      less_u3_1d_right_rest = ksl_product_rest(less_l1_2_of_less_u1_3, less_l1_1, less_u3_1c,
+          less_u3_1d_right),
       less_u3_1d_lo1 = less_u3_1d_left_rest - less_u3_1d_right_rest,
       less_u3_1d_lo2 = less_u3_1d_lo1 - less_u3_1c_cross,
       less_u3_1d_lo = less_u3_1d_lo2 + less_u3_1b_lo,
@@ -2354,7 +2449,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_1e_cross = less_u3_1e_cross1 + less_u3_1e_cross2, less_u3_1 = less_u3_1d - less_u3_1e,
       less_u3_1_right = less_u3_1d - less_u3_1, less_u3_1_left = less_u3_1 + less_u3_1_right,
       less_u3_1_left_rest = less_u3_1d - less_u3_1_left,
-      less_u3_1_right_rest = ksl_product_rest(less_l2_1_of_less_u2_2, less_l2_0, less_u3_1e, less_u3_1_right),
+      less_u3_1_right_rest = ksl_product_rest(less_l2_1_of_less_u2_2, less_l2_0, less_u3_1e,
+          less_u3_1_right),
       less_u3_1_lo1 = less_u3_1_left_rest - less_u3_1_right_rest,
       less_u3_1_lo2 = less_u3_1_lo1 - less_u3_1e_cross,
       less_u3_1_lo = less_u3_1_lo2 + less_u3_1d_lo;
@@ -2362,7 +2458,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_2a_cross2 = KSL_MUL(A->at[0][5], less_l0_2_lo), less_u3_2b = A->at[3][5] - less_u3_2a,
       less_u3_2b_right = A->at[3][5] - less_u3_2b, less_u3_2b_left = less_u3_2b + less_u3_2b_right,
       less_u3_2b_left_rest = A->at[3][5] - less_u3_2b_left,
-      less_u3_2b_right_rest = ksl_product_rest(A->at[0][5], less_l0_2, less_u3_2a, less_u3_2b_right),
+      less_u3_2b_right_rest = ksl_product_rest(A->at[0][5], less_l0_2, less_u3_2a,
+          less_u3_2b_right),
       less_u3_2b_lo1 = less_u3_2b_left_rest - less_u3_2b_right_rest,
       less_u3_2b_lo = less_u3_2b_lo1 - less_u3_2a_cross2,
       less_u3_2c = KSL_MUL(less_l1_3_of_less_u1_4, less_l1_1),
@@ -2372,7 +2469,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_2d = less_u3_2b - less_u3_2c, less_u3_2d_right = less_u3_2b - less_u3_2d,
       less_u3_2d_left = less_u3_2d + less_u3_2d_right,
       less_u3_2d_left_rest = less_u3_2b - less_u3_2d_left,
-      less_u3_2d_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_1, less_u3_2c, less_u3_2d_right),
+      less_u3_2d_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_1, less_u3_2c,
+          less_u3_2d_right),
       less_u3_2d_lo1 = less_u3_2d_left_rest - less_u3_2d_right_rest,
       less_u3_2d_lo2 = less_u3_2d_lo1 - less_u3_2c_cross,
       less_u3_2d_lo = less_u3_2d_lo2 + less_u3_2b_lo,
@@ -2382,16 +2480,19 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u3_2e_cross = less_u3_2e_cross1 + less_u3_2e_cross2, less_u3_2 = less_u3_2d - less_u3_2e,
       less_u3_2_right = less_u3_2d - less_u3_2, less_u3_2_left = less_u3_2 + less_u3_2_right,
       less_u3_2_left_rest = less_u3_2d - less_u3_2_left,
-      less_u3_2_right_rest = ksl_product_rest(less_l2_2_of_less_u2_3, less_l2_0, less_u3_2e, less_u3_2_right),
+      less_u3_2_right_rest = ksl_product_rest(less_l2_2_of_less_u2_3, less_l2_0, less_u3_2e,
+          less_u3_2_right),
       less_u3_2_lo1 = less_u3_2_left_rest - less_u3_2_right_rest,
       less_u3_2_lo2 = less_u3_2_lo1 - less_u3_2e_cross,
       less_u3_2_lo = less_u3_2_lo2 + less_u3_2d_lo;
   const double less_divisor3a_of_less_u3_0 = less_u3_0 + less_u3_0_lo,
       less_divisor3a_of_less_u3_0_right = less_divisor3a_of_less_u3_0 - less_u3_0,
-      less_divisor3a_of_less_u3_0_left = less_divisor3a_of_less_u3_0 - less_divisor3a_of_less_u3_0_right,
+      less_divisor3a_of_less_u3_0_left = less_divisor3a_of_less_u3_0 -
+          less_divisor3a_of_less_u3_0_right,
       less_divisor3a_of_less_u3_0_left_rest = less_u3_0 - less_divisor3a_of_less_u3_0_left,
       less_divisor3a_of_less_u3_0_right_rest = less_u3_0_lo - less_divisor3a_of_less_u3_0_right,
-      less_divisor3a_of_less_u3_0_lo = less_divisor3a_of_less_u3_0_left_rest + less_divisor3a_of_less_u3_0_right_rest,
+      less_divisor3a_of_less_u3_0_lo = less_divisor3a_of_less_u3_0_left_rest +
+          less_divisor3a_of_less_u3_0_right_rest,
       less_divisor3 = 0.0 < less_divisor3a_of_less_u3_0 ? less_divisor3a_of_less_u3_0 : 1.0,
       less_divisor3_lo = 0.0 < less_divisor3a_of_less_u3_0 ? less_divisor3a_of_less_u3_0_lo : 0.0;
   const double less_l3_0_of_less_u3_1 = less_u3_1 + less_u3_1_lo,
@@ -2399,16 +2500,20 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l3_0_of_less_u3_1_left = less_l3_0_of_less_u3_1 - less_l3_0_of_less_u3_1_right,
       less_l3_0_of_less_u3_1_left_rest = less_u3_1 - less_l3_0_of_less_u3_1_left,
       less_l3_0_of_less_u3_1_right_rest = less_u3_1_lo - less_l3_0_of_less_u3_1_right,
-      less_l3_0_of_less_u3_1_lo = less_l3_0_of_less_u3_1_left_rest + less_l3_0_of_less_u3_1_right_rest,
+      less_l3_0_of_less_u3_1_lo = less_l3_0_of_less_u3_1_left_rest +
+          less_l3_0_of_less_u3_1_right_rest,
       less_l3_0_of_less_divisor3 = less_divisor3 + less_divisor3_lo,
       less_l3_0_of_less_divisor3_right = less_l3_0_of_less_divisor3 - less_divisor3,
-      less_l3_0_of_less_divisor3_left = less_l3_0_of_less_divisor3 - less_l3_0_of_less_divisor3_right,
+      less_l3_0_of_less_divisor3_left = less_l3_0_of_less_divisor3 -
+          less_l3_0_of_less_divisor3_right,
       less_l3_0_of_less_divisor3_left_rest = less_divisor3 - less_l3_0_of_less_divisor3_left,
       less_l3_0_of_less_divisor3_right_rest = less_divisor3_lo - less_l3_0_of_less_divisor3_right,
-      less_l3_0_of_less_divisor3_lo = less_l3_0_of_less_divisor3_left_rest + less_l3_0_of_less_divisor3_right_rest,
+      less_l3_0_of_less_divisor3_lo = less_l3_0_of_less_divisor3_left_rest +
+          less_l3_0_of_less_divisor3_right_rest,
       less_l3_0 = less_l3_0_of_less_u3_1 / less_l3_0_of_less_divisor3,
       less_l3_0_product = KSL_MUL(less_l3_0, less_l3_0_of_less_divisor3),
-      less_l3_0_product_error = ksl_product_error(less_l3_0, less_l3_0_of_less_divisor3, less_l3_0_product),
+      less_l3_0_product_error = ksl_product_error(less_l3_0, less_l3_0_of_less_divisor3,
+          less_l3_0_product),
       less_l3_0_rest = less_l3_0_of_less_u3_1 - less_l3_0_product,
       less_l3_0_exact = less_l3_0_rest - less_l3_0_product_error,
       less_l3_0_numerator = less_l3_0_exact + less_l3_0_of_less_u3_1_lo,
@@ -2420,10 +2525,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l3_1_of_less_u3_2_left = less_l3_1_of_less_u3_2 - less_l3_1_of_less_u3_2_right,
       less_l3_1_of_less_u3_2_left_rest = less_u3_2 - less_l3_1_of_less_u3_2_left,
       less_l3_1_of_less_u3_2_right_rest = less_u3_2_lo - less_l3_1_of_less_u3_2_right,
-      less_l3_1_of_less_u3_2_lo = less_l3_1_of_less_u3_2_left_rest + less_l3_1_of_less_u3_2_right_rest,
+      less_l3_1_of_less_u3_2_lo = less_l3_1_of_less_u3_2_left_rest +
+          less_l3_1_of_less_u3_2_right_rest,
       less_l3_1 = less_l3_1_of_less_u3_2 / less_l3_0_of_less_divisor3,
       less_l3_1_product = KSL_MUL(less_l3_1, less_l3_0_of_less_divisor3),
-      less_l3_1_product_error = ksl_product_error(less_l3_1, less_l3_0_of_less_divisor3, less_l3_1_product),
+      less_l3_1_product_error = ksl_product_error(less_l3_1, less_l3_0_of_less_divisor3,
+          less_l3_1_product),
       less_l3_1_rest = less_l3_1_of_less_u3_2 - less_l3_1_product,
       less_l3_1_exact = less_l3_1_rest - less_l3_1_product_error,
       less_l3_1_numerator = less_l3_1_exact + less_l3_1_of_less_u3_2_lo,
@@ -2433,8 +2540,10 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
   const double less_u4_0a = KSL_MUL(A->at[0][4], less_l0_3),
       less_u4_0a_cross2 = KSL_MUL(A->at[0][4], less_l0_3_lo), less_u4_0b = less_4 - less_u4_0a,
       less_u4_0b_right = less_4 - less_u4_0b, less_u4_0b_left = less_u4_0b + less_u4_0b_right,
-      less_u4_0b_left_rest = ksl_product_rest(A->at[4][4], 0.9999999999999944, less_4, less_u4_0b_left),
-      less_u4_0b_right_rest = ksl_product_rest(A->at[0][4], less_l0_3, less_u4_0a, less_u4_0b_right),
+      less_u4_0b_left_rest = ksl_product_rest(A->at[4][4], 0.9999999999999944, less_4,
+          less_u4_0b_left),
+      less_u4_0b_right_rest = ksl_product_rest(A->at[0][4], less_l0_3, less_u4_0a,
+          less_u4_0b_right),
       less_u4_0b_lo1 = less_u4_0b_left_rest - less_u4_0b_right_rest,
       less_u4_0b_lo = less_u4_0b_lo1 - less_u4_0a_cross2,
       less_u4_0c = KSL_MUL(less_l1_2_of_less_u1_3, less_l1_2),
@@ -2444,7 +2553,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u4_0d = less_u4_0b - less_u4_0c, less_u4_0d_right = less_u4_0b - less_u4_0d,
       less_u4_0d_left = less_u4_0d + less_u4_0d_right,
       less_u4_0d_left_rest = less_u4_0b - less_u4_0d_left,
-      less_u4_0d_right_rest = ksl_product_rest(less_l1_2_of_less_u1_3, less_l1_2, less_u4_0c, less_u4_0d_right),
+      less_u4_0d_right_rest = ksl_product_rest(less_l1_2_of_less_u1_3, less_l1_2, less_u4_0c,
+          less_u4_0d_right),
       less_u4_0d_lo1 = less_u4_0d_left_rest - less_u4_0d_right_rest,
       less_u4_0d_lo2 = less_u4_0d_lo1 - less_u4_0c_cross,
       less_u4_0d_lo = less_u4_0d_lo2 + less_u4_0b_lo,
@@ -2455,7 +2565,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u4_0f = less_u4_0d - less_u4_0e, less_u4_0f_right = less_u4_0d - less_u4_0f,
       less_u4_0f_left = less_u4_0f + less_u4_0f_right,
       less_u4_0f_left_rest = less_u4_0d - less_u4_0f_left,
-      less_u4_0f_right_rest = ksl_product_rest(less_l2_1_of_less_u2_2, less_l2_1, less_u4_0e, less_u4_0f_right),
+      less_u4_0f_right_rest = ksl_product_rest(less_l2_1_of_less_u2_2, less_l2_1, less_u4_0e,
+          less_u4_0f_right),
       less_u4_0f_lo1 = less_u4_0f_left_rest - less_u4_0f_right_rest,
       less_u4_0f_lo2 = less_u4_0f_lo1 - less_u4_0e_cross,
       less_u4_0f_lo = less_u4_0f_lo2 + less_u4_0d_lo,
@@ -2465,7 +2576,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u4_0g_cross = less_u4_0g_cross1 + less_u4_0g_cross2, less_u4_0 = less_u4_0f - less_u4_0g,
       less_u4_0_right = less_u4_0f - less_u4_0, less_u4_0_left = less_u4_0 + less_u4_0_right,
       less_u4_0_left_rest = less_u4_0f - less_u4_0_left,
-      less_u4_0_right_rest = ksl_product_rest(less_l3_0_of_less_u3_1, less_l3_0, less_u4_0g, less_u4_0_right),
+      less_u4_0_right_rest = ksl_product_rest(less_l3_0_of_less_u3_1, less_l3_0, less_u4_0g,
+          less_u4_0_right),
       less_u4_0_lo1 = less_u4_0_left_rest - less_u4_0_right_rest,
       less_u4_0_lo2 = less_u4_0_lo1 - less_u4_0g_cross,
       less_u4_0_lo = less_u4_0_lo2 + less_u4_0f_lo;
@@ -2473,7 +2585,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u4_1a_cross2 = KSL_MUL(A->at[0][5], less_l0_3_lo), less_u4_1b = A->at[4][5] - less_u4_1a,
       less_u4_1b_right = A->at[4][5] - less_u4_1b, less_u4_1b_left = less_u4_1b + less_u4_1b_right,
       less_u4_1b_left_rest = A->at[4][5] - less_u4_1b_left,
-      less_u4_1b_right_rest = ksl_product_rest(A->at[0][5], less_l0_3, less_u4_1a, less_u4_1b_right),
+      less_u4_1b_right_rest = ksl_product_rest(A->at[0][5], less_l0_3, less_u4_1a,
+          less_u4_1b_right),
       less_u4_1b_lo1 = less_u4_1b_left_rest - less_u4_1b_right_rest,
       less_u4_1b_lo = less_u4_1b_lo1 - less_u4_1a_cross2,
       less_u4_1c = KSL_MUL(less_l1_3_of_less_u1_4, less_l1_2),
@@ -2483,7 +2596,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u4_1d = less_u4_1b - less_u4_1c, less_u4_1d_right = less_u4_1b - less_u4_1d,
       less_u4_1d_left = less_u4_1d + less_u4_1d_right,
       less_u4_1d_left_rest = less_u4_1b - less_u4_1d_left,
-      less_u4_1d_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_2, less_u4_1c, less_u4_1d_right),
+      less_u4_1d_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_2, less_u4_1c,
+          less_u4_1d_right),
       less_u4_1d_lo1 = less_u4_1d_left_rest - less_u4_1d_right_rest,
       less_u4_1d_lo2 = less_u4_1d_lo1 - less_u4_1c_cross,
       less_u4_1d_lo = less_u4_1d_lo2 + less_u4_1b_lo,
@@ -2494,7 +2608,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u4_1f = less_u4_1d - less_u4_1e, less_u4_1f_right = less_u4_1d - less_u4_1f,
       less_u4_1f_left = less_u4_1f + less_u4_1f_right,
       less_u4_1f_left_rest = less_u4_1d - less_u4_1f_left,
-      less_u4_1f_right_rest = ksl_product_rest(less_l2_2_of_less_u2_3, less_l2_1, less_u4_1e, less_u4_1f_right),
+      less_u4_1f_right_rest = ksl_product_rest(less_l2_2_of_less_u2_3, less_l2_1, less_u4_1e,
+          less_u4_1f_right),
       less_u4_1f_lo1 = less_u4_1f_left_rest - less_u4_1f_right_rest,
       less_u4_1f_lo2 = less_u4_1f_lo1 - less_u4_1e_cross,
       less_u4_1f_lo = less_u4_1f_lo2 + less_u4_1d_lo,
@@ -2504,16 +2619,19 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u4_1g_cross = less_u4_1g_cross1 + less_u4_1g_cross2, less_u4_1 = less_u4_1f - less_u4_1g,
       less_u4_1_right = less_u4_1f - less_u4_1, less_u4_1_left = less_u4_1 + less_u4_1_right,
       less_u4_1_left_rest = less_u4_1f - less_u4_1_left,
-      less_u4_1_right_rest = ksl_product_rest(less_l3_1_of_less_u3_2, less_l3_0, less_u4_1g, less_u4_1_right),
+      less_u4_1_right_rest = ksl_product_rest(less_l3_1_of_less_u3_2, less_l3_0, less_u4_1g,
+          less_u4_1_right),
       less_u4_1_lo1 = less_u4_1_left_rest - less_u4_1_right_rest,
       less_u4_1_lo2 = less_u4_1_lo1 - less_u4_1g_cross,
       less_u4_1_lo = less_u4_1_lo2 + less_u4_1f_lo;
   const double less_divisor4a_of_less_u4_0 = less_u4_0 + less_u4_0_lo,
       less_divisor4a_of_less_u4_0_right = less_divisor4a_of_less_u4_0 - less_u4_0,
-      less_divisor4a_of_less_u4_0_left = less_divisor4a_of_less_u4_0 - less_divisor4a_of_less_u4_0_right,
+      less_divisor4a_of_less_u4_0_left = less_divisor4a_of_less_u4_0 -
+          less_divisor4a_of_less_u4_0_right,
       less_divisor4a_of_less_u4_0_left_rest = less_u4_0 - less_divisor4a_of_less_u4_0_left,
       less_divisor4a_of_less_u4_0_right_rest = less_u4_0_lo - less_divisor4a_of_less_u4_0_right,
-      less_divisor4a_of_less_u4_0_lo = less_divisor4a_of_less_u4_0_left_rest + less_divisor4a_of_less_u4_0_right_rest,
+      less_divisor4a_of_less_u4_0_lo = less_divisor4a_of_less_u4_0_left_rest +
+          less_divisor4a_of_less_u4_0_right_rest,
       less_divisor4 = 0.0 < less_divisor4a_of_less_u4_0 ? less_divisor4a_of_less_u4_0 : 1.0,
       less_divisor4_lo = 0.0 < less_divisor4a_of_less_u4_0 ? less_divisor4a_of_less_u4_0_lo : 0.0;
   const double less_l4_of_less_u4_1 = less_u4_1 + less_u4_1_lo,
@@ -2527,7 +2645,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_l4_of_less_divisor4_left = less_l4_of_less_divisor4 - less_l4_of_less_divisor4_right,
       less_l4_of_less_divisor4_left_rest = less_divisor4 - less_l4_of_less_divisor4_left,
       less_l4_of_less_divisor4_right_rest = less_divisor4_lo - less_l4_of_less_divisor4_right,
-      less_l4_of_less_divisor4_lo = less_l4_of_less_divisor4_left_rest + less_l4_of_less_divisor4_right_rest,
+      less_l4_of_less_divisor4_lo = less_l4_of_less_divisor4_left_rest +
+          less_l4_of_less_divisor4_right_rest,
       less_l4 = less_l4_of_less_u4_1 / less_l4_of_less_divisor4,
       less_l4_product = KSL_MUL(less_l4, less_l4_of_less_divisor4),
       less_l4_product_error = ksl_product_error(less_l4, less_l4_of_less_divisor4, less_l4_product),
@@ -2550,7 +2669,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u5c_cross = less_u5c_cross1 + less_u5c_cross2, less_u5d = less_u5b - less_u5c,
       less_u5d_right = less_u5b - less_u5d, less_u5d_left = less_u5d + less_u5d_right,
       less_u5d_left_rest = less_u5b - less_u5d_left,
-      less_u5d_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_3, less_u5c, less_u5d_right),
+      less_u5d_right_rest = ksl_product_rest(less_l1_3_of_less_u1_4, less_l1_3, less_u5c,
+          less_u5d_right),
       less_u5d_lo1 = less_u5d_left_rest - less_u5d_right_rest,
       less_u5d_lo2 = less_u5d_lo1 - less_u5c_cross, less_u5d_lo = less_u5d_lo2 + less_u5b_lo,
       less_u5e = KSL_MUL(less_l2_2_of_less_u2_3, less_l2_2),
@@ -2559,7 +2679,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u5e_cross = less_u5e_cross1 + less_u5e_cross2, less_u5f = less_u5d - less_u5e,
       less_u5f_right = less_u5d - less_u5f, less_u5f_left = less_u5f + less_u5f_right,
       less_u5f_left_rest = less_u5d - less_u5f_left,
-      less_u5f_right_rest = ksl_product_rest(less_l2_2_of_less_u2_3, less_l2_2, less_u5e, less_u5f_right),
+      less_u5f_right_rest = ksl_product_rest(less_l2_2_of_less_u2_3, less_l2_2, less_u5e,
+          less_u5f_right),
       less_u5f_lo1 = less_u5f_left_rest - less_u5f_right_rest,
       less_u5f_lo2 = less_u5f_lo1 - less_u5e_cross, less_u5f_lo = less_u5f_lo2 + less_u5d_lo,
       less_u5g = KSL_MUL(less_l3_1_of_less_u3_2, less_l3_1),
@@ -2568,7 +2689,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       less_u5g_cross = less_u5g_cross1 + less_u5g_cross2, less_u5h = less_u5f - less_u5g,
       less_u5h_right = less_u5f - less_u5h, less_u5h_left = less_u5h + less_u5h_right,
       less_u5h_left_rest = less_u5f - less_u5h_left,
-      less_u5h_right_rest = ksl_product_rest(less_l3_1_of_less_u3_2, less_l3_1, less_u5g, less_u5h_right),
+      less_u5h_right_rest = ksl_product_rest(less_l3_1_of_less_u3_2, less_l3_1, less_u5g,
+          less_u5h_right),
       less_u5h_lo1 = less_u5h_left_rest - less_u5h_right_rest,
       less_u5h_lo2 = less_u5h_lo1 - less_u5g_cross, less_u5h_lo = less_u5h_lo2 + less_u5f_lo,
       less_u5i = KSL_MUL(less_l4_of_less_u4_1, less_l4),
@@ -3229,7 +3351,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       refined_z0_of_residual_0_left = refined_z0_of_residual_0 - refined_z0_of_residual_0_right,
       refined_z0_of_residual_0_left_rest = residual_0 - refined_z0_of_residual_0_left,
       refined_z0_of_residual_0_right_rest = residual_0_lo - refined_z0_of_residual_0_right,
-      refined_z0_of_residual_0_lo = refined_z0_of_residual_0_left_rest + refined_z0_of_residual_0_right_rest,
+      refined_z0_of_residual_0_lo = refined_z0_of_residual_0_left_rest +
+          refined_z0_of_residual_0_right_rest,
       refined_z0 = refined_z0_of_residual_0 / divisor0,
       refined_z0_product = KSL_MUL(refined_z0, divisor0),
       refined_z0_product_error = ksl_product_error(refined_z0, divisor0, refined_z0_product),
@@ -3242,10 +3365,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       refined_z1_of_refined_y1_left = refined_z1_of_refined_y1 - refined_z1_of_refined_y1_right,
       refined_z1_of_refined_y1_left_rest = refined_y1 - refined_z1_of_refined_y1_left,
       refined_z1_of_refined_y1_right_rest = refined_y1_lo - refined_z1_of_refined_y1_right,
-      refined_z1_of_refined_y1_lo = refined_z1_of_refined_y1_left_rest + refined_z1_of_refined_y1_right_rest,
+      refined_z1_of_refined_y1_lo = refined_z1_of_refined_y1_left_rest +
+          refined_z1_of_refined_y1_right_rest,
       refined_z1 = refined_z1_of_refined_y1 / l1_0_of_divisor1,
       refined_z1_product = KSL_MUL(refined_z1, l1_0_of_divisor1),
-      refined_z1_product_error = ksl_product_error(refined_z1, l1_0_of_divisor1, refined_z1_product),
+      refined_z1_product_error = ksl_product_error(refined_z1, l1_0_of_divisor1,
+          refined_z1_product),
       refined_z1_rest = refined_z1_of_refined_y1 - refined_z1_product,
       refined_z1_exact = refined_z1_rest - refined_z1_product_error,
       refined_z1_numerator = refined_z1_exact + refined_z1_of_refined_y1_lo,
@@ -3257,10 +3382,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       refined_z2_of_refined_y2_left = refined_z2_of_refined_y2 - refined_z2_of_refined_y2_right,
       refined_z2_of_refined_y2_left_rest = refined_y2 - refined_z2_of_refined_y2_left,
       refined_z2_of_refined_y2_right_rest = refined_y2_lo - refined_z2_of_refined_y2_right,
-      refined_z2_of_refined_y2_lo = refined_z2_of_refined_y2_left_rest + refined_z2_of_refined_y2_right_rest,
+      refined_z2_of_refined_y2_lo = refined_z2_of_refined_y2_left_rest +
+          refined_z2_of_refined_y2_right_rest,
       refined_z2 = refined_z2_of_refined_y2 / l2_0_of_divisor2,
       refined_z2_product = KSL_MUL(refined_z2, l2_0_of_divisor2),
-      refined_z2_product_error = ksl_product_error(refined_z2, l2_0_of_divisor2, refined_z2_product),
+      refined_z2_product_error = ksl_product_error(refined_z2, l2_0_of_divisor2,
+          refined_z2_product),
       refined_z2_rest = refined_z2_of_refined_y2 - refined_z2_product,
       refined_z2_exact = refined_z2_rest - refined_z2_product_error,
       refined_z2_numerator = refined_z2_exact + refined_z2_of_refined_y2_lo,
@@ -3272,10 +3399,12 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       refined_z3_of_refined_y3_left = refined_z3_of_refined_y3 - refined_z3_of_refined_y3_right,
       refined_z3_of_refined_y3_left_rest = refined_y3 - refined_z3_of_refined_y3_left,
       refined_z3_of_refined_y3_right_rest = refined_y3_lo - refined_z3_of_refined_y3_right,
-      refined_z3_of_refined_y3_lo = refined_z3_of_refined_y3_left_rest + refined_z3_of_refined_y3_right_rest,
+      refined_z3_of_refined_y3_lo = refined_z3_of_refined_y3_left_rest +
+          refined_z3_of_refined_y3_right_rest,
       refined_z3 = refined_z3_of_refined_y3 / l3_0_of_divisor3,
       refined_z3_product = KSL_MUL(refined_z3, l3_0_of_divisor3),
-      refined_z3_product_error = ksl_product_error(refined_z3, l3_0_of_divisor3, refined_z3_product),
+      refined_z3_product_error = ksl_product_error(refined_z3, l3_0_of_divisor3,
+          refined_z3_product),
       refined_z3_rest = refined_z3_of_refined_y3 - refined_z3_product,
       refined_z3_exact = refined_z3_rest - refined_z3_product_error,
       refined_z3_numerator = refined_z3_exact + refined_z3_of_refined_y3_lo,
@@ -3287,7 +3416,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       refined_z4_of_refined_y4_left = refined_z4_of_refined_y4 - refined_z4_of_refined_y4_right,
       refined_z4_of_refined_y4_left_rest = refined_y4 - refined_z4_of_refined_y4_left,
       refined_z4_of_refined_y4_right_rest = refined_y4_lo - refined_z4_of_refined_y4_right,
-      refined_z4_of_refined_y4_lo = refined_z4_of_refined_y4_left_rest + refined_z4_of_refined_y4_right_rest,
+      refined_z4_of_refined_y4_lo = refined_z4_of_refined_y4_left_rest +
+          refined_z4_of_refined_y4_right_rest,
       refined_z4 = refined_z4_of_refined_y4 / l4_of_divisor4,
       refined_z4_product = KSL_MUL(refined_z4, l4_of_divisor4),
       refined_z4_product_error = ksl_product_error(refined_z4, l4_of_divisor4, refined_z4_product),
@@ -3302,7 +3432,8 @@ static inline double ksl_mat6x6_solve_accurate(const ksl_mat6x6_t *A, const ksl_
       refined_z5_of_refined_y5_left = refined_z5_of_refined_y5 - refined_z5_of_refined_y5_right,
       refined_z5_of_refined_y5_left_rest = refined_y5 - refined_z5_of_refined_y5_left,
       refined_z5_of_refined_y5_right_rest = refined_y5_lo - refined_z5_of_refined_y5_right,
-      refined_z5_of_refined_y5_lo = refined_z5_of_refined_y5_left_rest + refined_z5_of_refined_y5_right_rest,
+      refined_z5_of_refined_y5_lo = refined_z5_of_refined_y5_left_rest +
+          refined_z5_of_refined_y5_right_rest,
       refined_z5 = refined_z5_of_refined_y5 / z5_of_divisor5,
       refined_z5_product = KSL_MUL(refined_z5, z5_of_divisor5),
       refined_z5_product_error = ksl_product_error(refined_z5, z5_of_divisor5, refined_z5_product),

@@ -280,7 +280,8 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
+          quotient_0_product),
       quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
@@ -288,7 +289,8 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
+          quotient_1_product),
       quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
@@ -296,7 +298,8 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
+          quotient_2_product),
       quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
@@ -307,7 +310,8 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right,
       self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
       self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
-      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest,
+      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest +
+          self_0_new_of_quotient_0_right_rest,
       self_0_new = KSL_MUL(self_0_new_of_quotient_0, down), self_0_new_inverse = 1.0 / down,
       self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
@@ -319,7 +323,8 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right,
       self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
       self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
-      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest,
+      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest +
+          self_1_new_of_quotient_1_right_rest,
       self_1_new = KSL_MUL(self_1_new_of_quotient_1, down),
       self_1_new_back = KSL_MUL(self_1_new, self_0_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
@@ -331,7 +336,8 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right,
       self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
       self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
-      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest,
+      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest +
+          self_2_new_of_quotient_2_right_rest,
       self_2_new = KSL_MUL(self_2_new_of_quotient_2, down),
       self_2_new_back = KSL_MUL(self_2_new, self_0_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
@@ -400,7 +406,8 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
       quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
       quotient_0 = sized_0 / quotient_0_of_divisor,
       quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor, quotient_0_product),
+      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
+          quotient_0_product),
       quotient_0_rest = sized_0 - quotient_0_product,
       quotient_0_exact = quotient_0_rest - quotient_0_product_error,
       quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
@@ -408,7 +415,8 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
       quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
   const double quotient_1 = sized_1 / quotient_0_of_divisor,
       quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor, quotient_1_product),
+      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
+          quotient_1_product),
       quotient_1_rest = sized_1 - quotient_1_product,
       quotient_1_exact = quotient_1_rest - quotient_1_product_error,
       quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
@@ -416,7 +424,8 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
       quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
   const double quotient_2 = sized_2 / quotient_0_of_divisor,
       quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor, quotient_2_product),
+      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
+          quotient_2_product),
       quotient_2_rest = sized_2 - quotient_2_product,
       quotient_2_exact = quotient_2_rest - quotient_2_product_error,
       quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
@@ -529,29 +538,37 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
       s_largest1a_of_s_size_0_left = s_largest1a_of_s_size_0 - s_largest1a_of_s_size_0_right,
       s_largest1a_of_s_size_0_left_rest = s_size_0 - s_largest1a_of_s_size_0_left,
       s_largest1a_of_s_size_0_right_rest = s_size_0_lo - s_largest1a_of_s_size_0_right,
-      s_largest1a_of_s_size_0_lo = s_largest1a_of_s_size_0_left_rest + s_largest1a_of_s_size_0_right_rest,
+      s_largest1a_of_s_size_0_lo = s_largest1a_of_s_size_0_left_rest +
+          s_largest1a_of_s_size_0_right_rest,
       s_largest1a_of_s_size_1 = s_size_1 + s_size_1_lo,
       s_largest1a_of_s_size_1_right = s_largest1a_of_s_size_1 - s_size_1,
       s_largest1a_of_s_size_1_left = s_largest1a_of_s_size_1 - s_largest1a_of_s_size_1_right,
       s_largest1a_of_s_size_1_left_rest = s_size_1 - s_largest1a_of_s_size_1_left,
       s_largest1a_of_s_size_1_right_rest = s_size_1_lo - s_largest1a_of_s_size_1_right,
-      s_largest1a_of_s_size_1_lo = s_largest1a_of_s_size_1_left_rest + s_largest1a_of_s_size_1_right_rest,
-      s_largest1 = s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1 ? s_largest1a_of_s_size_1 : s_largest1a_of_s_size_0,
-      s_largest1_lo = s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1 ? s_largest1a_of_s_size_1_lo : s_largest1a_of_s_size_0_lo;
+      s_largest1a_of_s_size_1_lo = s_largest1a_of_s_size_1_left_rest +
+          s_largest1a_of_s_size_1_right_rest,
+      s_largest1 = s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1 ? s_largest1a_of_s_size_1 :
+          s_largest1a_of_s_size_0,
+      s_largest1_lo = s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1 ? s_largest1a_of_s_size_1_lo
+          : s_largest1a_of_s_size_0_lo;
   const double s_largest2a_of_s_largest1 = s_largest1 + s_largest1_lo,
       s_largest2a_of_s_largest1_right = s_largest2a_of_s_largest1 - s_largest1,
       s_largest2a_of_s_largest1_left = s_largest2a_of_s_largest1 - s_largest2a_of_s_largest1_right,
       s_largest2a_of_s_largest1_left_rest = s_largest1 - s_largest2a_of_s_largest1_left,
       s_largest2a_of_s_largest1_right_rest = s_largest1_lo - s_largest2a_of_s_largest1_right,
-      s_largest2a_of_s_largest1_lo = s_largest2a_of_s_largest1_left_rest + s_largest2a_of_s_largest1_right_rest,
+      s_largest2a_of_s_largest1_lo = s_largest2a_of_s_largest1_left_rest +
+          s_largest2a_of_s_largest1_right_rest,
       s_largest2a_of_s_size_2 = s_size_2 + s_size_2_lo,
       s_largest2a_of_s_size_2_right = s_largest2a_of_s_size_2 - s_size_2,
       s_largest2a_of_s_size_2_left = s_largest2a_of_s_size_2 - s_largest2a_of_s_size_2_right,
       s_largest2a_of_s_size_2_left_rest = s_size_2 - s_largest2a_of_s_size_2_left,
       s_largest2a_of_s_size_2_right_rest = s_size_2_lo - s_largest2a_of_s_size_2_right,
-      s_largest2a_of_s_size_2_lo = s_largest2a_of_s_size_2_left_rest + s_largest2a_of_s_size_2_right_rest,
-      s_largest2 = s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2 ? s_largest2a_of_s_size_2 : s_largest2a_of_s_largest1,
-      s_largest2_lo = s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2 ? s_largest2a_of_s_size_2_lo : s_largest2a_of_s_largest1_lo;
+      s_largest2a_of_s_size_2_lo = s_largest2a_of_s_size_2_left_rest +
+          s_largest2a_of_s_size_2_right_rest,
+      s_largest2 = s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2 ? s_largest2a_of_s_size_2 :
+          s_largest2a_of_s_largest1,
+      s_largest2_lo = s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2 ?
+          s_largest2a_of_s_size_2_lo : s_largest2a_of_s_largest1_lo;
   const double s_a_of_s_largest2 = s_largest2 + s_largest2_lo,
       s_b = 6.703903964971299e+153 < s_a_of_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_a_of_s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,

@@ -1,0 +1,101 @@
+"""How C writes a Program as a person would: expressions nest, what has a name is declared.
+
+For files in which no compiler contracts within an expression.  A product that a sum takes up, there
+or in another statement, is RN(a * b), rounded on its own: what contracts against every pragma
+leaves it alone.
+"""
+
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+
+from coscrew_codegen.formats import Precision
+from coscrew_codegen.program import Constant, Instruction, Op, Program, Ref
+from coscrew_codegen.program.ops import COMPARISONS
+from coscrew_codegen.targets.nesting import (
+    CALL,
+    CHOICE,
+    COMPARISON,
+    PRODUCT,
+    SIGN,
+    SUM,
+    Assignment,
+    Language,
+    wrapped,
+)
+
+_SPELLING = {
+    Op.ADD: ("{} + {}", SUM), Op.SUB: ("{} - {}", SUM), Op.MUL: ("{} * {}", PRODUCT),
+    Op.DIV: ("{} / {}", PRODUCT), Op.NEG: ("-{}", SIGN), Op.ABS: ("fabs%s({})", CALL),
+    Op.SQRT: ("sqrt%s({})", CALL), Op.SIN: ("sin%s({})", CALL), Op.COS: ("cos%s({})", CALL),
+    Op.ATAN2: ("atan2%s({}, {})", CALL), Op.EXP: ("exp%s({})", CALL),
+    Op.TANH: ("tanh%s({})", CALL), Op.LESS: ("{} < {}", COMPARISON),
+    Op.EQUAL: ("{} == {}", COMPARISON), Op.SELECT: ("{} ? {} : {}", CHOICE),
+}
+_ROUNDED = "RN({} * {})", CALL
+_SUMS = frozenset({Op.ADD, Op.SUB})
+_TRANSPARENT = frozenset({Op.NEG, Op.SELECT})
+"""What a sum sees its operand through."""
+
+
+def language(program: Program, precision: Precision) -> Language:
+    """C in a precision, of this program."""
+    rounded, suffix = summed_products(program), precision.suffix
+
+    def spelling(step: Instruction) -> tuple[str, int]:
+        if step.name in rounded:
+            return _ROUNDED
+        pattern, binding = _SPELLING[step.op]
+        return pattern.replace("%s", suffix), binding
+
+    def constant(x: Constant) -> str:
+        return precision.literal(x) + suffix
+
+    return Language(spelling, constant, f"({precision.c_type})NAN", "")
+
+
+def summed_products(program: Program) -> frozenset[str]:
+    """The products that a compiler could fuse into a sum: of the program, or of what uses its
+    results.  A product with 2 counts as a sum, which compilers make of it."""
+    seen = {x.name for x in program.results if isinstance(x, Ref)}
+    found = []
+    for step in reversed(program.instructions):
+        if step.op in _SUMS or _doubles(step) or step.op in _TRANSPARENT and step.name in seen:
+            seen |= {x.name for x in step.operands if isinstance(x, Ref)}
+        if step.op is Op.MUL and step.name in seen:
+            found.append(step.name)
+    return frozenset(found)
+
+
+def _doubles(step: Instruction) -> bool:
+    return step.op is Op.MUL and any(
+        isinstance(x, Constant) and abs(x.double) == 2 for x in step.operands)
+
+
+def declarations(assigned: Sequence[Assignment | str], precision: Precision,
+                 width: int) -> Iterator[str]:
+    """Declarations and headings: what belongs to the same component in one statement."""
+    def kind(x: Assignment | str) -> tuple[str, str]:
+        if isinstance(x, str):
+            return "", x
+        return ("int" if x.step.op in COMPARISONS else precision.c_type), x.step.component
+
+    for (c_type, words), group in groupby(assigned, kind):
+        if not c_type:
+            yield f"/* {words} */"
+        else:
+            items = [f"{x.step.name} = {x.expression}" for x in group if isinstance(x, Assignment)]
+            yield _declared(f"const {c_type} ", items, width)
+
+
+def _declared(head: str, items: Sequence[str], width: int) -> str:
+    """One statement of these declarators: short ones several to a line, long ones broken."""
+    lines = [head]
+    for number, item in enumerate(items):
+        text = item + (";" if number == len(items) - 1 else ",")
+        glue = " " if number else ""
+        if number and len(lines[-1]) + len(glue) + len(text) > width:
+            lines.append("    ")
+            glue = ""
+        first, *others = wrapped(lines.pop() + glue + text, width, 8)
+        lines += [first, *(f"        {row}" for row in others)]
+    return "\n".join(lines)
