@@ -6,6 +6,7 @@ from fractions import Fraction
 from functools import partial
 from operator import mul
 
+from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.mechanics.motion import Motion
 from coscrew_codegen.mechanics.potentials import body_force
 from coscrew_codegen.mechanics.settings import settings
@@ -106,10 +107,11 @@ class Acting:
 
     def act(self) -> "Acting":
         """Evaluates the effects, in the order of their files' names and of the scene."""
-        for number, applied in enumerate(self.scene.effects):
+        effects = self.scene.effects
+        owners = identifiers([f"{x.label or x.on}_{x.effect.name}" for x in effects])
+        for owner, applied in zip(owners, effects, strict=True):
             at = f" at {applied.on}" if applied.on else ""
-            with self.recorder.part(f"{applied.effect.name}_{number}",
-                                    heading=f"{applied.effect.name}{at}"):
+            with self.recorder.part(owner, heading=f"{applied.effect.name}{at}"):
                 self._apply(applied.effect, applied)
         return self
 
@@ -226,5 +228,7 @@ def joint_inertias(scene: Scene, recorder: Recorder) -> dict[str, Number]:
         if applied.effect.joint_inertia:
             values = settings(recorder, applied.values, recorder.number(0))
             own = applied.effect.joint_inertia(values)
+            owner, = identifiers([f"{applied.on}_{applied.effect.name}"])
+            own, = recorder.label("I", own, owner)
             total[applied.on] = total[applied.on] + own if applied.on in total else own
     return total

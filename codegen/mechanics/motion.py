@@ -42,12 +42,10 @@ def _of_link(symbol: str, origin: str = "") -> Callable[["_OfLink"], "_OfLink"]:
             known = self._known.setdefault(symbol, {})
             if link not in known:
                 with self.part(link, symbol):
-                    known[link] = compute(self, link)
-                    if origin:
-                        self.recorder.label(symbol, rotation(known[link]))
-                        self.recorder.label(origin, translation(known[link]))
-                    else:
-                        self.recorder.label(symbol, known[link])
+                    found, label = compute(self, link), self.recorder.label
+                    known[link] = displacement(
+                        label(symbol, rotation(found)), label(origin, translation(found))
+                    ) if origin else label(symbol, found)
             return known[link]
         return cached
     return decorated

@@ -6,7 +6,7 @@ from functools import cached_property
 
 from coscrew_codegen.mechanics import inverse
 from coscrew_codegen.mechanics.acting import Acting, gravity, joint_inertias
-from coscrew_codegen.mechanics.bodies import Rigid, lumped
+from coscrew_codegen.mechanics.bodies import Rigid, lumped, rigid_of
 from coscrew_codegen.mechanics.motion import Motion
 from coscrew_codegen.recording.numbers import Number
 from coscrew_codegen.recording.recorder import Recorder
@@ -38,9 +38,9 @@ class Recording:
         found = []
         for name, link in zip(self.names, self.tree.links, strict=True):
             with self.recorder.part(name, "B", link.name):
-                found.append(lumped(self.recorder, link.seats))
-                for part, value in (("m", found[-1].m), ("h", found[-1].h), ("I", found[-1].I)):
-                    self.recorder.label(f"B{part}", value)
+                own, label = lumped(self.recorder, link.seats), self.recorder.label
+                found.append(rigid_of((*label("Bm", own.m), *label("Bh", own.h),
+                                       *label("BI", own.I))))
         return found
 
     @cached_property

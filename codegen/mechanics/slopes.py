@@ -62,6 +62,7 @@ class Along:
                 torque = self._replayed(self._own.torque)
             if found.limit is not None:
                 torque = maximum(minimum(torque, found.limit), -found.limit)
+            torque.recorder.label("tau", torque)
             return replace(found, torque=torque)
 
     @cached_property

@@ -6,7 +6,7 @@ and 0 times infinity or NaN, which they make 0.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
 
@@ -52,7 +52,7 @@ def folded(op: Op, operands: tuple[Operand, ...], known: Known) -> Result:
     """op(operands) folded: an operand, or the instruction that remains to be issued."""
     constants = tuple(x for x in operands if isinstance(x, Constant))
     if op is not Op.SELECT and len(constants) == len(operands):
-        return _constant(op, constants)
+        return _negative(*constants) if op is Op.NEG else _constant(op, constants)
     rule = _RULES.get(op)
     result = rule(known, *operands) if rule else None
     return Folded(op, operands) if result is None else result
@@ -65,6 +65,12 @@ def _constant(op: Op, operands: tuple[Constant, ...]) -> Constant:
     return Constant(double, _evaluated(op, tuple(x.single for x in operands)))
 
 
+def _negative(x: Constant) -> Constant:
+    """-x, named with an n behind x's name, or without it."""
+    name = x.name[:-1] if x.name.endswith("n") else x.name and f"{x.name}n"
+    return replace(_constant(Op.NEG, (x,)), name=name)
+
+
 def _is(x: Operand, number: int) -> bool:
     return isinstance(x, Constant) and x.double == number and x.single == number
 
@@ -72,7 +78,7 @@ def _is(x: Operand, number: int) -> bool:
 def _negated(x: Operand, known: Known) -> Operand | None:
     """y if x is -y, either as an instruction or as a negative constant; else None."""
     if isinstance(x, Constant):
-        return _constant(Op.NEG, (x,)) if x.double.numerator < 0 else None
+        return _negative(x) if x.double.numerator < 0 else None
     if isinstance(x, Ref) and known[x.name].op is Op.NEG:
         return known[x.name].operands[0]
     return None

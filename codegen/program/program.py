@@ -6,7 +6,7 @@ single precision, on NumPy arrays, on exact rationals or on symbols alike.
 
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import groupby
@@ -29,6 +29,7 @@ class Constant:
 
     double: Fraction
     single: Fraction
+    name: str = field(default="", compare=False)  # what a text may call it
 
     def __hash__(self) -> int:
         return self._hash

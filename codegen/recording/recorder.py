@@ -14,6 +14,7 @@ Instructions are named when the program is complete, so that the numbers in name
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 
@@ -113,16 +114,23 @@ class Recorder:
         finally:
             self._part = before
 
-    def label(self, symbol: str, value: Number | Numbers, owner: str = "") -> None:
-        """Name a value by owner (by default the current part's) and symbol.
+    def label(self, symbol: str, value: Number | Numbers,
+              owner: str = "") -> tuple[Number, ...]:
+        """Name the components of a value by owner (by default the current part's) and symbol.
 
-        Components of vectors are x, y, z, of symmetric matrices xx, yy, zz, xy, xz, yz, of other
-        3×3 matrices xx, xy, xz, yx, ….  A component that has a name keeps it."""
-        numbers = [value] if isinstance(value, Number) else value
-        for suffix, x in zip(COMPONENTS[len(numbers)], numbers, strict=True):
-            if isinstance(x.operand, Ref):
-                self._labels.setdefault(x.operand.name, Part(
-                    owner or self._part.owner, f"{symbol}{suffix}", self._part.heading))
+        Those of vectors are x, y, z, of symmetric matrices xx, yy, zz, xy, xz, yz, of other 3×3
+        matrices xx, xy, xz, yx, ….  A component that has a name keeps it.  Returns the components:
+        constants but 0 and ±1 bear their names."""
+        numbers, of = [value] if isinstance(value, Number) else value, self._part
+        return tuple(self._labelled(Part(owner or of.owner, f"{symbol}{suffix}", of.heading), x)
+                     for suffix, x in zip(COMPONENTS[len(numbers)], numbers, strict=True))
+
+    def _labelled(self, part: Part, x: Number) -> Number:
+        if isinstance(x.operand, Ref):
+            self._labels.setdefault(x.operand.name, part)
+        if not isinstance(x.operand, Constant) or x.operand.name or x.constant in (0, 1, -1):
+            return x
+        return Number(self, replace(x.operand, name=part.stem))
 
     def call(self, operation: str, *arguments: Number | Numbers) -> tuple[Number, ...]:
         """All components of the operation's outputs; records its plain program on the arguments."""

@@ -57,10 +57,13 @@ class Nesting:
     width: int
     headings: Mapping[int, str] = field(default_factory=dict)
     named: Callable[[Instruction], bool] = lambda step: False
+    constants: Mapping[str, Constant] = field(default_factory=dict)  # assigned by these names
 
     def __post_init__(self) -> None:
         self.assigned: list[Assignment | str] = []  # and headings
         self._waiting: dict[str, tuple[Instruction, str, int]] = {}  # name → expression, precedence
+        self._unassigned = dict(self.constants)
+        self._section = 0  # where the section below the last heading begins
         self._uses = Counter(x.name for x in self._operands() if isinstance(x, Ref))
         for number, step in enumerate(self.program.instructions):
             if number in self.headings:
@@ -102,8 +105,16 @@ class Nesting:
         if self.assigned and isinstance(self.assigned[-1], str):
             self.assigned.pop()
         self.assigned.append(words)
+        self._section = len(self.assigned)
 
     def _assign(self, step: Instruction, expression: str) -> None:
+        """An assignment; its constants are assigned where its section begins."""
+        for word in _WORD.findall(expression) if self._unassigned else ():
+            if (constant := self._unassigned.pop(word, None)) is not None:
+                own = Assignment(Instruction(word, Op.ADD, (constant,), "constants"),
+                                 self.language.constant(constant))
+                self.assigned.insert(self._section, own)
+                self._section += 1
         self.assigned.append(Assignment(step, expression))
 
     def _result(self, operand: Operand) -> str:
@@ -122,6 +133,8 @@ class Nesting:
         if isinstance(operand, Input):
             return self.access(operand)
         if isinstance(operand, Constant):
+            if self.constants.get(operand.name) == operand:
+                return operand.name
             text = self.language.constant(operand)
             return f"({text})" if text.startswith("-") and needed > SIGN else text
         if isinstance(operand, NotANumber):
@@ -150,14 +163,16 @@ class Plan:
 
     program: Program
     assigned: frozenset[str]
+    constants: Mapping[str, Constant] = field(default_factory=dict)  # by name
 
     def printed(self, language: Language, access: Callable[[Input], str],
                 headings: Mapping[int, str]) -> Nesting:
         """Its text in a language, expressions of any length."""
         return Nesting(self.program, language, access, 1 << 30, headings,
-                       lambda step: step.name in self.assigned)
+                       lambda step: step.name in self.assigned, self.constants)
 
 
+_WORD = re.compile(r"\w+")
 _NUMBERED = re.compile(r"(.+)_([0-9]+)")  # an instruction without a name of its own
 
 
@@ -165,20 +180,38 @@ def planned(program: Program, language: Language, access: Callable[[Input], str]
             named: Collection[str] = ()) -> Plan:
     """A plan that assigns what has a name of its own, is `named` or is used several times, and
     keeps assignments at most `width` wide in this language."""
-    found = Nesting(program, language, access, width, named=lambda step: (
+    constants = _constants(program)
+    found = Nesting(program, language, access, width, constants=constants, named=lambda step: (
         step.name in named or not _NUMBERED.fullmatch(step.name)))
     chosen = {x.step.name for x in found.assigned if isinstance(x, Assignment)}
     assigned = [step.name for step in program.instructions if step.name in chosen]
     names = _numbered(program, assigned)
-    return Plan(renamed(program, names), frozenset(names[x] for x in assigned))
+    return Plan(renamed(program, names), frozenset(names[x] for x in assigned), constants)
+
+
+def _constants(program: Program) -> dict[str, Constant]:
+    """The program's constants that have names, each of its own, by name."""
+    found: dict[str, Constant] = {}
+    taken = _names(program)
+    for step in program.instructions:
+        for x in step.operands:
+            if isinstance(x, Constant) and x.name and x.name not in taken:
+                found.setdefault(x.name, x)
+    return found
+
+
+def _names(program: Program) -> set[str]:
+    """What instructions and arguments are called."""
+    arguments = [a.name for a in (*program.inputs, *program.outputs)]
+    return {*(step.name for step in program.instructions), *arguments,
+            *(f"{x}o" for x in arguments)}
 
 
 def _numbered(program: Program, assigned: Sequence[str]) -> dict[str, str]:
     """New names by old: assigned instructions are numbered first, then the others; a result that
     is the only one of its stem loses its number."""
     steps = [step.name for step in program.instructions]
-    arguments = [a.name for a in (*program.inputs, *program.outputs)]
-    taken = {*steps, *arguments, *(f"{x}o" for x in arguments)}
+    taken = {*_names(program), *_constants(program)}
     names: dict[str, str] = {}
     numbers: Counter[str] = Counter()
     for name in dict.fromkeys((*assigned, *steps)):

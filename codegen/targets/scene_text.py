@@ -118,13 +118,13 @@ def _check(function: Function) -> None:
         seen.add(step.name)
 
 
-_LONGEST = 150
+VALUE_WIDTH = 150
 """Characters of a value in double precision, at most: two lines."""
 
 
 def plans(scene: SceneFunctions) -> list[Plan]:
     """What is assigned in each function: the same in all languages and precisions."""
-    return [planned(f.program, language(f.program, DOUBLE), access(f.program), _LONGEST)
+    return [planned(f.program, language(f.program, DOUBLE), access(f.program), VALUE_WIDTH)
             for f in scene.functions]
 
 
@@ -140,7 +140,7 @@ def legend(plans: Sequence[Plan], bodies: Sequence[str]) -> tuple[str, ...]:
     """Paragraphs on what the names of instructions in these bodies of functions mean."""
     written = {word for body in bodies for word in re.findall(r"\w+", body)}
     return scene_symbols.legend(sorted(written.intersection(
-        name for plan in plans for name in plan.assigned)))
+        name for plan in plans for name in (*plan.assigned, *plan.constants))))
 
 
 def literal(value: float, precision: Precision) -> str:

@@ -1,4 +1,4 @@
-"""What is no array of double or single numbers, nor of integers, is a TypeError that names it."""
+"""Arguments other than arrays of double or single numbers or integers are named TypeErrors."""
 
 import pickle
 import re
@@ -22,7 +22,7 @@ by_namespace = pytest.mark.parametrize("namespace", NAMESPACES.values(), ids=NAM
 
 
 class Tracer:
-    """Says of itself that it is no array, as JAX's tracers and PyTorch's tensors elsewhere do."""
+    """Refuses to become an array, as JAX's tracers and PyTorch's tensors on other devices do."""
 
     def __init__(self, error: Exception):
         self.error = error
@@ -39,7 +39,7 @@ class Half:
 
 
 class Table:
-    """As a table of pandas, which would pass its columns where rows are meant."""
+    """Like a pandas table, which would pass its columns for rows."""
 
     __pandas_priority__ = 4000
 

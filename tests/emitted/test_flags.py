@@ -50,7 +50,7 @@ def test_chosen_kernels_exist():
 
 @pytest.fixture(scope="module")
 def right(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
-    """The twins' hashes; of tiers that Python has not, those of C with the C library's fma."""
+    """The twins' hashes; for tiers that Python does not have, those of C with the library's fma."""
     return wanted(KERNELS) + printed(tmp_path_factory.mktemp("in_c"), ("gcc", "-O0"), IN_C)
 
 
@@ -63,7 +63,7 @@ def test_bits_are_the_twins(compiler: str, flags: tuple[str, ...], right: list[s
 
 
 def printed(folder: Path, command: tuple[str, ...], chosen: tuple[Kernel, ...]) -> list[str]:
-    """What the program of these kernels prints that this command compiles."""
+    """The output of the program of these kernels, compiled by this command."""
     source, binary = folder / "bits.c", folder / "bits"
     source.write_text(text(chosen))
     run((*command, "-I", INCLUDE, source, "-o", binary, "-lm"))

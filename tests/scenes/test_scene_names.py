@@ -2,24 +2,30 @@
 
 import re
 from collections import defaultdict
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
 
 from coscrew_codegen import scene_symbols
+from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.mechanics import derive
+from coscrew_codegen.program import Constant, Op
 from coscrew_codegen.recording.recorder import Recorder, array
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.targets import scene_c, scene_python, scene_text
+from coscrew_codegen.targets.c_nested import language
 from tests.support.scenes.effect_scenes import PLACES, arm, effects, mechanism
+from tests.support.scenes.generated_scenes import Writer, argument
 from tests.support.scenes.mechanisms import gravity, scene
 
 SCENES: dict[str, Scene] = {
     "falling": scene(mechanism(), gravity()),
     "all effects": scene(mechanism(), *effects(*PLACES)), "arm": scene(arm(), *effects(*PLACES))}
-FREE = re.compile(r"(total|solution|speeds|parts|pair_[0-9]+|later|part|[a-z_]+_[0-9]+)_[0-9]+")
-"""What belongs to no link: solutions, pairs, effects by number."""
+FREE = re.compile(r"(total|solution|speeds|parts|pair_[0-9]+|later|part|[a-z0-9_]+_"
+                  rf"({'|'.join(PLACES)}))_[0-9]+")
+"""What belongs to no link: solutions, pairs, effects where they act."""
 
 
 @pytest.fixture(scope="module", params=SCENES)
@@ -54,7 +60,7 @@ def test_legends_tell_the_symbols_that_occur_and_no_others(functions: SceneFunct
         told = {x for row in re.findall(r"^ *([A-Za-z]+(?:, [A-Za-z]+)*): ", text, re.MULTILINE)
                 for x in row.split(", ")} & {x for xs in scene_symbols.SYMBOLS for x in xs}
         used = {scene_symbols.reading(x)[0] for plan in scene_text.plans(functions)
-                for x in plan.assigned if x in words} - {""}
+                for x in (*plan.assigned, *plan.constants) if x in words} - {""}
         assert told == used
 
 
@@ -82,9 +88,44 @@ def test_the_second_value_of_a_name_is_numbered() -> None:
     assert [step.name for step in program.instructions] == ["arm_T", "arm_T2"]
 
 
-def test_example_scenes_headings_say_how_links_move() -> None:
+def example(name: str) -> SceneFunctions:
+    """The functions of an example scene."""
     from coscrew_codegen.scene_files.toml_scene import read_scene
 
-    path = Path(__file__).parents[2] / "examples" / "scenes" / "pendulum.toml"
-    found = derive(read_scene(path))
+    return derive(read_scene(Path(__file__).parents[2] / "examples" / "scenes" / f"{name}.toml"))
+
+
+def test_numbers_of_the_model_and_torques_of_effects_have_names() -> None:
+    """A rotor behind its gear, 100^2 7e-5; a mass, an offset; each once a function that uses it."""
+    functions = example("arm6")
+    c, double, single = (
+        text for files in (scene_c.files(functions, "x"), scene_python.files(functions, "x"))
+        for path, text in files.items() if path.endswith((".c", "double.py", "single.py")))
+    for name, value in (("pan_armature_I", 0.7), ("forearm_Bm", 2.4), ("forearm_tx", 0.41)):
+        assert f"{name} = {value}\n" in double and f"{name} = {value}\n" in single
+        for start in ("void arm6_inverse_dynamics(", "void arm6_inverse_dynamicsf("):
+            body = c[c.index(start):]
+            body = body[:body.index("\n}")]
+            literal = f"{value}{'f' if start.endswith('f(') else ''}"
+            assert len(re.findall(rf"\b{name} = {literal}[,;]", body)) == 1
+    assert "elbow_viscous_taun = RN(4.0 * v[2]);" in c
+    assert "elbow_viscous_taun = 4.0 * v[2]\n" in double
+
+
+def test_a_name_that_two_numbers_have_is_the_firsts() -> None:
+    """The other stands as it is; so does one whose name something else has."""
+    w = Writer(argument("q", 3))
+    named = [Constant(Fraction(n), Fraction(n), name)
+             for n, name in ((3, "mass"), (5, "mass"), (7, "q"), (3, "mass"))]
+    results = [w.do(f"y_{n}", Op.ADD, w.at("q", n % 3), x) for n, x in enumerate(named)]
+    plan, = scene_text.plans(SceneFunctions(
+        "x", 3, 3, (), (), (), (), (w.function("f", "f", (argument("y", 4),), results),)))
+    text = plan.printed(language(plan.program, DOUBLE), scene_text.access(plan.program), {})
+    assert [(x.step.name, x.expression) for x in text.assigned if not isinstance(x, str)] == [
+        ("mass", "3.0"), ("y_1", "q[0] + mass"), ("y_2", "q[1] + 5.0"), ("y_3", "q[2] + 7.0"),
+        ("y_4", "q[0] + mass")]
+
+
+def test_example_scenes_headings_say_how_links_move() -> None:
+    found = example("pendulum")
     assert "/* rod: pivot turns about z */" in scene_c.files(found, "x")["pendulum.c"]

@@ -1,4 +1,4 @@
-"""What the bounds are attacked in: NumPy twins, and compiled C of the fused tier."""
+"""The implementations whose bounds are attacked: NumPy twins, and compiled C of the fused tier."""
 
 from collections.abc import Callable
 from importlib import import_module
@@ -38,7 +38,7 @@ def gufuncs(package: ModuleType) -> Implementation:
 
 
 def compiled(folder: Path, tier: str, compiler: str, flags: tuple[str, ...]) -> Implementation:
-    """The C kernels of a tier behind plain."""
+    """The C kernels of a tier other than plain."""
     made = tier_named(tier)
     operations = tuple(map(made.operation, TIERED))
     library = harness(folder, compiler, (*flags, EXACT), tier, operations)
