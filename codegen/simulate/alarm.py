@@ -21,7 +21,7 @@ from coscrew_codegen.simulate.system import State, System
 
 ALLOWED = 1e-2
 """Allowed change of an energy that should be constant, relative to the largest kinetic energy so
-far; and allowed error of momentum, relative to the largest speeds.  `check` allows a tenth."""
+far; and allowed error of momentum, relative to the largest velocities.  `check` allows a tenth."""
 ROUGH, RESOLVED = 0.3, 0.05
 """Allowed difference between one step and two halves, relative to the velocities, for methods of
 order 1 and others: that of an undamped spring whose phase advances by about 1 rad per step."""
