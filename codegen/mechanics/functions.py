@@ -126,7 +126,7 @@ class _Derivation:
 
     def _refuse_absent(self, found: set[str]) -> None:
         """Raise AskedError for a selected function that only scenes of another kind have."""
-        for several, reason in ((FREE, "nothing floats free"), (CONTACTS, "no limit closes")):
+        for several, reason in ((FREE, "no base floats"), (CONTACTS, "no limit closes")):
             for name in several:
                 if name in self.scene.functions and name not in found:
                     raise AskedError(f"{self.scene.name}: there is no {name}: {reason} in the "

@@ -86,8 +86,8 @@ class Alarm:
         if off <= ALLOWED:
             return None
         joint = self._joint(np.abs(np.asarray(right, float) - v))
-        return "momentum is not kept", (f"the speed of what floats free at joint {joint} is off by "
-                                        f"{off:.2g} of itself; {self._remedy(off / ALLOWED)}")
+        return "momentum is not kept", (f"the floating base {joint} is off by {off:.2g} "
+                                        f"of its speed; {self._remedy(off / ALLOWED)}")
 
     def _of_energy(self, energy: float) -> tuple[str, str] | None:
         if not self._conservative or (self._integrator.order == 1 and self._steps < _SETTLED):
