@@ -22,6 +22,7 @@ from coscrew_codegen.targets.scene_text import c_name, size
 from coscrew_codegen.targets.target import Files, Target
 
 _IN_WORDS = {("double",): "double precision alone, as the scene says",
+             ("single",): "single precision alone, as the scene says",
              ("double", "single"): "double and (names that end in f) single precision"}
 
 
