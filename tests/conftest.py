@@ -1,4 +1,4 @@
-"""Before the first test: compiled extensions must be of the kernels that stand in generated/.
+"""Before the first test: checks that the compiled extensions match the kernels in generated/.
 
 And `--quick`, for the working day: files that take long are left out, and of tests with many
 parameters a few are run.
@@ -23,10 +23,8 @@ LONG = frozenset("""
     test_report_measure test_report_page test_sanitizers test_scene_agreement
     test_scene_compilation test_scene_flags test_selfcheck test_simulate test_tiers
     test_true_motion test_typing test_version test_view""".split())
-"""Files that take more than five seconds of a processor, however few parameters are tried."""
+"""Files that take more than five seconds of processor time, even with few parameters."""
 FEW = 6
-
-EXTENDED = ("coscrew", "coscrew.accurate", "coscrew.certified")
 
 
 @pytest.fixture(params=["double", "single"])
@@ -55,12 +53,15 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Says once what is wrong and ends, instead of failing where something happens to notice."""
+    """Report stale extensions once and stop, instead of failing in some test."""
     if config.getoption("--stale-extensions") or hasattr(config, "workerinput"):
         return
+    from coscrew_codegen.build import extensions
+
+    extended = [x.name.removesuffix("._gufunc") for x in extensions(Path(__file__).parents[1])]
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", RuntimeWarning)
-        stale = [name for name in EXTENDED if not importlib.import_module(name).COMPILED]
+        stale = [name for name in extended if not importlib.import_module(name).COMPILED]
     if stale:
         said = sorted({str(x.message) for x in caught if "pure NumPy" in str(x.message)})
         raise pytest.UsageError("\n".join((
@@ -69,7 +70,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
-    """Those that take long, unless they are named."""
+    """Ignore slow files with --quick, unless they are named."""
     named = any(Path(x.partition("::")[0]).name == collection_path.name for x in config.args)
     return config.getoption("--quick") and collection_path.stem in LONG and not named or None
 

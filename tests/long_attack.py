@@ -49,7 +49,7 @@ from tests.support.truth.judge import ratio
 from tests.support.truth.wide import IS_WIDE, WIDE, Enclosed, enclosed, linear
 
 BATCH = 12_000  # rows
-PARENTS = 8  # of each tier: the rows with the largest errors, which others are varied from
+PARENTS = 8  # rows of each tier with the largest errors, from which new ones are varied
 # Sizes of components: 2^±spread, varied ones half as far again.
 SPREAD = {"double": 40, "single": 8}
 UNSAFE = WIDE(1 - 2.0**-40)
@@ -59,7 +59,7 @@ Ways = dict[str, Implementation]
 
 @dataclass
 class Attacked:
-    """What one tier's errors came to, and the rows to climb from."""
+    """The largest errors of one tier, and the rows from which to continue."""
 
     worst: Worst = field(default_factory=Worst)
     violations: int = 0
@@ -130,8 +130,8 @@ def _judge(operation: Operation, precision: Precision, tier: str, row: list[floa
 
 def _ratios(operation: Operation, precision: Precision, tier: str, results: np.ndarray,
             truth: Enclosed) -> np.ndarray:
-    """No error is a larger multiple of its bound.  A certified bound that is not finite claims
-    nothing; a bound of zero, where the error is zero, holds."""
+    """The largest ratio of an error to its bound.  A certified bound that is not finite makes no
+    statement; a bound of zero holds for an error of zero."""
     if tier == "certified":
         half = results.shape[1] // 2
         claimed = np.isfinite(results[:, half:])
@@ -179,8 +179,8 @@ def _rows(operation: Operation, precision: Precision, count: int, rng: np.random
 
 
 def _cancel(program: Program, rows: np.ndarray, rng: np.random.Generator) -> None:
-    """Change one input so that one result, linear in it, nearly vanishes: to the input's last bit
-    or so, or to any part of that."""
+    """Change one input so that a result that is linear in it nearly vanishes, as far as the input's
+    last bits allow or less."""
     for part in np.array_split(np.arange(len(rows)), 24):
         component = int(rng.integers(len(program.results)))
         for place in rng.permutation(rows.shape[1])[:8].tolist():
@@ -219,7 +219,7 @@ def lines(tasks: list[tuple[int, int, int, int]], processes: int) -> Iterator[tu
 
 
 def main() -> None:
-    """Print the table and what it comes to."""
+    """Print the table and its conclusion."""
     names = [op.name for op in TIERED]
     parser = argparse.ArgumentParser(description="Attack the proven error bounds at length.")
     parser.add_argument("--outputs", type=int, default=1_000_000,

@@ -1,4 +1,4 @@
-"""Searches the inputs where errors come closest to their bounds.
+"""Searches for the inputs whose errors come closest to their bounds.
 
 `python -m tests.search [--operation NAME …] [--precision P] [--tier T] [--seconds S] [--seed N]
 [--append]` draws inputs from each operation's domain and climbs from the worst: it changes last
@@ -39,7 +39,7 @@ from tests.support.truth.extended import evaluate
 from tests.support.truth.judge import JUDGED, groups, ratio
 
 BATCH, PARENTS = 768, 24
-EXACT_EACH_ROUND = 2  # judged exactly where estimates tell which; else this many times 24
+EXACT_EACH_ROUND = 2  # rows judged exactly, chosen by estimates; without these, 24 times as many
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,7 @@ def joined(arrays: Arrays) -> Rows:
 
 def _estimate(operation: Operation, precision: Precision, tier: str, inputs: Rows,
               results: Rows) -> np.ndarray:
-    """Errors over bounds in a wider precision; what leaves the range counts as nothing."""
+    """Errors over bounds, in a wider precision; results that overflow count as zero."""
     u, info = float(UNIT[precision.name]), np.finfo(precision.numpy_type)
     expected = evaluate(plain_program(operation), precision, inputs)
     with np.errstate(all="ignore"):
@@ -185,7 +185,7 @@ _CHANGES: tuple[Callable[[Rows, Rows, Generator], Rows], ...] = (
 
 
 def within(rounds: Iterator[Found], seconds: float) -> Found:
-    """What the rounds have found when the time is over; one round at least."""
+    """The results of the rounds when the time is over, at least one."""
     end = time.monotonic() + seconds
     for found in rounds:
         if time.monotonic() >= end:
@@ -195,7 +195,7 @@ def within(rounds: Iterator[Found], seconds: float) -> Found:
 
 def worst_known(target: tuple[Operation, Precision, str], implementation: Implementation,
                 cases: tuple[Case, ...]) -> Found:
-    """The worst the corpus has for this operation, precision and tier."""
+    """The corpus's worst case for this operation, precision and tier."""
     operation, precision, tier = target
     rows = [c.inputs for c in cases if (c.operation, c.precision) == (operation, precision)]
     found = Found(0.0, ())
@@ -210,7 +210,7 @@ def worst_known(target: tuple[Operation, Precision, str], implementation: Implem
 
 
 def main() -> None:
-    """Search, print the table, append to the corpus if told to."""
+    """Search, print the table, and optionally append to the corpus."""
     parser = argparse.ArgumentParser(description="Search the inputs with the largest errors.")
     parser.add_argument("--operation", nargs="+", default=[op.name for op in JUDGED],
                         choices=[op.name for op in JUDGED], metavar="NAME")

@@ -1,11 +1,10 @@
 """The functions of a scene: each a recording of its own, which holds what its outputs need."""
 
-import gc
-from collections.abc import Callable, Collection, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from functools import cached_property, partial
 
+from coscrew_codegen.collection import uncollected
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.mechanics import (
@@ -56,19 +55,6 @@ def derive(scene: Scene, functions: Collection[str] = (),
     refuse_numbers(scene)
     with uncollected():
         return _Derivation(scene, tell).functions(functions)
-
-
-@contextmanager
-def uncollected() -> Iterator[None]:
-    """Without Python's garbage collector, which walks all instructions again and again while there
-    are ever more of them: of 100 joints it took a third of the time, and more of more."""
-    on = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if on:
-            gc.enable()
 
 
 def is_timed(scene: Scene) -> bool:

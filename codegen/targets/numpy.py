@@ -204,7 +204,7 @@ class _Writer:
     def _constant(self, constant: Constant) -> str:
         """A constant; integers and powers of two exactly, so that arrays of objects stay exact."""
         value = self.working.value(constant)
-        if value.denominator == 1 and abs(value) < 2**53:
+        if value.denominator == 1 and abs(value) < 2**DOUBLE.digits:
             return str(value)
         is_power = all(n & (n - 1) == 0 for n in map(abs, value.as_integer_ratio()))
         return repr(float(value)) if is_power else self.working.literal(constant)

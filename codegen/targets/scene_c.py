@@ -8,17 +8,19 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 
 from coscrew_codegen import version
+from coscrew_codegen.collection import uncollected
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.identifiers import identifiers
-from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, SceneFunctions, Step
+from coscrew_codegen.targets import scene_c_arguments as arguments
 from coscrew_codegen.targets import scene_text
-from coscrew_codegen.targets.c_function import Body, CFunction, Stored, documented
+from coscrew_codegen.targets.c_function import Body, CFunction, Stored
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
 from coscrew_codegen.targets.nesting import Plan
+from coscrew_codegen.targets.scene_c_parts import Parts
 from coscrew_codegen.targets.scene_c_steps import step_body
-from coscrew_codegen.targets.scene_text import c_name, size
+from coscrew_codegen.targets.scene_text import c_name
 from coscrew_codegen.targets.target import Files, Target
 
 _IN_WORDS = {("double",): "double precision alone, as the scene says",
@@ -26,11 +28,13 @@ _IN_WORDS = {("double",): "double precision alone, as the scene says",
              ("double", "single"): "double and (names that end in f) single precision"}
 
 
+@uncollected()
 def files(scene: SceneFunctions, banner: str) -> Files:
     """arm.h and arm.c.  Raises ValueError for a name that they cannot bear."""
     scene_text.check_names(scene)
     plans = scene_text.plans(scene)
-    sections = [{"precision": p, "functions": _functions(scene, plans, p)}
+    parts = Parts(scene, plans)
+    sections = [{"precision": p, "functions": list(_functions(scene, plans, parts, p))}
                 for p in named(scene.precisions)]
     macros = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
               ("GENERATOR_VERSION_STRING", f'"{version.VERSION}"'),
@@ -46,7 +50,8 @@ def files(scene: SceneFunctions, banner: str) -> Files:
         f"{scene.name}.h": render("scene/scene.h", about=comment_of(_about(scene)), macros=macros,
                                   **shared),
         f"{scene.name}.c": render("scene/scene.c", names=[comment_of(names)] if names else [],
-                                  products=named(scene.precisions), **shared)}
+                                  products=named(scene.precisions), parts=bool(parts.cuts),
+                                  **shared)}
 
 
 def _about(scene: SceneFunctions) -> list[str]:
@@ -90,44 +95,40 @@ def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str
             yield f"{name}{precision.suffix.upper()}", text
 
 
-def _functions(scene: SceneFunctions, plans: Sequence[Plan],
-               precision: Precision) -> list[CFunction]:
+def _functions(scene: SceneFunctions, plans: Sequence[Plan], parts: Parts,
+               precision: Precision) -> Iterator[CFunction]:
     """All functions that are emitted, in the order in which they call each other."""
-    return [*(_function(scene, f, plan, precision)
-              for f, plan in zip(scene.functions, plans, strict=True)),
-            *(_step(scene, step, precision) for step in scene.steps)]
+    for function, plan in zip(scene.functions, plans, strict=True):
+        if function.name in parts.cuts:
+            yield from parts.above(function, precision)
+            body = parts.body(function, precision)
+        else:
+            body = _body(function, plan, precision)
+        yield _function(scene, function, body, precision)
+    yield from (_step(scene, step, precision) for step in scene.steps)
 
 
-def _parameter(argument: Argument, precision: Precision, const: str) -> str:
-    if argument.quantity.shape:
-        return f"{const}{precision.c_type} {argument.name}[{size(argument)}]"
-    return f"{precision.c_type} {'' if const else '*'}{argument.name}"
-
-
-def _head(scene: SceneFunctions, name: str, precision: Precision, parameters: Sequence[str],
-          internal: bool = False) -> str:
-    static = "static " if internal else ""
-    return listed(f"{static}void {c_name(scene, name, precision)}(", parameters, ")", WIDTH - 2)
-
-
-def _function(scene: SceneFunctions, function: Function, plan: Plan,
-              precision: Precision) -> CFunction:
-    program, outputs = plan.program, scene_text.outputs(function)
-    parameters = [*(_parameter(a, precision, "const ") for a in program.inputs),
-                  *(_parameter(a, precision, "") for a in outputs)]
+def _function(scene: SceneFunctions, function: Function, body: str, precision: Precision
+              ) -> CFunction:
+    outputs = scene_text.outputs(function)
+    parameters = [*(arguments.read(a, precision) for a in function.program.inputs),
+                  *(arguments.written(a, precision) for a in outputs)]
     shapes = [f"{a.name}: {' × '.join(map(str, a.quantity.shape))}."
               for a in outputs if len(a.quantity.shape) > 1]
-    targets = [f"{a.name}[{i}]" if a.quantity.shape else f"*{a.name}"
-               for a in outputs for i in range(size(a))]
+    comment = comment_of([scene_text.printable(scene_text.sentence(function.words)), *shapes,
+                          scene_text.cost(function)])
+    head = arguments.head(c_name(scene, function.name, precision), parameters,
+                          "static" if function.internal else "")
+    return CFunction(function.name, comment, head, body, function.internal)
+
+
+def _body(function: Function, plan: Plan, precision: Precision) -> str:
+    """The body of a function that is written whole."""
+    outputs = scene_text.outputs(function)
+    stored = Stored(scene_text.access(plan.program), arguments.targets(outputs),
+                    [a.name for a in outputs])
     headings = [(number, scene_text.printable(words)) for number, words in function.headings]
-    return documented(
-        function.name,
-        [scene_text.printable(scene_text.sentence(function.words)), *shapes,
-         scene_text.cost(function)],
-        _head(scene, function.name, precision, parameters, function.internal),
-        Body(program, precision, Stored(scene_text.access(program), targets,
-                                        [a.name for a in outputs]), plan, headings),
-        function.internal)
+    return Body(plan.program, precision, stored, plan, headings).text()
 
 
 def _step(scene: SceneFunctions, step: Step, precision: Precision) -> CFunction:
@@ -138,7 +139,8 @@ def _step(scene: SceneFunctions, step: Step, precision: Precision) -> CFunction:
                 "q": f"{real} q[{scene.nq}]", "v": f"{real} v[{scene.nv}]"}
     inputs = scene_text.step_inputs(scene)
     return CFunction(step.name, comment_of([f"{step.words}.  In place."]),
-                 _head(scene, step.name, precision, [declared[x] for x in inputs]),
+                 arguments.head(c_name(scene, step.name, precision),
+                                [declared[x] for x in inputs]),
                  step_body(scene, step, precision, partial(c_name, scene, precision=precision)))
 
 

@@ -7,6 +7,7 @@ other.
 from collections.abc import Iterator, Sequence
 from textwrap import wrap
 
+from coscrew_codegen.collection import uncollected
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.quantity import Argument
@@ -21,6 +22,7 @@ from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.version import VERSION
 
 
+@uncollected()
 def files(scene: SceneFunctions, banner: str) -> Files:
     """The package arm/.  Raises ValueError for a name that it cannot bear."""
     scene_text.check_names(scene)
@@ -32,8 +34,9 @@ def files(scene: SceneFunctions, banner: str) -> Files:
         tables=[_tuple("JOINTS", [x.joint for x in scene.coordinates]),
                 _tuple("BODIES", scene.bodies), _dictionary("PARAMETERS", scene.parameters),
                 _tuple("NEUTRAL_Q", scene.neutral)])
+    plans = scene_text.plans(scene)
     modules = {"__init__": head, "_arrays": render("scene/arrays.py", banner=banner),
-               **{p.name: _module(scene, banner, p) for p in named(scene.precisions)}}
+               **{p.name: _module(scene, plans, banner, p) for p in named(scene.precisions)}}
     return {f"{scene.name}/{name}.py": text for name, text in modules.items()}
 
 
@@ -45,8 +48,9 @@ def _dictionary(name: str, entries: Sequence[tuple[str, float]]) -> str:
     return listed(f"{name} = {{", [f"{key!r}: {value!r}" for key, value in entries], "}")
 
 
-def _module(scene: SceneFunctions, banner: str, precision: Precision) -> str:
-    functions, plans = scene.functions, scene_text.plans(scene)
+def _module(scene: SceneFunctions, plans: Sequence[Plan], banner: str, precision: Precision
+            ) -> str:
+    functions = scene.functions
     called = {op for f in functions for op in f.program.counts} & set(NUMPY_NAMES)
     names = {NUMPY_NAMES[op] for op in called} | {"errstate", precision.numpy_type}
     if any(NotANumber() in x.operands for f in functions for x in f.program.instructions):

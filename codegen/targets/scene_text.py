@@ -118,13 +118,13 @@ def _check(function: Function) -> None:
         seen.add(step.name)
 
 
-_LONGEST = 150
+VALUE_WIDTH = 150
 """Characters of a value in double precision, at most: two lines."""
 
 
 def plans(scene: SceneFunctions) -> list[Plan]:
     """What is assigned in each function: the same in all languages and precisions."""
-    return [planned(f.program, language(f.program, DOUBLE), access(f.program), _LONGEST)
+    return [planned(f.program, language(f.program, DOUBLE), access(f.program), VALUE_WIDTH)
             for f in scene.functions]
 
 

@@ -1,1 +1,1 @@
-"""The command line: what it writes, says and refuses."""
+"""Tests of the command line: its files, output and errors."""

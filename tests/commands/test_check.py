@@ -1,4 +1,4 @@
-"""coscrew check: what it passes is right, what it fails is wrong."""
+"""coscrew check passes correct runs and fails wrong ones."""
 
 import math
 from dataclasses import replace

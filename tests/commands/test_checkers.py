@@ -1,4 +1,4 @@
-"""What checkers of code say of it: nothing."""
+"""Checkers of the source code find nothing."""
 
 import subprocess
 import sys
@@ -13,7 +13,7 @@ ROOT = Path(__file__).parents[2]
 
 
 def checked(*words: str | Path) -> None:
-    """A checker, a module of Python's, has nothing to say."""
+    """A checker, run as a Python module, reports nothing."""
     done = subprocess.run([sys.executable, "-m", *map(str, words)], cwd=ROOT, capture_output=True,
                           text=True)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -1,4 +1,4 @@
-"""How commands end: interrupted, or with nobody reading on."""
+"""How commands end: by an interrupt, or when the reader of their output closes it."""
 
 import os
 import signal
@@ -64,7 +64,7 @@ def test_an_actuator_without_a_kind_is_told_which_there_are(tmp_path, capsys):
 @pytest.mark.parametrize("command", ("effects", "simulate SCENE", "check SCENE",
                                      "cost SCENE --until 0.1"))
 def test_a_closed_pipe_is_no_error(tmp_path, command):
-    """What nobody reads is not written, and nothing is said of it."""
+    """A closed pipe ends the command without a message."""
     scene = tmp_path / "scene.toml"
     scene.write_text(texts.SPRING)
     read, write = os.pipe()

@@ -1,1 +1,1 @@
-"""What is emitted: its meaning, its bits under every compiler and flag, its calls."""
+"""Tests of emitted text: its meaning, its bits under every compiler and flag, its calls."""

@@ -1,20 +1,20 @@
-"""What is no array of double or single numbers, nor of integers, is a TypeError that names it."""
+"""Arguments other than arrays of double or single numbers or integers are named TypeErrors."""
 
 import pickle
 import re
 from fractions import Fraction
+from importlib import import_module
 
 import numpy as np
 import pytest
 
 import coscrew
-import coscrew.accurate
-import coscrew.certified
 from coscrew import _dispatch
 from coscrew_codegen.operations import OPERATIONS
+from coscrew_codegen.tiers import TIERS
 
-TIERS = (coscrew, coscrew.accurate, coscrew.certified)
-NAMESPACES = {f"{tier.__name__} {name}": module for tier in TIERS for name, module in (
+PACKAGES = tuple(import_module(tier.package) for tier in TIERS if tier.in_python)
+NAMESPACES = {f"{tier.__name__} {name}": module for tier in PACKAGES for name, module in (
     ("compiled", tier), ("without compilation", __import__(f"{tier.__name__}._dispatch",
                                                           fromlist=["_dispatch"])),
     ("double", tier.double), ("single", tier.single))}
@@ -22,7 +22,7 @@ by_namespace = pytest.mark.parametrize("namespace", NAMESPACES.values(), ids=NAM
 
 
 class Tracer:
-    """Says of itself that it is no array, as JAX's tracers and PyTorch's tensors elsewhere do."""
+    """Refuses to become an array, as JAX's tracers and PyTorch's tensors on other devices do."""
 
     def __init__(self, error: Exception):
         self.error = error
@@ -39,7 +39,7 @@ class Half:
 
 
 class Table:
-    """As a table of pandas, which would pass its columns where rows are meant."""
+    """Like a pandas table, which would pass its columns for rows."""
 
     __pandas_priority__ = 4000
 
@@ -189,7 +189,7 @@ def test_errors_of_others_are_left_alone():
         coscrew.coscrew_scale(np.full(6, 1e200), 1e200)
 
 
-@pytest.mark.parametrize("tier", TIERS[1:])
+@pytest.mark.parametrize("tier", PACKAGES[1:])
 def test_operations_without_a_tier_are_told(tier):
     name = re.escape(tier.__name__)
     with pytest.raises(AttributeError, match=f"^{name} has no 'SO3_exp'; coscrew.SO3_exp is there"):

@@ -50,8 +50,8 @@ def built(folder: Path, command: tuple[str, ...]) -> list[Path]:
 
 @pytest.fixture(scope="module")
 def right(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
-    """The twins' hashes; of the fused tier, which Python has not, those of this machine's C, whose
-    libm rounds an fma once."""
+    """The twins' hashes; for the fused tier, which Python does not have, those of this machine's C,
+    whose libm rounds an fma once."""
     fused = kernels("fused")
     folder = tmp_path_factory.mktemp("fused")
     (folder / "fused.c").write_text(text(fused, planes=False))

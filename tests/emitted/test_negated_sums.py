@@ -1,4 +1,4 @@
-"""No sum that a product is fused into is negated: gcc would have another sign of its zero."""
+"""No sum with a fused product is negated: with gcc the sign of a zero would differ."""
 
 import random
 from collections.abc import Iterator

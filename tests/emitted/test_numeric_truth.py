@@ -1,4 +1,4 @@
-"""What emitted functions beyond symbolic comparison compute, in C and Python: in 60 digits.
+"""Emitted functions that cannot be compared symbolically, in C and Python: in 60 digits.
 
 Their text equals their kernel, to the last of 50 digits; their text, with constants as emitted but
 nothing else rounded, is their truth but for a fraction of u.

@@ -61,7 +61,7 @@ def twin(operation: Operation, precision: Precision, inputs: Arrays) -> Arrays:
 
 @functools.lru_cache(maxsize=1)
 def samples(operation: Operation, precision: Precision) -> tuple[Arrays, Arrays]:
-    """Inputs, and what the twin makes of them."""
+    """Inputs, and the twin's outputs."""
     rows = ceil(OUTPUTS / sum(a.quantity.size for a in operation.outputs))
     inputs = inputs_of(operation, precision, rows)
     return inputs, twin(operation, precision, inputs)
@@ -124,8 +124,8 @@ def test_bits_equal_those_of_the_twin(operation: Operation, precision: Precision
 @each_compiler
 @each_precision
 def test_contraction_would_be_noticed(precision: Precision, compiler: str, folder: Path):
-    """Where there is an FMA, contracted CoAd(D) c has other bits; the headers contract nothing,
-    unless KSL_CONTRACT_OFF tells clang, wrongly here, that its flags see to that."""
+    """With an FMA, contracted CoAd(D) c has other bits; the headers prevent contraction, unless
+    KSL_CONTRACT_OFF tells them, here wrongly, that clang's flags do."""
     operation = next(op for op in OPERATIONS if op.name == "product_CoAdc")
     inputs, want = samples(operation, precision)
     flags = (*OPTIMISED, "-ffp-contract=fast")

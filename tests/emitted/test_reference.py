@@ -1,4 +1,4 @@
-"""The reference is true: what it shows is what the kernels compute, and how they are called."""
+"""The reference is correct: its formulas are what the kernels compute, its calls work."""
 
 import ast
 import inspect
@@ -42,7 +42,7 @@ def test_all_formulas_are_latex_that_docutils_knows():
 
 
 def test_prototypes_are_those_of_the_headers(tmp_path):
-    """C allows to declare a function again, if only it is the same."""
+    """C allows a function to be declared twice if both declarations are the same."""
     prototypes = [prototype for page in PAGES.values()
                   for prototype in re.findall(r"```c\n(.*?)```", page, re.DOTALL)]
     text = "".join(prototypes)
@@ -88,7 +88,7 @@ def shown(operation: Operation) -> list[str]:
 @pytest.mark.parametrize("operation", [op for op in OPERATIONS if shown(op)],
                          ids=lambda operation: operation.name)
 def test_formulas_shown_are_what_kernels_compute(operation):
-    """The LaTeX, read back and evaluated, gives the kernel's result but for rounding."""
+    """The LaTeX, read back and evaluated, gives the kernel's result except for rounding."""
     draw = np.random.default_rng(5)
     inputs = [draw.uniform(0.5, 2, argument.quantity.shape) for argument in operation.inputs]
     results = getattr(coscrew.double, operation.name)(*inputs)

@@ -1,1 +1,1 @@
-"""Laws of spatial algebra, exactly; and how near the kernels come to the truth."""
+"""Laws of spatial algebra, exactly; and the errors of kernels."""

@@ -1,4 +1,4 @@
-"""Every input says what it may be, and what is drawn for it is that: ordinary and hard numbers."""
+"""Every input has a domain, and the ordinary and hard numbers drawn for it are in that."""
 
 from collections.abc import Callable
 from pathlib import Path

@@ -15,7 +15,7 @@ from tests.support.truth import judge
 NAMES = tuple(op.name for op in TABLE.values() if "may overflow" in op.tested_bounds)
 ROWS, JUDGED = 400, 6
 SHORTER = 2.0**-900
-TWIN_IN_SINGLE = 4  # u that NumPy's own sine and arctangent may be off by
+TWIN_IN_SINGLE = 4  # u: errors of NumPy's sine and arctangent
 
 each_name = pytest.mark.parametrize("name", NAMES)
 

@@ -31,7 +31,7 @@ TABLE = {op.name: op for op in MOTIONS}
 Arrays = tuple[np.ndarray, ...]
 Evaluate = Callable[[Operation, Precision, Arrays], Arrays]
 
-# NumPy's own sine, cosine and arctangent of float32 are off by up to 4 ulp, the C library's by 1.
+# NumPy's sine, cosine and arctangent of float32 have errors of up to 4 ulp, the C library's of 1.
 TWIN_IN_SINGLE = 3  # u more than stated
 LARGEST_ANGLE = {"double": 1e13, "single": 1e5}  # of bounds of what turns by any angle
 
@@ -117,8 +117,8 @@ def test_angles_beyond_pi(name: str, precision: Precision):
 @each_precision
 @pytest.mark.parametrize("name", ["SO3_exp", "SO3_leftJacobian", "quaternion_exp", "SE3_exp"])
 def test_angles_beyond_the_domain(name: str, precision: Precision):
-    """Rotations but for 2^-14, by angles off by rounding: the correction of θ, of the first order,
-    is below 2^-7.  Where θ² overflows, NaN."""
+    """Rotations within 2^-14, whose angles have rounding errors: the first-order correction of θ is
+    below 2^-7.  NaN where θ² overflows."""
     operation = TABLE[name]
     for size in (LARGEST_ANGLE[precision.name] * 100, 2.0**50):  # still rotations, of other angles
         x = np.zeros((1, operation.inputs[0].quantity.size), precision.numpy_type)
@@ -248,7 +248,7 @@ def test_interpolation_starts_ends_and_keeps_its_speed(draw):
 
 @each_precision
 def test_what_is_no_rotation_is_off_by_as_much(precision: Precision):
-    """R + E with |E| <= ε has the logarithm of the nearest rotation but for 4 ε."""
+    """The logarithm of R + E with |E| <= ε is that of the nearest rotation within 4 ε."""
     rng = np.random.default_rng(9)
     R = rotations(rng, 500).astype(float)
     R = R[np.trace(R, axis1=1, axis2=2) > -0.99]

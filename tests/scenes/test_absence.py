@@ -1,4 +1,4 @@
-"""Absence is total: of an effect that a scene does not call for, not a byte is in its text."""
+"""An effect that a scene does not have leaves not a byte in its text."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""What is asked for is derived, printed and compiled, and nothing else."""
+"""Selected functions are derived, printed and compiled, and no others."""
 
 import re
 from collections.abc import Callable

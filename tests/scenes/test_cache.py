@@ -1,4 +1,4 @@
-"""What is kept of loaded scenes: found again where nothing changed, else made again."""
+"""The cache of loaded scenes: entries are found again if nothing changed, else made again."""
 
 import os
 import shutil

@@ -160,7 +160,7 @@ def test_huge_files_are_not_read(tmp_path):
 
 
 def test_every_byte_of_a_file_may_be_wrong(tmp_path):
-    """Each of these reads, or is a SceneError: nothing else comes out."""
+    """Each of these can be read, or raises a SceneError and no other error."""
     path = tmp_path / "arm.urdf"
     for place in range(0, len(ARM), 11):
         for byte in (b"\0", b"<", b'"', b"&", b"\xff", b"9"):

@@ -1,4 +1,4 @@
-"""Bodies that cannot exist are refused, or let through by name: on joints and on the world."""
+"""Bodies that cannot exist are refused, or accepted and named: on joints and on the world."""
 
 
 import numpy as np

@@ -1,4 +1,4 @@
-"""load_scene: compiled kernels kept by content; without a compiler the same in NumPy."""
+"""load_scene: compiled kernels, cached by content; without a compiler the same in NumPy."""
 
 import os
 import shutil

@@ -1,5 +1,5 @@
-"""A table under the name of a joint or body is that one's, whatever the effect's parameters are
-called; what could be either is refused.  For every effect, by construction."""
+"""A table under the name of a joint or body belongs to it, even if a parameter has the same name; a
+table that could be either is refused.  For every effect, by construction."""
 
 import pytest
 

@@ -8,7 +8,7 @@ import pytest
 
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.scene_functions import Signature
-from coscrew_codegen.targets import scene_calls
+from coscrew_codegen.targets import scene_c_parts, scene_calls
 from coscrew_codegen.targets.scene_text import c_name, count
 from tests.support.compiled.c_harness import C11, COMPILERS, DIALECTS, EXACT, STRICT, run
 from tests.support.compiled.flags import SANITIZERS, has_sanitizers
@@ -22,10 +22,14 @@ DOUBLE_ARITHMETIC = re.compile(
 MATHEMATICS = {"sin", "cos", "atan2", "exp", "tanh", "sqrt", "fabs"}
 
 
-@pytest.fixture(params=CASES)
-def case(request: pytest.FixtureRequest):
+@pytest.fixture(params=(*CASES, "spinner in parts"))
+def case(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch):
     """The functions of one case."""
-    return CASES[request.param]()
+    name, _, cut = request.param.partition(" ")
+    if cut:
+        monkeypatch.setattr(scene_c_parts, "LONG", 0)
+        monkeypatch.setattr(scene_c_parts, "LONGEST", 9)
+    return CASES[name]()
 
 
 @pytest.mark.parametrize("level", ("-O0", "-O3"))

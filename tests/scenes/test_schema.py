@@ -1,4 +1,4 @@
-"""The JSON Schema takes what the reader takes, and refuses unknown keys, types and words."""
+"""The JSON Schema accepts what the reader accepts, and refuses unknown keys, types and words."""
 
 import copy
 import json

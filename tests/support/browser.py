@@ -1,4 +1,4 @@
-"""A real browser without a window: Chromium, driven through chromedriver."""
+"""A headless browser: Chromium, driven through chromedriver."""
 
 import shutil
 from collections.abc import Iterator
@@ -34,6 +34,6 @@ def chromium() -> Iterator[webdriver.Chrome]:
 
 
 def resize(driver: webdriver.Chrome, width: int, height: int, phone: bool = False) -> None:
-    """Give the page a window of this size in CSS pixels, a phone's if it is to be one."""
+    """Give the page a window of this size in CSS pixels, optionally a phone's."""
     driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
         "width": width, "height": height, "deviceScaleFactor": 3 if phone else 1, "mobile": phone})

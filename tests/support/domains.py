@@ -1,4 +1,4 @@
-"""What operations are made for, and how far inputs are from it."""
+"""Draws inputs from the domains of operations, and measures how far inputs are from these."""
 
 import math
 from collections.abc import Sequence
@@ -12,14 +12,14 @@ from coscrew_codegen.quantity import DISPLACEMENT, ROTATION, TURN, UNIT_QUATERNI
 
 
 def domains(operation: Operation) -> tuple[Free, ...]:
-    """What draws each input.  A polynomial takes any numbers, a rotation or not: its bound is
-    proved for them."""
+    """The functions that draw each input.  A polynomial takes any numbers, since its bound is
+    proved for all."""
     return tuple(anything(a.quantity.size) if is_polynomial(operation) else hard(a)
                  for a in operation.inputs)
 
 
 def angle(operation: Operation, given: Sequence[float]) -> float:
-    """Of the input that may turn by any angle; 0 where there is none."""
+    """The angle of the input whose rotation vector may have any length; 0 if there is none."""
     start = 0
     for a in operation.inputs:
         numbers = given[start:start + a.quantity.size]
@@ -30,7 +30,7 @@ def angle(operation: Operation, given: Sequence[float]) -> float:
 
 
 def defect(operation: Operation, given: Sequence[float]) -> float:
-    """How far rotations, unit quaternions and unit vectors among the inputs are from being so."""
+    """The defect of the rotations, unit quaternions and unit vectors among the inputs."""
     worst, start = 0.0, 0
     for a in operation.inputs:
         x = np.reshape(np.array(given[start:start + a.quantity.size], np.longdouble),

@@ -1,4 +1,4 @@
-"""What many tests are run for, one by one."""
+"""Parametrizations that many tests share."""
 
 import pytest
 

@@ -1,7 +1,8 @@
-"""Rotations and displacements to try: angles of every size, next to π and to where a series ends.
+"""Rotations and displacements for tests: angles of every magnitude, near π and near the ends of
+series.
 
-Rotation matrices and quaternions are rounded from 64 bits or more, so that they are off by rounding
-alone.  Seeded by the operation's name: the same numbers in every run.
+Rotation matrices and quaternions are rounded from 64 bits or more, so that rounding is their only
+error.  Seeded by the operation's name: the same numbers in every run.
 """
 
 from collections.abc import Callable
@@ -54,7 +55,7 @@ def angles(rng: Generator, n: int) -> Rows:
 
 
 def axes(rng: Generator, n: int) -> Rows:
-    """Of length 1 to 64 bits: random, nearly in a plane or along an axis, along one."""
+    """Unit vectors to 64 bits: random; nearly in a coordinate plane or along an axis; along one."""
     x = rng.standard_normal((n, 3)).astype(WIDE)
     small = 10**rng.uniform(-20, -2, (n, 3)) * x
     axis, plane = (np.eye(3)[rng.integers(0, 3, n)] for _ in range(2))
@@ -64,7 +65,7 @@ def axes(rng: Generator, n: int) -> Rows:
 
 
 def vectors(rng: Generator, n: int) -> Rows:
-    """1e-6 … 1e6 long."""
+    """Vectors of length 1e-6 to 1e6."""
     return axes(rng, n) * 10**rng.uniform(-6, 6, (n, 1))
 
 
@@ -73,7 +74,7 @@ def rotation_vectors(rng: Generator, n: int) -> Rows:
 
 
 def quaternions(rng: Generator, n: int) -> Rows:
-    """Of norm 1 to 64 bits, w of either sign."""
+    """Quaternions of norm 1 to 64 bits, w of either sign."""
     half = angles(rng, n).astype(WIDE)[:, None] / 2
     q = np.concatenate([np.sin(half) * axes(rng, n), np.cos(half)], axis=1)
     return q * rng.choice((-1, 1), (n, 1))
@@ -85,7 +86,7 @@ def multiples(rng: Generator, n: int) -> Rows:
 
 
 def rotations(rng: Generator, n: int) -> Rows:
-    """The first ones turn by exactly π: about the axes and half-way between two of them."""
+    """Rotations; the first ones by exactly π, about the axes and half-way between two axes."""
     x, y, z, w = quaternions(rng, n).T
     R = np.array([[w*w + x*x - y*y - z*z, 2*(x*y - w*z), 2*(x*z + w*y)],
                   [2*(x*y + w*z), w*w - x*x + y*y - z*z, 2*(y*z - w*x)],

@@ -1,7 +1,7 @@
-"""Where a template, or a text of C or Python, computes.
+"""Finds arithmetic in templates and in text of C or Python.
 
-An operator is + - * / % between two operands, with its assignments (+=); counters (++), signs of
-numbers and pointers are none.  Texts are taken to be spaced as ours: pointers are `real *x`.
+An operator is + - * / % between two operands, or its assignment (+=); counters (++), signs of
+numbers and pointers do not count.  Text is assumed to be spaced as ours: pointers are `real *x`.
 """
 
 import re
@@ -21,7 +21,7 @@ _OPERATOR = re.compile(
 
 
 def text_of(source: str) -> str:
-    """What a template writes, X in its holes."""
+    """The text of a template with X in its holes."""
     found, inside = [], False
     for _, kind, value in jinja2.Environment().lex(source):
         if kind == "data":
@@ -36,7 +36,7 @@ def text_of(source: str) -> str:
 
 
 def operators(source: str, language: str) -> list[str]:
-    """The lines of a template in which something is computed."""
+    """The lines of a template that contain arithmetic."""
     code = re.sub(_LITERALS[language], lambda x: "\n" * x[0].count("\n"), text_of(source),
                   flags=re.DOTALL)
     code = re.sub(_NUMBER, "1", code)

@@ -8,8 +8,8 @@ from contextlib import contextmanager
 
 @contextmanager
 def interruptible(words: Sequence[object], **options: object) -> Iterator[subprocess.Popen]:
-    """The program, running; it heeds SIGINT even where the tests run in the background and ignore
-    it, and does not outlive the test."""
+    """The running program.  It reacts to SIGINT even if the tests run in the background and ignore
+    it, and is ended with the test."""
     process = subprocess.Popen([str(x) for x in words], text=True, preexec_fn=_heed, **options)
     try:
         yield process

@@ -1,4 +1,4 @@
-"""A small made-up report: no figure in it was measured, and its strings and numbers are awkward."""
+"""A small invented report: no figure was measured, and strings and numbers are awkward."""
 
 from math import inf, isnan, nan
 
@@ -78,17 +78,17 @@ def sample_report() -> Report:
 
 
 def variant(entry: Entry) -> str:
-    """What an entry is called."""
+    """The name of an entry."""
     return f"{entry.operation} {entry.precision} {entry.tier}"
 
 
 def layout_name(time: Time) -> str:
-    """What the layout is called that was timed."""
+    """The name of the timed layout."""
     return ", ".join(filter(None, (time.language, time.compiler, time.layout)))
 
 
 def same(found: float, wanted: float) -> bool:
-    """Equal, or both no numbers."""
+    """Whether both are equal, or both NaN."""
     return found == wanted or isnan(found) and isnan(wanted)
 
 

@@ -1,6 +1,6 @@
-"""Input rows for every operation: ordinary numbers and everything floating point can throw at it.
+"""Input rows for every operation: ordinary numbers and all special cases of floating point.
 
-Seeded by the operation's name, so that every run, on every machine, tries the same numbers.
+Seeded by the operation's name, so that every run, on every machine, uses the same numbers.
 """
 
 from collections.abc import Callable
@@ -51,7 +51,8 @@ def zeros(rng: Generator, n: int, inside: np.ndarray, dtype: np.dtype) -> Rows:
 
 
 def few_numbers(rng: Generator, n: int, inside: np.ndarray, dtype: np.dtype) -> Rows:
-    """Of which sums of products are often zero, of either sign, and small beside huge."""
+    """Numbers whose sums of products are often zero, of either sign; small ones next to huge ones.
+    """
     info = np.finfo(dtype)
     numbers = np.array([0, 0, 1, 1, 0.3, 2.5, 7, info.smallest_subnormal, info.max / 8], dtype)
     return rng.choice(numbers, (n, len(inside))) * rng.choice((-1, 1), (n, len(inside)))
@@ -83,7 +84,7 @@ def huge(rng: Generator, n: int, inside: np.ndarray, dtype: np.dtype) -> Rows:
 
 
 def edges(rng: Generator, n: int, inside: np.ndarray, dtype: np.dtype) -> Rows:
-    """Every component is a number where something changes, of either sign."""
+    """Every component is a threshold of floating point or of a kernel, of either sign."""
     info = np.finfo(dtype)
     thresholds = [np.nextafter(dtype.type(x), dtype.type(towards))
                   for x in (1e-9, 1e-6, 1) for towards in (0, x, np.inf)]

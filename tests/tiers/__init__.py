@@ -1,1 +1,1 @@
-"""What each tier promises: proofs, bounds, hard cases, searches for what breaks them."""
+"""The promises of each tier: proofs, bounds, hard cases, searches for counterexamples."""

@@ -1,1 +1,1 @@
-"""Emitted C: compiled, called, read."""
+"""Compiles, calls and parses emitted C."""

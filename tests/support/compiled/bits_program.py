@@ -1,9 +1,9 @@
-"""A C program that prints a hash of each kernel's bits, and the hashes it must print.
+"""A C program that prints a hash of each kernel's bits, and the expected hashes.
 
 Every kernel runs in a loop over an array of structs and in one over a structure of arrays, on
-numbers that C and Python make alike, zeros of either sign among them.  The hashes wanted are those
-of the NumPy twins, which round every operation once on any machine.  What would call libm calls
-stand-ins.
+numbers that C and Python generate identically, including zeros of either sign.  The expected hashes
+are those of the NumPy twins, which round every operation once on any machine.  Calls of libm are
+replaced by stand-ins.
 """
 
 import functools
@@ -25,7 +25,7 @@ from tests.support.truth.attack import plain_program
 
 ROWS = 33  # vectors of any width, and a rest
 FEW = (0.0, -0.0, 1.0, -1.0, 2.0, -2.0, 0.5, -3.0)
-"""Every other row holds these alone: sums of their products are often zero, of either sign."""
+"""Every other row consists of these: sums of their products are often zero, of either sign."""
 WIDEST = 36  # components
 
 HEAD = stand_ins.C + """\
@@ -84,7 +84,7 @@ static NOT_FOLDED uint64_t hashed_{name}(uint64_t hash, const {real} *x, int row
 
 @dataclass(frozen=True)
 class Kernel:
-    """An operation as a tier has it, in one precision."""
+    """An operation in one tier and precision."""
 
     operation: Operation
     precision: Precision
@@ -108,7 +108,7 @@ def kernels(tier: str, names: Sequence[str] = ()) -> tuple[Kernel, ...]:
 
 
 def text(chosen: Sequence[Kernel], planes: bool = True) -> str:
-    """The program; without `planes`, arrays of structs alone."""
+    """The program; without `planes`, only with arrays of structs."""
     headers = sorted({f"ksl_{kernel.tier}" if kernel.tier else "ksl" for kernel in chosen})
     parts = [HEAD, *(f"#include <ksl/{header}.h>" for header in headers),
              *map(numbers_and_hashes, PRECISIONS)]
@@ -122,7 +122,7 @@ def text(chosen: Sequence[Kernel], planes: bool = True) -> str:
 
 
 def wanted(chosen: Sequence[Kernel], planes: bool = True) -> list[str]:
-    """The lines it must print."""
+    """The lines that it must print."""
     layouts = ("rows", "planes") if planes else ("rows",)
     return [f"{kernel.name} {layout} {_hash(kernel):016x}" for kernel in chosen
             for layout in layouts]

@@ -1,9 +1,9 @@
 """Writes a C program that calls every function of the headers, alone and with aliased arguments.
 
 Aliased: an output is the same object as an input, or one is a part of the other (&D.t, &s.lin).
-The program compares each aliased result with that of the same values in objects of their own, byte
-by byte, names those that differ, and returns 0 if none does.  Knows types and layouts, and nothing
-of the arithmetic.
+The program compares each aliased result with that of the same values in separate objects, byte by
+byte, names those that differ, and returns 0 if none does.  Knows types and layouts, but no
+arithmetic.
 """
 
 from collections.abc import Iterator
@@ -116,14 +116,14 @@ def program(precision: Precision, tier: str = "") -> str:
 
 
 def _alone(operation: Operation, precision: Precision, tier: str) -> list[str]:
-    """A test: one call with objects of their own."""
+    """A test: one call with separate objects."""
     arguments = distinct(operation)
     return [*_objects(arguments, precision),
             call_of(operation, precision, {a.name: a.name for a in arguments}, tier)]
 
 
 def _aliased(operation: Operation, precision: Precision, tier: str) -> Iterator[list[str]]:
-    """Tests: each pair of an output and another argument in each place they can share; then, for
+    """Tests: each pair of an output and another argument in each way they can overlap; then, for
     each output, all arguments in it at once."""
     if operation.by_value:
         return

@@ -1,7 +1,7 @@
 """Compiles C, and calls every kernel of the headers on NumPy arrays, row by row.
 
-Rows are what a C program holds, arrays of structs: matrices lie column by column there and row by
-row in NumPy.  Knows names and types, and nothing of the arithmetic.
+Rows are arrays of structs, as in C programs: matrices are stored column by column, while NumPy's
+are stored row by row.  Knows names and types, but no arithmetic.
 """
 
 import ctypes
@@ -26,7 +26,7 @@ INCLUDE = C_FOLDER / "include"
 
 
 def _installed(*names: str) -> tuple[str, ...]:
-    """Those that are here; all on a build server, where `run` says what is missing."""
+    """The installed ones; on a build server all, where `run` reports what is missing."""
     found = tuple(name for name in names if os.environ.get("CI") or shutil.which(name))
     return found or names[:1]
 
@@ -43,7 +43,7 @@ DIALECTS = (*((name, C11) for name in COMPILERS), *((name, CXX17) for name in CX
 
 
 def run(command: Sequence[str | Path]) -> str:
-    """What the command prints; the test fails with everything it said unless it returns 0."""
+    """The command's output; unless it returns 0, the test fails with all of its output."""
     words = [str(word) for word in command]
     if shutil.which(words[0]) is None:
         pytest.fail(f"{words[0]} is not installed; these tests need it")
@@ -132,7 +132,7 @@ def call(library: ctypes.CDLL, operation: Operation, precision: Precision,
     for output in operation.outputs:
         if output.name in rows:
             rows[output.name] = rows[output.name].copy()
-        else:  # a number no kernel writes: what is left out shows
+        else:  # a number that no kernel writes, so that missing outputs are noticed
             shape = (n, *output.quantity.shape[::-1])
             rows[output.name] = np.full(shape, 0.123456789, precision.numpy_type)
     pointers = [rows[a.name].ctypes.data_as(ctypes.c_void_p) for a in distinct(operation)]

@@ -1,8 +1,8 @@
 """Reads the emitted C headers: parses them and evaluates their functions on SymPy symbols.
 
-Knows C as far as the headers use it, and nothing of how they are made.  Memory is a list of cells,
+Knows C as far as the headers use it, but not how they are generated.  Memory is a list of cells,
 one scalar each; the unions' layouts come from their typedefs, so that `D->t.y`, `D->m13` and
-`D->at[3][1]` are one cell.  A cell that nothing was written to cannot be read.
+`D->at[3][1]` are one cell.  Reading an unwritten cell is an error.
 """
 
 import operator
@@ -27,7 +27,7 @@ _MATH = {"fabs": sp.Abs, "sqrt": sp.sqrt, "sin": sp.sin, "cos": sp.cos, "atan2":
 _BINARY = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
            "<": operator.lt, ">=": operator.ge, "==": sp.Eq, "&&": sp.And}
 _PRODUCTS = {"KSL_MUL": "double", "KSL_MULF": "float"}
-"""What a product that is never fused into a sum is called, in each precision."""
+"""The macro for a product that is never fused into a sum, in each precision."""
 _FUNCTION = re.compile(r"^\w[^;{}]*?\b(ksl_\w+)\([^;{}]*\) \{\n.*?^\}\n",
                        re.MULTILINE | re.DOTALL)
 _SIGNS = re.compile(r"(?<=\s)[+-](?=\s)|(?<=[=,(] )-(?=[\w(])|(?<=[(])-(?=[\w(])")
@@ -35,7 +35,7 @@ _SIGNS = re.compile(r"(?<=\s)[+-](?=\s)|(?<=[=,(] )-(?=[\w(])|(?<=[(])-(?=[\w(])
 
 @dataclass(frozen=True)
 class Arithmetic:
-    """What a literal (without its f), an operator and a function of <math.h> mean."""
+    """The meaning of literals (without f), operators and functions of <math.h>."""
 
     literal: Callable[[str], object]
     functions: Mapping[str, Callable]
@@ -85,7 +85,7 @@ class Place:
 
     @classmethod
     def new(cls, kind: Type) -> "Place":
-        """A fresh object that nothing was written to."""
+        """A new, unwritten object."""
         return cls([None] * kind.size, 0, kind)
 
     def member(self, name: str) -> "Place":
@@ -145,7 +145,7 @@ def functions_in(family: str) -> dict[str, str]:
 
 
 def _clean(text: str) -> str:
-    """Without comments, directives and what stands beside formulas, at the end."""
+    """The text without comments, directives and, at the end, functions that are not formulas."""
     text = text.partition(MARK)[0]
     text = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
     text = re.sub(r"^#(.*\\\n)*.*\n", "", text, flags=re.MULTILINE)
@@ -153,8 +153,8 @@ def _clean(text: str) -> str:
 
 
 def sign_flips(text: str, free: tuple[str, ...] = ()) -> Iterator[str]:
-    """The text with one binary + or - turned into the other, or one unary - gone; for each, but in
-    what is called as `free` says."""
+    """For each binary + or -, the text with the other one; for each unary -, the text without it;
+    except in calls named in `free`."""
     for match in _SIGNS.finditer(text):
         called = re.findall(r"(\w+) = ", text[:match.start()])
         if called and called[-1].startswith(free or "="):
@@ -168,7 +168,7 @@ _OTHER = {"+": "-", "-": "+"}
 
 
 def _signs(node: c_ast.Node, free: tuple[str, ...]) -> Iterator[c_ast.BinaryOp | c_ast.UnaryOp]:
-    """The sums, differences and negatives in a function, but in what is called as `free` says."""
+    """The sums, differences and negatives in a function, except in calls named in `free`."""
     if isinstance(node, c_ast.Decl) and node.name.startswith(free or "="):
         return
     if isinstance(node, (c_ast.BinaryOp, c_ast.UnaryOp)) and node.op in _OTHER:
@@ -186,7 +186,7 @@ class Header:
         self._parsed: dict[str, c_ast.FuncDef] = {}
 
     def with_text(self, name: str, text: str) -> "Header":
-        """The same functions, but for the text of one."""
+        """The same functions, with the text of one replaced."""
         return Header(self.types, self.texts | {name: text}, self.arithmetic)
 
     def flips(self, name: str, free: tuple[str, ...] = ()) -> Iterator["Header"]:
@@ -200,7 +200,7 @@ class Header:
             node.op = _OTHER[node.op]
 
     def text(self, name: str) -> str:
-        """The function as it is read."""
+        """The parsed function."""
         return CGenerator().visit(self._function(name))
 
     def with_arithmetic(self, arithmetic: Arithmetic) -> "Header":
@@ -215,13 +215,13 @@ class Header:
         return {p.name: _layout(p.type, self.types) for p in arguments if p.name}
 
     def constant_parameters(self, name: str) -> set[str]:
-        """Those the function promises not to write to."""
+        """The parameters that the function promises not to write to."""
         types = ((p.name, getattr(p.type, "type", None)) for p in
                  self._function(name).decl.type.args.params if p.name)
         return {n for n, t in types if "const" in getattr(t, "quals", [])}
 
     def precisions(self, name: str) -> set[str]:
-        """double or float, whichever its types, literals and functions are."""
+        """double or float, according to its types, literals and functions."""
         return set(self._precisions(self._function(name)))
 
     def call(self, name: str, *arguments: Value) -> Value | None:

@@ -1,4 +1,4 @@
-"""How operations are called in each tier, as users do: gufuncs of plain, C of the tiers behind."""
+"""Calls operations in each tier as users do: gufuncs for plain, C for the other tiers."""
 
 from pathlib import Path
 
@@ -11,7 +11,7 @@ from coscrew_codegen.tiers import TIERS, tier_named
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
 from tests.support.truth.attack import Arrays, Implementation, plain_program
 
-# gcc's vectoriser contracts products of alternating signs, whatever -ffp-contract says.
+# gcc's vectoriser contracts products of alternating signs in spite of -ffp-contract=off.
 FLAGS = ("-O2", "-march=native", "-fno-tree-vectorize", EXACT)
 TIER_NAMES = tuple(tier.name for tier in TIERS)
 

@@ -1,4 +1,4 @@
-"""Flags under which compilers behave otherwise: fused products, sanitizers."""
+"""Flags that change the behaviour of compilers: fused products, sanitizers."""
 
 import os
 import platform
@@ -17,7 +17,7 @@ def _can(*instructions: str) -> bool:
 
 
 FMA = ("-mfma", "-mavx2") if _can("fma", "avx2") else ()
-"""What x86 needs for instructions that fuse; elsewhere they are there."""
+"""Flags that x86 needs for fused instructions; other processors always have them."""
 HASWELL = ("-march=haswell",) if _can("fma", "avx2", "bmi2", "movbe") else ()
 UNHEEDED = "-fassociative-math"  # alone, gcc says so; a pragma may put it in force
 TUNED = ("-march=sapphirerapids",) if _can("avx512_fp16", "amx_tile") else (

@@ -1,8 +1,8 @@
-"""Functions in place of sin, cos, atan2, exp and tanh, which every C library rounds its own way.
+"""Replacements for sin, cos, atan2, exp and tanh, which C libraries round differently.
 
-In C and in NumPy they are the same few operations, each rounded once, so that what calls them has
-the same bits everywhere.  They have the signs, ranges and limits of what they stand for, not its
-values; (cos, sin) lies on the unit circle.
+In C and in NumPy they are the same few operations, each rounded once, so that functions that call
+them have the same bits everywhere.  They have the signs, ranges and limits of the originals, but
+not their values; (cos, sin) lies on the unit circle.
 """
 
 import sys
@@ -50,7 +50,7 @@ C = """\
 #endif
 """ + "".join(_OF_PRECISION.format(real=p.c_type, f=p.suffix) for p in PRECISIONS) + "\n" + "".join(
     f"#define {name}{p.suffix} near_{name}{p.suffix}\n" for p in PRECISIONS for name in _NAMES)
-"""What a C program includes before all else."""
+"""The text that a C program includes first."""
 
 
 def _sin(x: np.ndarray) -> np.ndarray:

@@ -1,1 +1,1 @@
-"""Scenes that tests share, and what runs them."""
+"""Scenes that tests share, and functions that run them."""

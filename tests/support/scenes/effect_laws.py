@@ -1,4 +1,4 @@
-"""What tests of effects share: 45 digits, and convergence of motions to their law."""
+"""Comparisons for tests of effects: to 45 digits, and convergence of motions to their law."""
 
 from collections.abc import Callable, Sequence
 
@@ -17,7 +17,7 @@ def multiprecise(model: Model, *effects: Applied, **others: object) -> Evaluated
 
 
 def assert_same(found: Sequence, wanted: Sequence) -> None:
-    """Equal to 45 digits of the largest."""
+    """Assert equality to 45 digits of the largest component."""
     size = max(1, *(abs(x) for x in wanted))
     assert len(found) == len(wanted)
     for x, y in zip(found, wanted, strict=True):
@@ -25,8 +25,8 @@ def assert_same(found: Sequence, wanted: Sequence) -> None:
 
 
 def assert_reaches(truth: float, run: Callable[[int], float], steps: int, order: int = 4) -> None:
-    """run(n) tends to the truth with n^-order, and to nothing else: at 2n, to a quarter of its
-    error, which must be below a millionth."""
+    """Assert that run(n) converges to the truth with n^-order, and that its error at 2n is below a
+    millionth."""
     coarse, fine = run(steps), run(2 * steps)
     error = (fine - coarse) / (2**order - 1)
     assert abs(fine + error - float(truth)) <= abs(error) / 4, (coarse, fine, float(truth))

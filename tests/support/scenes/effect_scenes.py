@@ -1,7 +1,7 @@
 """A mechanism with all kinds of joints, and effects on it as data: scenes of any of them.
 
-`python -m tests.support.scenes.effect_scenes viscous` prints the hashes of what is
-generated for all effects but viscous: also with a generator that lacks that effect's file.
+`python -m tests.support.scenes.effect_scenes viscous` prints the hashes of the files generated
+for all effects except viscous; it also works with a generator that lacks that effect's file.
 """
 
 import json
@@ -61,7 +61,7 @@ PLACES: Mapping[str, Sequence[tuple[str, Mapping]]] = {
 
 
 def mechanism() -> Model:
-    """A free body that carries a turning arm, a slider on it, and a ball joint at its end."""
+    """A free body with a revolute arm, a slider on it, and a ball joint at its end."""
     full = (3, 4, 5, HALF, Fraction(1, 3), Fraction(-1, 4))
     return chain((Kind.FREE, Z, HERE, inertia(5, (HALF, 0, 1), full)),
                  (Kind.REVOLUTE, Y, at(1, 0, HALF), inertia(2, (0, HALF, 1), full)),
@@ -70,7 +70,7 @@ def mechanism() -> Model:
 
 
 def arm() -> Model:
-    """Its arm and slider alone, on a base that does not move."""
+    """Only its arm and slider, on a fixed base."""
     whole = mechanism()
     kinds = (Kind.FIXED, Kind.REVOLUTE, Kind.PRISMATIC, Kind.FIXED)
     return replace(whole, joints=tuple(replace(joint, kind=kind) for joint, kind in
@@ -78,17 +78,17 @@ def arm() -> Model:
 
 
 def effects(*names: str) -> tuple[Applied, ...]:
-    """The effects of these names where they act."""
+    """The effects of these names, applied to their joints and bodies."""
     return tuple(applied(name, on, **values) for name in names for on, values in PLACES[name])
 
 
 def all_but(name: str) -> Scene:
-    """The scene of all effects but one."""
+    """The scene of all effects except one."""
     return scene(arm(), *effects(*(x for x in PLACES if x != name)))
 
 
 def hashes(made: Scene) -> dict[str, str]:
-    """Of the text of each file of a scene."""
+    """Hashes of the texts of a scene's files."""
     return {path: sha256(text.encode()).hexdigest()
             for path, text in scene_files(derive(made)).items()}
 

@@ -1,6 +1,6 @@
-"""The functions of a scene as their Programs say: on floats, 50-digit numbers or Fractions.
+"""Evaluates the Programs of a scene's functions on floats, 50-digit numbers or Fractions.
 
-Shares nothing with the targets but the Programs, and needs no compiler.
+Shares only the Programs with the targets, and needs no compiler.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -19,14 +19,14 @@ from coscrew_codegen.scene_functions import SceneFunctions
 
 @dataclass(frozen=True)
 class Numbers:
-    """The numbers a scene's functions are evaluated on, and how those of the caller become such."""
+    """A kind of numbers for evaluation, and the conversion of the caller's numbers to it."""
 
     arithmetic: Arithmetic
     number: Callable[[object], object]
 
 
 def _rational(number: Callable) -> Callable[[object], object]:
-    """Fractions divided out, all else as `number` takes it."""
+    """The number converted: Fractions by division, others by `number`."""
     return lambda x: number(x.numerator) / number(x.denominator) if isinstance(x, Fraction) \
         else number(x)
 
@@ -40,11 +40,11 @@ def _floats(number: type, precision: str) -> Numbers:
 DOUBLE, SINGLE = _floats(np.float64, "double"), _floats(np.float32, "single")
 MULTIPRECISE = Numbers(by_operation(lambda x: _rational(mpmath.mpf)(x.double), exactly(mpmath)),
                        _rational(mpmath.mpf))
-"""In the precision of mpmath's context, constants too."""
+"""Numbers and constants in the precision of mpmath's context."""
 
 
 def rational(circle: Mapping[Fraction, tuple[Fraction, Fraction]]) -> Numbers:
-    """Fractions, with (sin, cos) of the angles that occur: rational points of the circle."""
+    """Fractions; the sine and cosine of each angle are given, as rational points of the circle."""
     odd = {**circle, **{-q: (-s, c) for q, (s, c) in circle.items()}}
     functions = {**exactly(), Op.SIN: lambda q: odd[q][0], Op.COS: lambda q: odd[q][1]}
     return Numbers(by_operation(lambda x: x.double, functions), Fraction)
@@ -57,10 +57,10 @@ def evaluator(program: Program, numbers: Numbers) -> Callable[[Sequence], list]:
 
 class Evaluated:
     """The functions of a scene by name: f("forward_dynamics", q=…, v=…, tau=…) is a list of
-    numbers, or of a scalar output the number.
+    numbers, or a number for a scalar output.
 
-    What a function does not take may be given and is left out; p is, if not given, what the scene
-    says, and t is zero."""
+    Inputs that a function does not take are ignored; p defaults to the scene's values, t to zero.
+    """
 
     def __init__(self, scene: Scene, numbers: Numbers = DOUBLE,
                  functions: SceneFunctions | None = None):
@@ -85,7 +85,7 @@ def _components(value: object) -> Sequence:
 
 
 class Moving:
-    """A state (t, q, v) of a scene that takes steps; positions move as `integrated` says."""
+    """A state (t, q, v) of a scene that takes steps; positions move by `integrated`."""
 
     def __init__(self, scene: Scene, q: Sequence, v: Sequence, numbers: Numbers = DOUBLE,
                  tau: Sequence | None = None):

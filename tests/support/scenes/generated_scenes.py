@@ -1,4 +1,4 @@
-"""Scenes' functions written down by hand, so that files can be tested without a derivation.
+"""Functions of scenes written by hand, so that files can be tested without a derivation.
 
 `slider` moves two masses along lines: rational arithmetic alone, time, parameters, choices.
 `pendulum` has one coordinate and one parameter, and calls every function there is.

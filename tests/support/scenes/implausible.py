@@ -35,7 +35,7 @@ BODIES = {
     "lwa_link": ('<mass value="2"/><origin xyz="0 0.1 0.05"/>', "lacks <inertia>"),
     "sdh_link": ('<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>', "lacks <mass>"),
 }
-"""By the name of the body: its <inertial>, and what is wrong with it."""
+"""Body → its <inertial> and the expected error."""
 
 
 def robot(body: str) -> str:

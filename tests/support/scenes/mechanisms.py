@@ -27,7 +27,7 @@ X, Y, Z = (tuple(Fraction(int(i == k)) for i in range(3)) for k in range(3))
 
 
 def numbers(*values: object) -> tuple[Fraction, ...]:
-    """Exact numbers of integers, of strings such as "0.1", of fractions."""
+    """Exact numbers from integers, strings such as "0.1", and fractions."""
     return tuple(x if isinstance(x, Parameter) else Fraction(x) for x in values)
 
 
@@ -37,12 +37,12 @@ def inertia(mass: object, com: tuple = (0, 0, 0), moments: tuple = (0,) * 6) -> 
 
 
 def at(*t: object) -> Placement:
-    """Unturned, here."""
+    """A placement with this origin, without rotation."""
     return Placement(I, numbers(*t))
 
 
 def applied(name: str, on: str = "", **values: Setting | int) -> Applied:
-    """An effect of the catalogue; what is left out is as its parameters default to."""
+    """An effect of the catalogue; missing parameters have their default values."""
     effect = CATALOGUE[name]
     found: dict[str, Setting] = {p.name: None if p.default == "model" else p.default
                                  for p in effect.parameters}
@@ -63,7 +63,7 @@ def _setting(value: object) -> Setting:
 
 
 def gravity(*g: object) -> Applied:
-    """As given; of nothing, 9.81 m/s^2 along -z."""
+    """Gravity g, by default 9.81 m/s^2 along -z."""
     return applied("gravity", g=numbers(*(g or (0, 0, "-9.81"))))
 
 
@@ -75,7 +75,8 @@ def scene(model: Model, *effects: Applied, **others: object) -> Scene:
 
 def chain(*links: tuple[Kind, tuple, Placement, Inertia], name: str = "chain",
           **of_joints: Mapping[str, object]) -> Model:
-    """Joints j0, j1, … before bodies b0, b1, …: each link its kind, axis, placement and inertia."""
+    """A chain of joints j0, j1, … and bodies b0, b1, …, each with kind, axis, placement, inertia.
+    """
     bodies, joints = [], []
     for n, (kind, axis, placement, body) in enumerate(links):
         bodies.append(Body(f"b{n}", body))
@@ -95,14 +96,14 @@ def slider(mass: object = 1, axis: tuple = X) -> Model:
 
 
 def pendulum(mass: object = 1, length: object = 1) -> Model:
-    """A point mass hung up by a massless rod, which turns about y: at rest it hangs along -z."""
+    """A point mass on a massless rod that rotates about y; at rest it hangs along -z."""
     return chain((Kind.REVOLUTE, Y, HERE, inertia(mass, (0, 0, -Fraction(length)))),
                  name="pendulum")
 
 
 def free_body(mass: object = 1, com: tuple = (0, 0, 0),
               moments: tuple = (1, 1, 1, 0, 0, 0)) -> Model:
-    """A body that nothing holds."""
+    """A body on a free joint."""
     return chain((Kind.FREE, Z, HERE, inertia(mass, com, moments)), name="free_body")
 
 

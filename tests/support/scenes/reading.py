@@ -1,4 +1,4 @@
-"""A scene file whose model tests of readers share, and what reads it."""
+"""A scene file with a model that tests of readers share, and functions that read it."""
 
 import pytest
 
@@ -74,7 +74,7 @@ ARM = """<?xml version="1.0"?>
 
 @pytest.fixture
 def read(tmp_path):
-    """Reads a scene with MODEL unless it brings its own."""
+    """Read a scene, with MODEL unless it has its own model."""
 
     def read(head="", tail="", model=MODEL, name="arm.toml"):
         path = tmp_path / name

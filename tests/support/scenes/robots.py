@@ -37,7 +37,7 @@ def path_of(file: str) -> Path:
 
 @dataclass(frozen=True)
 class Robot:
-    """A robot as both see it.  `follow` maps our speeds to Pinocchio's."""
+    """A robot in both libraries.  `follow` maps our velocities to Pinocchio's."""
 
     functions: SceneFunctions
     model: "pin.Model"
@@ -57,7 +57,7 @@ class Robot:
         return q, v, a
 
     def theirs(self, q: np.ndarray) -> np.ndarray:
-        """q as Pinocchio orders it."""
+        """q in Pinocchio's order."""
         model, f = self.model, self.functions
         found = pin.neutral(model)
         one = np.zeros(f.nv)  # coordinates with one number, at their speeds' places

@@ -1,4 +1,4 @@
-"""Running error analysis: numbers at 50 digits with a bound of what a precision makes of them."""
+"""Running error analysis: numbers to 50 digits with bounds on their errors in a precision."""
 
 from dataclasses import dataclass
 
@@ -22,7 +22,7 @@ class Bounded:
     u: mpf
 
     def _rounded(self, exact: mpf, carried: mpf, units: int = 1) -> "Bounded":
-        """`carried` is what the operands' errors make of the result."""
+        """`carried` is the error of the result due to those of the operands."""
         return Bounded(exact, carried + units * self.u * (abs(exact) + carried), self.u)
 
     def __add__(self, other: "Bounded") -> "Bounded":
@@ -60,7 +60,7 @@ def _root(x: Bounded) -> Bounded:
 
 
 def _contracting(function):
-    """Of slopes within 1."""
+    """A function whose derivative is at most 1."""
     return lambda x: x._rounded(function(x.exact), x.error, FUNCTION)
 
 

@@ -1,4 +1,4 @@
-"""Runs of scenes beside reference figures, and the bound that both precisions' errors must keep.
+"""Compares runs of scenes with reference values, and bounds their errors in both precisions.
 
 Figures of one quantity ("v", "pose") make a vector; errors are the largest of its components.  A
 run with the finer steps (half as long; tolerances a thousandth as large) may be off by
@@ -24,7 +24,7 @@ from coscrew_codegen.simulate.system import System, system
 from tests.references.figures import Figure
 
 ROUNDOFF = {"double": 2.0**-53, "single": 2.0**-24}
-NUDGE = 1e-6  # relative change of the start that tells the derivatives
+NUDGE = 1e-6  # relative change of the start for the derivatives
 FINER = {"rk4": 2, "dop853": 1000}
 
 
@@ -39,7 +39,7 @@ class Compared:
 
     @property
     def bound(self) -> float:
-        """What the error must not exceed."""
+        """The bound on the error."""
         return self.integration + self.rounding
 
 

@@ -1,4 +1,4 @@
-"""A C program that prints a hash of the bits of each of a scene's functions, and the hashes wanted.
+"""A C program that prints a hash of the bits of each of a scene's functions; the expected hashes.
 
 Those are of the generated Python package, which rounds every operation once on any machine.  What
 would call libm calls stand-ins.  The scene has a free body, a joint, and all effects that joints
@@ -38,7 +38,7 @@ _EFFECTS = (
 
 @functools.cache
 def functions() -> SceneFunctions:
-    """Of a free body that carries another one on a turning joint."""
+    """Functions of a free body with another one on a revolute joint."""
     moments = (3, 4, 5, _HALF, Fraction(1, 3), Fraction(-1, 4))
     model = chain((Kind.FREE, Z, HERE, inertia(5, (_HALF, 0, 1), moments)),
                   (Kind.REVOLUTE, Y, at(1, 0, _HALF), inertia(2, (0, _HALF, 1), moments)),
@@ -87,7 +87,7 @@ def _function(f: Signature, p: Precision) -> str:
 
 
 def _given(name: str, number: int, size: int, p: Precision) -> list[str]:
-    """Fills an input: q lies about where the scene is at rest; no operation but its sum rounds."""
+    """Fills an input: q is near the scene's neutral position; only the sum for it rounds."""
     upper, f = functions().name.upper(), p.suffix
     value, lines = f"number_{p.name}({number}, k, row)", []
     if name in ("q", "p"):
@@ -102,7 +102,7 @@ def _given(name: str, number: int, size: int, p: Precision) -> list[str]:
 
 @functools.cache
 def wanted(folder: Path) -> list[str]:
-    """The lines it must print."""
+    """The lines that it must print."""
     package = imported(functions(), folder)
     modules = {p: getattr(package, p.name) for p in PRECISIONS}
     with np.errstate(all="ignore"), stand_ins.in_numpy(package.__name__):
@@ -122,7 +122,7 @@ def _hash(module: ModuleType, f: Signature, p: Precision) -> int:
             if "t" in given:
                 given["t"] = given["t"] + given["h"]
         found = (given["q"], given["v"])
-    assert all(np.isfinite(x).all() for x in found), f.name  # or nothing would be compared
+    assert all(np.isfinite(x).all() for x in found), f.name  # NaN would not be compared
     return hashed(found)
 
 

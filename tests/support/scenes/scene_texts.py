@@ -1,10 +1,10 @@
-"""Scenes whose motions have closed forms, and those forms with many digits."""
+"""Scenes whose motions have closed forms, and these closed forms to many digits."""
 
 import mpmath as mp
 
 GRAVITY = 9.81
 
-# A point mass at the end of a rod of 1 m, let go level at x = -1.
+# A point mass at the end of a horizontal rod of 1 m, released at x = -1.
 PENDULUM = """
 precision = "both"
 [bodies.rod]
@@ -37,7 +37,7 @@ atol = 1e-12
 
 MASS, STIFFNESS, DAMPING = 2, 100, 1
 
-# A block on a damped spring, let go 0.1 m from its rest.
+# A block on a damped spring, released 0.1 m from its equilibrium.
 SPRING = f"""
 precision = "both"
 runtime = ["block.mass"]

@@ -1,4 +1,4 @@
-"""Arguments of a scene's functions, drawn; and what of their results is the same."""
+"""Draws arguments of a scene's functions, and compares their results."""
 
 from random import Random
 
@@ -22,7 +22,7 @@ def inputs(function: Signature, kind: str, *lead: int, special: bool = False):
 
 
 def same_bits(a: object, b: object) -> bool:
-    """The same arrays or tuples of them: shape, type, bits; any NaN is as good as another."""
+    """Whether arrays, or tuples of them, have the same shapes, types and bits; NaN are equal."""
     if isinstance(a, tuple) or isinstance(b, tuple):
         return isinstance(a, tuple) and isinstance(b, tuple) and all(map(same_bits, a, b))
     a, b = np.asarray(a), np.asarray(b)

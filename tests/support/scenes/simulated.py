@@ -1,4 +1,4 @@
-"""What tests of simulations share: scenes' files, kernels, runs."""
+"""Files, kernels and runs that tests of simulations share."""
 
 from pathlib import Path
 
@@ -34,7 +34,7 @@ def run(kernels, precision="double", **asked):
 
 
 def told(path, capsys, command: str, text: str, *words: str) -> tuple[int, str]:
-    """The command's exit status and what it says."""
+    """The command's exit status and output."""
     path.write_text(text)
     status = main([command, str(path), *words])
     said = capsys.readouterr()

@@ -1,1 +1,1 @@
-"""What is right, and how far from it a result may be: exact, or in many digits."""
+"""Exact results, or to many digits, and the errors that are allowed."""

@@ -64,8 +64,8 @@ def rows(operation: Operation, precision: Precision, count: int, seed: int) -> A
 
 
 def extreme_rows(operation: Operation, precision: Precision, count: int, seed: int) -> Arrays:
-    """Inputs of every kind floating point has, and such that a product of two underflows and meets
-    a third that is huge."""
+    """Inputs of every kind of floating-point number, and such that a product of two underflows and
+    is multiplied by a huge third."""
     numbers = np.random.default_rng([seed, len(operation.name), precision.bytes])
     size = sum(a.quantity.size for a in operation.inputs)
     least, most = {"double": (-1074, 1020), "single": (-149, 124)}[precision.name]
@@ -81,8 +81,8 @@ def extreme_rows(operation: Operation, precision: Precision, count: int, seed: i
 
 @dataclass
 class Worst:
-    """The largest error found, as a multiple of its bound, with its input; and the largest in ulp
-    among results whose condition S / |x| is below the precision's CONDITION."""
+    """The largest error relative to its bound, with its input; and the largest in ulp among results
+    whose condition S / |x| is below the precision's CONDITION."""
 
     ratio: float = 0.0
     witness: tuple[str, ...] = ()
@@ -133,7 +133,7 @@ def compare(operation: Operation, precision: Precision, tier: str, given: Sequen
 
 def _compare_certified(operation: Operation, given: Sequence[float], got: Sequence[float],
                        worst: Worst) -> None:
-    """`got` holds the results, then their bounds; where one is not finite it claims nothing."""
+    """`got` holds the results, then their bounds; a bound that is not finite makes no statement."""
     if not all(map(math.isfinite, given)):
         return
     values, half = [mpq(x) for x in given], len(got) // 2

@@ -1,5 +1,5 @@
-"""Bounds of what results give back: rows that are orthonormal, angles whose rotation is R, V A V^T
-that stays the same."""
+"""Backward errors of results: of orthonormal rows, of angles of the rotation R, of an unchanged
+V A V^T."""
 
 import functools
 import math
@@ -56,7 +56,7 @@ BACKWARD = {
         lambda A, V, Ao, Vo: Vo * _symmetric(Ao) * Vo.T - V * _symmetric(A) * V.T,
         lambda A, V, Ao, Vo: sp.Max(*map(sp.Abs, _symmetric(A))))}
 
-# What may be NaN instead: rows that depend on each other, but for so many u.
+# Results may be NaN instead if rows are linearly dependent within so many u.
 MAY_DEPEND, DEPENDENT = ("mat3x3_normalize", "mat3x3_normalized"), 64
 
 
@@ -85,7 +85,7 @@ def _evaluate(operation: Operation) -> Callable[..., tuple[list[mp.mpf], mp.mpf]
 
 def ratio(operation: Operation, precision: Precision, given: Sequence[float],
           got: Sequence[float], slack: float) -> float:
-    """The largest residual as a multiple of its bound, of which k may be larger by `slack`."""
+    """The largest residual relative to its bound with k + `slack`."""
     info = np.finfo(precision.numpy_type)
     u = float(info.eps) / 2
     with mp.workdps(DIGITS):

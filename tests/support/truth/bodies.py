@@ -1,4 +1,4 @@
-"""Spatial inertias and symmetric matrices on exact numbers: what their operations compute.
+"""Exact results of operations on spatial inertias and symmetric matrices.
 
 Written from 6×6 operators and determinants; B = (m; h; xx, yy, zz, xy, xz, yz), and with moments
 about the centre of mass, as in KSL, J = (m; m c; xx, yy, zz, xy, yz, zx).
@@ -36,7 +36,7 @@ def operator(B: Matrix) -> Matrix:
 
 
 def ten_numbers(M: Matrix) -> Matrix:
-    """B of its operator."""
+    """B from its operator."""
     return np.array([M[0, 0], M[5, 1], M[3, 2], M[4, 0], *(M[3 + i, 3 + j] for i, j in UPPER)],
                     dtype=object)
 
@@ -95,7 +95,7 @@ def steiner(d: Matrix) -> Matrix:
 
 
 def moments(J: Matrix) -> Matrix:
-    """Of KSL's ten numbers: Ixx, Iyy, Izz, Ixy, Iyz, Izx as a matrix."""
+    """Ixx, Iyy, Izz, Ixy, Iyz, Izx of KSL's ten numbers, as a matrix."""
     xx, yy, zz, xy, yz, zx = J[4:]
     return np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]], dtype=object)
 
@@ -106,12 +106,12 @@ def inertia(m: Fraction, mt: Matrix, I: Matrix) -> Matrix:
 
 
 def spatial(J: Matrix) -> Matrix:
-    """B of KSL's ten numbers."""
+    """B from KSL's ten numbers."""
     return from_com(J[0], J[1:4] / J[0], moments(J))
 
 
 def centroidal(B: Matrix) -> Matrix:
-    """KSL's ten numbers of B: as seen from the centre of mass, but for m c."""
+    """KSL's ten numbers from B: moments about the centre of mass."""
     c = B[1:4] / B[0]
     at_com = transformed(_moved(-c), B)
     return inertia(B[0], B[1:4], second_moments(at_com))
@@ -126,7 +126,7 @@ def _turned(R: Matrix) -> Matrix:
 
 
 def transformed_inertia(J: Matrix, D: Matrix) -> Matrix:
-    """By way of the operator, in the frame D takes its own to."""
+    """B transformed by D, through its operator."""
     return centroidal(transformed(D, spatial(J)))
 
 
@@ -167,4 +167,4 @@ BODIES: dict[str, Callable[..., Matrix | Fraction]] = {
 
 POSITIVE_DEFINITE = ("spatial_inertia_consistency", *(
     f"{kind}_{what}" for kind in ("mat3x3", "mat6x6") for what in ("ldl", "ldl_solve", "solve")))
-"""Operations with laws of their own, since they mean something for positive definite matrices."""
+"""Operations that are tested by laws: they are meaningful for positive definite matrices only."""

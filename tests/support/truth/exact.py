@@ -163,7 +163,7 @@ def moved(D: Matrix, s: Matrix, time: mpmath.mpf) -> Matrix:
     return (array(motion.tolist()) @ multiprecise(homogeneous(D)))[:3]
 
 
-# What operations compute, where one line of matrices says it: name → function of the inputs.
+# Exact results that are one line of matrix algebra: name → function of the inputs.
 
 I3, O3 = eye(3), zeros(3)
 
@@ -248,7 +248,7 @@ FORMULAS: dict[str, Callable[..., Matrix | Fraction | tuple[Matrix, ...]]] = {
     "SE3_toMat4x4": homogeneous,
 }
 
-# Operations that leave the rationals, or round on them.
+# Operations with irrational results, or that round rationals.
 IRRATIONAL = (
     "vec3_l2norm", "vec3_normalize", "vec3_normalized", "screw_norm", "screw_normalize",
     "screw_normalized", "coscrew_norm", "coscrew_normalize", "coscrew_normalized", "dc",

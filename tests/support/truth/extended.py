@@ -1,4 +1,4 @@
-"""A program evaluated in a wider precision, on whole batches: nearly the truth, and fast.
+"""Evaluates a program in a wider precision, on whole batches: nearly exact, and fast.
 
 It shows what rounding costs; not what a truncated series does, nor how exact errors are used:
 programs of the plain tier only.

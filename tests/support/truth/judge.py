@@ -1,4 +1,4 @@
-"""Errors as multiples of what is promised: proven bounds, normwise bounds, relative bounds.
+"""Errors relative to the stated bounds: proven, normwise, relative.
 
 Truth is exact rationals for polynomial operations (attack.py) and 60 digits for all others
 (truths.py).  Where numbers leave the range of the precision, what rounding to subnormal numbers
@@ -37,8 +37,8 @@ DEFECT = 4  # times the input's distance from a rotation: what "off by as much a
 
 @dataclass(frozen=True)
 class Group:
-    """Output components `places`, each off by at most (k + θ slope) u of the largest of them, or of
-    these components of inputs, or of `floor`, if that is larger."""
+    """A bound of (k + θ slope) u M on the error of each of the output components `places`, where M
+    is the largest of them, of these components of inputs, and of `floor`."""
 
     places: tuple[int, ...]
     k: float
@@ -53,13 +53,13 @@ JUDGED = tuple(op for op in OPERATIONS if op in TIERED or op.normwise
 
 @functools.cache
 def tier_program(operation: Operation, precision: Precision, tier: str) -> Program:
-    """What the tier computes."""
+    """The tier's program."""
     return tier_named(tier).program(plain_program(operation), precision)
 
 
 @functools.cache
 def groups(operation: Operation, tier: str) -> tuple[Group, ...]:
-    """What is promised of an operation that is not polynomial."""
+    """The bounds of an operation that is not polynomial."""
     size = sum(a.quantity.size for a in operation.outputs)
     if operation.name in RELATIVE:
         k = 1 if tier == "accurate" and operation.name != "angle_vv" else RELATIVE[operation.name]
@@ -77,8 +77,8 @@ def groups(operation: Operation, tier: str) -> tuple[Group, ...]:
 
 def ratio(operation: Operation, precision: Precision, tier: str, given: Sequence[float],
           got: Sequence[float], extra: float = 0) -> float:
-    """The largest error of a row as a multiple of its bound; `extra` adds to each k.  Certified
-    kernels return results, which are plain's, and then their bounds."""
+    """The largest error of a row relative to its bound; `extra` is added to each k.  Certified
+    kernels return plain's results, then their bounds."""
     if tier == "certified":
         half = len(got) // 2
         return max(_polynomial(operation, precision, "plain", given, got[:half]),
@@ -91,7 +91,7 @@ def ratio(operation: Operation, precision: Precision, tier: str, given: Sequence
     try:
         expected = truth(operation, precision, tuple(given))
     except ZeroDivisionError:
-        return 0.0  # nothing is promised of quotients by zero
+        return 0.0  # there is no bound for division by zero
     found = _normwise(operation, precision, tier, given, got, expected, extra)
     if found > 1:
         near = 32 + DEFECT * _defect_in_u(operation, precision, given)
@@ -123,7 +123,7 @@ def _polynomial(operation: Operation, precision: Precision, tier: str, given: Se
 
 def _certified(operation: Operation, given: Sequence[float], got: Sequence[float],
                bounds: Sequence[float]) -> float:
-    """A bound that is not finite claims nothing."""
+    """A bound that is not finite makes no statement."""
     values, worst = [mpq(x) for x in given], 0.0
     for (exact, _), result, bound in zip(exact_functions(operation), got, bounds, strict=True):
         if math.isfinite(bound):
@@ -139,8 +139,8 @@ def _limit(precision: Precision) -> mpq:
 
 def _underflow(operation: Operation, precision: Precision, tier: str,
                magnitudes: Sequence[mpq]) -> mpq:
-    """What roundings to subnormal numbers may add: nothing where no product of inputs, nor what
-    cancellation and exact errors leave of it, comes near them."""
+    """The error that rounding to subnormal numbers may add: zero if no product of inputs, even
+    after cancellation and in rounding errors, comes near them."""
     info, u = np.finfo(precision.numpy_type), UNIT[precision.name]
     degree = max(len(m) for bound in bounds(operation, precision, "plain") for m in bound.terms)
     smallest = min([mpq(1), *filter(None, magnitudes)])
@@ -169,5 +169,5 @@ def _normwise(operation: Operation, precision: Precision, tier: str, given: Sequ
 
 
 def _defect_in_u(operation: Operation, precision: Precision, given: Sequence[float]) -> float:
-    """How far rotations and unit vectors among the inputs are from being so, beyond rounding."""
+    """The defect of rotations and unit vectors among the inputs, beyond rounding."""
     return max(0.0, defect(operation, given) / float(UNIT[precision.name]) - 8)

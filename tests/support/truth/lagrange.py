@@ -25,7 +25,7 @@ Circle = Mapping[Fraction, tuple[Fraction, Fraction]]  # angle → (sin, cos)
 
 @dataclass(frozen=True)
 class Motion:
-    """A chain at q, with speeds v and accelerations a of the joints that are free to move."""
+    """A chain at q, with velocities v and accelerations a of the joints that follow no other."""
 
     model: Model
     circle: Circle
@@ -34,7 +34,7 @@ class Motion:
     a: Sequence[Fraction]
     gravity: Sequence[Fraction]
     armature: Mapping[str, Fraction]
-    follows: bool = False  # whether joints that mimic others do
+    follows: bool = False  # whether joints with a mimic follow their leaders
 
     @cached_property
     def leading(self) -> list[Joint]:
@@ -56,7 +56,7 @@ class Motion:
 
     @cached_property
     def w(self) -> list[PolyElement]:
-        """Speeds."""
+        """Velocities."""
         return list(self._ring.gens[self.n:])
 
     def _coordinate(self, joint: Joint) -> tuple[Fraction, PolyElement]:
@@ -181,8 +181,7 @@ class Motion:
         return array(columns).T
 
     def reaction(self, joint: Joint) -> list[Fraction]:
-        """Force and moment that give all bodies behind the joint their motion, in the first one's
-        frame."""
+        """The net force and moment of all bodies beyond the joint, in the frame of the first."""
         behind = {joint.child}
         for other in self.model.joints:
             behind |= {other.child} if other.parent in behind else set()

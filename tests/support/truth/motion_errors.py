@@ -13,7 +13,7 @@ Objects = np.ndarray  # of mpf
 
 def truth_of(operation: Operation, row: tuple[Matrix, ...],
              rounding: mp.mpf) -> list[list[Objects]]:
-    """What the operation should return: alternatives, each an array per output."""
+    """The exact results: alternatives, each with an array per output."""
     with mp.workdps(DIGITS):
         truth = TRUTHS[operation.name](*row)
         return [as_arrays(x) for x in alternatives(operation.name, truth, rounding)]
@@ -39,8 +39,8 @@ def unit(precision: Precision) -> mp.mpf:
 
 def errors(operation: Operation, given: list[Objects], found: list[Objects],
            truths: list[list[Objects]]) -> dict[str, mp.mpf]:
-    """Of each part that has a bound, the largest error as a part of its largest component, or of
-    the parts of inputs that are named beside it; against the nearest of the truths."""
+    """For each part with a bound, the largest error relative to its largest component, or to the
+    parts of inputs named in the bound; for the closest of the alternatives."""
     return min((_errors(operation, given, found, truth) for truth in truths),
                key=lambda parts: max(parts.values()))
 

@@ -26,8 +26,8 @@ def norm(x: Matrix) -> mp.mpf:
 
 
 def exponential_series(A: Matrix, first: int = 0) -> Matrix:
-    """Σ A^k / (k + first)!: exp A for first = 0, the left Jacobian J for first = 1.  Of a large A
-    that of A / 2^n, and then J(2 A) = J(A) (exp A + 1) / 2, exp 2 A = (exp A)²."""
+    """Σ A^k / (k + first)!: exp A for first = 0, the left Jacobian J for first = 1.  For a large A
+    from A / 2^n by J(2 A) = J(A) (exp A + 1) / 2, exp 2 A = (exp A)²."""
     halvings = max(0, mp.frexp(mp.mnorm(A, mp.inf))[1] - 7)
     if not halvings:
         return _series(A, first)
@@ -185,11 +185,11 @@ def _axis_angle(v: Matrix) -> tuple[mp.mpf, Matrix]:
     return n, v / n if n else mp.matrix([1, 0, 0])
 
 
-# Of a rotation by π two rotation vectors, two axes, two quaternions are as true as each other.
+# A rotation by π has two equally valid rotation vectors, axes and quaternions.
 
 
 def the_long_way(v: Matrix) -> Matrix:
-    """The rotation vector of the same rotation that turns by 2π - θ."""
+    """The rotation vector of length 2π - θ of the same rotation."""
     return v * (1 - 2 * mp.pi / norm(v))
 
 
@@ -210,7 +210,7 @@ OTHERS: dict[str, tuple[Callable, Callable]] = {
 
 
 def alternatives(name: str, truth: Matrix | tuple, rounding: mp.mpf) -> list[Matrix | tuple]:
-    """The truth; if it turns by π to within this rounding, the other one too."""
+    """The exact result; if the angle is π to within this rounding, also the other one."""
     if name in OTHERS:
         angle, other = OTHERS[name]
         if angle(truth) > mp.pi - rounding:

@@ -1,4 +1,4 @@
-"""Emitted text and kernels evaluated in 60 digits, with their constants as emitted.
+"""Evaluates emitted text and kernels to 60 digits, with the emitted constants.
 
 In exact arithmetic the corrections of rounding errors vanish, and with them any mistake in them.
 So, where asked for, roots, quotients, multiples of GRID, sums with them, and squares of such sums,
@@ -29,17 +29,17 @@ DIGITS = 60
 
 @dataclass(frozen=True)
 class Rules:
-    """How numbers come to be: constants rounded to a precision or not, likewise some operations."""
+    """Rules for numbers: whether constants and some operations are rounded to a precision."""
 
     precision: Precision
     rounds: bool = False
-    exact: bool = False  # constants as the formulas have them
+    exact: bool = False  # whether constants are exact, as in formulas
 
     def number(self, value: object) -> "Number":
         return value if isinstance(value, Number) else Number(mp.mpmathify(value), self)
 
     def literal(self, text: str) -> "Number":
-        """The number of this precision the text stands for."""
+        """The number in this precision that the text denotes."""
         return self.number(float(np.dtype(self.precision.numpy_type).type(text)))
 
     def constant(self, value: sp.Rational) -> "Number":
@@ -128,7 +128,7 @@ _SYMPY = {sp.Equality: operator.eq, scaled: operator.mul, sp.Abs: _FUNCTIONS["ab
 
 
 def can_evaluate(expression: sp.Expr) -> bool:
-    """Whether it holds no functions that only stand for something, as formulas may."""
+    """Whether the expression contains none of the special functions of formulas."""
     return {type(f) for f in expression.atoms(sp.Function)} <= {*_SYMPY, sp.Piecewise}
 
 
@@ -152,7 +152,8 @@ def python_function(function: FunctionType, rules: Rules) -> FunctionType:
 
 
 class Evaluator:
-    """SymPy expressions under rules; `seen` collects the conditions met and how they came out."""
+    """SymPy expressions under rules; `seen` collects the conditions that were tested, with results.
+    """
 
     def __init__(self, rules: Rules, values: Mapping[sp.Symbol, Number]):
         self.rules, self.values = rules, dict(values)

@@ -1,4 +1,4 @@
-"""What operations that leave the rationals compute, in 60 digits, component by component.
+"""Results of operations with irrational values, to 60 digits, component by component.
 
 The truth is motions.py where it has the operation, else its formula.  Half a turn has two
 rotation vectors: where the shorter way round cannot be told from rounded inputs, `other_way`
@@ -35,7 +35,7 @@ from tests.support.truth.motions import (
 
 Components = list[mp.mpf]
 
-# Of an axis whose length rounding has changed, the formula says what is meant, and exp does not.
+# For an axis whose length was changed by rounding the formula is right, and exp is not.
 _STATED = ("mat3x3_from_axis_angle",)
 
 
@@ -58,7 +58,7 @@ def _formula(operation: Operation, precision: Precision) -> Callable[..., Compon
 
 def other_way(operation: Operation, given: Sequence[float],
               tolerance: float) -> Components | None:
-    """The result by way of the rotation vector v - 2 π v / |v|; None where |v| < π - tolerance."""
+    """The result from the rotation vector v - 2 π v / |v|; None where |v| < π - tolerance."""
     if operation.name not in _OTHER:
         return None
     vector, result = _OTHER[operation.name]

@@ -1,4 +1,4 @@
-"""Polynomial programs in arithmetic so wide that their own errors hardly count, on whole batches.
+"""Evaluates polynomial programs on whole batches, in arithmetic whose own errors are negligible.
 
 Numbers of single precision are computed with in long double, of double precision in pairs of long
 doubles hi + lo, |lo| <= ulp(hi)/2.  With w = 2^-64, long double's u, each operation is off by at
@@ -27,7 +27,7 @@ _UNIT = {"single": 2.0**-64, "double": 2.0**-125}  # of an operation: e
 
 @dataclass(frozen=True)
 class Wide:
-    """hi + lo; no lo where hi is all there is."""
+    """hi + lo; lo is None if it is zero."""
 
     hi: np.ndarray
     lo: np.ndarray | None = None
@@ -97,7 +97,7 @@ def _sum(program: Program, terms: Polynomial, sizes: np.ndarray) -> np.ndarray:
 
 def linear(program: Program, component: int, place: int,
            rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(p, q) with component = p + q · input number `place`; q is not a number if there is none."""
+    """(p, q) with component = p + q · input number `place`; q is NaN if there is none."""
     places, columns = _places(program), rows.astype(WIDE).T
     parts = np.zeros((2, len(rows)), WIDE)
     for monomial, coefficient in bounds_of(program)[component].terms.items():

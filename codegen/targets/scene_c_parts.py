@@ -1,0 +1,137 @@
+"""Long functions of a scene in C: in parts, each a function of its own, those that several of the
+functions need written once.
+
+Compilers take time that grows faster than a function's length, so no part is long.  What parts hand
+on to each other stands in structures on the stack of the function that calls them.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import groupby
+
+from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.program import Input, Program, Ref
+from coscrew_codegen.program.parts import Cut, Group, cut
+from coscrew_codegen.recording.recorder import headings
+from coscrew_codegen.scene_functions import Function, SceneFunctions
+from coscrew_codegen.targets import scene_c_arguments as arguments
+from coscrew_codegen.targets.c_function import Body, CFunction, Stored
+from coscrew_codegen.targets.c_nested import declarations, language
+from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
+from coscrew_codegen.targets.nesting import Assignment, Nesting, Plan
+from coscrew_codegen.targets.scene_text import VALUE_WIDTH, access, c_name, outputs, printable
+
+LONG = 4000
+"""Instructions of a scene's longest function up to which all are written whole: those of arms with
+seven joints are shorter, and would be slower in parts."""
+LONGEST = 600
+"""Instructions of a part, at most: those of a few links."""
+
+
+def _cuts(plans: Sequence[Plan]) -> dict[str, Cut]:
+    """Functions in parts, by name: if one of the scene's is long, those longer than a part."""
+    programs = [plan.program for plan in plans]
+    if max((len(x.instructions) for x in programs), default=0) <= LONG:
+        return {}
+    return cut([x for x in programs if len(x.instructions) > LONGEST], LONGEST)
+
+
+class Parts:
+    """The functions of a scene that are cut; its functions are planned so."""
+
+    def __init__(self, scene: SceneFunctions, plans: Sequence[Plan]):
+        self.scene, self.cuts = scene, _cuts(plans)
+        assigned = {plan.program.name: plan.assigned for plan in plans}
+        self._groups = {group.name: group for found in self.cuts.values() for group in found.groups}
+        self._plans = {part.name: self._planned(part, assigned[group.users[0]])
+                       for group in self._groups.values() for part in group.parts}
+        self._words = {f.program.instructions[place].component.rpartition(":")[0]: printable(words)
+                       for f in scene.functions if f.name in self.cuts
+                       for place, words in f.headings}
+        self._inputs = {a.name: a for f in scene.functions for a in f.program.inputs}
+
+    def above(self, function: Function, precision: Precision) -> Iterator[CFunction]:
+        """The parts that no function before this one calls."""
+        for group in self.cuts[function.name].groups:
+            if group.users[0] == function.name:
+                yield from self._parts(group, precision)
+
+    def body(self, function: Function, precision: Precision) -> str:
+        """Calls of the function's parts, and the results."""
+        found = self.cuts[function.name]
+        declared = [f"{self._struct(group, precision)} {group.name};" for group in found.groups]
+        calls = [self._call(group, part, precision)
+                 for group in found.groups for part in group.parts]
+        results = Body(found.last, precision, Stored(
+            self._access(found.last, "."), arguments.targets(outputs(function)),
+            [a.name for a in outputs(function)])).text()
+        return f"{_indented((*declared, *calls))}\n{results}"
+
+    def _parts(self, group: Group, precision: Precision) -> Iterator[CFunction]:
+        *others, last = group.users
+        users = f"{', '.join(others)} and {last}" if others else last
+        members = listed(f"{precision.c_type} ", group.kept, ";", WIDTH - 2)
+        struct = "\n".join((comment_of([f"What parts of {users} hand on."]),
+                            f"{self._struct(group, precision)} {{", _indented([members]), "};"))
+        for number, part in enumerate(group.parts):
+            links = dict.fromkeys(printable(words) for _, words in headings(part))
+            comment = comment_of([f"Of {', '.join(links)}."])
+            yield CFunction(
+                part.name, comment if number else f"{struct}\n\n{comment}",
+                arguments.head(c_name(self.scene, part.name, precision),
+                               [self._parameter(x, group, precision) for x in _taken(group, part)],
+                               f"{self.scene.name.upper()}_PART"),
+                _indented(self._lines(group, part, precision)), internal=True)
+
+    def _lines(self, group: Group, part: Program, precision: Precision) -> Iterator[str]:
+        """Declarations, and stores of what is kept as soon as it is known: nothing else reads the
+        group yet, and what waits for the end takes registers."""
+        kept = {x.name for x in part.results if isinstance(x, Ref)}
+        above = {place: self._words.get(words, printable(words)) for place, words in headings(part)}
+        nesting = self._plans[part.name].printed(
+            language(part, precision), self._access(part, "->"), above)
+        for _, run in groupby(nesting.assigned, lambda x: x if isinstance(x, str)
+                              else x.step.component):
+            assigned = list(run)
+            yield from declarations(assigned, precision, WIDTH - 2)
+            names = [x.step.name for x in assigned if isinstance(x, Assignment)]
+            yield from (f"{group.name}->{x} = {x};" for x in names if x in kept)
+
+    def _planned(self, part: Program, named: frozenset[str]) -> Plan:
+        """The part's plan: what functions have `named`, and what is kept, is assigned."""
+        kept = named.union(x.name for x in part.results if isinstance(x, Ref))
+        found = Nesting(part, language(part, DOUBLE), self._access(part, "->"), VALUE_WIDTH,
+                        named=lambda step: step.name in kept)
+        return Plan(part, frozenset(x.step.name for x in found.assigned
+                                    if isinstance(x, Assignment)))
+
+    def _parameter(self, name: str, own: Group, precision: Precision) -> str:
+        if name in self._groups:
+            const = "" if name == own.name else "const "
+            return f"{const}{self._struct(self._groups[name], precision)} *{name}"
+        return arguments.read(self._inputs[name], precision)
+
+    def _call(self, group: Group, part: Program, precision: Precision) -> str:
+        taken = [f"&{x}" if x in self._groups else x for x in _taken(group, part)]
+        return listed(f"{c_name(self.scene, part.name, precision)}(", taken, ");", WIDTH - 2)
+
+    def _struct(self, group: Group, precision: Precision) -> str:
+        return f"struct {c_name(self.scene, f'{group.name}_values', precision)}"
+
+    def _access(self, program: Program, member: str) -> Callable[[Input], str]:
+        plain = access(program)
+
+        def found(operand: Input) -> str:
+            name = program.inputs[operand.argument].name
+            if name in self._groups:
+                return f"{name}{member}{self._groups[name].kept[operand.index]}"
+            return plain(operand)
+        return found
+
+
+def _taken(group: Group, part: Program) -> list[str]:
+    """Names of what a part takes: what it reads, and its group."""
+    return [*(a.name for a in part.inputs if a.name != group.name), group.name]
+
+
+def _indented(lines: Iterable[str]) -> str:
+    return "\n".join(f"  {row}" for line in lines for row in line.split("\n"))
