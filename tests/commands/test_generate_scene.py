@@ -198,7 +198,7 @@ def test_single_precision_alone(folder: Path, asked: str):
     start = "#ifndef ARM_NO_SINGLE"
     assert alone[alone.index(start):] == both[both.index(start):]
     header = (folder / "out" / "arm.h").read_text()
-    assert "in single precision alone" in header and "tau = M(q) a" in header
+    assert "in single precision only" in header and "tau = M(q) a" in header
     assert "double" not in alone[alone.index(start):] and "(double" not in header
     for compiler, dialect in DIALECTS:
         run([compiler, *dialect, *STRICT, "-c", folder / "out" / "arm.c", "-o", folder / "x.o"])
