@@ -1,4 +1,4 @@
-"""The functions of a scene: each a recording of its own, which holds what its outputs need."""
+"""The functions of a scene: each is recorded separately, with only what its outputs need."""
 
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
@@ -45,12 +45,12 @@ _BODY_FRAME = "in the frame of the body, at its origin"
 
 def derive(scene: Scene, functions: Collection[str] = (),
            tell: Callable[[str], None] = lambda name: None) -> SceneFunctions:
-    """The functions that a scene asks for, or those of these names that it has, and internal ones
-    that their steps call.  `tell` is told the name of each before it is derived.
+    """The functions that a scene selects, or those with these names that it has, and the internal
+    functions that their steps call.  `tell` is called with each name before it is derived.
 
-    Raises RangeError for numbers that a precision it is generated in cannot hold, ModelError for a
-    model whose mass matrix is singular whatever q is, AskedError for functions it cannot have, and
-    for more joints than a compiler takes."""
+    Raises RangeError for numbers that one of its precisions cannot represent, ModelError for a
+    model whose mass matrix is singular at every q, AskedError for functions that it cannot have,
+    and for too many joints."""
     refuse_many(scene)
     refuse_numbers(scene)
     with uncollected():
@@ -67,16 +67,16 @@ def is_timed(scene: Scene) -> bool:
 
 
 def tree_for(scene: Scene) -> Tree:
-    """The tree a scene simulates: joints follow others where an effect lets them."""
+    """The tree of a scene's model; joints follow others if the scene has the effect mimic."""
     return tree_of(scene.model, any(x.effect.mimic for x in scene.effects))
 
 
 class _Derivation:
-    """The functions one by one, each recorded from its inputs."""
+    """Records the functions one by one, each from its inputs."""
 
     def __init__(self, scene: Scene, tell: Callable[[str], None] = lambda name: None):
         self.scene, self.tree, self.tell = scene, tree_for(scene), tell
-        self.names = identifiers([link.name for link in self.tree.links])
+        self.names = identifiers([link.name.removesuffix("_link") for link in self.tree.links])
         bodies = [body.name for body in scene.model.bodies]
         self.bodies = dict(zip(bodies, identifiers(bodies), strict=True))
         nq, nv, units = self.tree.nq, self.tree.nv, "positions in m, angles in rad"
@@ -84,15 +84,15 @@ class _Derivation:
             "t": array("t", (), "time in s"), "h": array("h", (), "step in s"),
             "p": array("p", (len(scene.parameters),), "parameters"),
             "q": array("q", (nq,), f"coordinates: {units}, unit quaternions (x, y, z, w)"),
-            "v": array("v", (nv,), "speeds in m/s, rad/s"),
+            "v": array("v", (nv,), "velocities in m/s, rad/s"),
             "a": array("a", (nv,), "accelerations in m/s^2, rad/s^2"),
             "tau": array("tau", (nv,), "forces and torques of joints in N, N m"),
-            "phi": array("phi", (nv,), "displacements along the speeds, in m, rad"),
+            "phi": array("phi", (nv,), "displacements along the velocities, in m, rad"),
         }
         self.timed = is_timed(scene)
 
     def functions(self, names: Collection[str]) -> SceneFunctions:
-        """What targets need."""
+        """The functions of these names, for targets."""
         scene, tree = self.scene, self.tree
         wanted = names or asked_for(scene)
         steps = [x for x in EMITTED if x.step_name in wanted]
@@ -108,8 +108,8 @@ class _Derivation:
             tuple(found), (), scene.precisions, self.timed), steps)
 
     def _makers(self) -> dict[str, Callable[[], Function | None]]:
-        """What makes each function, by name, in the order in which they are emitted; None of what
-        the scene does not have."""
+        """Name → the method that makes the function, in the order in which they are emitted; it
+        returns None if the scene does not have the function."""
         return {
             "inverse_dynamics": self._inverse, "forward_dynamics": self._forward,
             "mass_matrix": self._mass, "bias_torques": self._bias,
@@ -125,9 +125,8 @@ class _Derivation:
             "closing_contacts": self._closing, "parts": self._parts}
 
     def _refuse_absent(self, found: set[str]) -> None:
-        """Raise AskedError for a function that is asked for by its name and that only scenes of
-        another kind have."""
-        for several, reason in ((FREE, "nothing floats free"), (CONTACTS, "no limit closes")):
+        """Raise AskedError for a selected function that only scenes of another kind have."""
+        for several, reason in ((FREE, "no base floats"), (CONTACTS, "no limit closes")):
             for name in several:
                 if name in self.scene.functions and name not in found:
                     raise AskedError(f"{self.scene.name}: there is no {name}: {reason} in the "
@@ -138,7 +137,7 @@ class _Derivation:
     def _function(self, name: str, words: str, inputs: str, outputs: Sequence[Argument],
                   compute: Callable[[Recording], Results],
                   dynamic: bool = True, acted: bool = False) -> Function:
-        """A function of these inputs, with p if it is of the dynamics, t if effects act in it."""
+        """A function of these inputs, with p if it is `dynamic`, and t if effects act in it."""
         given = [*(["t"] if acted and self.timed or "t" in inputs.split() else []),
                  *(["h"] if "h" in inputs.split() else []),
                  *(["p"] if dynamic and self.scene.parameters else []),
@@ -161,12 +160,12 @@ class _Derivation:
         return function
 
     def _heading(self, words: str) -> str:
-        """A link's name with how it moves: "forearm: elbow turns about y"."""
+        """A link's name and motion: "forearm: elbow turns about y"."""
         link = next((x for x in self.tree.links if x.name == words), None)
         return f"{words}: {link.joint.in_words}" if link else words
 
     def _at_rest(self) -> dict[str, tuple[float, ...]]:
-        """Inputs by name: neutral coordinates, parameters' values, nothing moves."""
+        """Inputs by name, at rest: neutral coordinates, default parameters, zero velocities."""
         zero = {name: (0.0,) * a.quantity.size for name, a in self.inputs.items()}
         return {**zero, "q": coordinates.neutral(self.tree), "h": (self.scene.run.step,),
                 "p": tuple(float(x.value) for x in self.scene.parameters)}
@@ -181,7 +180,7 @@ class _Derivation:
 
         return self._function(
             "inverse_dynamics", "tau = M(q) a + bias_torques(q, v): what the joints must supply "
-            "for the accelerations a, beside the effects", "q v a", [self._tau()], compute,
+            "for the accelerations a, besides the effects", "q v a", [self._tau()], compute,
             acted=True)
 
     def _bias(self) -> Function:
@@ -230,7 +229,7 @@ class _Derivation:
             return None
         free = ", ".join(self.tree.links[n].name for n in self._floating)
         return self._function(
-            "free_momentum", f"c = (p; L) of what floats free ({free}, and what hangs on it): "
+            "free_momentum", f"c = (p; L) of each floating tree ({free}, and all bodies on it): "
             "linear momentum, and angular momentum about its centre of mass, in the world's axes",
             "q v", [self._momenta], lambda x: [floating.momentum(x, self._floating)])
 
@@ -239,16 +238,18 @@ class _Derivation:
             return None
         self.inputs["c"] = self._momenta
         return self._function(
-            "with_free_momentum", "v, where what floats free moves as a whole so that its momentum "
-            "is c = (p; L) after t seconds of gravity, (p + m g t; L): after each step it undoes "
-            "what integration and rounding change, for all times", "t q v c", [self.inputs["v"]],
+            "with_free_momentum", "v, with the velocity of each floating base corrected so that "
+            "the momentum of its tree is (p + m g t; L), c = (p; L) after t seconds of gravity: "
+            "after each step it removes the errors of integration and rounding", "t q v c",
+            [self.inputs["v"]],
             lambda x: [floating.corrected(x, self._floating)])
 
     @cached_property
     def _closes(self) -> Function:
         return self._function(
-            "closing_contacts", "count: how many limits are closed, or would be if joints moved on "
-            "with v for h", "h q v", [array("count", ())], lambda x: [[leapfrog.closing(x)]])
+            "closing_contacts", "count: the number of limits that are closed, or would be after "
+            "moving with v for h", "h q v", [array("count", ())],
+            lambda x: [[leapfrog.closing(x)]])
 
     def _closing(self) -> Function | None:
         return self._closes if self._closes.program.instructions else None
@@ -257,8 +258,8 @@ class _Derivation:
         if not self._closes.program.instructions:
             return None
         return self._function(
-            "parts", "count, part = h/count: in how many parts a step of h is taken, to resolve "
-            "the limits that close; part is not a number where that would be more than "
+            "parts", "count, part = h/count: the number and length of the parts in which a step of "
+            "h is taken, to resolve contacts of limits; part is NaN if count would exceed "
             f"{leapfrog.MOST}", "h q v", [array("count", ()), array("part", (), "in s")],
             lambda x: [[y] for y in leapfrog.split(x)])
 
@@ -275,7 +276,7 @@ class _Derivation:
 
         return self._function(
             "implicit_acceleration", "a with (M + h d + h^2 k) a = -bias_torques(q, v) - h k v, "
-            "where d, k are how the effects' torques fall with v and q", "h q v",
+            "where d, k are the damping and stiffness of the effects", "h q v",
             [self.inputs["a"]], compute, acted=True)
 
     def _mass(self) -> Function:
@@ -295,8 +296,8 @@ class _Derivation:
                      energies.potential(x, motion) + acting.potential()]]
 
         return self._function(
-            "energy", "e = (kinetic, potential) energy; of gravity zero where centres of mass are "
-            "at the world's origin", "q v", [array("e", (2,), "energies in J")], compute,
+            "energy", "e = (kinetic, potential) energy; gravity's is zero for centres of mass at "
+            "the world's origin", "q v", [array("e", (2,), "energies in J")], compute,
             acted=True)
 
     def _power(self) -> Function:
@@ -305,7 +306,7 @@ class _Derivation:
             return [[Acting(self.scene, motion).act().power()]]
 
         return self._function(
-            "power", "P, what effects without potential energy feed in; negative where they "
+            "power", "P, the power of the effects without potential energy; negative if they "
             "dissipate", "q v", [array("P", (), "power in W")], compute, acted=True)
 
     def _momentum(self) -> Function:
@@ -347,7 +348,7 @@ class _Derivation:
 
         return self._function(
             name, f"J with J v = (v; w) of {body} {_BODY_FRAME}", "q",
-            [array("J", (6, self.tree.nv), "screws of the speeds")], compute, dynamic=False)
+            [array("J", (6, self.tree.nv), "screws of the velocities")], compute, dynamic=False)
 
     def _reaction(self, name: str, joint: str) -> Function:
         def compute(x: Recording) -> Results:
@@ -358,7 +359,7 @@ class _Derivation:
             return [wrenches[self.tree.links.index(self.tree.link_of(joint))]]
 
         return self._function(
-            name, f"f = (force; moment) that {joint} exerts on the body behind it, "
+            name, f"f = (force; moment) that {joint} exerts on its child, "
             f"{_BODY_FRAME}, while it accelerates with a", "q v a",
             [array("f", (6,), "coscrew in N, N m")], compute, acted=True)
 
@@ -368,8 +369,8 @@ class _Derivation:
             return [coordinates.integrated(x.recorder, self.tree, self.names, q, phi)]
 
         return self._function(
-            "integrated", "qo = q moved by phi: by exponentials where there are quaternions, else "
-            "q + phi", "q phi", [array("qo", (self.tree.nq,), "coordinates")], compute,
+            "integrated", "qo = q ⊕ phi: by exponentials for quaternions, else q + phi",
+            "q phi", [array("qo", (self.tree.nq,), "coordinates")], compute,
             dynamic=False)
 
     def _chart(self) -> Function | None:
@@ -381,6 +382,6 @@ class _Derivation:
 
         return self._function(
             "chart_rate", "u = phi' while q = integrated(q0, phi) moves with v: v + [phi, v]/2 + "
-            "[phi, [phi, v]]/12, enough for four orders", "v phi",
+            "[phi, [phi, v]]/12, accurate to fourth order", "v phi",
             [array("u", (self.tree.nv,), "in m/s, rad/s")], compute, dynamic=False)
 

@@ -30,7 +30,7 @@ class Key:
     default: str = ""  # in TOML
     required: bool = False
     table: "TableOf | None" = None
-    one_coordinate: bool = False  # for revolute and prismatic joints alone
+    one_coordinate: bool = False  # only for revolute and prismatic joints
 
 
 @dataclass(frozen=True)
@@ -126,14 +126,14 @@ EXPECT = TableOf('expect."QUANTITY"', "A condition for `coscrew check`: |quantit
     Key("atol", "absolute tolerance", "nonnegative", default="0")))
 
 SCENE = TableOf("", "The file itself.", (
-    Key("model", "a URDF file beside the scene; without it the tables `bodies` and `joints` are "
+    Key("model", "a URDF file next to the scene; without it the tables `bodies` and `joints` are "
         "the model"),
     Key("base", "whether the root is fixed or moves freely", choices=tuple(BASES)),
     Key("name", "name of the files and the package, and prefix of the C functions: a C identifier",
         default="the file's name"),
-    Key("precision", 'of runs; "both" runs both and shows the difference.  Both are generated '
-        'unless this is "double", which is necessary if a number exceeds single precision\'s range '
-        "(1.2e-38 to 3.4e38)", choices=PRECISIONS),
+    Key("precision", 'of runs, and of the files of `coscrew generate`; without it double is run '
+        'and both are generated; "both" runs both and shows the difference.  "double" is necessary '
+        "if a number exceeds single precision's range (1.2e-38 to 3.4e38)", choices=PRECISIONS),
     Key("implausible", '"warn" accepts inertias that no body has, that are massless or '
         "incomplete, and reports them; on the command line --implausible warn",
         choices=(ERROR, WARN)),

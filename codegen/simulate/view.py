@@ -13,10 +13,11 @@ from pathlib import Path
 import numpy as np
 
 import coscrew
+from coscrew_codegen.parameter import Parameter, Scalar
 from coscrew_codegen.render import render
-from coscrew_codegen.scene.model import WORLD, Inertia, Joint, Kind, Parameter, Scalar
+from coscrew_codegen.scene.model import WORLD, Inertia, Joint, Kind
 from coscrew_codegen.simulate.plan import Trajectory
-from coscrew_codegen.simulate.provenance import Provenance
+from coscrew_codegen.simulate.recording import Provenance
 from coscrew_codegen.simulate.system import System
 from coscrew_codegen.simulate.write import delivered
 
@@ -27,15 +28,18 @@ _LEAST_SHOWN = 3.0  # s: least duration of a playback at the initial speed
 _SPEEDS = ((0.1, "0.1×"), (0.25, "0.25×"), (0.5, "0.5×"), (1, "1×"), (2, "2×"), (5, "5×"))
 
 
+Entries = list[dict[str, object]]
+
+
 @dataclass(frozen=True)
 class Drawn:
     """What is drawn: each entry is fixed to the body of a number, -1 the world, in its frame."""
 
-    shapes: list[dict] = field(default_factory=list)  # body, shape: half sides, place as a pose
-    lines: list[dict] = field(default_factory=list)  # body, points, rod: to a centre of mass?
-    slides: list[dict] = field(default_factory=list)  # body, point, child: from point to its origin
-    joints: list[dict] = field(default_factory=list)  # body, point
-    extent: list[dict] = field(default_factory=list)  # body, points: what the camera shows
+    shapes: Entries = field(default_factory=list)  # body, shape: half sides, place as a pose
+    lines: Entries = field(default_factory=list)  # body, points, rod: to a centre of mass?
+    slides: Entries = field(default_factory=list)  # body, point, child: from point to its origin
+    joints: Entries = field(default_factory=list)  # body, point
+    extent: Entries = field(default_factory=list)  # body, points: what the camera shows
 
 
 def view(system: System, trajectory: Trajectory, provenance: Provenance, path: Path) -> None:
@@ -58,7 +62,7 @@ def page(system: System, trajectory: Trajectory, provenance: Provenance) -> str:
     sentence = (f"{count} {'body' if count == 1 else 'bodies'}, {trajectory.t[-1]:g} s, "
                 f"{dict(provenance)['integrator']}, {system.precision.name} precision.")
     shown = "" if t[-1] == trajectory.t[-1] else (
-        f"The playback ends at t = {t[-1]:.6g} s: what comes then is too large to be shown.")
+        f"The playback ends at t = {t[-1]:.6g} s: the rest is too large to be shown.")
     speed = max((x for x, _ in _SPEEDS if x <= 1 and x * _LEAST_SHOWN <= t[-1]),
                 default=_SPEEDS[0][0])
     return render("view/page.html", speed=speed, name=scene.name, sentence=sentence, bodies=names,
@@ -100,7 +104,7 @@ def _up(system: System) -> list[float]:
     """The direction opposite to gravity, or z without gravity."""
     for applied in system.scene.effects:
         if applied.effect.name == "gravity":
-            g = np.array([_number(system, x) for x in applied.values["g"]])
+            g = np.array([_number(system, x) for x in applied.vector("g")])
             if np.any(g):
                 return list(-g / np.linalg.norm(g))
     return [0.0, 0.0, 1.0]
