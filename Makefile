@@ -34,8 +34,8 @@ build: $(VENV)/ready
 	@$(COMPILED) || echo "no working C compiler: coscrew runs in pure NumPy (gcc or clang, and the \
 	headers of Python, compile it)" >&2
 
-COMPILED = $(PYTHON) -c "import sys, coscrew, coscrew.accurate as a, coscrew.certified as c; \
-    sys.exit(not (coscrew.COMPILED and a.COMPILED and c.COMPILED))"
+COMPILED = $(PYTHON) -c "from pathlib import Path; from coscrew_codegen.build import compiled; \
+    raise SystemExit(not compiled(Path()))"
 
 $(VENV)/built: $(SOURCES) codegen/build.py
 	$(PIP) install --no-build-isolation --no-deps --editable .

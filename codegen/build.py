@@ -5,6 +5,7 @@ in the folders that the generator has written."""
 
 import os
 from collections.abc import Iterable
+from importlib import import_module
 from pathlib import Path
 
 from setuptools import Extension
@@ -28,6 +29,12 @@ def extensions(root: Path) -> list[Extension]:
     coscrew.TIER._gufunc for each other tier."""
     return [_extension(root, module.parent) for module in sorted(
         (root / _GUFUNC).rglob("module.c"), key=lambda path: (len(path.parts), path))]
+
+
+def compiled(root: Path) -> bool:
+    """Whether every package that has an extension runs in it."""
+    return all(import_module(extension.name.removesuffix("._gufunc")).COMPILED
+               for extension in extensions(root))
 
 
 def _extension(root: Path, folder: Path) -> Extension:

@@ -46,21 +46,32 @@ def _ascii(character: str) -> str:
 
 
 @contextmanager
+def status_line() -> Iterator[Callable[[str], None] | None]:
+    """While the block runs, a line on standard error: yields a function that changes it, or None if
+    standard error is not a terminal.  The line is erased at the end."""
+    if sys.stderr is None or not sys.stderr.isatty():
+        yield None
+        return
+
+    def show(words: str) -> None:
+        sys.stderr.write(f"\r\x1b[K{words}")
+        sys.stderr.flush()
+
+    try:
+        yield show
+    finally:
+        show("")
+
+
+@contextmanager
 def doing(what: str) -> Iterator[Callable[[str], None]]:
     """While the block runs, show a line such as "deriving …" on standard error if it is a terminal.
 
     Yields a function that changes the line; the line is erased at the end."""
-    told = sys.stderr is not None and sys.stderr.isatty()
+    with status_line() as show:
+        def tell(words: str) -> None:
+            if show:
+                show(f"{words} …")
 
-    def tell(words: str) -> None:
-        if told:
-            sys.stderr.write(f"\r\x1b[K{words} …")
-            sys.stderr.flush()
-
-    tell(what)
-    try:
+        tell(what)
         yield tell
-    finally:
-        if told:
-            sys.stderr.write("\r\x1b[K")
-            sys.stderr.flush()

@@ -180,8 +180,9 @@ def _evaluator(operation: Operation,
 
 def _constants(precision: Precision) -> list[mpmath.mpf]:
     """The values of PER_PRECISION, as numbers of this precision."""
-    values = (Constant(*(Fraction(int(x.p), int(x.q)) for x in pair))
-              for pair in PER_PRECISION.values())
+    values = (Constant(Fraction(int(double.p), int(double.q)),
+                       Fraction(int(single.p), int(single.q)))
+              for double, single in PER_PRECISION.values())
     return [mpmath.mpf(float(precision.rounded(precision.value(x)))) for x in values]
 
 

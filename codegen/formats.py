@@ -4,7 +4,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
-from math import ceil
+from math import ceil, log10
 
 import numpy as np
 
@@ -22,6 +22,11 @@ class Format:
     def u(self) -> Fraction:
         """The unit roundoff: half the distance from 1 to the next number."""
         return Fraction(1, 2**self.digits)
+
+    @property
+    def decimals(self) -> int:
+        """Significant decimals that tell any two numbers apart: 17, 9."""
+        return ceil(self.digits * log10(2)) + 1
 
     @property
     def eta(self) -> Fraction:

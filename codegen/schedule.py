@@ -31,8 +31,9 @@ from coscrew_codegen.program import (
     Ref,
 )
 
-_NAMED = {symbol: Constant(*(Fraction(int(x.p), int(x.q)) for x in values))
-          for symbol, values in PER_PRECISION.items()}
+_NAMED = {symbol: Constant(Fraction(int(double.p), int(double.q)),
+                           Fraction(int(single.p), int(single.q)))
+          for symbol, (double, single) in PER_PRECISION.items()}
 
 
 def plain(kernel: Kernel) -> Program:

@@ -26,8 +26,6 @@ LONG = frozenset("""
 """Files that take more than five seconds of processor time, even with few parameters."""
 FEW = 6
 
-EXTENDED = ("coscrew", "coscrew.accurate", "coscrew.certified")
-
 
 @pytest.fixture(params=["double", "single"])
 def k(request: pytest.FixtureRequest) -> "Exact":
@@ -58,9 +56,12 @@ def pytest_configure(config: pytest.Config) -> None:
     """Report stale extensions once and stop, instead of failing in some test."""
     if config.getoption("--stale-extensions") or hasattr(config, "workerinput"):
         return
+    from coscrew_codegen.build import extensions
+
+    extended = [x.name.removesuffix("._gufunc") for x in extensions(Path(__file__).parents[1])]
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", RuntimeWarning)
-        stale = [name for name in EXTENDED if not importlib.import_module(name).COMPILED]
+        stale = [name for name in extended if not importlib.import_module(name).COMPILED]
     if stale:
         said = sorted({str(x.message) for x in caught if "pure NumPy" in str(x.message)})
         raise pytest.UsageError("\n".join((

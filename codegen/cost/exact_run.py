@@ -11,6 +11,7 @@ import numpy as np
 from mpmath import mpf
 
 from coscrew_codegen.cost import CostError
+from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.program.interpreter import by_operation, evaluate, exactly
 from coscrew_codegen.simulate.system import System
 
@@ -34,7 +35,7 @@ def exact_end(system: System, until: float, digits: int) -> tuple[np.ndarray, np
         y, apart = run.end([mpf(float(x)) for part in system.start() for x in part])
         end = np.array(y, float)
     nq = system.functions.nq
-    return system.normalized(end[:nq]), end[nq:], max(float(apart), 2.0**-53)
+    return system.normalized(end[:nq]), end[nq:], max(float(apart), float(DOUBLE.u))
 
 
 def _rates(system: System) -> Rates:

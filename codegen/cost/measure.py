@@ -17,9 +17,10 @@ from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.native.timing import timed_loops
 from coscrew_codegen.program import counts_in_words
-from coscrew_codegen.report.variants import flops
+from coscrew_codegen.program.flops import flops
 from coscrew_codegen.scene_functions import Function
 from coscrew_codegen.simulate import native
+from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.plan import Trajectory, plan
 from coscrew_codegen.simulate.progress import Progress
@@ -58,11 +59,14 @@ class Costs:
         return self.reference is not None and point.error > self.reference.error
 
 
-def measure(kernels: object, asked: Asked, digits: int | None) -> Costs:
+def measure(kernels: Kernels, asked: Asked, digits: int | None) -> Costs:
     """Measure; with `digits`, the reference is computed with so many.  Raises CostError."""
+    scene = kernels.scene
+    if scene is None:
+        raise CostError("these kernels are of no scene file")
     try:
         using = native.compiler()
-        chosen = parts(kernels.scene)
+        chosen = parts(scene)
         built = tuple(_progress((compiled(x, _functions(x), using) for x in chosen), "compiling",
                                 len(chosen)))
     except native.CompilationError as error:
@@ -74,7 +78,7 @@ def measure(kernels: object, asked: Asked, digits: int | None) -> Costs:
     planned = plan(its, asked.until, asked.step, asked.integrator)
     truth = reference(its, planned.until, digits)
     points = work_precision(kernels, built[0], planned, asked, truth) if truth else ()
-    return Costs(kernels.scene.name, str(using), rows, truth,
+    return Costs(scene.name, str(using), rows, truth,
                  tuple(_progress(points, "integrating", None)))
 
 
@@ -83,7 +87,7 @@ def _functions(part: Part) -> tuple[Function, ...]:
     return tuple(f for f in part.public if part.words == WHOLE or f.name in TELLING)
 
 
-def _states(kernels: object, asked: Asked) -> tuple[System, Trajectory]:
+def _states(kernels: Kernels, asked: Asked) -> tuple[System, Trajectory]:
     """A run of the scene, from whose samples the inputs of timed functions are taken."""
     its = system(kernels, "double", dict(asked.settings))
     until = plan(its, asked.until, asked.step, asked.integrator).until
@@ -116,7 +120,7 @@ def _inputs(function: Function, its: System, trajectory: Trajectory) -> list[np.
               "a": accelerations(its, t, q, v), "tau": np.zeros_like(v), "phi": 1e-3 * v,
               "h": np.full(ELEMENTS, 1e-3)}
     if its.has("free_momentum"):
-        values["c"] = its.call("free_momentum", q=q, v=v)
+        values["c"] = np.asarray(its.call("free_momentum", q=q, v=v))
     return [values[a.name] for a in function.program.inputs]
 
 

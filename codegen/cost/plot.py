@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from coscrew_codegen.cost.measure import Costs
 from coscrew_codegen.cost.work_precision import Point
 from coscrew_codegen.native.intervals import Interval
-from coscrew_codegen.report.figures import STYLE
+from coscrew_codegen.plots import STYLE
 from coscrew_codegen.simulate.write import delivered
 
 _COLOURS = {"double": "#0072b2", "single": "#f5a04d"}

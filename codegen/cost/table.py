@@ -24,7 +24,7 @@ def table(costs: Costs) -> str:
 def _functions(costs: Costs) -> str:
     rows = [(x.function, x.flops, *map(_in_words, x.times), x.words)
             for x in costs.rows if x.part == "all effects"]
-    return tabulate(rows, ("all effects", "flops", "double, ns", "single, ns", "operations"))
+    return str(tabulate(rows, ("all effects", "flops", "double, ns", "single, ns", "operations")))
 
 
 def _effects(costs: Costs) -> str:

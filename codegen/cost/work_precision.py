@@ -72,11 +72,11 @@ def reference(system: System, until: float, digits: int | None) -> Reference | N
         return Reference(f"extrapolation with {digits} digits", until, q, v, apart)
     for name, scheme in _ADAPTIVE:
         tightest = _TIGHTEST_IMPLICIT if scheme.implicit else _TIGHTEST
-        ends = [_end(system, until, name, tightest * slack) for slack in (1, 10)]
-        if None not in ends:
-            truth = Reference(f"{name}, rtol {tightest:g}", until, ends[0].q[-1].astype(float),
-                              ends[0].v[-1].astype(float), 0.0)
-            return replace(truth, error=error(system, ends[1].q[-1], truth))
+        end, looser = (_end(system, until, name, tightest * slack) for slack in (1, 10))
+        if end is not None and looser is not None:
+            truth = Reference(f"{name}, rtol {tightest:g}", until, end.q[-1].astype(float),
+                              end.v[-1].astype(float), 0.0)
+            return replace(truth, error=error(system, looser.q[-1], truth))
     return None
 
 

@@ -16,6 +16,7 @@ import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 
 from coscrew_codegen.errors import Told
@@ -200,6 +201,4 @@ def digest(contents: Mapping[str, bytes]) -> str:
 
 
 def _templates() -> Path:
-    import coscrew_codegen.templates
-
-    return Path(next(iter(coscrew_codegen.templates.__path__)))
+    return Path(next(iter(import_module("coscrew_codegen.templates").__path__)))

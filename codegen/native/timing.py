@@ -53,7 +53,7 @@ class Loop:
 
     function: "ctypes._NamedFuncPointer"
     n: int
-    arguments: ctypes.Array
+    arguments: "ctypes.Array[ctypes.c_void_p]"
 
 
 def driver() -> str:
@@ -61,10 +61,10 @@ def driver() -> str:
     return render(DRIVER)
 
 
-def pointers(arrays: Sequence[np.ndarray]) -> ctypes.Array:
+def pointers(arrays: Sequence[np.ndarray]) -> "ctypes.Array[ctypes.c_void_p]":
     """void *[] to these arrays, to which it also holds references."""
     array = (ctypes.c_void_p * len(arrays))(*(a.ctypes.data for a in arrays))
-    array.kept = tuple(arrays)
+    setattr(array, "kept", tuple(arrays))  # noqa: B010  arrays of ctypes take any attribute
     return array
 
 

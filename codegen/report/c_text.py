@@ -111,7 +111,9 @@ def _rows(variant: Variant) -> tuple[list[str], list[str]]:
 def _planes(variant: Variant) -> tuple[list[str], list[str]]:
     """Components gathered from planes, the kernel, results scattered to planes."""
     real, stride = variant.precision.c_type, plane_length(variant.elements, variant.precision.bytes)
-    pointers, gathers, scatters = [], [], []
+    pointers: list[str] = []
+    gathers: list[str] = []
+    scatters: list[str] = []
     for number, a, read in _numbered(variant.operation):
         const, name = ("const ", f"{a.name}_in") if read else ("", f"{a.name}_out")
         pointers.append(f"{const}{real} (*{name})[{stride}] = arguments[{number}];")

@@ -70,9 +70,9 @@ def accuracy(operation: Operation, variant: Variant, benign: Sample, hard: Sampl
     return Accuracy(
         summarised(operation, benign.rows, errors[0], counted[0]),
         summarised(operation, hard.rows, errors[1], fair),
-        bounds and _bound(variant, bounds, [(s.truth, np.where(c, e, 0), r) for s, e, r, c in
-                                            zip((benign, hard), errors, found, counted,
-                                                strict=True)]),
+        _bound(variant, bounds, [(s.truth, np.where(c, e, 0), r) for s, e, r, c in
+                                 zip((benign, hard), errors, found, counted, strict=True)])
+        if bounds else None,
         _by_condition(np.concatenate([s.truth.condition[c] for s, c in
                                       zip((benign, hard), counted, strict=True)]),
                       np.concatenate([e[c] for e, c in zip(errors, counted, strict=True)])))

@@ -8,8 +8,10 @@ from math import isfinite, isnan
 import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import SymmetricalLogLocator
 
 from coscrew_codegen.formats import BY_NAME
+from coscrew_codegen.plots import STYLE
 from coscrew_codegen.report.overview import (
     PRECISIONS,
     first_layout,
@@ -26,11 +28,6 @@ _MARKERS = {"double": "o", "single": "s"}
 _DASHES = {"double": "-", "single": "--"}
 _LINEAR_BELOW = 0.1  # ulp: the axis is linear below, so that it has a zero
 
-# Text as paths, so that it looks the same everywhere; ids from a fixed salt, no date.
-STYLE = {"svg.hashsalt": "coscrew", "svg.fonttype": "path", "font.family": "DejaVu Sans",
-          "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
-          "axes.grid": True, "grid.color": "#e3e6eb", "axes.edgecolor": "#9aa2b1",
-          "axes.axisbelow": True, "axes.titlelocation": "left"}
 
 
 def figures(report: Report, operations: tuple[str, ...]) -> dict[str, str]:
@@ -113,7 +110,9 @@ def _logarithmic(axes: Axes) -> None:
     axes.set_xscale("log")
     axes.set_yscale("symlog", linthresh=_LINEAR_BELOW)
     axes.set_ylim(0, 50 * max(axes.get_ylim()[1], _LINEAR_BELOW))
-    axes.yaxis.get_major_locator().set_params(numticks=9)
+    locator = axes.yaxis.get_major_locator()
+    if isinstance(locator, SymmetricalLogLocator):
+        locator.set_params(numticks=9)
 
 
 def _condition(operation: str, entries: list[Entry]) -> str:

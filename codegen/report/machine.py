@@ -3,35 +3,22 @@
 import os
 import platform
 import sys
-from importlib.metadata import version
 from pathlib import Path
-from shutil import which
 from subprocess import run
 
 import numpy as np
 
+from coscrew_codegen import version
 from coscrew_codegen.report.schema import Compiler, Provenance
 
 
 def provenance(command: str, seed: int, compilers: tuple[Compiler, ...],
                seconds: float) -> Provenance:
     """The provenance of a report made on this machine."""
-    return Provenance(command, seed, coscrew_version(), processor(), os.cpu_count() or 1,
+    return Provenance(command, seed, version.described(), processor(), os.cpu_count() or 1,
                       f"{platform.system()} {platform.machine()}",
                       f"{platform.python_implementation()} {platform.python_version()}",
                       np.__version__, compilers, seconds)
-
-
-def coscrew_version() -> str:
-    """The distribution's version and, in a git working tree, the commit."""
-    told = run(["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty"],
-               capture_output=True, text=True) if _in_working_tree() else None
-    commit = told.stdout.strip() if told and told.returncode == 0 else ""
-    return f"{version('coscrew')} ({commit})" if commit else version("coscrew")
-
-
-def _in_working_tree() -> bool:
-    return bool(which("git")) and (Path(__file__).resolve().parents[2] / ".git").exists()
 
 
 def processor() -> str:

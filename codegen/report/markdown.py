@@ -52,7 +52,7 @@ def _kernels(entries: list[Entry], layout: str) -> str:
         rows.append((
             f"`{entry.operation}`", entry.precision, entry.tier,
             _worst(entry.benign, entry.measure), _worst(entry.hard, entry.measure),
-            formatted(entry.bound and entry.bound.worst_ratio), entry.flops,
+            formatted(entry.bound.worst_ratio if entry.bound else None), entry.flops,
             with_interval(time.ns, time.low, time.high) if time else "–",
             with_interval(time.ratio, time.ratio_low, time.ratio_high) if time else "–",
             ("○ dominated" if time.dominated else "● undominated") if time else "–"))

@@ -19,6 +19,7 @@ from coscrew_codegen.exact import formula, is_polynomial
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import counts_in_words
+from coscrew_codegen.program.flops import flops
 from coscrew_codegen.report import errors, timing
 from coscrew_codegen.report.c_text import Variant
 from coscrew_codegen.report.drift import drifts
@@ -29,7 +30,7 @@ from coscrew_codegen.report.native import Library, compilers, libraries
 from coscrew_codegen.report.ranking import Key, times
 from coscrew_codegen.report.schema import SCHEMA, Drift, Entry, Report, Time
 from coscrew_codegen.report.timing import COUNTS, Timed
-from coscrew_codegen.report.variants import flops, variants_of
+from coscrew_codegen.report.variants import variants_of
 from coscrew_codegen.special import SPECIAL
 
 # The most informative operations: measured first if time is short, and printed.
@@ -161,8 +162,11 @@ def _timed_in_python(variants: list[Variant], seed: int,
 
 
 def _called_in_python(variant: Variant, arguments: Arrays) -> Arrays:
+    function = timing.python_function(variant)
+    if function is None:
+        raise ValueError(f"Python has no {variant.operation.name} of the {variant.tier} tier")
     with np.errstate(all="ignore"):
-        found = timing.python_function(variant)(*arguments)
+        found = function(*arguments)
     return found if isinstance(found, tuple) else (found,)
 
 

@@ -101,36 +101,33 @@ def _counted(number: int, noun: str) -> str:
 def _price(report: Report, operation: str) -> Iterator[str]:
     """Accuracy against time: plain and the most accurate tier, in double precision."""
     layout = first_layout(report)
-    by_tier = {entry.tier: entry for entry in report.entries
+    by_tier = {entry.tier: (entry.hard.worst, f"{formatted(entry.hard.worst)} {entry.measure}",
+                            with_interval(t.ns, t.low, t.high))
+               for entry in report.entries
                if (entry.operation, entry.precision) == (operation, "double") and entry.hard
-               and time_of(entry, layout)}
+               and (t := time_of(entry, layout))}
     if PLAIN.name not in by_tier or len(by_tier) == 1:
         return
-    plain = by_tier.pop(PLAIN.name)
-    best = min(by_tier.values(), key=lambda entry: entry.hard.worst)
-    times = [with_interval(t.ns, t.low, t.high)
-             for t in (time_of(plain, layout), time_of(best, layout))]
+    _, error, time = by_tier.pop(PLAIN.name)
+    best = min(by_tier, key=lambda tier: by_tier[tier][0])
+    _, best_error, best_time = by_tier[best]
     yield (f"Where terms cancel, plain {operation} in double precision is off by up to "
-           f"{_error(plain)} and takes {times[0]} ns; its {best.tier} tier is off by "
-           f"up to {_error(best)} and takes {times[1]} ns: {layout}.")
-
-
-def _error(entry: Entry) -> str:
-    return f"{formatted(entry.hard.worst)} {entry.measure}"
+           f"{error} and takes {time} ns; its {best} tier is off by "
+           f"up to {best_error} and takes {best_time} ns: {layout}.")
 
 
 def _bounds(report: Report) -> Iterator[str]:
-    proven = [entry for entry in report.entries
+    proven = [(entry, entry.bound.worst_ratio) for entry in report.entries
               if entry.bound and not isnan(entry.bound.worst_ratio)]
-    over = [entry for entry in proven if entry.bound.worst_ratio > 1]
+    over = [entry for entry, ratio in proven if ratio > 1]
     if over:
         yield (f"{_counted(len(over), 'kernel')} of the {len(proven):,} with a proven bound "
                f"exceeded it: {', '.join(map(entry_name, over[:5]))}"
                f"{', …' if len(over) > 5 else ''}.")
     elif proven:
-        nearest = max(proven, key=lambda entry: entry.bound.worst_ratio)
+        nearest, ratio = max(proven, key=lambda x: x[1])
         yield (f"All {len(proven):,} kernels with a proven bound kept it; the nearest, "
-               f"{entry_name(nearest)}, came to {formatted(nearest.bound.worst_ratio)} of it.")
+               f"{entry_name(nearest)}, came to {formatted(ratio)} of it.")
 
 
 def entry_name(entry: Entry) -> str:

@@ -33,10 +33,12 @@ def times(timed: Iterable[list[Timed]], worst: Mapping[Key, float]) -> dict[Key,
             time = its[key(t)]
             dominated = any(its[key(x)].below(time) and no_worse(x, t) for x in rivals)
             ratio = t.timing.ratio(plain) if plain else None
+            ratios: tuple[float | None, float | None, float | None] = (
+                (ratio.median, ratio.low, ratio.high) if ratio else (None, None, None))
             found.setdefault(key(t), []).append(Time(
                 t.language, t.compiler, t.layout, time.median, time.low, time.high,
-                t.timing.minimum, len(t.timing.rounds), ratio and ratio.median, ratio and ratio.low,
-                ratio and ratio.high, dominated))
+                t.timing.minimum, len(t.timing.rounds),
+                *ratios, dominated))
     return {variant: tuple(its) for variant, its in found.items()}
 
 

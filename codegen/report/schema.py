@@ -8,6 +8,7 @@ import json
 import types
 import typing
 from dataclasses import asdict, dataclass, fields, is_dataclass
+from typing import Any
 
 SCHEMA = 2
 
@@ -161,15 +162,16 @@ class Report:
         found = json.loads(text)
         if not isinstance(found, dict) or found.get("schema") != SCHEMA:
             raise ValueError(f"not a report of schema {SCHEMA}")
-        return _read(cls, found, "report")
+        report: Report = _read(cls, found, "report")
+        return report
 
 
-def _read(kind, value, where: str):
+def _read(kind: Any, value: object, where: str) -> Any:
     """`value` as `kind`: a dataclass, a tuple, an alternative with None, or a plain type."""
     if isinstance(kind, types.UnionType):
         kinds = [k for k in typing.get_args(kind) if k is not type(None)]
         return None if value is None else _read(kinds[0], value, where)
-    if is_dataclass(kind):
+    if is_dataclass(kind) and isinstance(kind, type):
         names = [field.name for field in fields(kind)]
         if not isinstance(value, dict) or not set(value) >= set(names):
             raise ValueError(f"{where}: wanted an object with {', '.join(names)}")

@@ -88,6 +88,8 @@ def _call(variant: Variant, count: int, seed: int, seconds: float) -> Callable[[
     """A call of the variant's function on arrays that start at cache lines; NumPy allocates the
     results.  None if FEWEST calls would take more than `seconds`, and more than a millisecond."""
     function = python_function(variant)
+    if function is None:
+        return None
     some = _arguments(variant, min(count, 1000), seed)
     with np.errstate(all="ignore"):
         each = min(timeit.repeat(lambda: function(*some), number=1, repeat=2)) / len(some[0])

@@ -1,7 +1,6 @@
 """Finds the known name that a mistyped one resembles."""
 
 from collections.abc import Iterable
-from difflib import SequenceMatcher
 
 LIKE = 0.55  # difflib's ratio from which names are similar: omega is not max, nor half both (0.5)
 MANY = 20  # names that a message can still list
@@ -29,6 +28,8 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
 
 def _likeness(a: str, b: str) -> float:
     """Similarity from 0 to 1; at least LIKE if one name contains the other."""
+    from difflib import SequenceMatcher
+
     ratio = SequenceMatcher(None, a, b).ratio()
     held = min(len(a), len(b)) >= _SHORT and (a in b or b in a)
     return (1 + ratio) / 2 if held else ratio

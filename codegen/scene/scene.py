@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from coscrew_codegen.formats import BY_NAME, DOUBLE
 from coscrew_codegen.integrators import DEFAULT
 from coscrew_codegen.parameter import Parameter, Scalar
 from coscrew_codegen.scene.effect import Effect
@@ -68,8 +69,8 @@ class Scene:
     model: Model
     effects: tuple[Applied, ...] = ()
     parameters: tuple[Parameter, ...] = ()  # run-time parameters, in the order of `runtime`
-    precision: str = "double"  # of runs: double, single, both
-    precisions: tuple[str, ...] = ("double", "single")  # in which it is generated
+    precision: str = DOUBLE.name  # of runs: double, single, both
+    precisions: tuple[str, ...] = tuple(BY_NAME)  # in which it is generated
     implausible: str = "error"  # or warn: bodies that cannot exist are accepted
     start_q: Mapping[str, tuple[float, ...]] = field(default_factory=dict)  # by joint
     start_v: Mapping[str, tuple[float, ...]] = field(default_factory=dict)

@@ -5,12 +5,13 @@ The readers take names and choices from here; the documentation and the JSON Sch
 
 from dataclasses import dataclass
 
+from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.integrators import NAMES
 from coscrew_codegen.scene.model import Kind
 from coscrew_codegen.scene.possible import ERROR, WARN
 from coscrew_codegen.scene.scene import Run
 
-PRECISIONS = ("double", "single", "both")
+PRECISIONS = (*BY_NAME, "both")
 BASES = {"fixed": Kind.FIXED, "free": Kind.FREE}
 TYPES = {"revolute": Kind.REVOLUTE, "continuous": Kind.REVOLUTE, "prismatic": Kind.PRISMATIC,
          "spherical": Kind.SPHERICAL, "free": Kind.FREE, "fixed": Kind.FIXED}

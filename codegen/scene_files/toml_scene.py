@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 
+from coscrew_codegen.formats import BY_NAME, DOUBLE
 from coscrew_codegen.integrators import NAMES
 from coscrew_codegen.scene.asked import AskedError, resolved
 from coscrew_codegen.scene.effect import Effect
@@ -74,7 +75,7 @@ def _all_effects() -> tuple[Effect, ...]:
 def _emitted(precision: str | None) -> tuple[str, ...]:
     """The precisions that a scene is generated in: only double if that is selected, since single
     may not hold the scene's numbers; else both."""
-    return ("double",) if precision == "double" else ("double", "single")
+    return (DOUBLE.name,) if precision == DOUBLE.name else tuple(BY_NAME)
 
 
 def _said(beside: str | None, file: Table, key: str, choices: tuple[str, ...]) -> str | None:

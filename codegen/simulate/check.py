@@ -8,6 +8,7 @@ from functools import partial
 
 import numpy as np
 
+from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.integrators import named
 from coscrew_codegen.scene.recorded import expected, recorded
 from coscrew_codegen.scene.scene import Expectation
@@ -32,7 +33,7 @@ def check(kernels: object, asked: Asked) -> Findings:
 
     Expectations are checked in double precision, unless only single is run.  Raises SimulateError.
     """
-    one = asked.precision in ("double", "single")
+    one = asked.precision in BY_NAME
     names = (asked.precision,) if one else kernels.scene.precisions
     runs = {name: _run(kernels, name, asked) for name in names}
     meant = "single" if (asked.precision or kernels.scene.precision) == "single" else "double"

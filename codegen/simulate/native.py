@@ -10,7 +10,6 @@ import platform
 import shlex
 import subprocess
 from collections.abc import Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from shutil import which
@@ -124,8 +123,10 @@ def _processor() -> str:
         lines = Path("/proc/cpuinfo").read_text(errors="replace").splitlines()
     except OSError:
         lines = []
-    features = next((x for x in lines if x.lower().startswith(("flags", "features"))), "")
-    return f"{platform.machine()} {platform.processor()} {features}"
+    found = [next((x for x in lines if x.lower().startswith(words)), "")
+             for words in ("model name", ("flags", "features"))]
+    said = " ".join(found) if all(found) else f"{platform.processor()} {' '.join(found)}"
+    return f"{platform.machine()} {said}"
 
 
 def _opened(path: Path) -> ctypes.PyDLL | None:
@@ -142,6 +143,8 @@ def _built(units: Mapping[str, Sequence[str]], files: Mapping[str, str], using: 
     with cache.building() as work:
         for file, text in files.items():
             (work / file).write_text(text, encoding="utf-8")
+        from concurrent.futures import ThreadPoolExecutor
+
         with ThreadPoolExecutor(len(units)) as pool:
             objects = list(pool.map(lambda unit: _object(using, work, unit, *units[unit]), units))
         made = work / "library.so"

@@ -7,6 +7,7 @@ from fractions import Fraction
 import numpy as np
 from tabulate import tabulate
 
+from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.integrators import DEFAULT, named
 from coscrew_codegen.scene.mimics import without_chains
 from coscrew_codegen.simulate.alarm import Alarm
@@ -45,7 +46,7 @@ def simulated(kernels: object, asked: Asked, also: tuple[float, ...] = (), told:
     """The runs, double first.  `also` are further times to sample at; without `told`, recordings
     have no provenance.  Raises SimulateError."""
     precision = asked.precision or kernels.scene.precision
-    names = ("double", "single") if precision == "both" else (precision,)
+    names = tuple(BY_NAME) if precision == "both" else (precision,)
     outcomes: list[Outcome] = []
     for name in names:
         outcomes.append(_run(kernels, name, asked, also, told))
@@ -138,11 +139,7 @@ def _states(outcomes: tuple[Outcome, ...]) -> str:
                 rows.append((label, *(getattr(x.trajectory, name)[-1, place] for x in outcomes)))
     at = f"at t = {outcomes[0].trajectory.t[-1]:g} s"
     return tabulate(rows, (at, *(x.system.precision.name for x in outcomes)), floatfmt=(
-        "", ".17g", ".9g") if len(outcomes) == 2 else ("", _digits(outcomes[0])))
-
-
-def _digits(outcome: Outcome) -> str:
-    return ".17g" if outcome.system.dtype == np.float64 else ".9g"
+        "", *(f".{x.system.precision.decimals}g" for x in outcomes)))
 
 
 def _energies(outcomes: tuple[Outcome, ...]) -> str:

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from coscrew_codegen.report.figures import STYLE
+from coscrew_codegen.plots import STYLE
 from coscrew_codegen.simulate.recording import Column, Recording
 from coscrew_codegen.simulate.write import delivered
 

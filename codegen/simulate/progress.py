@@ -1,12 +1,12 @@
 """Progress of a run: one line on standard error, if that is a terminal."""
 
-import sys
 import time
+from contextlib import ExitStack
 from types import TracebackType
 
 import numpy as np
-from tqdm import tqdm
 
+from coscrew_codegen.console import status_line
 from coscrew_codegen.simulate.system import System
 
 _EVERY = 0.1  # s between two updates
@@ -18,26 +18,27 @@ class Progress:
     def __init__(self, system: System, until: float) -> None:
         self._system, self._until = system, until
         self._began = self._shown = time.monotonic()
-        self._bar = tqdm(total=1, bar_format="{desc}", leave=False, disable=None, file=sys.stderr)
         self._first: float | None = None
+        self._stack = ExitStack()
 
     def __enter__(self) -> "Progress":
+        self._show = self._stack.enter_context(status_line())
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
                  trace: TracebackType | None) -> None:
-        self._bar.close()
+        self._stack.close()
 
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> None:
         """Show where the run is."""
         now = time.monotonic()
-        if self._bar.disable or self._first is not None and now < self._shown + _EVERY:
+        if self._show is None or self._first is not None and now < self._shown + _EVERY:
             return
         self._shown = now
         energy = float(sum(self._system.energies(t, q, v)))
         self._first = energy if self._first is None else self._first
         drift = abs(energy - self._first) / abs(self._first) if self._first else abs(energy)
-        self._bar.set_description_str(line(t, self._until, now - self._began, drift))
+        self._show(line(t, self._until, now - self._began, drift))
 
 
 def line(t: float, until: float, elapsed: float, drift: float) -> str:

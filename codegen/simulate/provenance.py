@@ -1,6 +1,6 @@
 """Provenance of recordings: scene, kernels, integrator, compiler, version; no hosts, no dates."""
 
-from coscrew_codegen.report.machine import coscrew_version
+from coscrew_codegen import version
 from coscrew_codegen.scene.content import content_hash
 from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.recording import Provenance
@@ -16,7 +16,7 @@ def provenance(system: System, plan: Plan, trajectory: Trajectory, compiled: str
     told = (("scene", system.scene.name), ("scene sha256", content_hash(system.scene)),
             ("precision", system.precision.name), ("tier", PLAIN.name),
             ("integrator", f"{plan.integrator}, {how}"), ("compiler", compiled),
-            ("parameters", parameters), ("coscrew", coscrew_version()),
+            ("parameters", parameters), ("coscrew", version.described()),
             ("stopped", trajectory.stopped))
     return tuple((what, value) for what, value in told if value)
 

@@ -25,7 +25,8 @@ from coscrew_codegen.quantity import (
     VEC4,
     Quantity,
 )
-from coscrew_codegen.targets.c import CFunction, member, type_name
+from coscrew_codegen.targets.c import member, type_name
+from coscrew_codegen.targets.c_function import CFunction
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
 
 _FIELDS = {
@@ -177,9 +178,9 @@ def allocation(family: str, precision: Precision) -> CFunction | None:
 
 def _constructor(quantity: Quantity, precision: Precision, name: str,
                  by_columns: bool = False) -> CFunction:
-    kind, order = type_name(quantity.name, precision), range(quantity.size)
+    kind, order = type_name(quantity.name, precision), list(range(quantity.size))
     if by_columns:
-        order = sorted(order, key=lambda i: quantity.indices[i][::-1])
+        order.sort(key=lambda i: quantity.indices[i][::-1])
     fields = [member(quantity, i).lstrip(".") for i in order]
     names = [field.replace(".", "") for field in fields]
     declared = [f"const {precision.c_type} {name}" for name in names]

@@ -12,10 +12,6 @@ from coscrew_codegen.targets.c_statements import listed
 from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.tiers import TIERS, Tier
 
-# NumPy's C names for the precisions: type number, DType.
-_NUMPY_C_NAMES = {"double": ("NPY_DOUBLE", "PyArray_DoubleDType"),
-                  "single": ("NPY_FLOAT", "PyArray_FloatDType")}
-
 
 @dataclass(frozen=True)
 class _Best:
@@ -73,7 +69,7 @@ def _loops(library: Library, tier: Tier) -> Files:
     sources = {"_gufunc.h": render("gufunc/_gufunc.h", banner=library.banner, accesses=accesses,
                                    families=families, **asdict(best),
                                    amalgamation=f"{up}c/{c_amalgamated.file_name(tier)}")}
-    dtypes = [_NUMPY_C_NAMES[precision.name][1] for precision in library.precisions]
+    dtypes = [f"PyArray_{precision.c_type.title()}DType" for precision in library.precisions]
     sources["promoter.c"] = render("gufunc/promoter.c", banner=library.banner, dtypes=dtypes,
                                    package=tier.package)
     for family in families:
@@ -103,7 +99,7 @@ def _module(library: Library, tier: Tier) -> str:
                   most_arguments=most, provenance=provenance(library, tier),
                   baseline=_table(families, "baseline", "gufuncs"),
                   avx2=_table(families, "avx2", "gufuncs_avx2"),
-                  types=[_NUMPY_C_NAMES[precision.name][0] for precision in library.precisions])
+                  types=[f"NPY_{precision.c_type.upper()}" for precision in library.precisions])
 
 
 def _table(families: tuple[str, ...], name: str, suffix: str) -> str:

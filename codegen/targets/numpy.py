@@ -46,9 +46,10 @@ SPELLING = {
     Op.SELECT: ("where({}, {}, {})", CALL),
 }
 
-NUMPY_NAMES = {Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos",
-               Op.ATAN2: "arctan2", Op.EXP: "exp", Op.TANH: "tanh", Op.SELECT: "where"}
-_EXACT = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
+NUMPY_NAMES: dict[Op | str, str] = {
+    Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos", Op.ATAN2: "arctan2",
+    Op.EXP: "exp", Op.TANH: "tanh", Op.SELECT: "where"}
+_EXACT: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
 
 
 @dataclass(frozen=True)
@@ -199,12 +200,12 @@ class _Writer:
         return listed("(", names, f") = {argument.name}", WIDTH - 4)
 
     def _component(self, operand: Input) -> str:
-        return self.program.inputs[operand.argument].symbols[operand.index].name
+        return str(self.program.inputs[operand.argument].symbols[operand.index].name)
 
     def _constant(self, constant: Constant) -> str:
         """A constant; integers and powers of two exactly, so that arrays of objects stay exact."""
         value = self.working.value(constant)
-        if value.denominator == 1 and abs(value) < 2**53:
+        if value.denominator == 1 and abs(value) < 2**DOUBLE.digits:
             return str(value)
         is_power = all(n & (n - 1) == 0 for n in map(abs, value.as_integer_ratio()))
         return repr(float(value)) if is_power else self.working.literal(constant)

@@ -33,8 +33,8 @@ def files(scene: SceneFunctions, banner: str) -> Files:
     scene_text.check_names(scene)
     plans = scene_text.plans(scene)
     parts = Parts(scene, plans)
-    sections = [{"precision": p, "functions": list(_functions(scene, plans, parts, p))}
-                for p in named(scene.precisions)]
+    made = [(p, list(_functions(scene, plans, parts, p))) for p in named(scene.precisions)]
+    sections = [{"precision": p, "functions": functions} for p, functions in made]
     macros = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
               ("GENERATOR_VERSION_STRING", f'"{version.VERSION}"'),
               ("NQ", str(scene.nq)), ("NV", str(scene.nv))]
@@ -42,7 +42,7 @@ def files(scene: SceneFunctions, banner: str) -> Files:
         macros.append(("NP", str(len(scene.parameters))))
     macros += _places(scene)
     macros += [entry for p in named(scene.precisions) for entry in _defaults(scene, p)]
-    names = scene_text.legend(plans, [x.body for part in sections for x in part["functions"]])
+    names = scene_text.legend(plans, [x.body for _, functions in made for x in functions])
     shared = {"banner": banner, "name": scene.name, "upper": scene.name.upper(),
               "sections": sections}
     return {

@@ -24,8 +24,8 @@ from coscrew_codegen.cost.work_precision import Point, Reference, error, referen
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE
 from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.native.intervals import Interval
+from coscrew_codegen.program.flops import flops
 from coscrew_codegen.program.interpreter import evaluate
-from coscrew_codegen.report.variants import flops
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.outcome import Asked

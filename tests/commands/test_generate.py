@@ -172,10 +172,10 @@ def test_imports_run_one_way():
     order = ["version", "errors", "collection", "parameter", "found", "integrator", "integrators",
              "identifiers", "algebra", "quantity", "domains", "operations", "kernel", "passes", "program",
              "formats", "scene_functions", "scene_symbols", "schedule", "programs", "recording",
-             "tiers", "library", "render", "native", "targets", "special", "exact", "selection",
-             "kept", "layout", "emit", "report", "scene", "mechanics", "effects", "scene_files",
-             "documentation", "console", "simulate", "cost", "generate_command", "command_line",
-             "extras", "__main__"]
+             "tiers", "library", "render", "plots", "native", "targets", "special", "exact",
+             "selection", "kept", "layout", "emit", "report", "scene", "mechanics", "effects",
+             "scene_files", "documentation", "console", "simulate", "cost", "generate_command",
+             "command_line", "extras", "__main__"]
     package = ROOT / "codegen"
     allowed_elsewhere = {"build"}  # runs inside setuptools, on its own
 
@@ -199,6 +199,31 @@ def test_imports_run_one_way():
                     known = here in ("schedule", "tiers", "exact", "documentation", "report")
                     assert known or order.index(here) < order.index("program"), path
     assert seen == set(order)
+
+
+MUST_NOT_KNOW = {
+    "formats": ("operations", "tiers", "targets"), "quantity": ("operations",),
+    "operations": ("tiers", "targets"), "program": ("operations", "targets", "render"),
+    "tiers": ("targets", "render"), "recording": ("targets", "render"),
+    "mechanics": ("targets", "render", "scene_files"), "effects": ("mechanics",),
+    "scene": ("mechanics", "scene_files", "effects"), "scene_files": ("mechanics",),
+    "targets": ("mechanics", "scene", "effects", "schedule", "passes", "kernel"),
+    "native": ("mechanics", "operations", "program", "scene"),
+    "simulate": ("report", "cost", "documentation"), "cost": ("report", "documentation"),
+    "report": ("simulate", "cost", "documentation"),
+    "documentation": ("simulate", "cost", "report")}
+
+
+def test_folders_do_not_know_what_is_not_theirs():
+    """Beyond the order: each folder's subject, and no effect another effect."""
+    package = ROOT / "codegen"
+    for folder, others in MUST_NOT_KNOW.items():
+        for path in (*package.glob(f"{folder}.py"), *(package / folder).glob("*.py")):
+            known = {module.split(".")[1] for node in ast.walk(ast.parse(path.read_text()))
+                     for module in imported_modules(node) if module.startswith("coscrew_codegen.")}
+            assert not known & set(others), f"{path.name} imports {known & set(others)}"
+    for path in (package / "effects").glob("[!_]*.py"):
+        assert "coscrew_codegen.effects" not in path.read_text(), path.name
 
 
 def test_templates_hold_shapes_only():

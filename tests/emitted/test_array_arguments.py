@@ -3,18 +3,18 @@
 import pickle
 import re
 from fractions import Fraction
+from importlib import import_module
 
 import numpy as np
 import pytest
 
 import coscrew
-import coscrew.accurate
-import coscrew.certified
 from coscrew import _dispatch
 from coscrew_codegen.operations import OPERATIONS
+from coscrew_codegen.tiers import TIERS
 
-TIERS = (coscrew, coscrew.accurate, coscrew.certified)
-NAMESPACES = {f"{tier.__name__} {name}": module for tier in TIERS for name, module in (
+PACKAGES = tuple(import_module(tier.package) for tier in TIERS if tier.in_python)
+NAMESPACES = {f"{tier.__name__} {name}": module for tier in PACKAGES for name, module in (
     ("compiled", tier), ("without compilation", __import__(f"{tier.__name__}._dispatch",
                                                           fromlist=["_dispatch"])),
     ("double", tier.double), ("single", tier.single))}
@@ -189,7 +189,7 @@ def test_errors_of_others_are_left_alone():
         coscrew.coscrew_scale(np.full(6, 1e200), 1e200)
 
 
-@pytest.mark.parametrize("tier", TIERS[1:])
+@pytest.mark.parametrize("tier", PACKAGES[1:])
 def test_operations_without_a_tier_are_told(tier):
     name = re.escape(tier.__name__)
     with pytest.raises(AttributeError, match=f"^{name} has no 'SO3_exp'; coscrew.SO3_exp is there"):

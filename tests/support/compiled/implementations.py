@@ -1,16 +1,15 @@
 """The implementations whose bounds are attacked: NumPy twins, and compiled C of the fused tier."""
 
+from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 
-import coscrew
-import coscrew.accurate
-import coscrew.certified
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import Operation
-from coscrew_codegen.tiers import tier_named
+from coscrew_codegen.tiers import TIERS, tier_named
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
 from tests.support.truth.attack import TIERED, Arrays, Implementation
 
@@ -47,8 +46,8 @@ def compiled(folder: Path, tier: str, compiler: str, flags: tuple[str, ...]) -> 
                                                      inputs)
 
 
-def implementations(folder: Path) -> dict[str, Implementation]:
-    """One implementation per tier."""
-    return {"plain": twin(coscrew), "accurate": twin(coscrew.accurate),
-            "certified": twin(coscrew.certified),
-            "fused": compiled(folder, "fused", COMPILERS[0], ("-O3", "-march=native"))}
+def implementations(folder: Path, in_python: Callable[[ModuleType], Implementation] = twin
+                    ) -> dict[str, Implementation]:
+    """One implementation per tier: Python's, or C of those that Python has not."""
+    return {tier.name: in_python(import_module(tier.package)) if tier.in_python else
+            compiled(folder, tier.name, COMPILERS[0], ("-O3", "-march=native")) for tier in TIERS}
