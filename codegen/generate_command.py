@@ -35,13 +35,13 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("--language", metavar="NAME",
                         help="{languages} (default: all, and what takes several)")
     parser.add_argument("--functions", metavar="NAME", nargs="+", action="extend",
-                        help="of a scene, only these functions; default and all stand for several")
+                        help="for a scene, only these functions; default and all select several")
     add_implausible(parser)
     parser.set_defaults(run=run)
 
 
 class _Help(argparse.HelpFormatter):
-    """Asks targets for their languages, when help is asked for: to import them takes long."""
+    """Imports the targets for their languages only when help is shown, since that takes long."""
 
     def _get_help_string(self, action: argparse.Action) -> str | None:
         from coscrew_codegen.targets import languages

@@ -30,10 +30,10 @@ Bundle = dict[str, object]  # a family's results, by the names of the functions 
 
 
 class Kept:
-    """Finds the results for a family or makes them; `save` keeps those that were made.
+    """Finds the results for a family or makes them; `save` caches those that were made.
 
     `sources` are the generator's sources, read before this process imported the operations; without
-    them nothing is found and nothing is kept.  `command` selects what is generated."""
+    them nothing is found and nothing is cached.  `command` selects what is generated."""
 
     def __init__(self, sources: Mapping[str, bytes] | None, command: str,
                  tell: Callable[[str], None]):
@@ -41,7 +41,7 @@ class Kept:
         self._bundles: dict[str, Bundle] = {}
         self._made: dict[str, None] = {}
         if sources is not None:
-            cache.limit()  # says what is wrong with it before anything is made
+            cache.limit()  # raises CacheError before anything is made
 
     def __call__(self, kernels: FamilyKernels, make: Callable[[FamilyKernels], Made]) -> Made:
         family, name = kernels.family, f"{make.__module__}.{make.__qualname__}"
@@ -70,7 +70,7 @@ class Kept:
                             zlib.compress(pickle.dumps(self._bundles[family]), 1))
 
     def _found(self, family: str) -> Bundle:
-        """What is kept of a family; empty if it cannot be read."""
+        """The cached results for a family; empty if they cannot be read."""
         if self._sources is None or not cache.lasts():
             return {}
         path = cache.found(self._key(family, self._sources), _SUFFIX)
@@ -78,7 +78,7 @@ class Kept:
             return {}
         try:
             return dict(pickle.loads(zlib.decompress(path.read_bytes())))
-        except Exception:  # of what is no pickle of ours, pickle raises anything
+        except Exception:  # for a foreign file, pickle may raise any error
             path.unlink(missing_ok=True)
             return {}
 

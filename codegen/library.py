@@ -63,7 +63,7 @@ class Library:
 
     @cache  # noqa: B019
     def made(self, make: Callable[[FamilyKernels], Made]) -> Mapping[str, Made]:
-        """The results of `make`, family by family.  `make` must depend on the kernels alone: it is
+        """The results of `make`, family by family.  `make` must depend only on the kernels: it is
         not called for families whose results are kept and whose sources have not changed."""
         return {kernels.family: self.keep(kernels, make) for kernels in self._families}
 

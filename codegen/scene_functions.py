@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.program import Program
 
 Arrays = tuple[tuple[str, tuple[int, ...]], ...]
@@ -130,7 +131,7 @@ class SceneFunctions:
     neutral: tuple[float, ...]  # the q at which every joint's displacement is the identity
     functions: tuple[Function, ...]
     steps: tuple[Step, ...] = ()  # of each integrator
-    precisions: tuple[str, ...] = ("double", "single")  # those it is emitted in
+    precisions: tuple[str, ...] = tuple(BY_NAME)  # those it is emitted in
     timed: bool = False  # whether forces depend on time
 
     def named(self, name: str) -> Function:

@@ -1,4 +1,4 @@
-"""Names in a scene's text: the symbols behind a link's name, and a legend of them."""
+"""Names in a scene's text: the symbols after a link's name, and their legend."""
 
 import re
 from collections.abc import Iterable, Iterator
@@ -13,7 +13,7 @@ SYMBOLS: dict[tuple[str, ...], str] = {
     ("w",): "angular velocity",
     ("v",): "velocity of the origin",
     ("dw",): "angular acceleration",
-    ("U",): "acceleration tensor dw~ + w~ w~: a point x is accelerated by U x beyond the origin",
+    ("U",): "acceleration tensor dw~ + w~ w~: a point x has the acceleration U x less the origin's",
     ("a",): "acceleration of the origin, less that of gravity",
     ("B", "Bm", "Bh", "BI"): "inertia of the link, of all its bodies: mass; first and second "
                              "moments about the origin",
@@ -24,30 +24,30 @@ SYMBOLS: dict[tuple[str, ...], str] = {
     ("tau",): "force or torque along the joint's axis; behind an effect's name what that supplies",
     ("p", "L"): "momentum and angular momentum about the origin",
     ("T", "V"): "kinetic and potential energy",
-    ("C", "Cm", "Ch", "CI"): "inertia of the link and all behind it",
+    ("C", "Cm", "Ch", "CI"): "composite inertia of the link and all links beyond it",
     ("Cp", "Cpm", "Cph", "CpI"): "the same in the parent's frame",
-    ("F",): "force and moment that a unit acceleration of the joint takes",
+    ("F",): "force and moment for a unit acceleration of the joint",
     ("M",): "entries of the mass matrix",
     ("A", "Al", "Ac", "Aa"): "articulated inertia A = [[Al, Ac^T], [Ac, Aa]], linear part first",
-    ("Ap", "Apl", "Apc", "Apa"): "what the joint leaves of it, in the parent's frame",
+    ("Ap", "Apl", "Apc", "Apa"): "the same beyond the free joint, in the parent's frame",
     ("S", "Sl", "Sa"): "articulated inertia times the joint's axes (linear; angular)",
     ("D",): "inertia along the joint's axes, L D L^T of several",
     ("Di",): "1 / D",
     ("K", "Kl", "Ka"): "S / D (linear; angular)",
-    ("u",): "torque that accelerates the joint: less the transmitted wrench's part along its axis",
+    ("u",): "torque that accelerates the joint: less the transmitted wrench along its axis",
     ("qdd",): "acceleration of the joint",
-    ("al", "aa"): "acceleration (linear, angular) that the joints' accelerations make",
-    ("own",): "what the joint has of its own: inertia, torques of effects",
+    ("al", "aa"): "acceleration (linear, angular) due to the joints' accelerations",
+    ("own",): "of the joint itself: inertia, torques of effects",
     ("J",): "columns of the Jacobian",
     ("q",): "coordinates after the step",
-    ("drift", "kick"): "means of speeds and accelerations over a step",
+    ("drift", "kick"): "means of velocities and accelerations over a step",
 }
 _KNOWN = {symbol for symbols in SYMBOLS for symbol in symbols}
 
 
 def legend(names: Iterable[str]) -> tuple[str, ...]:
-    """Paragraphs that say what these names mean, as far as symbols make them up: 'wp: angular
-    velocity of the parent'.  None if there is no such name."""
+    """Paragraphs that explain the symbols in these names: 'wp: angular velocity of the parent'; ()
+    if there are none."""
     found: set[str] = set()
     marks: set[str] = set()
     for name in set(names):
@@ -60,8 +60,8 @@ def legend(names: Iterable[str]) -> tuple[str, ...]:
 
 
 def reading(name: str) -> tuple[str, str, str, str]:
-    """What a name is made of: symbol, and "sign", "number", "step" where it has these; all empty
-    where it has no symbol."""
+    """The parts of a name: its symbol, and "sign", "number", "step" if it has these, else "".  All
+    are empty if it has no symbol."""
     stem, _, last = name.rpartition("_")
     step = "step" if last.isdigit() and stem else ""
     word = (stem if step else name).rpartition("_")[2] if "_" in name else ""
@@ -73,8 +73,8 @@ def reading(name: str) -> tuple[str, str, str, str]:
 
 
 def _marks(marks: set[str]) -> Iterator[str]:
-    yield ("Behind a link's name stands what a number is of it, with its component: link_wx.  "
-           "Vectors are in the link's frame, about the frame's origin, unless this says otherwise.")
+    yield ("After a link's name comes the symbol of a quantity and its component: link_wx.  "
+           "Vectors are in the link's frame, about its origin, unless stated otherwise.")
     words = {"sign": "link_wxn is -link_wx", "number": "link_wx2 a second value of it",
              "step": "link_wx_1 a step towards it, link_w_1 one towards several"}
     if said := [words[x] for x in words if x in marks]:

@@ -1,4 +1,4 @@
-"""The version.  pyproject.toml alone says it; installing notes it, and so it is read here."""
+"""The version, which is defined in pyproject.toml only; read from the installed metadata."""
 
 import re
 from importlib.metadata import version

@@ -1,8 +1,8 @@
-"""The effects scenes may call for, a file each.
+"""The effects of scenes, one per module.
 
-Three more have a place of their own: contact of a point with the ground fills `body_force`; added
-mass needs a slot for a body's 6×6 inertia in `Effect`, beside `joint_inertia`; closed loops need
-multipliers, hence a slot for rows of constraints, which forward dynamics then solves for.
+What others would need: contact of a point with the ground is a `body_force`; added mass needs a
+further field of `Effect`, a body's 6×6 inertia; closed loops need a field for rows of constraints,
+for whose multipliers forward dynamics must solve.
 """
 
 import copyreg
@@ -11,11 +11,11 @@ from coscrew_codegen.found import found
 from coscrew_codegen.scene.effect import Effect
 
 EFFECTS: tuple[Effect, ...] = found(__name__, __path__, "EFFECT", Effect)
-"""The catalogue, by name: a file put here is in it, one taken away is gone without a trace."""
+"""The catalogue, by name: adding or deleting a module adds or removes its effect."""
 
 
 def effect_named(name: str) -> Effect:
-    """The effect of this name; a KeyError if there is none."""
+    """The effect of this name.  Raises KeyError if there is none."""
     return {effect.name: effect for effect in EFFECTS}[name]
 
 

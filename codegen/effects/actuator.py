@@ -14,7 +14,7 @@ def _torque(state: CoordinateState, values: Values) -> Torque:
 
 
 def _demanded(state: CoordinateState, values: Values) -> "Number":
-    """u."""
+    """The torque u before saturation."""
     if values.word("kind") == "torque":
         return values["torque"]
     if values.word("kind") == "pd":
@@ -28,14 +28,14 @@ EFFECT = Effect(
     "actuator", "drives a joint: with a torque, to a target, or by the voltage of a DC motor",
     "tau = sat(u); torque: u = torque(t); pd: u = kp (target(t) - q) + kd (target_v(t) - v); "
     "dc: u = (gear kt/R) (voltage(t) - ke gear v)", Place.JOINT,
-    (ParameterOf("kind", "", "what drives", "choice", choices=("torque", "pd", "dc")),
-     ParameterOf("torque", "N m or N", "what it supplies", "formula", of=("torque",)),
-     ParameterOf("target", "rad or m", "where it drives to", "formula", of=("pd",)),
-     ParameterOf("target_v", "rad/s or m/s", "how fast the target moves", "formula", 0, of=("pd",)),
+    (ParameterOf("kind", "", "kind of actuator", "choice", choices=("torque", "pd", "dc")),
+     ParameterOf("torque", "N m or N", "torque or force", "formula", of=("torque",)),
+     ParameterOf("target", "rad or m", "target of q", "formula", of=("pd",)),
+     ParameterOf("target_v", "rad/s or m/s", "target of v", "formula", 0, of=("pd",)),
      ParameterOf("kp", "N m/rad or N/m", "torque by error", of=("pd",), nonnegative=True),
      ParameterOf("kd", "N m s/rad or N s/m", "torque by error of speed", default=0, of=("pd",),
                  nonnegative=True),
-     ParameterOf("voltage", "V", "at the motor", "formula", of=("dc",)),
+     ParameterOf("voltage", "V", "voltage of the motor", "formula", of=("dc",)),
      ParameterOf("gear", "1, or rad/m", "turns of the rotor for one of the joint", default=1,
                  of=("dc",)),
      ParameterOf("kt", "N m/A", "torque constant", of=("dc",), nonnegative=True),

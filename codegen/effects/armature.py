@@ -1,4 +1,4 @@
-"""Armature: the inertia of a motor's rotor, as its joint feels it."""
+"""Armature: the inertia of a motor's rotor, reflected to its joint."""
 
 from typing import TYPE_CHECKING
 
@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 def _inertia(values: Values) -> "Number":
-    """inertia + gear^2 rotor, of what is given."""
+    """inertia + gear^2 rotor, without the terms that are not given."""
     inertia, gear, rotor = values.get("inertia"), values["gear"], values.get("rotor")
     if rotor is None:
         return values["inertia"]
@@ -18,9 +18,9 @@ def _inertia(values: Values) -> "Number":
 
 
 EFFECT = Effect(
-    "armature", "inertia of a joint alone, such as its motor's rotor behind a gear",
+    "armature", "inertia of a joint itself, such as a motor's rotor with a gear",
     "M_jj = M_jj + inertia + gear^2 rotor", Place.JOINT,
-    (ParameterOf("inertia", "kg m^2 or kg", "as the joint feels it", required=False,
+    (ParameterOf("inertia", "kg m^2 or kg", "reflected to the joint", required=False,
                  nonnegative=True),
      ParameterOf("rotor", "kg m^2", "inertia of the rotor", required=False, nonnegative=True),
      ParameterOf("gear", "1, or rad/m", "turns of the rotor for one of the joint", default=1)),

@@ -7,7 +7,7 @@ from coscrew_codegen.scene.effect import BodyState, Effect, Force, ParameterOf, 
 
 
 def _force(state: BodyState, values: Values) -> Force:
-    """-rho V g at the centre, of energy rho V g·x: g is the scene's gravity, zero without it."""
+    """-rho V g at the centre x, with the energy rho V g·x; g is the scene's gravity or zero."""
     centre, displaced = values.vector("centre"), values["rho"] * values["V"]
     weight = scaled(displaced, state.gravity)
     return Force(centre, state.own_direction(negative(weight)),

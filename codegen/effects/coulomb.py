@@ -10,7 +10,7 @@ def _torque(state: CoordinateState, values: Values) -> Torque:
 
 
 EFFECT = Effect(
-    "coulomb", "dry friction: up to tau_c holds, but for a creep of eps artanh(tau/tau_c)",
+    "coulomb", "dry friction: holds up to tau_c, except for a creep of eps artanh(tau/tau_c)",
     "tau = -tau_c tanh(v/eps)", Place.JOINT,
     (ParameterOf("tau_c", "N m or N", "friction while it slides", model="friction",
                  nonnegative=True),

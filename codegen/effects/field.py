@@ -1,4 +1,4 @@
-"""Field: the gravity of a distant sphere, which pulls at a body and turns it."""
+"""Field: the gravity of a distant sphere, with the torque of its gravity gradient."""
 
 from fractions import Fraction
 
@@ -7,8 +7,8 @@ from coscrew_codegen.scene.effect import BodyState, Effect, Force, ParameterOf, 
 
 
 def _force(state: BodyState, values: Values) -> Force:
-    """The energy alone: MacCullagh's formula, true to the second order in the body's size by r.
-    Force and moment, the gravity gradient's, follow from it."""
+    """Only the energy, by MacCullagh's formula, accurate to second order in the body's size over r;
+    force and moment are derived from it."""
     offset = subtract(state.world_position(state.centre_of_mass), values.vector("centre"))
     square = dot(offset, offset)
     xx, yy, zz, xy, xz, yz = state.inertia
@@ -19,7 +19,7 @@ def _force(state: BodyState, values: Values) -> Force:
 
 
 EFFECT = Effect(
-    "field", "gravity of a distant sphere: pulls at a body, and turns its long axis towards it",
+    "field", "gravity of a distant sphere: attracts a body, and turns its long axis towards it",
     "V = -mu [m/r + (tr I - 3 e.I e)/(2 r^3)], r e from the centre to the body's centre of mass; "
     "f = -dV/dx", Place.BODY,
     (ParameterOf("mu", "m^3/s^2", "gravitational parameter G M of the sphere", nonnegative=True),

@@ -1,4 +1,4 @@
-"""Drag of a joint: resistance that grows with the square of the speed, as of a propeller."""
+"""Drag of a joint: resistance that grows with the square of the speed, as with a propeller."""
 
 from coscrew_codegen.recording.numbers import absolute
 from coscrew_codegen.scene.effect import CoordinateState, Effect, ParameterOf, Place, Torque, Values

@@ -13,10 +13,11 @@ from coscrew_codegen.scene.effect import (
 
 
 def _torque(state: CoordinateState, values: Values) -> Torque:
-    """With x how far q is beyond its range, x < 0 below it, and δ = |x|:
+    """With x the distance of q beyond its range, x < 0 below it, and δ = |x|:
 
-    torque -k x √δ (1 + 1.5 alpha δ'), zero where it would pull; energy 0.4 k δ^2.5; what the torque
-    does beyond -k x √δ is dissipated.  Powers of δ are products with √δ: no slope at δ = 0."""
+    torque -k x √δ (1 + 1.5 alpha δ'), zero where it would pull; energy 0.4 k δ^2.5; the power of
+    the torque beyond -k x √δ is dissipated.  Powers of δ are products with √δ: no slope at δ = 0.
+    """
     q, v, k = state.q, state.v, values["k"]
     within = q
     lower, upper = values.get("lower"), values.get("upper")
@@ -47,6 +48,6 @@ EFFECT = Effect(
      ParameterOf("upper", "rad or m", f"upper {_RANGE}", default="model", required=False,
                  model="upper"),
      ParameterOf("k", "N m/rad^1.5 or N/m^1.5", "stiffness", nonnegative=True),
-     ParameterOf("alpha", "s/rad or s/m", "damping: it bounces with about 1/(1 + alpha v) of its "
-                 "speed v", default=0, nonnegative=True)),
+     ParameterOf("alpha", "s/rad or s/m", "damping: a bounce at the speed v keeps about "
+                 "1/(1 + alpha v) of it", default=0, nonnegative=True)),
     any_of=("lower", "upper"), ascending=("lower", "upper"), joint_torque=_torque)

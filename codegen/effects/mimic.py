@@ -1,10 +1,10 @@
-"""Mimic: joints that the model lets follow others do so, and have no coordinates of their own."""
+"""Mimic: joints with a mimic in the model follow their leaders and have no own coordinates."""
 
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 
 EFFECT = Effect(
-    "mimic", "followers of the model follow; without it they move on their own",
+    "mimic", "joints with a mimic follow their leaders; without this effect they move freely",
     "q_2 = multiplier q_1 + offset", Place.SCENE,
-    (ParameterOf("joints", "", "which joints follow: those the model says", "choice", "all",
+    (ParameterOf("joints", "", "which joints follow: all with a mimic", "choice", "all",
                  choices=("all", "model")),),
     mimic=True)

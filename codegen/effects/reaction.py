@@ -1,8 +1,8 @@
-"""Reaction: what a joint transmits, as a function of its own."""
+"""Reaction: the wrench that a joint transmits, as a function of the scene."""
 
 from coscrew_codegen.scene.effect import Effect, Place
 
 EFFECT = Effect(
-    "reaction", "gives a function for the wrench a joint transmits, along its freedoms too",
-    "f = (force; moment) on the body behind the joint, S^T f = tau + the effects' torque",
+    "reaction", "adds a function for the wrench that a joint transmits, also along its freedoms",
+    "f = (force; moment) on the joint's child, S^T f = tau + the effects' torque",
     Place.JOINT, (), reaction=True)

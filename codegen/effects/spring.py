@@ -1,4 +1,4 @@
-"""Spring: proportional to the way from rest."""
+"""Spring: a torque proportional to the deviation from rest."""
 
 from coscrew_codegen.scene.effect import CoordinateState, Effect, ParameterOf, Place, Torque, Values
 
@@ -12,5 +12,5 @@ def _torque(state: CoordinateState, values: Values) -> Torque:
 EFFECT = Effect(
     "spring", "elastic torque towards q0", "tau = -k (q - q0)", Place.JOINT,
     (ParameterOf("k", "N m/rad or N/m", "stiffness", nonnegative=True),
-     ParameterOf("q0", "rad or m", "where it is at rest", default=0)),
+     ParameterOf("q0", "rad or m", "position of rest", default=0)),
     joint_torque=_torque)

@@ -26,5 +26,5 @@ EFFECT = Effect(
     (*POINTS,
      ParameterOf("k", "N/m", "stiffness", required=False, nonnegative=True),
      ParameterOf("d", "N s/m", "damping", required=False, nonnegative=True),
-     ParameterOf("length", "m", "at which the spring is at rest", default=0, nonnegative=True)),
+     ParameterOf("length", "m", "length of the spring at rest", default=0, nonnegative=True)),
     any_of=("k", "d"), pair_force=_force)

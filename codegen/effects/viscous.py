@@ -1,4 +1,4 @@
-"""Viscous friction: against the speed and proportional to it."""
+"""Viscous friction: proportional to the velocity and opposite to it."""
 
 from coscrew_codegen.scene.effect import CoordinateState, Effect, ParameterOf, Place, Torque, Values
 
@@ -9,6 +9,6 @@ def _torque(state: CoordinateState, values: Values) -> Torque:
 
 
 EFFECT = Effect(
-    "viscous", "friction proportional to the speed", "tau = -d v", Place.JOINT,
+    "viscous", "friction proportional to the velocity", "tau = -d v", Place.JOINT,
     (ParameterOf("d", "N m s/rad or N s/m", "damping", model="damping", nonnegative=True),),
     joint_torque=_torque)

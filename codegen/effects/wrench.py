@@ -6,7 +6,7 @@ from coscrew_codegen.scene.effect import BodyState, Effect, Force, ParameterOf, 
 
 
 def _force(state: BodyState, values: Values) -> Force:
-    """The force and the torque as the body sees them."""
+    """The force and the torque in the body's frame."""
     force, torque = (x and state.own_direction(x) if values.word("frame") == "world" else x
                      for x in map(values.optional_vector, ("force", "torque")))
     point = values.vector("point")

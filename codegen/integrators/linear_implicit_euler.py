@@ -5,7 +5,7 @@ from coscrew_codegen.integrator import Composition, Drift, Integrator, Kick
 INTEGRATOR = Integrator(
     "linear-implicit-euler", 1,
     "never unstable by damping or stiffness, but does not resolve bounces (what falls on a stiff "
-    "limit stays there) and vibrations; what floats free gains momentum as it turns",
+    "limit stays there) and vibrations; rotating floating bases gain momentum",
     Composition((Kick("implicit_acceleration"), Drift()), damps_bounces=True),
     "v' = v + h a(t, q, v); q' = q ⊕ h v': one step of the linearly implicit Euler method, of "
     "first order, with a from dynamics in which damping and stiffness of joints act at the "

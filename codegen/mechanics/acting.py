@@ -1,4 +1,4 @@
-"""What a scene's effects do to a motion: torques at joints, forces on links, energies, powers."""
+"""The effects of a scene on a motion: torques at joints, forces on links, energies, powers."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -31,7 +31,7 @@ from coscrew_codegen.scene.scene import Applied, Scene
 
 @dataclass(frozen=True)
 class Pushed:
-    """A force where it acts."""
+    """A force on a body."""
 
     state: BodyOfLink
     force: Force
@@ -59,7 +59,7 @@ CLOSEST = Fraction(1, 10**12)
 
 @dataclass(frozen=True)
 class Paired:
-    """What acts between two points, along the line from the first to the second."""
+    """A force between two points, along the line from the first to the second."""
 
     states: tuple[BodyOfLink, BodyOfLink]
     points: tuple[Vector, Vector]
@@ -68,7 +68,7 @@ class Paired:
 
     @property
     def forces(self) -> tuple[Force, Force]:
-        """On both bodies; energy and power are counted with the first."""
+        """The forces on both bodies; energy and power are counted with the first."""
         torque = self.along.torque
         size = said(torque.torque)
         pull = scaled(-size, self.direction)
@@ -81,7 +81,7 @@ class Paired:
 
     @property
     def unit_wrenches(self) -> list[tuple[int, tuple[Number, ...]]]:
-        """Links, with the wrench on each of forces of 1 N that push the points apart."""
+        """(link, wrench on it) for forces of 1 N that separate the points."""
         first, second = self.states
         u = self.direction
         forces = (Force(self.points[0], first.own_direction(negative(u))),
@@ -93,7 +93,7 @@ class Paired:
 class Acting:
     """The effects of a scene on one motion, at its time; each is evaluated once.
 
-    `later` are by how much joints see it later, by link."""
+    For the joints of the links in `later`, effects take the time plus that delay."""
 
     def __init__(self, scene: Scene, motion: Motion, later: Mapping[int, Number] | None = None):
         self.scene, self.motion = scene, motion
@@ -106,7 +106,7 @@ class Acting:
         self.pairs: list[Paired] = []
 
     def act(self) -> "Acting":
-        """Evaluates the effects, in the order of their files' names and of the scene."""
+        """Evaluate the effects, in the order of the catalogue and of the scene."""
         effects = self.scene.effects
         owners = identifiers([f"{x.label or x.on}_{x.effect.name}" for x in effects])
         for owner, applied in zip(owners, effects, strict=True):
@@ -152,18 +152,18 @@ class Acting:
     def _push(self, state: BodyOfLink, force: Force) -> None:
         self.pushes.setdefault(state.link, []).append(Pushed(state, force))
 
-    # what comes of it
+    # results
 
     def torque(self, link: int) -> Number:
-        """The sum of the torques at the joint before a link with one coordinate."""
+        """The sum of the torques at a link's joint with one coordinate."""
         return self._sum(said(x.torque.torque) for x in self.torques.get(link, ()))
 
     def damping(self, link: int) -> Number:
-        """-∂/∂v of it, or a bound."""
+        """-∂torque/∂v, or a bound of it."""
         return self._sum(x.slopes.damping for x in self.torques.get(link, ()))
 
     def stiffness(self, link: int) -> Number:
-        """-∂/∂q of it, or a bound."""
+        """-∂torque/∂q, or a bound of it."""
         return self._sum(x.slopes.stiffness for x in self.torques.get(link, ()))
 
     def force(self, link: int) -> tuple[Number, ...]:
@@ -174,18 +174,18 @@ class Acting:
         return total
 
     def resisting(self, link: int) -> list[tuple[Number, Vector]]:
-        """(damping, point in the link) of the forces that have a damping."""
+        """(damping, point in the link) of each force with a damping."""
         return [(push.force.damping, push.state.in_link(said(push.force.point)))
                 for push in self.pushes.get(link, ()) if push.force.damping]
 
     def potential(self) -> Number:
-        """The energy of the effects that have one."""
+        """The sum of the potential energies of effects."""
         torques = [x.torque.energy for link in sorted(self.torques) for x in self.torques[link]]
         pushes = [x.force.energy for link in sorted(self.pushes) for x in self.pushes[link]]
         return self._sum(x for x in (*torques, *pushes) if x)
 
     def power(self) -> Number:
-        """What the effects without potential energy feed in, in W; below zero it is dissipated."""
+        """The power of the effects without potential energy, in W; negative if dissipated."""
         total = self.recorder.number(0)
         for link in sorted(self.torques):
             speed = self.motion.speeds(link)[0]
@@ -211,7 +211,7 @@ def _own_power(x: Torque | Force, whole: Callable[[], Number]) -> Number | int:
 
 
 def gravity(scene: Scene, recorder: Recorder) -> Vector | None:
-    """The sum of what the scene's effects say of gravity, in the world's frame."""
+    """The acceleration of gravity of the scene's effects, in the world's frame; None without."""
     total = None
     for applied in scene.effects:
         if applied.effect.gravity:
@@ -222,7 +222,7 @@ def gravity(scene: Scene, recorder: Recorder) -> Vector | None:
 
 
 def joint_inertias(scene: Scene, recorder: Recorder) -> dict[str, Number]:
-    """What effects add to the inertias of joints, by joint."""
+    """The inertias that effects add to joints, by joint."""
     total: dict[str, Number] = {}
     for applied in scene.effects:
         if applied.effect.joint_inertia:

@@ -15,8 +15,8 @@ from coscrew_codegen.scene.tree import Tree, tree_of
 from coscrew_codegen.scene_functions import Function
 
 Makers = dict[str, Callable[[], Function | None]]
-"""What makes functions, by name, in the order in which they are emitted; None of what the scene
-does not have."""
+"""Name → the method that makes the function, in the order in which they are emitted; it returns
+None if the scene does not have the function."""
 
 
 def is_timed(scene: Scene) -> bool:
@@ -29,12 +29,12 @@ def is_timed(scene: Scene) -> bool:
 
 
 def tree_for(scene: Scene) -> Tree:
-    """The tree a scene simulates: joints follow others where an effect lets them."""
+    """The tree of a scene's model; joints follow others if the scene has the effect mimic."""
     return tree_of(scene.model, any(x.effect.mimic for x in scene.effects))
 
 
 class Derivation:
-    """The functions one by one, each recorded from its inputs."""
+    """Records the functions one by one, each from its inputs."""
 
     def __init__(self, scene: Scene, tell: Callable[[str], None] = lambda name: None):
         self.scene, self.tree, self.tell = scene, tree_for(scene), tell
@@ -46,17 +46,17 @@ class Derivation:
             "t": array("t", (), "time in s"), "h": array("h", (), "step in s"),
             "p": array("p", (len(scene.parameters),), "parameters"),
             "q": array("q", (nq,), f"coordinates: {units}, unit quaternions (x, y, z, w)"),
-            "v": array("v", (nv,), "speeds in m/s, rad/s"),
+            "v": array("v", (nv,), "velocities in m/s, rad/s"),
             "a": array("a", (nv,), "accelerations in m/s^2, rad/s^2"),
             "tau": array("tau", (nv,), "forces and torques of joints in N, N m"),
-            "phi": array("phi", (nv,), "displacements along the speeds, in m, rad"),
+            "phi": array("phi", (nv,), "displacements along the velocities, in m, rad"),
         }
         self.timed = is_timed(scene)
 
     def _function(self, name: str, words: str, inputs: str, outputs: Sequence[Argument],
                   compute: Callable[[Recording], Results],
                   dynamic: bool = True, acted: bool = False) -> Function:
-        """A function of these inputs, with p if it is of the dynamics, t if effects act in it."""
+        """A function of these inputs, with p if it is `dynamic`, and t if effects act in it."""
         given = [*(["t"] if acted and self.timed or "t" in inputs.split() else []),
                  *(["h"] if "h" in inputs.split() else []),
                  *(["p"] if dynamic and self.scene.parameters else []),
@@ -79,12 +79,12 @@ class Derivation:
         return function
 
     def _heading(self, words: str) -> str:
-        """A link's name with how it moves: "forearm: elbow turns about y"."""
+        """A link's name and motion: "forearm: elbow turns about y"."""
         link = next((x for x in self.tree.links if x.name == words), None)
         return f"{words}: {link.joint.in_words}" if link else words
 
     def _at_rest(self) -> dict[str, tuple[float, ...]]:
-        """Inputs by name: neutral coordinates, parameters' values, nothing moves."""
+        """Inputs by name, at rest: neutral coordinates, default parameters, zero velocities."""
         zero = {name: (0.0,) * a.quantity.size for name, a in self.inputs.items()}
         return {**zero, "q": coordinates.neutral(self.tree), "h": (self.scene.run.step,),
                 "p": tuple(float(x.value) for x in self.scene.parameters)}

@@ -1,10 +1,10 @@
 """Forward dynamics of a scene, explicit or implicit.
 
-An implicit step solves (M + m) a = tau - c v, where the inertia m and the torque c v stand for how
-the effects' forces fall with speeds and coordinates within the step: on the diagonal where they act
-at joints, as point masses where they resist the motion of a point, and as rows e^T of constraints
-that give way, e^T v = l', where they act between two bodies: what moves both together must not
-feel them.
+An implicit step solves (M + m) a = tau - c v, where the inertia m and the torque c v represent the
+damping and stiffness of the effects within the step.  For effects at joints these are diagonal, for
+forces that resist the motion of a point they are point masses, and for forces between two bodies
+they are terms m e e^T with the row e^T of the rate l' = e^T v, so that a common motion of both
+bodies is not damped.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -21,17 +21,17 @@ from coscrew_codegen.mechanics.motion import Motion
 from coscrew_codegen.recording.numbers import Number, Vector, add, linear, maximum, scaled, subtract
 
 Weights = Callable[[Number, Number, Number], tuple[Number, Number]]
-"""(m, c) of a damping, a stiffness, and the damping by the inertia that feels it, in 1/s."""
+"""(damping, stiffness, damping over the inertia that it acts on, in 1/s) -> (m, c)."""
 
 _LEAST = Fraction(1, 10**30)
-"""kg: bodies without mass count as having this."""
+"""kg: used instead of a mass of zero."""
 
 _Solve = Callable[[Joint, Sequence[Wrench]], list[Number]]
 
 
 @dataclass(frozen=True)
 class Implicit:
-    """a, and of each speed its damping by the inertia that feels it."""
+    """a, and for each velocity its damping over the inertia that it acts on."""
 
     a: list[Number]
     rates: list[Number]
@@ -51,8 +51,8 @@ def implicit(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
              slopes: Acting | None = None) -> Implicit:
     """a with (M + m) a = -bias - c v.
 
-    Slopes are taken at `slopes`, effects on another motion through the same q whose speeds the step
-    starts with: linear are the forces then about those speeds."""
+    Damping and stiffness are those of `slopes`, the effects on a motion with the same q and the
+    initial velocities of the step; forces are then linear about these velocities."""
     start, own = slopes or acting, _own(motion, inertias)
     torques = _gathered(motion, {n: _torque(acting, start, n) for n in sorted(acting.torques)})
     damping = _gathered(motion, {n: start.damping(n) for n in sorted(start.torques)}, 2)
@@ -84,14 +84,14 @@ def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[s
 
 
 def _own(motion: Motion, inertias: Mapping[str, Number]) -> list[Number]:
-    """What speeds have of their own, beside the bodies' inertia."""
+    """The inertias of joints themselves, by velocity."""
     return _gathered(motion, {n: inertias[link.joint.name]
                               for n, link in enumerate(motion.tree.links)
                               if link.joint.name in inertias}, 2)
 
 
 def _torque(acting: Acting, start: Acting, number: int) -> Number:
-    """A joint's torque, or about the speeds of the start: torque + d (v - v_start)."""
+    """A joint's torque; if linear about the initial velocities, torque + d (v - v_start)."""
     if start is acting:
         return acting.torque(number)
     faster = acting.motion.speeds(number)[0] - start.motion.speeds(number)[0]
@@ -99,8 +99,8 @@ def _torque(acting: Acting, start: Acting, number: int) -> Number:
 
 
 def _gathered(motion: Motion, of_links: Mapping[int, Number], power: int = 1) -> list[Number]:
-    """What joints with one coordinate have, by speed: a follower's goes to what it follows, times
-    its multiplier to this power."""
+    """Sums by velocity over joints with one coordinate; a follower's value, times its multiplier to
+    this power, is added to its leader's."""
     found = [motion.zero[0]] * motion.tree.nv
     for number, value in of_links.items():
         link = motion.tree.links[number]
@@ -113,7 +113,7 @@ def _gathered(motion: Motion, of_links: Mapping[int, Number], power: int = 1) ->
 
 def _heavier(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
              weights: Weights) -> list[Rigid]:
-    """The links with point masses where forces resist points' motion."""
+    """The links' inertias with point masses m for the forces that resist the motion of a point."""
     found = list(rigids)
     for number in range(len(found)):
         with motion.part(number, "B"):
@@ -126,8 +126,8 @@ def _heavier(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
 
 def _about(motion: Motion, wrenches: Sequence[Wrench], acting: Acting,
            start: Acting) -> list[Wrench]:
-    """The wrenches links need, where forces that resist a point act with d (u - u_start) besides,
-    u the point's velocity."""
+    """The wrenches that links need, with d (u - u_start) added to the forces that resist a point, u
+    the point's velocity."""
     found = list(wrenches)
     for number in range(len(found)):
         if start is acting:
@@ -143,8 +143,8 @@ def _about(motion: Motion, wrenches: Sequence[Wrench], acting: Acting,
 
 
 def _solver(motion: Motion, rigids: Sequence[Rigid]) -> _Solve:
-    """From what acts at the joints, and wrenches the links need at a = 0, to a.  What depends on
-    neither is issued once."""
+    """The function from torques at the joints and wrenches of links at a = 0 to a.  Instructions
+    that depend on neither are issued once."""
     if not motion.tree.follows:
         bodies = [Articulated.of(body) for body in rigids]
         return lambda joint, wrenches: articulated.accelerations(motion, bodies, wrenches, joint)
@@ -165,11 +165,11 @@ def _solver(motion: Motion, rigids: Sequence[Rigid]) -> _Solve:
 
 def _with_pair(motion: Motion, pair: Paired, now: Paired, weights: Weights, solve: _Solve,
                joint: Joint) -> tuple[_Solve, Joint]:
-    """Adds m e e^T to what `solve` inverts, and to the torques -c l' e and, about the rate l' at
-    the start, d (l'_now - l') e.
+    """`solve` for the matrix plus m e e^T, and `joint` with the torques -c l' e and, linear about
+    the initial rate l', d (l'_now - l') e added.
 
-    a = a' - w (m e·a')/(1 + m e·w), w = solve(e): Sherman and Morrison; nothing divides by zero,
-    and 1/(e·w) is the inertia that feels the pair."""
+    a = a' - w (m e·a')/(1 + m e·w), w = solve(e), by Sherman and Morrison; it never divides by
+    zero, and 1/(e·w) is the inertia that the pair acts on."""
     still = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
     wrenches = list(still)
     for link, wrench in pair.unit_wrenches:

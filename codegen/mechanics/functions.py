@@ -1,4 +1,4 @@
-"""The functions of a scene: each a recording of its own, which holds what its outputs need."""
+"""The functions of a scene: each is recorded separately, with only what its outputs need."""
 
 from collections.abc import Callable, Collection
 from dataclasses import replace
@@ -26,12 +26,12 @@ from coscrew_codegen.scene_functions import SceneFunctions
 
 def derive(scene: Scene, functions: Collection[str] = (),
            tell: Callable[[str], None] = lambda name: None) -> SceneFunctions:
-    """The functions that a scene asks for, or those of these names that it has, and internal ones
-    that their steps call.  `tell` is told the name of each before it is derived.
+    """The functions that a scene selects, or those with these names that it has, and the internal
+    functions that their steps call.  `tell` is called with each name before it is derived.
 
-    Raises RangeError for numbers that a precision it is generated in cannot hold, ModelError for a
-    model whose mass matrix is singular whatever q is, AskedError for functions it cannot have, and
-    for more joints than a compiler takes."""
+    Raises RangeError for numbers that one of its precisions cannot represent, ModelError for a
+    model whose mass matrix is singular at every q, AskedError for functions that it cannot have,
+    and for too many joints."""
     refuse_many(scene)
     refuse_numbers(scene)
     with uncollected():
@@ -42,7 +42,7 @@ class _Derivation(DynamicsFunctions, BodyFunctions, StepFunctions):
     """All of them."""
 
     def functions(self, names: Collection[str]) -> SceneFunctions:
-        """What targets need."""
+        """The functions of these names, for targets."""
         scene, tree = self.scene, self.tree
         wanted = names or asked_for(scene)
         steps = [x for x in EMITTED if x.step_name in wanted]
@@ -61,9 +61,8 @@ class _Derivation(DynamicsFunctions, BodyFunctions, StepFunctions):
         return {**self._of_dynamics(), **self._of_bodies(), **self._of_steps()}
 
     def _refuse_absent(self, found: set[str]) -> None:
-        """Raise AskedError for a function that is asked for by its name and that only scenes of
-        another kind have."""
-        for several, reason in ((FREE, "nothing floats free"), (CONTACTS, "no limit closes")):
+        """Raise AskedError for a selected function that only scenes of another kind have."""
+        for several, reason in ((FREE, "no base floats"), (CONTACTS, "no limit closes")):
             for name in several:
                 if name in self.scene.functions and name not in found:
                     raise AskedError(f"{self.scene.name}: there is no {name}: {reason} in the "

@@ -56,7 +56,7 @@ class BodyFunctions(Derivation):
 
         return self._function(
             name, f"J with J v = (v; w) of {body} {_BODY_FRAME}", "q",
-            [array("J", (6, self.tree.nv), "screws of the speeds")], compute, dynamic=False)
+            [array("J", (6, self.tree.nv), "screws of the velocities")], compute, dynamic=False)
 
     def _reaction(self, name: str, joint: str) -> Function:
         def compute(x: Recording) -> Results:
@@ -67,6 +67,6 @@ class BodyFunctions(Derivation):
             return [wrenches[self.tree.links.index(self.tree.link_of(joint))]]
 
         return self._function(
-            name, f"f = (force; moment) that {joint} exerts on the body behind it, "
+            name, f"f = (force; moment) that {joint} exerts on its child, "
             f"{_BODY_FRAME}, while it accelerates with a", "q v a",
             [array("f", (6,), "coscrew in N, N m")], compute, acted=True)

@@ -29,7 +29,7 @@ class DynamicsFunctions(Derivation):
 
         return self._function(
             "inverse_dynamics", "tau = M(q) a + bias_torques(q, v): what the joints must supply "
-            "for the accelerations a, beside the effects", "q v a", [self._tau()], compute,
+            "for the accelerations a, besides the effects", "q v a", [self._tau()], compute,
             acted=True)
 
     def _bias(self) -> Function:
@@ -76,8 +76,8 @@ class DynamicsFunctions(Derivation):
                      energies.potential(x, motion) + acting.potential()]]
 
         return self._function(
-            "energy", "e = (kinetic, potential) energy; of gravity zero where centres of mass are "
-            "at the world's origin", "q v", [array("e", (2,), "energies in J")], compute,
+            "energy", "e = (kinetic, potential) energy; gravity's is zero for centres of mass at "
+            "the world's origin", "q v", [array("e", (2,), "energies in J")], compute,
             acted=True)
 
     def _power(self) -> Function:
@@ -86,7 +86,7 @@ class DynamicsFunctions(Derivation):
             return [[Acting(self.scene, motion).act().power()]]
 
         return self._function(
-            "power", "P, what effects without potential energy feed in; negative where they "
+            "power", "P, the power of the effects without potential energy; negative if they "
             "dissipate", "q v", [array("P", (), "power in W")], compute, acted=True)
 
     def _momentum(self) -> Function:

@@ -28,8 +28,8 @@ class StepFunctions(Derivation):
             return [coordinates.integrated(x.recorder, self.tree, self.names, q, phi)]
 
         return self._function(
-            "integrated", "qo = q moved by phi: by exponentials where there are quaternions, else "
-            "q + phi", "q phi", [array("qo", (self.tree.nq,), "coordinates")], compute,
+            "integrated", "qo = q ⊕ phi: by exponentials for quaternions, else q + phi",
+            "q phi", [array("qo", (self.tree.nq,), "coordinates")], compute,
             dynamic=False)
 
     def _implicit(self) -> Function:
@@ -45,7 +45,7 @@ class StepFunctions(Derivation):
 
         return self._function(
             "implicit_acceleration", "a with (M + h d + h^2 k) a = -bias_torques(q, v) - h k v, "
-            "where d, k are how the effects' torques fall with v and q", "h q v",
+            "where d, k are the damping and stiffness of the effects", "h q v",
             [self.inputs["a"]], compute, acted=True)
 
     def _kick(self) -> Function:
@@ -63,7 +63,7 @@ class StepFunctions(Derivation):
 
         return self._function(
             "chart_rate", "u = phi' while q = integrated(q0, phi) moves with v: v + [phi, v]/2 + "
-            "[phi, [phi, v]]/12, enough for four orders", "v phi",
+            "[phi, [phi, v]]/12, accurate to fourth order", "v phi",
             [array("u", (self.tree.nv,), "in m/s, rad/s")], compute, dynamic=False)
 
     @cached_property
@@ -79,7 +79,7 @@ class StepFunctions(Derivation):
             return None
         free = ", ".join(self.tree.links[n].name for n in self._floating)
         return self._function(
-            "free_momentum", f"c = (p; L) of what floats free ({free}, and what hangs on it): "
+            "free_momentum", f"c = (p; L) of each floating tree ({free}, and all bodies on it): "
             "linear momentum, and angular momentum about its centre of mass, in the world's axes",
             "q v", [self._momenta], lambda x: [floating.momentum(x, self._floating)])
 
@@ -88,16 +88,18 @@ class StepFunctions(Derivation):
             return None
         self.inputs["c"] = self._momenta
         return self._function(
-            "with_free_momentum", "v, where what floats free moves as a whole so that its momentum "
-            "is c = (p; L) after t seconds of gravity, (p + m g t; L): after each step it undoes "
-            "what integration and rounding change, for all times", "t q v c", [self.inputs["v"]],
+            "with_free_momentum", "v, with the velocity of each floating base corrected so that "
+            "the momentum of its tree is (p + m g t; L), c = (p; L) after t seconds of gravity: "
+            "after each step it removes the errors of integration and rounding", "t q v c",
+            [self.inputs["v"]],
             lambda x: [floating.corrected(x, self._floating)])
 
     @cached_property
     def _closes(self) -> Function:
         return self._function(
-            "closing_contacts", "count: how many limits are closed, or would be if joints moved on "
-            "with v for h", "h q v", [array("count", ())], lambda x: [[leapfrog.closing(x)]])
+            "closing_contacts", "count: the number of limits that are closed, or would be after "
+            "moving with v for h", "h q v", [array("count", ())],
+            lambda x: [[leapfrog.closing(x)]])
 
     def _closing(self) -> Function | None:
         return self._closes if self._closes.program.instructions else None
@@ -106,7 +108,7 @@ class StepFunctions(Derivation):
         if not self._closes.program.instructions:
             return None
         return self._function(
-            "parts", "count, part = h/count: in how many parts a step of h is taken, to resolve "
-            "the limits that close; part is not a number where that would be more than "
+            "parts", "count, part = h/count: the number and length of the parts in which a step of "
+            "h is taken, to resolve contacts of limits; part is NaN if count would exceed "
             f"{leapfrog.MOST}", "h q v", [array("count", ()), array("part", (), "in s")],
             lambda x: [[y] for y in leapfrog.split(x)])

@@ -1,8 +1,8 @@
 """Forces on bodies that follow from a potential energy V of their pose [R | x].
 
-With G = ∂V/∂R and g = ∂V/∂x, found in one pass back, a displacement δx and a turn δφ of the body in
-the world's frame change V by g·δx + Σ (R_j × G_j)·δφ, R_j and G_j the columns.  So the force is
--R^T g in the body's frame, and the moment about its origin -Σ e_j × R^T G_j.
+G = ∂V/∂R and g = ∂V/∂x come from one adjoint pass.  A displacement δx and a rotation δφ of the body
+in the world's frame change V by g·δx + Σ (R_j × G_j)·δφ, with the columns R_j and G_j.  So the
+force is -R^T g in the body's frame, and the moment about its origin -Σ e_j × R^T G_j.
 """
 
 from collections.abc import Callable, Mapping
@@ -30,7 +30,7 @@ BodyLaw = Callable[[BodyState, Values], Force]
 
 
 def body_force(law: BodyLaw, state: BodyOfLink, values: Mapping[str, Setting]) -> Force:
-    """What the law says, with force and moment where it gives an energy alone."""
+    """The law's Force; with force and moment derived if it gives only an energy."""
     said = law(state, settings(state.t.recorder, values, state.t))
     if said.force is not None or said.moment is not None:
         return said
@@ -62,19 +62,19 @@ def _slope(law: BodyLaw, state: BodyOfLink, values: Mapping[str, Setting]) -> tu
 
 @dataclass(frozen=True)
 class _Posed(BodyInWorld):
-    """A body of which only the pose is known."""
+    """A body with a pose only."""
 
     D: Displacement
     g: Vector
 
     @property
     def gravity(self) -> Vector:
-        """The scene's."""
+        """The scene's gravity."""
         return self.g
 
     @property
     def pose(self) -> Displacement:
-        """As given."""
+        """The given pose."""
         return self.D
 
     @property

@@ -1,14 +1,14 @@
-"""What an effect's law leaves to be derived: the torque of an energy, and slopes of torques.
+"""Differentiates the laws of effects: the torque of an energy, damping and stiffness of torques.
 
-A law is recorded by itself, as a function of what it acts along, and differentiated.
+A law is recorded separately, as a function of its coordinate, and differentiated.
 
-Implicit steps take in the damping d and the stiffness k of a torque u(q, v):
+Implicit steps use the damping d and the stiffness k of a torque u(q, v):
 
     d = -∂u/∂v,  k = -∂u/∂q
 
-where these do not depend on q and v.  Else none is below 0: a negative slope is left to the step's
-explicit part.  And where u saturates, slopes vanish, though a step may still leap across the point
-where u changes sign.  There the bound is the slope of the line through that point:
+if these do not depend on q and v.  Otherwise they are at least 0: a negative slope is left to the
+explicit part of the step.  And where u saturates, its slopes vanish, although a step may still jump
+over the point where u changes sign; there the slope of the line through that point is used:
 
     dry friction (u is 0 at v = 0):       d = max(-∂u/∂v, |u|/|v|)
     a limit (sat u, |sat u| <= limit):    d and k of u, times limit/max(|u|, limit)
@@ -32,7 +32,7 @@ from coscrew_codegen.scene.scene import Setting
 Law = Callable[[CoordinateState, Values], Torque]
 
 _AT_REST = Fraction(1, 10**30)
-"""rad/s or m/s: speeds below it count as it in |u|/|v|, so that there is no 0/0."""
+"""rad/s or m/s: the least |v| in |u|/|v|, so that there is no 0/0."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class Slopes:
 
 @dataclass(frozen=True)
 class Along:
-    """An effect's law where it acts: what is asked for is evaluated once, as part of the effect."""
+    """An effect's law at a coordinate; each value is evaluated once, as part of the effect."""
 
     law: Law
     at: CoordinateState
@@ -54,7 +54,7 @@ class Along:
 
     @cached_property
     def torque(self) -> Torque:
-        """What the law says, with the torque that acts: an energy's slope, within its limit."""
+        """The law's Torque; the torque itself from the energy if necessary, within the limit."""
         found = self._said
         torque = found.torque
         with self.at.q.recorder.resumed(self.part):
@@ -67,7 +67,7 @@ class Along:
 
     @cached_property
     def slopes(self) -> Slopes:
-        """How the torque falls with speed and coordinate."""
+        """The damping and stiffness of the torque."""
         d, k = self._said.damping, self._said.stiffness
         with self.at.q.recorder.resumed(self.part):
             return Slopes(self._replayed(self._own.damping) if d is None else d,
@@ -84,7 +84,7 @@ class Along:
         return _recorded(self.law, self.values, self.at.q.recorder)
 
     def _replayed(self, value: Number) -> Number:
-        """A value of the law recorded by itself, where it acts."""
+        """A value of the separately recorded law, at this coordinate."""
         recorder, at = self.at.q.recorder, self.at
         p = [recorder.argument("p")] if recorder.has("p") else []
         return recorder.replay(self._own.program(value), at.q, at.v, at.t, *p)[0]
@@ -100,19 +100,19 @@ def _recorded(law: Law, values: Mapping[str, Setting], beside: Recorder) -> "_La
 
 @dataclass(frozen=True)
 class _Law:
-    """A law recorded by itself, with what follows from it."""
+    """A separately recorded law, and its derivatives."""
 
     at: CoordinateState
     said: Torque
 
     @property
     def recorder(self) -> Recorder:
-        """That holds it."""
+        """The recorder of the law."""
         return self.at.q.recorder
 
     @cached_property
     def torque(self) -> Number:
-        """Before it meets its limit."""
+        """The torque before it is limited."""
         if self.said.torque is not None:
             return self.said.torque
         if self.said.energy is None:
@@ -136,7 +136,7 @@ class _Law:
         return slope * self._share()
 
     def program(self, value: Number) -> Program:
-        """What computes a value of it."""
+        """The Program that computes a value."""
         return self.recorder.program("law", [(array("value", ()), [value])])
 
     def _slope(self, value: Number, by: str) -> Number:
@@ -153,16 +153,16 @@ class _Law:
         return absolute(self.torque) / maximum(absolute(self.at.v), _AT_REST)
 
     def _share(self) -> Number | int:
-        """Of the slopes, where the torque is over its limit."""
+        """The factor on the slopes where the torque exceeds its limit."""
         limit = self.said.limit
         return 1 if limit is None else limit / maximum(absolute(self.torque), limit)
 
     def _moves(self, value: Number) -> bool:
-        """Whether it depends on q or v."""
+        """Whether the value depends on q or v."""
         return bool({self.at.q.operand, self.at.v.operand} & self.program(value).used_inputs())
 
     def _rests(self) -> bool:
-        """Whether the torque is 0 at v = 0, whatever else."""
+        """Whether the torque is 0 at v = 0 for all other inputs."""
         given = [self.recorder.numbers([0]) if a.name == "v" else self.recorder.argument(a.name)
                  for a in self.recorder.inputs]
         return self.recorder.replay(self.program(self.torque), *given)[0].is_zero

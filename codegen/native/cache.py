@@ -1,9 +1,9 @@
-"""What was derived and compiled once, kept by content: files in $XDG_CACHE_HOME/coscrew.
+"""The cache of derived and compiled files, by content, in $XDG_CACHE_HOME/coscrew.
 
-An entry's name is its key, which names all that it was made from, and the hash of its content: what
-is damaged is not what it was, and is made again.  Entries are written under another name and then
-renamed, so that processes at once see whole ones.  The entries that were used least recently go
-when all together take more than the limit, $COSCREW_CACHE_LIMIT.
+An entry's name is its key, a hash of everything that it was made from, and the hash of its content,
+so that damaged entries are recognized and made again.  Entries are written under another name and
+then renamed, so that concurrent processes see complete entries.  When all together exceed the
+limit, $COSCREW_CACHE_LIMIT, the least recently used entries are removed.
 """
 
 import functools
@@ -22,34 +22,34 @@ from pathlib import Path
 from coscrew_codegen.errors import Told
 
 LIMIT = "COSCREW_CACHE_LIMIT"
-"""The variable that holds the limit: 200 MB, 2 GB, 0."""
+"""The environment variable with the limit: 200 MB, 2 GB, 0."""
 DEFAULT_LIMIT = "1 GB"
 _UNITS = {"": 1, "B": 1, "KB": 10**3, "MB": 10**6, "GB": 10**9}
 _SIZE = re.compile(r"([0-9]+(?:\.[0-9]+)?) *([KMG]?B)?", re.I)
-_ABANDONED = 86400.0  # s after which what another process was writing counts as left behind
+_ABANDONED = 86400.0  # s after which files that another process is writing count as abandoned
 
 
 class CacheError(Told, ValueError):
-    """The limit is no size."""
+    """The limit is not a size."""
 
 
 @dataclass(frozen=True)
 class Entry:
-    """A file, or a folder, of the cache."""
+    """A file or folder of the cache."""
 
     path: Path
     size: int  # bytes
-    used: float  # when, in s since 1970
+    used: float  # time of the last use, in s since 1970
 
 
 def folder() -> Path:
-    """$XDG_CACHE_HOME/coscrew or ~/.cache/coscrew; where neither can be written to, a folder of
-    this process."""
+    """$XDG_CACHE_HOME/coscrew or ~/.cache/coscrew; if it cannot be written to, a folder of this
+    process."""
     return wanted_folder() if lasts() else _own_folder()
 
 
 def lasts() -> bool:
-    """Whether later processes will find what this one keeps: the folder can be written to."""
+    """Whether entries are kept for later processes: the folder can be written to."""
     place = wanted_folder()
     try:
         place.mkdir(parents=True, exist_ok=True)
@@ -60,7 +60,7 @@ def lasts() -> bool:
 
 
 def wanted_folder() -> Path:
-    """Where the cache is, if it can be written to."""
+    """The folder of the cache, whether or not it can be written to."""
     base = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
     return Path(base) / "coscrew"
 
@@ -71,7 +71,7 @@ def _own_folder() -> Path:
 
 
 def limit() -> int:
-    """The most bytes that entries may take together.  Raises CacheError."""
+    """The largest number of bytes for all entries together.  Raises CacheError."""
     text = os.environ.get(LIMIT, "").strip() or DEFAULT_LIMIT
     found = _SIZE.fullmatch(text)
     if not found:
@@ -80,7 +80,7 @@ def limit() -> int:
 
 
 def key_of(*parts: str) -> str:
-    """A key that names all of the parts."""
+    """The key for these parts: their hash."""
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
 
 
@@ -90,8 +90,7 @@ def hashed(content: bytes) -> str:
 
 
 def found(key: str, suffix: str) -> Path | None:
-    """The entry of this key, which counts as used now; None if there is none, or none that is what
-    it was when it was made."""
+    """The entry of this key, marked as used now; None if there is none or it is damaged."""
     for path in sorted(folder().glob(f"{key}-*{suffix}")):
         with suppress(OSError):
             if hashed(path.read_bytes()) == path.name.removesuffix(suffix).rpartition("-")[2]:
@@ -102,8 +101,8 @@ def found(key: str, suffix: str) -> Path | None:
 
 
 def keep(made: Path, key: str, suffix: str) -> Path:
-    """The entry that a file, made in a folder of `building`, becomes; others go where there are too
-    many."""
+    """Make a file, made in a folder of `building`, an entry; removes others if the cache is full.
+    """
     most = limit()
     path = folder() / f"{key}-{hashed(made.read_bytes())}{suffix}"
     os.replace(made, path)
@@ -113,14 +112,14 @@ def keep(made: Path, key: str, suffix: str) -> Path:
 
 @contextmanager
 def building() -> Iterator[Path]:
-    """A folder beside the entries, to make one in; it is gone afterwards."""
-    limit()  # says what is wrong with it before anything is made
+    """A temporary folder next to the entries, to make one in."""
+    limit()  # raises CacheError before anything is made
     with tempfile.TemporaryDirectory(prefix=".building-", dir=folder()) as name:
         yield Path(name)
 
 
 def text(name: str, make: Callable[[], str]) -> str:
-    """A text that depends on the generator alone: kept, or made."""
+    """A text that depends only on the generator: from the cache, or made and cached."""
     key = key_of(name, generator())
     if path := found(key, ".txt"):
         return path.read_text("utf-8")
@@ -130,14 +129,14 @@ def text(name: str, make: Callable[[], str]) -> str:
 
 
 def write(key: str, suffix: str, content: bytes) -> None:
-    """Keep this content."""
+    """Store this content as an entry."""
     with building() as work:
         (work / "content").write_bytes(content)
         keep(work / "content", key, suffix)
 
 
 def entries() -> list[Entry]:
-    """All entries, those used least recently first; and what was left behind half made."""
+    """All entries, the least recently used first; also abandoned unfinished files."""
     entries = []
     place = wanted_folder()
     for path in place.iterdir() if place.is_dir() else ():
@@ -149,8 +148,8 @@ def entries() -> list[Entry]:
 
 
 def evict(most: int, kept: Path | None = None) -> list[Entry]:
-    """Removes entries until the others take no more than `most` bytes, those used least recently
-    first, but never `kept`; returns them."""
+    """Remove the least recently used entries, except `kept`, until the rest takes at most `most`
+    bytes; returns the removed ones."""
     all_of_them = entries()
     total, gone = sum(x.size for x in all_of_them), []
     for entry in all_of_them:
@@ -179,12 +178,12 @@ def _size(path: Path) -> int:
 
 @functools.cache
 def generator() -> str:
-    """The hash of the generator's own sources and templates: what it makes may change with any."""
+    """The hash of the generator's sources and templates, any of which may change its output."""
     return digest(sources())
 
 
 def sources() -> dict[str, bytes]:
-    """The generator's own sources and templates as they stand now, by path."""
+    """The generator's current sources and templates, by path."""
     roots = {"codegen": Path(__file__).resolve().parents[1], "templates": _templates()}
     return {f"{name}/{path.relative_to(root).as_posix()}": path.read_bytes()
             for name, root in roots.items() for path in sorted(root.rglob("*"))

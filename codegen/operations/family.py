@@ -1,4 +1,4 @@
-"""What a family is: operations that share a header, modules of their name, a page."""
+"""What a family is: operations that share a header, a module and a page of the documentation."""
 
 from dataclasses import dataclass
 
@@ -7,13 +7,14 @@ from coscrew_codegen.operations.operation import Operation
 
 @dataclass(frozen=True)
 class Family:
-    """Operations of one subject, in the file of this folder that is called as they are.
+    """Operations of one subject, in the module with the family's name.
 
-    A file that calls one `FAMILY` has added it: headers, packages and the reference find it."""
+    A module of this package that assigns one to `FAMILY` adds it to headers, packages and the
+    reference."""
 
     name: str
-    order: int  # where it stands among the others
-    about: str  # its first line heads the documentation
+    order: int  # sorts the families
+    about: str  # its first line is the title of the documentation
     operations: tuple[Operation, ...]  # some may belong to another family
     includes: tuple[str, ...] = ()  # families whose headers its own includes
 

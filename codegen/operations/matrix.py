@@ -1,7 +1,7 @@
 """Products between rotations, displacements and vectors.
 
 Names: `d` displacement, `dr` rotation, `v` vector; `rx ry rz` a rotation about an axis given by
-dc = (sin θ, cos θ); `tx ty tz` a translation along an axis; `inv` behind a factor inverts it (the
+dc = (sin θ, cos θ); `tx ty tz` a translation along an axis; `inv` after a factor inverts it (the
 inverse of a vector is its negative).
 """
 

@@ -1,8 +1,8 @@
 """Derivatives of a Program on any kind of numbers: tangents forward, adjoints backward.
 
-Both run the one interpreter, on numbers that carry derivatives; the partial derivatives are those
-of the table of operations.  Derivatives are those of the exact operations: where a Program compares
-(|x|, a choice) they are one-sided, at √0 and 0/0 there is none.
+Both use the one interpreter, on numbers that carry derivatives, and the partial derivatives in the
+table of operations.  Derivatives are those of the exact operations; where a Program compares (|x|,
+a choice) they are one-sided, and at √0 and 0/0 there is none.
 """
 
 from collections.abc import Callable, Sequence
@@ -73,7 +73,7 @@ def _along(partials: Sequence[Any], slopes: Sequence[V | None]) -> V | None:
 
 @dataclass(frozen=True, eq=False)
 class _Node(Generic[V]):
-    """A number of the forward run, and what it was computed from."""
+    """A number of the forward pass, and the numbers it was computed from."""
 
     value: V
     operands: tuple["_Node[V]", ...] = ()
@@ -82,8 +82,8 @@ class _Node(Generic[V]):
 def adjoint(program: Program, arithmetic: Arithmetic[V], functions: Functions,
             inputs: Sequence[Sequence[V]], weights: Sequence[V]
             ) -> tuple[list[V], list[list[V | None]]]:
-    """The results, and the derivatives of Σ weight · result by each input's components; None is
-    zero.  One run forward and one back, whatever the number of inputs."""
+    """(results, derivatives of Σ weight · result by the components of each input); None is zero.
+    One pass forward and one back, for any number of inputs."""
     made: list[tuple[Instruction, _Node[V]]] = []
 
     def function(step: Instruction, number: int) -> Callable[..., _Node[V]]:
@@ -111,7 +111,7 @@ def adjoint(program: Program, arithmetic: Arithmetic[V], functions: Functions,
 
 
 def _hand_back(functions: Functions, adjoints: dict[_Node[V], V], op: Op, node: _Node[V]) -> None:
-    """A number's adjoint, times its partial derivatives, to its operands."""
+    """Add a number's adjoint, times its partial derivatives, to those of its operands."""
     own, operands, derived = adjoints[node], node.operands, op.meaning.slopes
     if op is Op.SELECT:
         test, a, b = operands

@@ -33,7 +33,7 @@ Slopes = Callable[..., tuple[Any, ...]]
 @dataclass(frozen=True)
 class Meaning:
     """How many operands an operation has, how its result is rounded, and its partial derivatives:
-    None where it has none that are numbers (comparisons; a choice has those of what it chooses)."""
+    None where it has none that are numbers (comparisons; a choice has those of its options)."""
 
     arity: int
     rounding: Rounding

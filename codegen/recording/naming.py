@@ -1,4 +1,4 @@
-"""Names of a recorded Program's instructions, given when it is known which of them are left."""
+"""Names the instructions of a recorded Program, when the unused ones have been removed."""
 
 from collections import Counter
 from collections.abc import Mapping
@@ -9,7 +9,7 @@ from coscrew_codegen.program import Instruction, Op, Program, Ref, renamed
 
 @dataclass(frozen=True)
 class Part:
-    """What instructions are for: a value, by symbol, of an owner, below a heading in the text."""
+    """The value that instructions compute: a symbol of an owner, below a heading in the text."""
 
     owner: str
     symbol: str = ""
@@ -17,27 +17,27 @@ class Part:
 
     @property
     def stem(self) -> str:
-        """What names of its steps begin with."""
+        """The beginning of its instructions' names."""
         return f"{self.owner}_{self.symbol}" if self.symbol else self.owner
 
     @property
     def component(self) -> str:
-        """As instructions have it."""
+        """The `component` of its instructions."""
         return f"{self.heading}:{self.stem}"
 
 
 def named(program: Program, parts: Mapping[str, Part], labels: Mapping[str, Part],
           known: Mapping[str, Instruction]) -> Program:
-    """The program, its instructions named after what they compute.
+    """The program with instructions named after the values that they compute.
 
-    `parts` are those of the instructions, `labels` what some of the `known` ones hold; `known` are
-    also instructions that the program was left without."""
+    `parts` maps instructions to their parts, `labels` some instructions to the values that they
+    hold; `known` also contains instructions that were removed from the program."""
     steps = program.instructions
     alive = {step.name for step in steps}
     names = _labelled(labels, alive, known)
     users = _only_users(program)
     taken: Counter[str] = Counter()
-    for step in reversed(steps):  # so that what needs a step has its name first
+    for step in reversed(steps):  # so that the user of an instruction is named before it
         user = users.get(step.name)
         if step.name not in names and user and user.component == step.component \
                 and user.name in names:
@@ -53,7 +53,7 @@ def named(program: Program, parts: Mapping[str, Part], labels: Mapping[str, Part
 
 def _labelled(labels: Mapping[str, Part], alive: set[str],
               known: Mapping[str, Instruction]) -> dict[str, str]:
-    """Names of what holds values, or of what their negatives hold, by the old names."""
+    """New names, by old ones, of the instructions that hold labelled values or their negatives."""
     found: dict[str, str] = {}
     taken: Counter[str] = Counter()
     for old, part in labels.items():
@@ -69,7 +69,7 @@ def _labelled(labels: Mapping[str, Part], alive: set[str],
 
 
 def _only_users(program: Program) -> dict[str, Instruction]:
-    """The step that alone, and once, needs a step, by that one's name."""
+    """For each instruction that is used exactly once, by its name, the instruction that uses it."""
     found: dict[str, Instruction] = {}
     uses = Counter(x.name for x in (*program.results, *(
         x for step in program.instructions for x in step.operands)) if isinstance(x, Ref))

@@ -120,7 +120,7 @@ class Recorder:
 
         Those of vectors are x, y, z, of symmetric matrices xx, yy, zz, xy, xz, yz, of other 3×3
         matrices xx, xy, xz, yx, ….  A component that has a name keeps it.  Returns the components:
-        constants but 0 and ±1 bear their names."""
+        constants but 0 and ±1 have their names."""
         numbers, of = [value] if isinstance(value, Number) else value, self._part
         return tuple(self._labelled(Part(owner or of.owner, f"{symbol}{suffix}", of.heading), x)
                      for suffix, x in zip(COMPONENTS[len(numbers)], numbers, strict=True))

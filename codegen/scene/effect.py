@@ -116,16 +116,16 @@ class BodyState(Protocol):
         """ω."""
 
     def world_direction(self, vector: Vector) -> Vector:
-        """R x: a vector of the body as the world sees it."""
+        """R x: a vector in the body's frame expressed in the world's."""
 
     def own_direction(self, vector: Vector) -> Vector:
-        """R^T x: a vector of the world as the body sees it."""
+        """R^T x: a vector in the world's frame expressed in the body's."""
 
     def world_position(self, point: Vector) -> Vector:
-        """R x + t: where a point of the body is."""
+        """R x + t: the position of a point of the body."""
 
     def velocity(self, point: Vector) -> Vector:
-        """v + ω × x of a point of the body."""
+        """v + ω × x: the velocity of a point of the body."""
 
 
 @dataclass(frozen=True)
@@ -141,8 +141,8 @@ class Torque:
     """What acts along a coordinate: a torque at a joint, or a force that pushes two points apart.
 
     Without a `torque`, it is -∂energy/∂q.  `limit`: it acts as max(-limit, min(torque, limit)).
-    `energy`: potential energy, where it has one.  `power`: that of what has none; left out it is
-    all of the torque's power if there is no energy, else zero.
+    `energy`: its potential energy, if it has one.  `power`: the power of the part without potential
+    energy; by default all of the torque's power if there is no energy, else zero.
 
     Implicit steps take -∂torque/∂v and -∂torque/∂q from the torque itself (`mechanics/slopes.py`
     says how they are bounded).  `damping`, `stiffness`: these, at least 0, from an effect that
@@ -201,11 +201,11 @@ class Effect:
     parameters: tuple[ParameterOf, ...]
     any_of: tuple[str, ...] = ()  # one of these parameters, at least, must have a value
     ascending: tuple[str, str] | None = None  # the ends of the range it keeps a
-    # joint in, of which the first is not above the second
+    # joint in; the first must not exceed the second
     gravity: Callable[[Values], Vector] | None = None  # in the world's frame
     joint_torque: Callable[[CoordinateState, Values], Torque] | None = None
     joint_inertia: Callable[[Values], Number] | None = None
     body_force: Callable[[BodyState, Values], Force] | None = None
     pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
-    reaction: bool = False  # asks for the joint's reaction function
-    mimic: bool = False  # lets followers follow
+    reaction: bool = False  # selects the joint's reaction function
+    mimic: bool = False  # makes followers follow

@@ -30,7 +30,7 @@ class Key:
     default: str = ""  # in TOML
     required: bool = False
     table: "TableOf | None" = None
-    one_coordinate: bool = False  # for revolute and prismatic joints alone
+    one_coordinate: bool = False  # only for revolute and prismatic joints
 
 
 @dataclass(frozen=True)
@@ -126,7 +126,7 @@ EXPECT = TableOf('expect."QUANTITY"', "A condition for `coscrew check`: |quantit
     Key("atol", "absolute tolerance", "nonnegative", default="0")))
 
 SCENE = TableOf("", "The file itself.", (
-    Key("model", "a URDF file beside the scene; without it the tables `bodies` and `joints` are "
+    Key("model", "a URDF file next to the scene; without it the tables `bodies` and `joints` are "
         "the model"),
     Key("base", "whether the root is fixed or moves freely", choices=tuple(BASES)),
     Key("name", "name of the files and the package, and prefix of the C functions: a C identifier",

@@ -98,7 +98,7 @@ def _refuse_of_element(file: Table, name: str, names: tuple[str, ...], model: Mo
 
 
 def _candidates(model: Model, effects: tuple[Applied, ...]) -> tuple[_Numbers, dict[str, str]]:
-    """(numbers by name, descriptions of what is not a number by name)."""
+    """(numbers by name, descriptions of other values by name)."""
     numbers: _Numbers = {}
 
     def note(name: str, number: Scalar) -> Scalar:

@@ -21,7 +21,7 @@ from coscrew_codegen.simulate.system import State, System
 
 ALLOWED = 1e-2
 """Allowed change of an energy that should be constant, relative to the largest kinetic energy so
-far; and allowed error of momentum, relative to the largest speeds.  `check` allows a tenth."""
+far; and allowed error of momentum, relative to the largest velocities.  `check` allows a tenth."""
 ROUGH, RESOLVED = 0.3, 0.05
 """Allowed difference between one step and two halves, relative to the velocities, for methods of
 order 1 and others: that of an undamped spring whose phase advances by about 1 rad per step."""
@@ -86,8 +86,8 @@ class Alarm:
         if off <= ALLOWED:
             return None
         joint = self._joint(np.abs(np.asarray(right, float) - v))
-        return "momentum is not kept", (f"the speed of what floats free at joint {joint} is off by "
-                                        f"{off:.2g} of itself; {self._remedy(off / ALLOWED)}")
+        return "momentum is not kept", (f"the floating base {joint} is off by {off:.2g} "
+                                        f"of its speed; {self._remedy(off / ALLOWED)}")
 
     def _of_energy(self, energy: float) -> tuple[str, str] | None:
         if not self._conservative or (self._integrator.order == 1 and self._steps < _SETTLED):

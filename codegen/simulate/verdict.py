@@ -39,7 +39,7 @@ def _checks(along: tuple[Along, ...]) -> str:
             ("it is", *(_verdict(x) for x in along)),
             ("a joint's speed differs from that with smaller steps by, of its largest, at most",
              *(f"{x.speeds[0]:.2g} ({x.speeds[1]})" for x in along)),
-            *([("momentum of what floats free off by, relative, at most",
+            *([("momentum of floating bases off by, relative, at most",
                 *(f"{x.coarse.momentum:.2g}" for x in along))]
               if any(x.coarse.momentum for x in along) else []),
             ("|aba(rnea(a)) - a| / (|a| + |aba(0)|), at most, in u",

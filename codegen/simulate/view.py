@@ -58,7 +58,7 @@ def page(system: System, trajectory: Trajectory, provenance: Provenance) -> str:
     sentence = (f"{count} {'body' if count == 1 else 'bodies'}, {trajectory.t[-1]:g} s, "
                 f"{dict(provenance)['integrator']}, {system.precision.name} precision.")
     shown = "" if t[-1] == trajectory.t[-1] else (
-        f"The playback ends at t = {t[-1]:.6g} s: what comes then is too large to be shown.")
+        f"The playback ends at t = {t[-1]:.6g} s: the rest is too large to be shown.")
     speed = max((x for x, _ in _SPEEDS if x <= 1 and x * _LEAST_SHOWN <= t[-1]),
                 default=_SPEEDS[0][0])
     return render("view/page.html", speed=speed, name=scene.name, sentence=sentence, bodies=names,

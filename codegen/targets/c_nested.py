@@ -1,8 +1,8 @@
-"""How C writes a Program as a person would: expressions nest, what has a name is declared.
+"""Writes a Program as C with nested expressions; named values are declared.
 
-For files in which no compiler contracts within an expression.  A product that a sum takes up, there
-or in another statement, is RN(a * b), rounded on its own: what contracts against every pragma
-leaves it alone.
+For files in which compilers do not contract within an expression.  A product that a sum uses, in
+the same or another statement, is RN(a * b), rounded on its own even by compilers that contract in
+spite of every pragma.
 """
 
 from collections.abc import Iterator, Sequence
@@ -34,7 +34,7 @@ _SPELLING = {
 _ROUNDED = "RN({} * {})", CALL
 _SUMS = frozenset({Op.ADD, Op.SUB})
 _TRANSPARENT = frozenset({Op.NEG, Op.SELECT})
-"""What a sum sees its operand through."""
+"""Operations through which a sum still has a product as operand."""
 
 
 def language(program: Program, precision: Precision) -> Language:
@@ -54,8 +54,8 @@ def language(program: Program, precision: Precision) -> Language:
 
 
 def summed_products(program: Program) -> frozenset[str]:
-    """The products that a compiler could fuse into a sum: of the program, or of what uses its
-    results.  A product with 2 counts as a sum, which compilers make of it."""
+    """The products that a compiler could fuse into a sum of the program, or of a caller that uses
+    its results.  A product with 2 counts as a sum, since compilers replace it by one."""
     seen = {x.name for x in program.results if isinstance(x, Ref)}
     found = []
     for step in reversed(program.instructions):
@@ -73,7 +73,7 @@ def _doubles(step: Instruction) -> bool:
 
 def declarations(assigned: Sequence[Assignment | str], precision: Precision,
                  width: int) -> Iterator[str]:
-    """Declarations and headings: what belongs to the same component in one statement."""
+    """Declarations and headings; declarations of the same component are one statement."""
     def kind(x: Assignment | str) -> tuple[str, str]:
         if isinstance(x, str):
             return "", x

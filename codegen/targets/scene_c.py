@@ -23,13 +23,13 @@ from coscrew_codegen.targets.scene_c_steps import step_body
 from coscrew_codegen.targets.scene_text import c_name
 from coscrew_codegen.targets.target import Files, Target
 
-_IN_WORDS = {("double",): "double precision alone, as the scene says",
+_IN_WORDS = {("double",): "double precision only, as the scene demands",
              ("double", "single"): "double and (names that end in f) single precision"}
 
 
 @uncollected()
 def files(scene: SceneFunctions, banner: str) -> Files:
-    """arm.h and arm.c.  Raises ValueError for a name that they cannot bear."""
+    """arm.h and arm.c.  Raises ValueError for names that cannot be used in C."""
     scene_text.check_names(scene)
     plans = scene_text.plans(scene)
     parts = Parts(scene, plans)
@@ -57,9 +57,8 @@ def _about(scene: SceneFunctions) -> list[str]:
     return [
         f"{scene.name}: dynamics of a scene, in {_IN_WORDS[scene.precisions]}.",
         "SI units.  Arrays are plain, matrices row by row.  Pointers must be valid and "
-        "quaternions of norm 1; numbers that are not finite give results that are not.  Outputs "
-        "may alias inputs, also in part.  No heap, no state: every function may run in many "
-        "threads at once.",
+        "quaternions of norm 1; inputs that are not finite give results that are not.  Outputs "
+        "may overlap inputs.  No heap, no state: all functions are thread-safe.",
         *scene_text.order_in_words(scene),
         *_named_places(scene)]
 
@@ -67,11 +66,11 @@ def _about(scene: SceneFunctions) -> list[str]:
 def _named_places(scene: SceneFunctions) -> Iterator[str]:
     if prefixes := dict.fromkeys(name.split("_")[0] for name, _ in _places(scene)):
         names = ", ".join(f"{scene.name.upper()}_{prefix}_…" for prefix in prefixes)
-        yield f"Macros name these numbers (of several coordinates the first): {names}."
+        yield f"Macros for these indices (the first of several coordinates): {names}."
 
 
 def _places(scene: SceneFunctions) -> Iterator[tuple[str, str]]:
-    """(Q_ELBOW, its place in q), and so on: of speeds, of parameters, and numbers of bodies."""
+    """(Q_ELBOW, its index in q) and so on: for velocities, parameters and bodies."""
     joints = [x.joint for x in scene.coordinates]
     numbered = {"Q": (joints, [x.q.start for x in scene.coordinates]),
                 "V": (joints, [x.v.start for x in scene.coordinates]),
@@ -80,12 +79,12 @@ def _places(scene: SceneFunctions) -> Iterator[tuple[str, str]]:
     for prefix, (names, numbers) in numbered.items():
         stems = [identifiers([x.upper()])[0] for x in names]
         for stem, number in zip(stems, numbers, strict=True):
-            if stems.count(stem) == 1:  # names that fall together name no place
+            if stems.count(stem) == 1:  # ambiguous names get no macro
                 yield f"{prefix}_{stem}", str(number)
 
 
 def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str, str]]:
-    """Initialisers: q where joints are in their placements, and the parameters' values."""
+    """Initializers: the neutral q, and the default values of parameters."""
     lists = {"NEUTRAL_Q": scene.neutral, "DEFAULT_P": [value for _, value in scene.parameters]}
     for name, values in lists.items():
         if values:
@@ -96,7 +95,7 @@ def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str
 
 def _functions(scene: SceneFunctions, plans: Sequence[Plan], parts: Parts,
                precision: Precision) -> Iterator[CFunction]:
-    """All functions that are emitted, in the order in which they call each other."""
+    """All emitted functions, each after those that it calls."""
     for function, plan in zip(scene.functions, plans, strict=True):
         if function.name in parts.cuts:
             yield from parts.above(function, precision)

@@ -42,7 +42,7 @@ class _Body:
         ).rstrip("\n")
 
     def _shapes(self) -> dict[str, int]:
-        """The variables beside the inputs, and their lengths; 0 of numbers."""
+        """The variables other than the inputs, and their lengths; 0 for numbers."""
         found: dict[str, int] = {}
         for call in self.step.calls:
             of = outputs(self.scene.named(call.function))
@@ -59,7 +59,7 @@ class _Body:
         return [given.get(a.name, a.name) for a in self.scene.named(call.function).program.inputs]
 
     def _statement(self, statement: Call | Split) -> dict[str, object]:
-        """What the template writes of it."""
+        """The values for the template."""
         if isinstance(statement, Call):
             return {"call": self._call(statement)}
         (test,), (count, part) = statement.test.results, statement.parts.results

@@ -18,19 +18,19 @@ from coscrew_codegen.targets.nesting import planned
 from coscrew_codegen.targets.scene_text import access, c_name
 from coscrew_codegen.targets.target import Files, Target
 
-# Times and steps are those of steps called one by one: rounded from double.
+# Times and step lengths are rounded from double, as when steps are called one by one.
 _RUN = {"t": "({real})begun(t, h, (double)k)", "h": "({real})h"}
 
 
 def interface(scene: SceneFunctions) -> SceneInterface:
-    """The scene as its callers see it."""
+    """The interface of the scene for its callers."""
     return SceneInterface(scene.name, scene.nq, scene.nv, scene.coordinates, scene.bodies,
                       scene.parameters, scene.neutral, scene.precisions, scene.timed,
                       callables(scene))
 
 
 def callables(scene: SceneFunctions) -> tuple[Signature, ...]:
-    """All public functions, steps behind the others."""
+    """All public functions, steps last."""
     found = [Signature(f.name, tuple((a.name, tuple(a.quantity.shape)) for a in f.program.inputs),
                   tuple((a.name, tuple(a.quantity.shape)) for a in scene_text.outputs(f)),
                   scene_text.words(f), computes=bool(f.program.instructions))
@@ -44,7 +44,7 @@ def callables(scene: SceneFunctions) -> tuple[Signature, ...]:
 
 
 def files(scene: SceneFunctions, banner: str) -> Files:
-    """arm_calls.c, which is compiled with arm.c for Python, and bears no banner."""
+    """arm_calls.c, which is compiled with arm.c for Python and has no banner."""
     return {f"{scene.name}_calls.c": source(scene)}
 
 

@@ -24,7 +24,7 @@ from coscrew_codegen.version import VERSION
 
 @uncollected()
 def files(scene: SceneFunctions, banner: str) -> Files:
-    """The package arm/.  Raises ValueError for a name that it cannot bear."""
+    """The package arm/.  Raises ValueError for names that cannot be used in Python."""
     scene_text.check_names(scene)
     about = [row for line in scene_text.order_in_words(scene)
              for row in wrap(_quoted(line), WIDTH, subsequent_indent="    ")]
@@ -73,7 +73,7 @@ def _module(scene: SceneFunctions, plans: Sequence[Plan], banner: str, precision
 
 
 def _quoted(text: str) -> str:
-    """The text as a docstring holds it."""
+    """The text escaped for a docstring."""
     return scene_text.printable(text).replace("\\", "\\\\").replace('"""', '\\"\\"\\"')
 
 
@@ -83,7 +83,7 @@ def _docstring(paragraphs: Sequence[str]) -> str:
 
 
 def _shape(argument: Argument) -> str:
-    """(), (6,), (6, 6): the shape behind leading axes, of what no function takes as a matrix."""
+    """(), (6,), (6, 6): the shape after leading axes."""
     return repr(tuple(argument.quantity.shape))
 
 
@@ -120,7 +120,7 @@ def _assigned(x: Assignment | str) -> str:
 
 def _assembled(outputs: Sequence[Argument], results: Sequence[str],
                precision: Precision) -> Iterator[str]:
-    """For each output the array of its components."""
+    """For each output, the expression for the array of its components."""
     start = 0
     for output in outputs:
         parts = results[start:start + scene_text.size(output)]

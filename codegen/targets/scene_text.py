@@ -1,4 +1,4 @@
-"""What the languages say alike of a scene's functions: order of coordinates, steps, names allowed.
+"""Text about a scene's functions that all languages share: order of coordinates, steps, names.
 
 Knows functions and words; nothing of how a language writes statements.
 """
@@ -37,7 +37,7 @@ _CALLED = """fabs sqrt sin cos atan2 exp tanh fma fabsf sqrtf sinf cosf atan2f e
 memcpy NAN absolute arctan2 where nan float32 float64 np errstate array zeros_like ones_like
 lead out arrays assembled components delivered merged rounds spread"""
 RESERVED = frozenset((*_C.split(), *_CPP.split(), *_CALLED.split(), *keyword.kwlist))
-"""Names that no instruction may have: keywords of C, C++ and Python, and what kernels call."""
+"""Names that no instruction may have: keywords of C, C++ and Python, and called functions."""
 
 _NAME = re.compile("[A-Za-z][A-Za-z0-9_]*")
 
@@ -58,19 +58,19 @@ def size(argument: Argument) -> int:
 
 
 def outputs(function: Function) -> tuple[Argument, ...]:
-    """The outputs, those that bear an input's name with an o behind it: q → qo."""
+    """The outputs; those with an input's name get the suffix o: q → qo."""
     taken = {a.name for a in function.program.inputs}
     return tuple(Argument(f"{a.name}o", a.quantity) if a.name in taken else a
                  for a in function.program.outputs)
 
 
 def step_inputs(scene: SceneFunctions | SceneInterface) -> tuple[str, ...]:
-    """Names of what a step takes: t where forces depend on it, h, p where there are any, q, v."""
+    """The inputs of a step: t if forces depend on it, h, p if there are parameters, q, v."""
     return (*(["t"] if scene.timed else []), "h", *(["p"] if scene.parameters else []), "q", "v")
 
 
 def step_shapes(scene: SceneFunctions) -> dict[str, tuple[int, ...]]:
-    """The shapes of what a step takes."""
+    """The shapes of a step's inputs."""
     return {"t": (), "h": (), "p": (len(scene.parameters),), "q": (scene.nq,), "v": (scene.nv,)}
 
 
@@ -96,8 +96,8 @@ def banner_of(name: str, command: str = "") -> str:
 
 
 def check_names(scene: SceneFunctions) -> None:
-    """Raises ValueError for names that are no variables' or are given twice in a function, and for
-    a scene's that no file can bear."""
+    """Raise ValueError for names that are not valid variables or occur twice in a function, and for
+    scene names that C and Python cannot use."""
     name = scene.name
     if not (name.isascii() and name.isidentifier()) or keyword.iskeyword(name):
         raise ValueError(f"scene {name!r}: a name that C and Python can import is wanted")
@@ -129,7 +129,7 @@ def plans(scene: SceneFunctions) -> list[Plan]:
 
 
 def access(program: Program) -> Callable[[Input], str]:
-    """How a function reads its inputs: q[1], t."""
+    """The text with which a function reads an input: q[1], t."""
     def written(operand: Input) -> str:
         argument = program.inputs[operand.argument]
         return f"{argument.name}[{operand.index}]" if argument.quantity.shape else argument.name
@@ -137,7 +137,7 @@ def access(program: Program) -> Callable[[Input], str]:
 
 
 def legend(plans: Sequence[Plan], bodies: Sequence[str]) -> tuple[str, ...]:
-    """Paragraphs on what the names of instructions in these bodies of functions mean."""
+    """Paragraphs that explain the names in these bodies of functions."""
     written = {word for body in bodies for word in re.findall(r"\w+", body)}
     return scene_symbols.legend(sorted(written.intersection(
         name for plan in plans for name in (*plan.assigned, *plan.constants))))
@@ -175,8 +175,8 @@ def order_in_words(scene: SceneFunctions) -> list[str]:
     bodies = ", ".join(f"{n} {printable(name)}" for n, name in enumerate(scene.bodies))
     parameters = ", ".join(f"{n} {printable(name)} = {value!r}"
                            for n, (name, value) in enumerate(scene.parameters))
-    return ["Coordinates q and speeds v, joint by joint:", *table, *kinds,
-            *([f"Bodies, as body_poses orders them: {bodies}."] if bodies else []),
+    return ["Coordinates q and velocities v, joint by joint:", *table, *kinds,
+            *([f"Bodies, in the order of body_poses: {bodies}."] if bodies else []),
             *([f"Parameters p: {parameters}."] if parameters else [])]
 
 

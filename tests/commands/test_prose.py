@@ -1,0 +1,36 @@
+"""Documentation, docstrings, comments and messages avoid the words that the glossary replaces."""
+
+import re
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+GLOSSARY = ROOT / "docs/glossary.md"
+ROWS = GLOSSARY.read_text(encoding="utf-8").rpartition("| say | not |\n|---|---|\n")[2].splitlines()
+PHRASES = [phrase.strip() for row in ROWS for phrase in row.split("|")[2].split(",")]
+REPLACED = re.compile(rf"\b({'|'.join(map(re.escape, PHRASES))})\b", re.IGNORECASE)
+
+
+def texts() -> list[Path]:
+    """Sources, templates and guides, whose words people read; not the glossary itself."""
+    found = [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md")]
+    for folder in ("codegen", "templates"):
+        found += [x for x in (ROOT / folder).rglob("*")
+                  if x.suffix in (".py", ".jinja", ".js", ".css")]
+    return [x for x in sorted(found) if x != GLOSSARY]
+
+
+def replaced(text: str) -> list[str]:
+    """The replaced phrases in a text; a line break in prose is a blank."""
+    return REPLACED.findall(re.sub(r"\s*\n\s*(#|\*|//)?\s*", " ", text))
+
+
+def test_one_idea_has_one_word():
+    found = {x.relative_to(ROOT).as_posix(): words for x in texts()
+             if (words := replaced(x.read_text(encoding="utf-8")))}
+    assert not found, f"docs/glossary.md says what to write instead: {found}"
+
+
+def test_a_replaced_phrase_is_found():
+    assert replaced("exact, but\n    # for rounding") == ["but for"]
+    assert replaced("buttons for a list, at least one") == []
+    assert len(PHRASES) > 5
