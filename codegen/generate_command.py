@@ -4,6 +4,7 @@ Imports what derives only when it is asked to, so that other commands start at o
 
 import argparse
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -87,15 +88,16 @@ def _scene(options: argparse.Namespace) -> int:
     from coscrew_codegen.selection import SelectionError
 
     given = [name for name in ("family", "language") if getattr(options, name)]
-    if options.precision not in (None, "double", "both"):
-        raise SelectionError(f"--precision {options.precision}: a scene's files hold double "
-                             "precision, or both")
+    if options.precision not in (None, "double", "single", "both"):
+        raise SelectionError(f"--precision {options.precision}: wanted double, single or both")
     if given:
         raise SelectionError(f"--{given[0]} selects kernels of the library; a scene's files are "
                              f"always whole")
     if not options.output:
         raise SelectionError(f"where to?  Wanted: coscrew generate {options.scene} -o DIR")
     scene = scene_of(options, options.precision, tuple(options.functions or ()))
+    if scene.precision == "single":
+        scene = replace(scene, precisions=("single",))
     for line in scene.unused:
         print(f"{options.scene.name}: {line}", file=sys.stderr)
     said = "".join(f" --{name} {word}" for name in ("precision", "implausible")

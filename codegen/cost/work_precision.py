@@ -13,6 +13,7 @@ from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.integrators import ADAPTIVE
 from coscrew_codegen.native.intervals import FEWEST, Interval, interval
 from coscrew_codegen.scene_functions import Step
+from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.outcome import Asked
 from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.run import integrate
@@ -102,7 +103,7 @@ def _end(system: System, until: float, integrator: str, tolerance: float) -> Tra
     return None if trajectory.stopped else trajectory
 
 
-def work_precision(kernels: object, library: Compiled, planned: Plan, asked: Asked,
+def work_precision(kernels: Kernels, library: Compiled, planned: Plan, asked: Asked,
                    truth: Reference) -> Iterator[Point]:
     """A point for each integrator, precision and step."""
     yield from _in_c(kernels, library, planned, asked, truth)
@@ -120,7 +121,7 @@ def work_precision(kernels: object, library: Compiled, planned: Plan, asked: Ask
                         error(its, run.q[-1], truth), "Python")
 
 
-def _in_c(kernels: object, library: Compiled, planned: Plan, asked: Asked,
+def _in_c(kernels: Kernels, library: Compiled, planned: Plan, asked: Asked,
           truth: Reference) -> Iterator[Point]:
     """The emitted integrators, timed in rounds: each run once per round."""
     runs = [(system(kernels, precision.name, dict(asked.settings)), step, precision, steps)

@@ -108,7 +108,7 @@ class Acting:
     def act(self) -> "Acting":
         """Evaluate the effects, in the order of the catalogue and of the scene."""
         effects = self.scene.effects
-        owners = identifiers([f"{x.label or x.on}_{x.effect.name}" for x in effects])
+        owners = identifiers([_owner(x) for x in effects])
         for owner, applied in zip(owners, effects, strict=True):
             at = f" at {applied.on}" if applied.on else ""
             with self.recorder.part(owner, heading=f"{applied.effect.name}{at}"):
@@ -221,6 +221,11 @@ def gravity(scene: Scene, recorder: Recorder) -> Vector | None:
     return total
 
 
+def _owner(applied: Applied) -> str:
+    """What names of an effect's values begin with: elbow_viscous, also at an elbow_joint."""
+    return f"{(applied.label or applied.on).removesuffix('_joint')}_{applied.effect.name}"
+
+
 def joint_inertias(scene: Scene, recorder: Recorder) -> dict[str, Number]:
     """The inertias that effects add to joints, by joint."""
     total: dict[str, Number] = {}
@@ -228,7 +233,7 @@ def joint_inertias(scene: Scene, recorder: Recorder) -> dict[str, Number]:
         if applied.effect.joint_inertia:
             values = settings(recorder, applied.values, recorder.number(0))
             own = applied.effect.joint_inertia(values)
-            owner, = identifiers([f"{applied.on}_{applied.effect.name}"])
+            owner, = identifiers([_owner(applied)])
             own, = recorder.label("I", own, owner)
             total[applied.on] = total[applied.on] + own if applied.on in total else own
     return total

@@ -8,9 +8,6 @@ from coscrew_codegen.recording.recorder import Recorder
 from coscrew_codegen.scene.model import Inertia
 from coscrew_codegen.scene.tree import Seat
 
-UPPER = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
-"""(row, column) of the six numbers of a symmetric matrix."""
-
 
 @dataclass(frozen=True)
 class Rigid:

@@ -38,7 +38,7 @@ class Derivation:
 
     def __init__(self, scene: Scene, tell: Callable[[str], None] = lambda name: None):
         self.scene, self.tree, self.tell = scene, tree_for(scene), tell
-        self.names = identifiers([link.name for link in self.tree.links])
+        self.names = identifiers([link.name.removesuffix("_link") for link in self.tree.links])
         bodies = [body.name for body in scene.model.bodies]
         self.bodies = dict(zip(bodies, identifiers(bodies), strict=True))
         nq, nv, units = self.tree.nq, self.tree.nv, "positions in m, angles in rad"

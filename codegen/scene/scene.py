@@ -27,6 +27,11 @@ class Applied:
     values: Mapping[str, Setting]
     label: str = ""
 
+    def vector(self, name: str) -> tuple[Scalar, ...]:
+        """The numbers of a parameter that is a vector."""
+        given = self.values[name]
+        return tuple(x for x in given if isinstance(x, Scalar)) if isinstance(given, tuple) else ()
+
     @property
     def bodies(self) -> tuple[str, ...]:
         """The two bodies of an effect on two."""

@@ -39,7 +39,8 @@ def adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np
                 watch(solver.t, *_state(system, solver.y))
             interpolant = solver.dense_output() if times[sample] < solver.t else None
             while sample < len(times) and times[sample] <= solver.t:
-                y = solver.y if times[sample] == solver.t else interpolant(times[sample])
+                y = interpolant(times[sample]) if interpolant and times[sample] < solver.t \
+                    else solver.y
                 q, v = _state(system, y)
                 yield q, v, steps, ""
                 sample += 1

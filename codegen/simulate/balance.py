@@ -100,7 +100,7 @@ def _parts(system: System, trajectory: Trajectory) -> np.ndarray:
         return np.zeros(len(t) - 1)
     h = np.diff(t)
     closing = system.call("closing_contacts", h=h, q=q, v=v) > 0
-    return np.where(closing, system.call("parts", h=h, q=q, v=v)[0], 0).astype(float)
+    return np.where(closing, system.outputs("parts", h=h, q=q, v=v)[0], 0).astype(float)
 
 
 def _shortest(trajectory: Trajectory, parts: np.ndarray) -> float:
@@ -114,7 +114,7 @@ def _refined(system: System, trajectory: Trajectory, change: np.ndarray, work: n
     works = np.diff(work)
     apart = np.abs(change - works)
     closing = parts > 0
-    clear = np.where(closing, _UNCLEAR / max(1, np.count_nonzero(closing)), _UNCLEAR) * scale
+    clear = np.where(closing, _UNCLEAR / max(1, int(np.count_nonzero(closing))), _UNCLEAR) * scale
     unclear = np.argsort(-np.where(np.isnan(apart), 0, apart), kind="stable")[:_MOST]
     unclear = np.sort(unclear[apart[unclear] > clear[unclear]])
     counts = np.where(closing, np.maximum(_LEAST, _FINER * parts), _FINE).astype(int)
@@ -144,7 +144,7 @@ def _closely(system: System, t: np.ndarray, interval: np.ndarray, count: np.ndar
     h, total, before = interval / count, np.zeros(len(t)), _power(system, t, q, v)
     for k in range(count.max(initial=0)):
         i = np.flatnonzero(k < count)
-        q[i], v[i] = system.call(named(DEFAULT).step_name, t=t[i] + k * h[i], h=h[i], q=q[i],
+        q[i], v[i] = system.outputs(named(DEFAULT).step_name, t=t[i] + k * h[i], h=h[i], q=q[i],
                                  v=v[i])
         after = _power(system, t[i] + (k + 1) * h[i], q[i], v[i])
         total[i] += h[i] / 2 * (before[i] + after)

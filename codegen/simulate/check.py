@@ -5,6 +5,7 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,24 +22,27 @@ from coscrew_codegen.simulate.progress import Progress
 from coscrew_codegen.simulate.record import accelerations, differences, largest, quantity
 from coscrew_codegen.simulate.recording import Column, Recording
 from coscrew_codegen.simulate.run import integrate
-from coscrew_codegen.simulate.system import System, system
+from coscrew_codegen.simulate.system import System, scene_of, system
+
+if TYPE_CHECKING:
+    from coscrew_codegen.simulate.load import Kernels
 
 _MOST_STEPS = 200_000  # most samples in the balance of energy
 _STATES = 1000  # states along the run at which matrices are checked
 _TIGHTER = 16  # divisor of tolerances for the second run
 
 
-def check(kernels: object, asked: Asked) -> Findings:
+def check(kernels: "Kernels", asked: Asked) -> Findings:
     """Run the scene in its precisions, or in the selected one, with its steps and smaller ones.
 
     Expectations are checked in double precision, unless only single is run.  Raises SimulateError.
     """
-    one = asked.precision in BY_NAME
-    names = (asked.precision,) if one else kernels.scene.precisions
+    scene = scene_of(kernels)
+    names = (asked.precision,) if asked.precision in BY_NAME else scene.precisions
     runs = {name: _run(kernels, name, asked) for name in names}
-    meant = "single" if (asked.precision or kernels.scene.precision) == "single" else "double"
+    meant = "single" if (asked.precision or scene.precision) == "single" else "double"
     its, _, trajectory = runs[meant]
-    met = tuple(_met(its, trajectory, x) for x in kernels.scene.expectations)
+    met = tuple(_met(its, trajectory, x) for x in scene.expectations)
     along = [_along(*run) for run in runs.values()]
     if len(along) == 2:
         along[1] = replace(along[1], double=along[0])
@@ -46,7 +50,7 @@ def check(kernels: object, asked: Asked) -> Findings:
     return Findings(met, tuple(along), apart, outside(its))
 
 
-def _run(kernels: object, precision: str, asked: Asked) -> tuple[System, Plan, Trajectory]:
+def _run(kernels: "Kernels", precision: str, asked: Asked) -> tuple[System, Plan, Trajectory]:
     """A run that is sampled at every step; with SciPy's solvers, equally densely."""
     its = system(kernels, precision, dict(asked.settings))
     rough = plan(its, asked.until, asked.step, asked.integrator)
@@ -149,7 +153,7 @@ def _some(trajectory: Trajectory) -> np.ndarray:
 
 
 def _chosen(trajectory: Trajectory, samples: np.ndarray) -> Trajectory:
-    return Trajectory(*(x[samples] for x in (trajectory.t, trajectory.q, trajectory.v)), 0, 0)
+    return Trajectory(trajectory.t[samples], trajectory.q[samples], trajectory.v[samples], 0, 0)
 
 
 def _sparse(system: System, trajectory: Trajectory) -> Recording:

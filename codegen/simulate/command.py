@@ -109,7 +109,7 @@ def run(options: argparse.Namespace) -> int:
     one = options.precision or scene.precision
     kernels = kernels_for(scene, needs.of_run(scene, options.integrator, bool(options.view)),
                           BOTH if one == "both" else (one,))
-    for line in _notes(kernels.scene, options.unused):
+    for line in _notes(scene, options.unused):
         print(f"coscrew: {line}", file=sys.stderr)
     outcomes = outcome.simulated(kernels, outcome.Asked(
         options.until, options.step, options.integrator, options.precision,

@@ -87,8 +87,8 @@ def library(units: Mapping[str, Sequence[str]], files: Mapping[str, str],
         return library
     with doing(f"compiling {' and '.join(sorted(units))}"):
         path = _built(units, files, using, key)
-    if library := _opened(path):
-        return Library(library, key)
+    if opened := _opened(path):
+        return Library(opened, key)
     raise CompilationError(f"{using.command[0]} made a library that cannot be loaded")
 
 

@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 import numpy as np
 from tabulate import tabulate
@@ -17,7 +18,10 @@ from coscrew_codegen.simulate.record import Difference, differences, record
 from coscrew_codegen.simulate.recording import Recording
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.settings import ranges
-from coscrew_codegen.simulate.system import System, system
+from coscrew_codegen.simulate.system import System, scene_of, system
+
+if TYPE_CHECKING:
+    from coscrew_codegen.simulate.load import Kernels
 
 
 @dataclass(frozen=True)
@@ -41,11 +45,11 @@ class Outcome:
     recording: Recording
 
 
-def simulated(kernels: object, asked: Asked, also: tuple[float, ...] = (), told: bool = True
+def simulated(kernels: "Kernels", asked: Asked, also: tuple[float, ...] = (), told: bool = True
               ) -> tuple[Outcome, ...]:
     """The runs, double first.  `also` are further times to sample at; without `told`, recordings
     have no provenance.  Raises SimulateError."""
-    precision = asked.precision or kernels.scene.precision
+    precision = asked.precision or scene_of(kernels).precision
     names = tuple(BY_NAME) if precision == "both" else (precision,)
     outcomes: list[Outcome] = []
     for name in names:
@@ -55,13 +59,13 @@ def simulated(kernels: object, asked: Asked, also: tuple[float, ...] = (), told:
     return tuple(outcomes)
 
 
-def _run(kernels: object, precision: str, asked: Asked, also: tuple[float, ...], told: bool
+def _run(kernels: "Kernels", precision: str, asked: Asked, also: tuple[float, ...], told: bool
          ) -> Outcome:
     its = system(kernels, precision, dict(asked.settings))
     planned = plan(its, asked.until, asked.step, asked.integrator, also=also)
     with Progress(its, planned.until) as watch:
         trajectory = integrate(its, planned, watch, Alarm)
-    origin = ()
+    origin: tuple[tuple[str, str], ...] = ()
     if told:
         from coscrew_codegen.simulate.provenance import provenance  # slow: runs Git
 
@@ -81,8 +85,8 @@ def summary(outcomes: tuple[Outcome, ...]) -> str:
 def gaps(found: tuple[Difference, ...]) -> str:
     """The table of differences between the precisions."""
     rows = [(x.quantity, x.unit, x.size, x.apart, x.column, x.t) for x in found]
-    return tabulate(rows, ("quantity", "unit", "max |double|", "max |double - single|", "in",
-                           "at t, s"), floatfmt=("", "", ".3g", ".3g", "", "g"))
+    return str(tabulate(rows, ("quantity", "unit", "max |double|", "max |double - single|", "in",
+                           "at t, s"), floatfmt=("", "", ".3g", ".3g", "", "g")))
 
 
 def bounces(outcome: Outcome) -> str:
@@ -93,7 +97,7 @@ def bounces(outcome: Outcome) -> str:
         return ""
     with np.errstate(all="ignore"):
         closing = its.call("closing_contacts", h=planned.step, q=run.q, v=run.v) > 0
-        parts = its.call("parts", h=planned.step, q=run.q, v=run.v)[0]
+        parts = its.outputs("parts", h=planned.step, q=run.q, v=run.v)[0]
     if not np.any(closing & (parts > 1)):
         return ""
     return (f"limits close, and {planned.integrator} does not resolve bounces in steps of "
@@ -138,8 +142,8 @@ def _states(outcomes: tuple[Outcome, ...]) -> str:
                 label = f"{name}.{c.joint}" + (f".{i}" if len(places) > 1 else "")
                 rows.append((label, *(getattr(x.trajectory, name)[-1, place] for x in outcomes)))
     at = f"at t = {outcomes[0].trajectory.t[-1]:g} s"
-    return tabulate(rows, (at, *(x.system.precision.name for x in outcomes)), floatfmt=(
-        "", *(f".{x.system.precision.decimals}g" for x in outcomes)))
+    return str(tabulate(rows, (at, *(x.system.precision.name for x in outcomes)), floatfmt=(
+        "", *(f".{x.system.precision.decimals}g" for x in outcomes))))
 
 
 def _energies(outcomes: tuple[Outcome, ...]) -> str:
@@ -156,4 +160,6 @@ def _ends(outcome: Outcome) -> np.ndarray:
     """Energy in J at the start and at the end."""
     ends = [0, -1]
     t, q, v = (x[ends] for x in (outcome.trajectory.t, outcome.trajectory.q, outcome.trajectory.v))
-    return sum(outcome.system.energies(t, q, v))
+    kinetic, potential = outcome.system.energies(t, q, v)
+    total: np.ndarray = kinetic + potential
+    return total

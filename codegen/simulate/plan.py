@@ -81,10 +81,10 @@ def plan(system: System, until: float | None = None, step: float | None = None,
     if made.integrator not in NAMES:
         raise SimulateError(f"integrator: {made.integrator!r}; wanted one of {', '.join(NAMES)}; "
                             f"{did_you_mean(made.integrator, NAMES)}")
-    step = named(made.integrator).step_name
-    if step and not system.has(step):
-        raise SimulateError(f"integrator {made.integrator}: {step} is not among the functions that "
-                            f"were asked for; wanted functions = [\"default\", {step!r}]")
+    called = named(made.integrator).step_name
+    if called and not system.has(called):
+        raise SimulateError(f"integrator {made.integrator}: {called} is not among the functions "
+                            f"that were asked for; wanted functions = [\"default\", {called!r}]")
     for name, value in (("until", made.until), ("step", made.step), ("every", made.every)):
         if not (math.isfinite(value) and value > 0):
             raise SimulateError(f"{name}: wanted a positive number of seconds; got {value}")

@@ -98,8 +98,8 @@ def differences(double: Recording, single: Recording) -> tuple[Difference, ...]:
         before = found.get(key)
         size = max(float(np.max(np.abs(values))), before.size if before else 0)
         new = Difference(*key, size, float(apart[worst]), column.name, float(double.t[worst]))
-        keep = before and not (new.apart > before.apart or np.isnan(new.apart))
-        found[key] = replace(before, size=size) if keep else new
+        found[key] = new if before is None or new.apart > before.apart or np.isnan(new.apart) \
+            else replace(before, size=size)
     return tuple(found.values())
 
 

@@ -57,10 +57,11 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
     return Trajectory(times[:len(sampled)], qs, vs, steps, seconds, stopped, interrupted)
 
 
-def _adaptive(system: System, plan: Plan, *others: object) -> Sampled:
+def _adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
+              watch: Watch | None = None) -> Sampled:
     from coscrew_codegen.simulate.adaptive import adaptive  # imports SciPy
 
-    return adaptive(system, plan, *others)
+    return adaptive(system, plan, times, q, v, watch)
 
 
 def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
@@ -102,7 +103,7 @@ def _in_finer_parts(system: System, integrator: Integrator, finer: int
         for k in range(n):
             parts = 1
             if system.call("closing_contacts", h=finer * h, q=q, v=v) > 0:
-                parts = int(system.call("parts", h=finer * h, q=q, v=v)[0])
+                parts = int(system.outputs("parts", h=finer * h, q=q, v=v)[0])
             q, v = step(parts, t + k * h, h / parts, q, v)
         return q, v
 
@@ -126,6 +127,6 @@ def _cause(system: System, plan: Plan, h: float, q: np.ndarray, v: np.ndarray) -
     """Cause, if known, and remedy of a failing step that starts at q, v."""
     if plan.integrator != DEFAULT:
         return f"; take a smaller step, or integrator {DEFAULT}"
-    if system.has("parts") and np.isnan(system.call("parts", h=h, q=q, v=v)[1]):
+    if system.has("parts") and np.isnan(system.outputs("parts", h=h, q=q, v=v)[1]):
         return "; a limit closes that is too stiff for parts of this step; take a smaller step"
     return "; take a smaller step"

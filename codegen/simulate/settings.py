@@ -6,9 +6,10 @@ from dataclasses import replace
 from fractions import Fraction
 
 from coscrew_codegen.formats import Precision
+from coscrew_codegen.parameter import Parameter, Scalar
 from coscrew_codegen.scene.assembly import ModelError
 from coscrew_codegen.scene.effect import ParameterOf
-from coscrew_codegen.scene.model import Model, Parameter, Scalar, value
+from coscrew_codegen.scene.model import Model, value
 from coscrew_codegen.scene.possible import judged, unmoved_mass
 from coscrew_codegen.scene.recorded import exempt_joints
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
@@ -40,7 +41,7 @@ def refuse_settings(scene: Scene, settings: Mapping[str, float], precision: Prec
         if number < 0 or wanted == _POSITIVE and number == 0:
             raise SimulateError(f"--set {name}={number:g}: {wanted}")
     for applied, low, high in ranges(scene, settings):
-        if low > high:
+        if applied.effect.ascending and low > high:
             given = " ".join(f"--set {name}={number:g}" for name, number in settings.items())
             raise SimulateError(f"{given}: {applied.name}: {applied.effect.ascending[0]}, {low:g}, "
                                 f"is above {applied.effect.ascending[1]}, {high:g}")
@@ -58,7 +59,7 @@ def ranges(scene: Scene, settings: Mapping[str, float]) -> Iterator[tuple[Applie
 
 
 def _number(given: Setting, settings: Mapping[str, float], without: float) -> float:
-    if given is None:
+    if not isinstance(given, Scalar):
         return without
     named = settings.get(given.name) if isinstance(given, Parameter) else None
     return float(value(given)) if named is None else named

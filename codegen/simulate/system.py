@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from types import SimpleNamespace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,7 +15,11 @@ from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.program import Program
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import SceneInterface
+from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.settings import refuse_settings
+
+if TYPE_CHECKING:
+    from coscrew_codegen.simulate.load import Kernels
 
 State = tuple[np.ndarray, np.ndarray]
 Watch = Callable[[float, np.ndarray, np.ndarray], None]
@@ -30,7 +35,7 @@ class System:
     kernels: SimpleNamespace
     precision: Precision
     p: tuple[float, ...] = ()
-    origin: object = None  # the kernels of all precisions
+    origin: "Kernels | None" = None  # the kernels of all precisions
 
     @property
     def dtype(self) -> np.dtype:
@@ -45,7 +50,8 @@ class System:
     @property
     def programs(self) -> Mapping[str, Program]:
         """The Program of each function."""
-        return {f.name: f.program for f in self.origin.functions.functions if not f.internal}
+        found = self.origin.functions.functions if self.origin else ()
+        return {f.name: f.program for f in found if not f.internal}
 
     def computes(self, name: str) -> bool:
         """Whether the function computes anything, and does not only return inputs and constants."""
@@ -55,12 +61,17 @@ class System:
         """Whether the scene has this function."""
         return name in self.inputs
 
-    def call(self, name: str, **values: object) -> np.ndarray | tuple[np.ndarray, ...]:
-        """The function's outputs for these inputs (t, h, q, v, a, tau, phi), which broadcast over
+    def call(self, name: str, **values: object) -> np.ndarray:
+        """The function's output for these inputs (t, h, q, v, a, tau, phi), which broadcast over
         leading axes; inputs that it does not take are ignored."""
         given = {"p": self._p, **values}
         arguments = [np.asarray(given[x], self.dtype) for x in self.inputs[name]]
-        return getattr(self.kernels, name)(*arguments)
+        found: np.ndarray = getattr(self.kernels, name)(*arguments)
+        return found
+
+    def outputs(self, name: str, **values: object) -> tuple[np.ndarray, ...]:
+        """The same of a function with several outputs."""
+        return tuple(self.call(name, **values))
 
     def stepper(self, name: str, watch: Watch | None = None
                 ) -> Callable[[int, float, float, np.ndarray, np.ndarray], State]:
@@ -132,12 +143,20 @@ class System:
         return np.array(self.p, self.dtype)
 
 
-def system(kernels: object, precision: str, settings: Mapping[str, float] | None = None) -> System:
+def scene_of(kernels: "Kernels") -> Scene:
+    """The scene of the kernels.  Raises SimulateError for functions derived by themselves."""
+    if kernels.scene is None:
+        raise SimulateError("these kernels are of no scene")
+    return kernels.scene
+
+
+def system(kernels: "Kernels", precision: str, settings: Mapping[str, float] | None = None
+           ) -> System:
     """The system of `kernels` (as load_scene returns them) in the precision of this name.
 
     `settings` are values of run-time parameters.  Raises SimulateError for unknown ones, and for
     values that a scene's file must not have."""
-    functions, scene = kernels.interface, kernels.scene
+    functions, scene = kernels.interface, scene_of(kernels)
     found = next(x for x in PRECISIONS if x.name == precision)
     refuse_settings(scene, settings or {}, found)
     values = tuple((settings or {}).get(name, value) for name, value in functions.parameters)

@@ -27,8 +27,8 @@ def _expectations(met: tuple[Met, ...]) -> str:
     rows = [("pass" if x.passed else "FAIL", x.wanted.quantity, x.wanted.at, x.wanted.value, x.came,
              abs(x.came - x.wanted.value), x.wanted.rtol * abs(x.wanted.value) + x.wanted.atol,
              x.unit) for x in met]
-    return tabulate(rows, ("", "expected", "at t, s", "value", "came", "apart", "allowed", "unit"),
-                    floatfmt=("", "", "g", ".12g", ".12g", ".2g", ".2g", ""))
+    columns = ("", "expected", "at t, s", "value", "came", "apart", "allowed", "unit")
+    return str(tabulate(rows, columns, floatfmt=("", "", "g", ".12g", ".12g", ".2g", ".2g", "")))
 
 
 def _checks(along: tuple[Along, ...]) -> str:
@@ -47,8 +47,9 @@ def _checks(along: tuple[Along, ...]) -> str:
             ("condition of the mass matrix (SI units), at most",
              *(f"{x.condition:.3g}" for x in along)),
             ("where that is, t in s", *(f"{x.at:g}" for x in along))]
-    return tabulate(rows, ("", *(f"{x.precision}, {x.step}" for x in along)), disable_numparse=True,
-                    colalign=("left", *("right" for _ in along)))
+    columns = ("", *(f"{x.precision}, {x.step}" for x in along))
+    return str(tabulate(rows, columns, disable_numparse=True,
+                        colalign=("left", *("right" for _ in along))))
 
 
 def _false(along: Along) -> str:
@@ -70,7 +71,7 @@ def _false(along: Along) -> str:
                 f"{other if along.limits and name != DEFAULT else ''}")
     if along.step.startswith("rtol"):
         return f"{said}; take a smaller rtol"
-    order = along.integrator.order
+    order: float = along.integrator.order
     order = max(_LEAST, min(order, _order(along) or order)) if energy else order
     smaller = (0.5 * ALLOWED / off)**(1 / order)
     if energy and along.part < math.inf:

@@ -13,10 +13,11 @@ from pathlib import Path
 import numpy as np
 
 import coscrew
+from coscrew_codegen.parameter import Parameter, Scalar
 from coscrew_codegen.render import render
-from coscrew_codegen.scene.model import WORLD, Inertia, Joint, Kind, Parameter, Scalar
+from coscrew_codegen.scene.model import WORLD, Inertia, Joint, Kind
 from coscrew_codegen.simulate.plan import Trajectory
-from coscrew_codegen.simulate.provenance import Provenance
+from coscrew_codegen.simulate.recording import Provenance
 from coscrew_codegen.simulate.system import System
 from coscrew_codegen.simulate.write import delivered
 
@@ -27,15 +28,18 @@ _LEAST_SHOWN = 3.0  # s: least duration of a playback at the initial speed
 _SPEEDS = ((0.1, "0.1×"), (0.25, "0.25×"), (0.5, "0.5×"), (1, "1×"), (2, "2×"), (5, "5×"))
 
 
+Entries = list[dict[str, object]]
+
+
 @dataclass(frozen=True)
 class Drawn:
     """What is drawn: each entry is fixed to the body of a number, -1 the world, in its frame."""
 
-    shapes: list[dict] = field(default_factory=list)  # body, shape: half sides, place as a pose
-    lines: list[dict] = field(default_factory=list)  # body, points, rod: to a centre of mass?
-    slides: list[dict] = field(default_factory=list)  # body, point, child: from point to its origin
-    joints: list[dict] = field(default_factory=list)  # body, point
-    extent: list[dict] = field(default_factory=list)  # body, points: what the camera shows
+    shapes: Entries = field(default_factory=list)  # body, shape: half sides, place as a pose
+    lines: Entries = field(default_factory=list)  # body, points, rod: to a centre of mass?
+    slides: Entries = field(default_factory=list)  # body, point, child: from point to its origin
+    joints: Entries = field(default_factory=list)  # body, point
+    extent: Entries = field(default_factory=list)  # body, points: what the camera shows
 
 
 def view(system: System, trajectory: Trajectory, provenance: Provenance, path: Path) -> None:
@@ -100,7 +104,7 @@ def _up(system: System) -> list[float]:
     """The direction opposite to gravity, or z without gravity."""
     for applied in system.scene.effects:
         if applied.effect.name == "gravity":
-            g = np.array([_number(system, x) for x in applied.values["g"]])
+            g = np.array([_number(system, x) for x in applied.vector("g")])
             if np.any(g):
                 return list(-g / np.linalg.norm(g))
     return [0.0, 0.0, 1.0]

@@ -24,6 +24,7 @@ from coscrew_codegen.targets.scene_text import c_name
 from coscrew_codegen.targets.target import Files, Target
 
 _IN_WORDS = {("double",): "double precision only, as the scene demands",
+             ("single",): "single precision only, as the scene demands",
              ("double", "single"): "double and (names that end in f) single precision"}
 
 

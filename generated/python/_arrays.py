@@ -22,22 +22,22 @@ def numbers(value, name, objects=False):
     arithmetic.  Raises TypeError for everything else."""
     if isinstance(value, np.ndarray) and type(value) is not np.ndarray and isinstance(
             value, np.ma.MaskedArray):
-        raise TypeError(f"{name}: a masked array came; {WANTED}, without a mask, are wanted")
+        raise TypeError(f"{name}: got a masked array; wanted {WANTED}, without a mask")
     if hasattr(type(value), "__pandas_priority__"):
-        raise TypeError(f"{name}: a pandas {type(value).__name__} came; its to_numpy() is wanted, "
+        raise TypeError(f"{name}: got a pandas {type(value).__name__}; wanted its to_numpy(), "
                         f"of {WANTED}")
     try:
         found = np.asarray(value)
     except Exception as error:  # rows of different lengths, a tracer, a tensor on another device
         reason = str(error).partition("\n")[0]
-        raise TypeError(f"{name}: {type(value).__name__} came, of which NumPy makes no array "
-                        f"({reason}); {WANTED} are wanted") from error
+        raise TypeError(f"{name}: got {type(value).__name__}, which NumPy cannot convert "
+                        f"({reason}); wanted {WANTED}") from error
     if found.dtype == object:
         if not (objects and all(hasattr(x, "__neg__") for x in found.flat)):
             kinds = ", ".join(sorted({type(x).__name__ for x in found.flat}))
-            raise TypeError(f"{name}: objects ({kinds}) came; {WANTED} are wanted")
+            raise TypeError(f"{name}: got objects ({kinds}); wanted {WANTED}")
     elif found.dtype.kind not in "iu" and found.dtype.type not in (np.float64, np.float32):
-        raise TypeError(f"{name}: {found.dtype} came; {WANTED} are wanted")
+        raise TypeError(f"{name}: got {found.dtype}; wanted {WANTED}")
     return found
 
 
@@ -53,7 +53,7 @@ def cast(array, name, kind):
             return array.astype(kind)
     except FloatingPointError:
         largest = np.abs(array)[np.isfinite(array)].max()
-        raise ValueError(f"{name}: a number of magnitude {largest} came; the largest in "
+        raise ValueError(f"{name}: got a number of magnitude {largest}; the largest in "
                          f"{np.dtype(kind)} is {np.finfo(kind).max}") from None
 
 

@@ -183,3 +183,22 @@ def test_derived_dynamics_have_the_same_bits_in_c_and_numpy(folder: Path, precis
         assert same_bits(found, wanted), function.name
         compared += 1
     assert compared >= 10
+
+
+@pytest.mark.parametrize("asked", ("--precision", "scene"))
+def test_single_precision_alone(folder: Path, asked: str):
+    """Its functions are those of the files that hold both; nothing is in double."""
+    assert main(["generate", "arm.toml", "-o", "both"]) == 0
+    if asked == "scene":
+        (folder / "arm.toml").write_text('precision = "single"\n' + SCENE)
+    options = ["--precision", "single"] if asked == "--precision" else []
+    assert main(["generate", "arm.toml", "-o", "out", *options]) == 0
+    assert generated(folder / "out") == tuple(x for x in FILES if "double" not in x)
+    alone, both = ((folder / x / "arm.c").read_text() for x in ("out", "both"))
+    start = "#ifndef ARM_NO_SINGLE"
+    assert alone[alone.index(start):] == both[both.index(start):]
+    header = (folder / "out" / "arm.h").read_text()
+    assert "in single precision only" in header and "tau = M(q) a" in header
+    assert "double" not in alone[alone.index(start):] and "(double" not in header
+    for compiler, dialect in DIALECTS:
+        run([compiler, *dialect, *STRICT, "-c", folder / "out" / "arm.c", "-o", folder / "x.o"])

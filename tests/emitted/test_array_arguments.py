@@ -55,16 +55,16 @@ def wrong(shape: tuple[int, ...]) -> dict[str, object]:
     ones = np.ones(shape)
     kinds = (np.longdouble, np.float16, np.bool_, np.complex128, np.clongdouble, "M8[s]", "m8[s]",
              "U3", "S3", [("x", float)])
-    found: dict[str, object] = {f"{np.dtype(k)} came": np.zeros(shape, k) for k in kinds}
+    found: dict[str, object] = {f"got {np.dtype(k)}": np.zeros(shape, k) for k in kinds}
     return found | {
-        "a masked array came": np.ma.masked_array(ones, ones > 2),
-        "objects (NoneType) came": np.full(shape, None),
-        "objects (str) came": np.full(shape, "one", object),
-        "a pandas Table came; its to_numpy() is wanted": Table(),
-        "list came": [[1.0], [1.0, 2.0]],
-        "Tracer came, of which NumPy makes no array (a traced array)":
+        "got a masked array": np.ma.masked_array(ones, ones > 2),
+        "got objects (NoneType)": np.full(shape, None),
+        "got objects (str)": np.full(shape, "one", object),
+        "got a pandas Table; wanted its to_numpy()": Table(),
+        "got list": [[1.0], [1.0, 2.0]],
+        "got Tracer, which NumPy cannot convert (a traced array)":
             Tracer(TypeError("a traced array\nwith much to say")),
-        "Tracer came, of which NumPy makes no array (on another device)":
+        "got Tracer, which NumPy cannot convert (on another device)":
             Tracer(RuntimeError("on another device")),
     }
 
@@ -91,9 +91,9 @@ def test_every_argument_of_every_operation_is_held_to_it(namespace):
 @pytest.mark.parametrize("namespace", (coscrew, _dispatch), ids=("compiled", "without compilation"))
 def test_objects_are_for_the_twins(namespace):
     halves = [Fraction(k, 2) for k in range(6)]
-    with pytest.raises(TypeError, match=r"^coscrew_inverted: ci: objects \(Fraction\) came; "):
+    with pytest.raises(TypeError, match=r"^coscrew_inverted: ci: got objects \(Fraction\); "):
         namespace.coscrew_inverted(halves)
-    with pytest.raises(TypeError, match=r"^coscrew_inverted: ci: objects \(int\) came; "):
+    with pytest.raises(TypeError, match=r"^coscrew_inverted: ci: got objects \(int\); "):
         namespace.coscrew_inverted([2**64] * 6)
     for twin in (coscrew.double, coscrew.single):
         assert twin.coscrew_inverted(halves).tolist() == [-x for x in halves]
@@ -149,7 +149,7 @@ def test_single_takes_doubles_within_its_range():
     assert found.dtype == np.float32
     assert found.tobytes() == c.astype(np.float32).tobytes()
     c[0] = -1e39
-    with pytest.raises(ValueError, match=r"^coscrew_copy: ci: a number of magnitude 1e\+39 came; "
+    with pytest.raises(ValueError, match=r"^coscrew_copy: ci: got a number of magnitude 1e\+39; "
                                          "the largest in float32 is 3.402823"):
         coscrew.single.coscrew_copy(c)
 

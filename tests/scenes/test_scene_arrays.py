@@ -128,15 +128,15 @@ def test_steps_in_place_swap_nothing(kernels: Kernels):
 
 
 @pytest.mark.parametrize("out, error, message", (
-    (np.zeros(3), ValueError, r"out: shape \(2,\) is wanted; shape \(3,\) came"),
-    (np.zeros((1, 2)), ValueError, r"out: shape \(2,\) is wanted; shape \(1, 2\) came"),
-    (np.zeros(2, np.float32), TypeError, "out: float64 is wanted; float32 came"),
-    (np.zeros(2, int), TypeError, "out: float64 is wanted; int64 came"),
-    ([0.0, 0.0], TypeError, "out: an array is wanted; list came"),
-    (np.ma.zeros(2), TypeError, "out: an array is wanted; MaskedArray came"),
-    ((np.zeros(2), np.zeros(2)), TypeError, "out: 1 arrays are wanted, as a tuple; 2 came"),
+    (np.zeros(3), ValueError, r"out: got shape \(3,\); wanted shape \(2,\)"),
+    (np.zeros((1, 2)), ValueError, r"out: got shape \(1, 2\); wanted shape \(2,\)"),
+    (np.zeros(2, np.float32), TypeError, "out: got float32; wanted float64"),
+    (np.zeros(2, int), TypeError, "out: got int64; wanted float64"),
+    ([0.0, 0.0], TypeError, "out: got list; wanted an array"),
+    (np.ma.zeros(2), TypeError, "out: got MaskedArray; wanted an array"),
+    ((np.zeros(2), np.zeros(2)), TypeError, "out: got 2 arrays; wanted 1, as a tuple"),
     (np.broadcast_to(0.0, 2), ValueError,
-     "out: an array that can be written to is wanted; a read-only one came")))
+     "out: got a read-only array; wanted a writable one")))
 def test_wrong_out_is_named_and_nothing_written(kernels: Kernels, out, error, message):
     before = copy.deepcopy(out)
     for arguments in (ARGUMENTS, tuple(map(np.array, ARGUMENTS))):
@@ -149,9 +149,9 @@ def test_wrong_outs_of_steps_are_named(kernels: Kernels):
     arguments = (2.0, 0.1, [1.5, 0.0], [0.1, 0.2], [0.3, -0.4])
     one = np.full((2, 2), 7.0)
     for out, error, message in (
-            (one, TypeError, "out: 2 arrays are wanted, as a tuple; 1 came"),
-            ((one[0], one[0]), ValueError, "out: arrays of their own are wanted"),
-            ((one[0], one), ValueError, r"out: shape \(2,\) is wanted; shape \(2, 2\) came")):
+            (one, TypeError, "out: got 1 arrays; wanted 2, as a tuple"),
+            ((one[0], one[0]), ValueError, "out: got arrays that share memory"),
+            ((one[0], one), ValueError, r"out: got shape \(2, 2\); wanted shape \(2,\)")):
         with pytest.raises(error, match=f"^{message}"):
             kernels.double.step_rk4(*arguments, out=out)
         assert (one == 7).all()
@@ -197,7 +197,7 @@ def test_numbers_beyond_single_are_refused(kernels: Kernels, name: str):
     arguments = dict(zip(("t", "p", "q", "v", "tau"), ARGUMENTS, strict=True))
     arguments[name] = np.array([1e39, np.inf]) if name == "q" else 1e39
     for given in (arguments[name], np.array([arguments[name]] * 3)):
-        with pytest.raises(ValueError, match=f"^{name}: a number of magnitude 1e\\+39 came; the "
+        with pytest.raises(ValueError, match=f"^{name}: got a number of magnitude 1e\\+39; the "
                                              "largest in float32 is 3.402"):
             kernels.single.forward_dynamics(**arguments | {name: given})
     assert np.isfinite(kernels.double.forward_dynamics(**arguments | {"q": [1e39, 0.0]})).all()

@@ -1,6 +1,5 @@
 """KSL's functions, read from tests/references/ksl_prototypes.txt: names and types in C."""
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -72,8 +71,3 @@ def _spelled(letter: str, precision: Precision) -> str:
         return plain[letter]
     kind, mark = _type(letter[0], precision), letter[1:]
     return {"": f"const {kind} *", "!": f"{kind} *", "=": kind}[mark]
-
-
-def functions_of(text: str) -> set[str]:
-    """The functions a header defines."""
-    return set(re.findall(r"^static inline [^(;]*?\b(ksl_\w+)\(", text, re.MULTILINE))

@@ -110,12 +110,6 @@ class Moving:
             self._advance(h, a)
         return self
 
-    def explicit(self, h: object, steps: int = 1) -> "Moving":
-        """Semi-implicit steps of Euler: v + h a, then q ⊕ h v."""
-        for _ in range(steps):
-            self._advance(h, self.acceleration(self.t, self.q, self.v))
-        return self
-
     def _advance(self, h: object, a: Sequence) -> None:
         self.v = [v + h * x for v, x in zip(self.v, a, strict=True)]
         self.q = self.moved(self.q, [h * v for v in self.v])
