@@ -1,0 +1,90 @@
+"""What every function of a scene is derived with: inputs, the tree, how it is recorded."""
+
+from collections.abc import Callable, Sequence
+
+from coscrew_codegen.identifiers import identifiers
+from coscrew_codegen.mechanics import coordinates
+from coscrew_codegen.mechanics.ranges import refuse_products, refuse_quotients
+from coscrew_codegen.mechanics.recorded import Recording, Results
+from coscrew_codegen.quantity import Argument
+from coscrew_codegen.recording.recorder import Recorder, array, headings
+from coscrew_codegen.scene.assembly import ModelError
+from coscrew_codegen.scene.formulas import Formula
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.tree import Tree, tree_of
+from coscrew_codegen.scene_functions import Function
+
+Makers = dict[str, Callable[[], Function | None]]
+"""Name → the method that makes the function, in the order in which they are emitted; it returns
+None if the scene does not have the function."""
+
+
+def is_timed(scene: Scene) -> bool:
+    """Whether any effect is a function of time."""
+    def timed(value: object) -> bool:
+        parts = value if isinstance(value, tuple) else (value,)
+        return any(isinstance(x, Formula) and x.timed for x in parts)
+
+    return any(timed(value) for x in scene.effects for value in x.values.values())
+
+
+def tree_for(scene: Scene) -> Tree:
+    """The tree of a scene's model; joints follow others if the scene has the effect mimic."""
+    return tree_of(scene.model, any(x.effect.mimic for x in scene.effects))
+
+
+class Derivation:
+    """Records the functions one by one, each from its inputs."""
+
+    def __init__(self, scene: Scene, tell: Callable[[str], None] = lambda name: None):
+        self.scene, self.tree, self.tell = scene, tree_for(scene), tell
+        self.names = identifiers([link.name.removesuffix("_link") for link in self.tree.links])
+        bodies = [body.name for body in scene.model.bodies]
+        self.bodies = dict(zip(bodies, identifiers(bodies), strict=True))
+        nq, nv, units = self.tree.nq, self.tree.nv, "positions in m, angles in rad"
+        self.inputs = {
+            "t": array("t", (), "time in s"), "h": array("h", (), "step in s"),
+            "p": array("p", (len(scene.parameters),), "parameters"),
+            "q": array("q", (nq,), f"coordinates: {units}, unit quaternions (x, y, z, w)"),
+            "v": array("v", (nv,), "velocities in m/s, rad/s"),
+            "a": array("a", (nv,), "accelerations in m/s^2, rad/s^2"),
+            "tau": array("tau", (nv,), "forces and torques of joints in N, N m"),
+            "phi": array("phi", (nv,), "displacements along the velocities, in m, rad"),
+        }
+        self.timed = is_timed(scene)
+
+    def _function(self, name: str, words: str, inputs: str, outputs: Sequence[Argument],
+                  compute: Callable[[Recording], Results],
+                  dynamic: bool = True, acted: bool = False) -> Function:
+        """A function of these inputs, with p if it is `dynamic`, and t if effects act in it."""
+        given = [*(["t"] if acted and self.timed or "t" in inputs.split() else []),
+                 *(["h"] if "h" in inputs.split() else []),
+                 *(["p"] if dynamic and self.scene.parameters else []),
+                 *(x for x in inputs.split() if x not in ("t", "h"))]
+        self.tell(name)
+        recorder = Recorder([self.inputs[x] for x in given])
+        try:
+            results = compute(Recording(self.scene, self.tree, self.names, recorder))
+        except ZeroDivisionError:
+            where = recorder.heading or self.scene.model.name
+            raise ModelError(f"{self.scene.name}: {where}", "its numbers make a division by zero "
+                             f"in {name}, whatever q is: the mass matrix is singular; wanted "
+                             "masses or armatures that resist every joint, and no joint that "
+                             "mimics another with multiplier 0") from None
+        program = recorder.program(name, list(zip(outputs, results, strict=True)))
+        function = Function(name, words, program, tuple(
+            (place, self._heading(words)) for place, words in headings(program)))
+        refuse_products(self.scene, function)
+        refuse_quotients(self.scene, function, self._at_rest())
+        return function
+
+    def _heading(self, words: str) -> str:
+        """A link's name and motion: "forearm: elbow turns about y"."""
+        link = next((x for x in self.tree.links if x.name == words), None)
+        return f"{words}: {link.joint.in_words}" if link else words
+
+    def _at_rest(self) -> dict[str, tuple[float, ...]]:
+        """Inputs by name, at rest: neutral coordinates, default parameters, zero velocities."""
+        zero = {name: (0.0,) * a.quantity.size for name, a in self.inputs.items()}
+        return {**zero, "q": coordinates.neutral(self.tree), "h": (self.scene.run.step,),
+                "p": tuple(float(x.value) for x in self.scene.parameters)}
