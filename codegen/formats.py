@@ -5,10 +5,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from math import ceil, log10
-
-import numpy as np
+from typing import TYPE_CHECKING
 
 from coscrew_codegen.program import Constant
+
+if TYPE_CHECKING:  # readers of scene files, which only name precisions, start without it
+    import numpy as np
 
 
 @dataclass(frozen=True)
@@ -64,7 +66,10 @@ class Precision(Format):
 
     def limit(self, name: str) -> Fraction:
         """A limit by NumPy's name: max, smallest_normal, smallest_subnormal."""
-        return Fraction(float(getattr(np.finfo(self.numpy_type), name)))
+        largest = (2 - 2 * self.u) * Fraction(2)**(1 - self.least_exponent)
+        normal = Fraction(2)**self.least_exponent
+        return {"max": largest, "smallest_normal": normal,
+                "smallest_subnormal": normal * 2 * self.u}[name]
 
     def literal(self, constant: Constant) -> str:
         """The shortest decimal that rounds to the constant in this precision.
@@ -72,8 +77,10 @@ class Precision(Format):
         Raises ValueError for a constant that overflows, or a nonzero one that underflows to 0."""
         return _literal(self, self.value(constant))
 
-    def rounded(self, value: Fraction) -> np.floating:
+    def rounded(self, value: Fraction) -> "np.floating":
         """`value` rounded to nearest, ties to even."""
+        import numpy as np
+
         number = getattr(np, self.numpy_type)
         near = number(value.numerator / value.denominator)
         with np.errstate(over="ignore"):

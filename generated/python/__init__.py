@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "d0b3eae51de1527c")
+COMPILED: bool = is_compiled("coscrew._gufunc", "071e208ff9e386eb")
 
 if COMPILED:
     from coscrew._gufunc import (

@@ -162,7 +162,7 @@ def test_comments_state_the_bounds():
     for name in ("spatial_inertia_from_inertia", "inertia_from_spatial_inertia"):
         assert f"<= {CONVERTED} u " in stated[name]
     header = (INCLUDE / "ksl" / "inertia.h").read_text("utf-8")
-    assert len(re.findall(rf"<= {FACTORED} u of the largest\s+moment", header)) == 2
+    assert len(re.findall(rf"<= {FACTORED} u times the largest\s+moment", header)) == 2
 
 
 @each_precision

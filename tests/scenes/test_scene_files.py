@@ -370,6 +370,6 @@ def test_readers_of_files_know_no_dynamics():
     loaded = set(done.stdout.split())
     ours = {x.split(".")[1] for x in loaded if x.startswith("coscrew_codegen.")}
     assert ours <= {"scene_files", "scene", "effects", "integrators", "integrator", "identifiers",
-                    "errors", "found", "parameter", "program", "quantity", "recording",
-                    "scene_functions"}
+                    "errors", "formats", "found", "parameter", "program", "quantity",
+                    "recording", "scene_functions"}
     assert not loaded & {"coscrew_codegen.recording.recorder", "sympy", "numpy"}
