@@ -13,7 +13,7 @@ from coscrew_codegen.scene_functions import Function
 
 
 class StepFunctions(Derivation):
-    """Motion of coordinates, implicit accelerations, what floats free, contacts."""
+    """Motion of coordinates, implicit accelerations, floating trees, contacts."""
 
     def _of_steps(self) -> Makers:
         return {

@@ -57,7 +57,7 @@ def test_an_actuator_without_a_kind_is_told_which_there_are(tmp_path, capsys):
     scene = tmp_path / "scene.toml"
     scene.write_text(texts.PENDULUM + "[effects.actuator.hinge]\ntorque = 1\n")
     assert main(["check", str(scene)]) == 2
-    assert "effects.actuator.hinge.kind: missing; wanted what drives: torque, pd, dc" \
+    assert "effects.actuator.hinge.kind: missing; wanted kind of actuator: torque, pd, dc" \
         in capsys.readouterr().err
 
 

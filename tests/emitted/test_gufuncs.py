@@ -15,6 +15,8 @@ import pytest
 
 import coscrew
 from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.program import Op
+from coscrew_codegen.programs import program_of
 from tests.support.each import each_operation
 from tests.support.truth.attack import TIERED
 
@@ -45,6 +47,14 @@ def tuple_of(result) -> tuple[np.ndarray, ...]:
 
 def same_bits(a, b) -> bool:
     return all(x.dtype == y.dtype and x.shape == y.shape and x.tobytes() == y.tobytes()
+               for x, y in zip(tuple_of(a), tuple_of(b), strict=True))
+
+
+def close(a, b) -> bool:
+    """To 16 u of the largest component: with AVX-512, NumPy's own sine, cosine and arctangent have
+    other last bits where elements are adjacent than where they are not."""
+    return all(x.dtype == y.dtype and x.shape == y.shape
+               and np.abs(x - y).max() <= 8 * np.finfo(x.dtype).eps * np.abs(y).max()
                for x, y in zip(tuple_of(a), tuple_of(b), strict=True))
 
 
@@ -137,11 +147,13 @@ def test_any_strides_give_the_same_bits(operation, dtype, namespace):
     def swapped(a):
         return a.astype(a.dtype.newbyteorder())
 
+    platforms = program_of(operation).counts.keys() & {Op.SIN, Op.COS, Op.ATAN2}
+    same = close if namespace == "dispatch" and platforms else same_bits
     for layout in (spread, fortran, unaligned, swapped):
-        assert same_bits(call(*map(layout, arguments)), expected), layout.__name__
+        assert same(call(*map(layout, arguments)), expected), layout.__name__
     outs = tuple(spread(np.zeros_like(r)) for r in tuple_of(expected))
     call(*arguments, out=outs)
-    assert same_bits(tuple(map(np.ascontiguousarray, outs)), expected)
+    assert same(tuple(map(np.ascontiguousarray, outs)), expected)
 
 
 @each_operation

@@ -207,7 +207,7 @@ def test_marks_of_byte_order_and_of_other_systems_lines_are_read(tmp_path):
 @pytest.mark.parametrize("words", [
     "generate SCENE -o FILE", "generate SCENE -o FILE/x", "generate SCENE -o /dev/null/x",
     "generate SCENE", "generate FOLDER -o OUT", "generate none.toml -o OUT",
-    "generate SCENE -o OUT --family vec3", "generate SCENE -o OUT --precision single",
+    "generate SCENE -o OUT --family vec3",
     "generate --family nope",
     "generate --precision nope", "generate --language nope", "simulate FOLDER",
     "simulate /dev/zero",
