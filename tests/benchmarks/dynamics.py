@@ -167,7 +167,8 @@ def _with(name: str, effects: tuple[tuple[str, str, Fraction], ...]) -> Scene:
     joints = [c.joint for c in robot(ROBOTS[name][0], False, False).functions.coordinates]
     applied = []
     for effect, key, value in effects:
-        unset = {p.name: p.default for p in known[effect].parameters}
+        unset = {p.name: Fraction(p.default) if isinstance(p.default, int) else p.default
+                 for p in known[effect].parameters}
         applied += [Applied(known[effect], joint, {**unset, key: value}) for joint in joints]
     return replace(scene, effects=(*scene.effects, *applied))
 
