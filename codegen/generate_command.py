@@ -91,8 +91,8 @@ def _scene(options: argparse.Namespace) -> int:
     if options.precision not in (None, "double", "single", "both"):
         raise SelectionError(f"--precision {options.precision}: wanted double, single or both")
     if given:
-        raise SelectionError(f"--{given[0]} selects kernels of the library; a scene's files are "
-                             f"always whole")
+        raise SelectionError(f"--{given[0]} selects kernels of the library; of a scene, "
+                             "--functions and --precision select")
     if not options.output:
         raise SelectionError(f"where to?  Wanted: coscrew generate {options.scene} -o DIR")
     scene = scene_of(options, options.precision, tuple(options.functions or ()))

@@ -40,7 +40,7 @@ SYMBOLS: dict[tuple[str, ...], str] = {
     ("own",): "of the joint itself: inertia, torques of effects",
     ("J",): "columns of the Jacobian",
     ("q",): "coordinates after the step",
-    ("drift", "kick"): "means of velocities and accelerations over a step",
+    ("drift", "kick"): "change of q, and velocities, after part of a step",
 }
 _KNOWN = {symbol for symbols in SYMBOLS for symbol in symbols}
 

@@ -199,7 +199,7 @@ def headings(program: Program) -> tuple[tuple[int, str], ...]:
     for index, step in enumerate(program.instructions):
         heading = step.component.rpartition(":")[0]  # a body may be called a:b
         if heading != last:
-            found.append((index, heading))
+            found.append((index, heading or "total"))
             last = heading
     return tuple(found)
 

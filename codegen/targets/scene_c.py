@@ -23,8 +23,8 @@ from coscrew_codegen.targets.scene_c_steps import step_body
 from coscrew_codegen.targets.scene_text import c_name
 from coscrew_codegen.targets.target import Files, Target
 
-_IN_WORDS = {("double",): "double precision only, as the scene demands",
-             ("single",): "single precision only, as the scene demands",
+_IN_WORDS = {("double",): "double precision only, as selected",
+             ("single",): "single precision only, as selected",
              ("double", "single"): "double and (names that end in f) single precision"}
 
 
