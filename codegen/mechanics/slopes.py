@@ -32,7 +32,7 @@ from coscrew_codegen.scene.scene import Setting
 Law = Callable[[CoordinateState, Values], Torque]
 
 _AT_REST = Fraction(1, 10**30)
-"""rad/s or m/s: the least |v| in |u|/|v|, so that there is no 0/0."""
+"""The least |v| in |u|/|v|, in rad/s or m/s, and the least limit: there is no 0/0."""
 
 
 @dataclass(frozen=True)
@@ -57,6 +57,9 @@ class Along:
         """The law's Torque; the torque itself from the energy if necessary, within the limit."""
         found = self._said
         torque = found.torque
+        if found.limit is not None and found.energy is not None:
+            raise TypeError("a torque with a limit has no energy: beyond the limit it would be "
+                            "another")
         with self.at.q.recorder.resumed(self.part):
             if torque is None:
                 torque = self._replayed(self._own.torque)
@@ -115,9 +118,13 @@ class _Law:
         """The torque before it is limited."""
         if self.said.torque is not None:
             return self.said.torque
-        if self.said.energy is None:
+        energy = self.said.energy
+        if energy is None:
             raise TypeError("an effect gives a torque or an energy; this one gives neither")
-        return -self._slope(self.said.energy, "q")
+        if {self.at.v.operand, self.at.t.operand} & self.program(energy).used_inputs():
+            raise TypeError("an energy from which a torque follows depends on q alone, not on v or "
+                            "t")
+        return -self._slope(energy, "q")
 
     @property
     def damping(self) -> Number:
@@ -155,7 +162,10 @@ class _Law:
     def _share(self) -> Number | int:
         """The factor on the slopes where the torque exceeds its limit."""
         limit = self.said.limit
-        return 1 if limit is None else limit / maximum(absolute(self.torque), limit)
+        if limit is None:
+            return 1
+        positive = limit if limit.constant else maximum(limit, _AT_REST)  # 0 at run time: no 0/0
+        return limit / maximum(absolute(self.torque), positive)
 
     def _moves(self, value: Number) -> bool:
         """Whether the value depends on q or v."""

@@ -274,7 +274,7 @@ class _Cutting:
         for k, piece in enumerate(self.pieces[users], 1):
             reader = _Reader(self, users, {x: names[x] for x in piece})
             kept = [x for x in piece if (users, x) in self.places]
-            parts.append(reader.program(f"{name}_{k}", (_array(name, len(kept)),), kept))
+            parts.append(reader.program(f"part_{k}_of_{name}", (_array(name, len(kept)),), kept))
         return Group(name, tuple(p.name for k, p in enumerate(self.programs) if users >> k & 1),
                      tuple(names[x] for x in self.kept[users]), tuple(parts))
 

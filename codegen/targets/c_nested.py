@@ -33,7 +33,7 @@ _SPELLING = {
 }
 _ROUNDED = "RN({} * {})", CALL
 _SUMS = frozenset({Op.ADD, Op.SUB})
-_TRANSPARENT = frozenset({Op.NEG, Op.SELECT})
+_TRANSPARENT = frozenset({Op.NEG, Op.ABS, Op.SELECT})
 """Operations through which a sum still has a product as operand."""
 
 

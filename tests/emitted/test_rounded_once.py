@@ -58,7 +58,7 @@ def test_the_library_rounds_once_a_statement(name: str):
 
 class Fused(c_ast.NodeVisitor):
     """The sums and results of a file that a bare product reaches: in an expression, or through a
-    variable, a sign, a choice."""
+    variable, a sign, a size, a choice."""
 
     def __init__(self) -> None:
         self.found: list[str] = []
@@ -97,8 +97,8 @@ class Fused(c_ast.NodeVisitor):
                 if isinstance(argument, c_ast.BinaryOp) and node.name.name == "RN":
                     self.is_product(argument.left)
                     self.is_product(argument.right)
-                else:
-                    self.is_product(argument)
+                elif self.is_product(argument) and node.name.name.startswith("fabs"):
+                    return True
         return False
 
 
@@ -126,6 +126,7 @@ def test_no_product_of_a_scene_reaches_a_sum(name: str):
 @pytest.mark.parametrize("body", [
     "const double x = a * b + c;", "const double p = a * b, x = c - p;", "r[0] = a * b;",
     "const double p = -(a * b), q = a < b ? p : c, x = q + a;", "const double x = 2.0 * (a * b);",
+    "const double x = fabs(a * b) + c;",
     "const double x = RN((a * b + c) * a);", "const double x = sin(a * b + c);",
     "s->x = a * b;"])
 def test_what_could_be_fused_would_be_noticed(body: str):

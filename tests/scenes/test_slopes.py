@@ -13,8 +13,8 @@ from mpmath import mpf
 from coscrew_codegen.mechanics.slopes import Along
 from coscrew_codegen.recording.numbers import Number
 from coscrew_codegen.recording.recorder import Recorder, array
-from coscrew_codegen.scene.effect import CoordinateState
-from coscrew_codegen.scene.model import HERE, Body, Joint, Kind, Model
+from coscrew_codegen.scene.effect import CoordinateState, Torque
+from coscrew_codegen.scene.model import HERE, Body, Joint, Kind, Model, Parameter
 from coscrew_codegen.scene.scene import Applied
 from tests.support.scenes.effect_scenes import PLACES, effects, mechanism
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated, evaluator
@@ -110,6 +110,42 @@ def test_slopes_are_those_of_the_torque(name: str, values: dict, true: bool) -> 
             assert abs(given - wanted) <= CLOSE if true else given >= wanted - CLOSE, (key, q, v)
         if not true and name != "actuator":  # dry friction: the line through rest is as steep
             assert found["damping"] * abs(v) >= abs(found["torque"]) - CLOSE
+
+
+def of_law(law: Callable[[CoordinateState, object], Torque], limit: mpf | None = None
+           ) -> list[mpf]:
+    """Torque, damping and stiffness of a law at q = 2, v = 0, t = 3; `limit` is parameter 0."""
+    recorder = Recorder([*(array(x, ()) for x in "qvt"), array("p", (1,))])
+    q, v, t = (recorder.argument(x)[0] for x in "qvt")
+    values = {} if limit is None else {"limit": Parameter("limit", 0, Fraction(1))}
+    along = Along(law, CoordinateState(q, v, t), values, recorder.current)
+    program = recorder.program("law", [(array(x, ()), [y]) for x, y in (
+        ("torque", along.torque.torque), ("damping", along.slopes.damping),
+        ("stiffness", along.slopes.stiffness))])
+    p = mpf(1) if limit is None else limit
+    return evaluator(program, MULTIPRECISE)([[mpf(2)], [mpf(0)], [mpf(3)], [p]])
+
+
+def test_torques_of_energies_are_their_slopes() -> None:
+    """V = q³: τ = -3 q², k = 6 q."""
+    assert of_law(lambda at, _: Torque(energy=at.q * at.q * at.q)) == [-12, 0, 12]
+
+
+@pytest.mark.parametrize("law, words", [
+    (lambda at, _: Torque(energy=at.q * at.v), "depends on q alone"),
+    (lambda at, _: Torque(energy=at.q * at.t), "depends on q alone"),
+    (lambda at, _: Torque(), "gives neither"),
+    (lambda at, _: Torque(at.q, limit=at.q, energy=at.q), "has no energy")])
+def test_laws_that_say_too_little_or_too_much_are_refused(law: Callable, words: str) -> None:
+    with pytest.raises(TypeError, match=words):
+        of_law(law)
+
+
+@pytest.mark.parametrize("torque", [0, 5])
+def test_a_limit_may_be_zero_at_run_time(torque: int) -> None:
+    found = of_law(lambda at, values: Torque(at.q * torque - at.v * 7, limit=values["limit"]),
+                   mpf(0))
+    assert found == [0, 0, 0]
 
 
 @pytest.mark.parametrize("name, values, true", CASES)
