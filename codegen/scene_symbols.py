@@ -76,8 +76,8 @@ def reading(name: str) -> tuple[str, str, str, str]:
 
 
 def _marks(marks: set[str]) -> Iterator[str]:
-    yield ("Names consist of the symbol of a quantity, the number of its link and a component: w3x "
-           "is w of link 3 along x.  Vectors are in the link's frame, about its origin, unless "
+    yield ("Names consist of the symbol of a quantity, the number of its link, which headings name, "
+           "and a component: w3x is w of link 3 along x.  Vectors are in the link's frame, about its origin, unless "
            "stated otherwise.")
     words = {"sign": "w3xn is -w3x", "number": "w3xv2 a second value of it",
              "step": "w3x_1 a step towards it, w3_1 one towards several"}
