@@ -133,6 +133,7 @@ class SceneFunctions:
     steps: tuple[Step, ...] = ()  # of each integrator
     precisions: tuple[str, ...] = tuple(BY_NAME)  # those it is emitted in
     timed: bool = False  # whether forces depend on time
+    positive: tuple[str, ...] = ()  # names of the parameters that must be positive
 
     def named(self, name: str) -> Function:
         """The function of this name; a ValueError if there is none."""

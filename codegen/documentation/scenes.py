@@ -8,7 +8,7 @@ from coscrew_codegen.integrator import Composition, Drift, Scheme, Tableau
 from coscrew_codegen.integrators import INTEGRATORS
 from coscrew_codegen.render import render
 from coscrew_codegen.scene.effect import Effect, ParameterOf
-from coscrew_codegen.scene_files.catalogue import notes, where
+from coscrew_codegen.scene_files.catalogue import alternatives, notes, where
 from coscrew_codegen.scene_files.keys import TABLES, Key
 
 
@@ -63,7 +63,7 @@ def _effect(effect: Effect) -> dict[str, object]:
     names = {parameter.name for parameter in effect.parameters} | {"M_jj", "a_0"}
     return {"name": effect.name, "words": escaped(effect.words),
             "equation": markdown(effect.equation, names), "where": where(effect),
-            "any_of": " or ".join(f"`{name}`" for name in effect.any_of),
+            "any_of": alternatives(effect, [f"`{name}`" for name in effect.any_of]),
             "rows": [_parameter(parameter) for parameter in effect.parameters]}
 
 

@@ -19,10 +19,11 @@ def _force(state: BodyState, values: Values) -> Force:
 
 
 EFFECT = Effect(
-    "field", "gravity of a distant sphere: attracts a body, and turns its long axis towards it",
+    "field", "gravity of a distant sphere: attracts a body with a mass, and turns its long axis "
+    "towards it",
     "V = -mu m/r - mu (J - 3 j)/(2 r^3), with J = tr I and j = e·(I e); r e points from the "
     "centre to the centre of mass", Place.BODY,
     (ParameterOf("mu", "m^3/s^2", "gravitational parameter G M of the sphere", nonnegative=True),
      ParameterOf("centre", "m", "centre of the sphere, in the world's frame", "vector",
                  (Fraction(0),) * 3)),
-    body_force=_force)
+    body_force=_force, massive=True)

@@ -173,9 +173,9 @@ def _hand_on(motion: Motion, number: int, joint: Freed, rest: Sequence[Number],
             felt = tuple(x + y * r for x, y in zip(felt, w, strict=True))
         inverse.label(motion, "fj", "mj", felt)
     brought = to_parent(motion, number, felt)
-    with motion.part(parent, "f"):
+    with motion.part(parent, "fA"):
         wrench[parent] = add(wrench[parent], brought)
-        inverse.label(motion, "f", "m", wrench[parent])
+        inverse.label(motion, "fA", "mA", wrench[parent])
 
 
 def _outwards(motion: Motion, joints: Sequence[tuple[Freed, list[Number]]]) -> list[Number]:

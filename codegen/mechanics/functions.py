@@ -21,6 +21,7 @@ from coscrew_codegen.scene.asked import (
     together,
 )
 from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.signs import Sign, signs
 from coscrew_codegen.scene_functions import SceneFunctions
 
 
@@ -55,14 +56,15 @@ class _Derivation(DynamicsFunctions, BodyFunctions, StepFunctions):
         return stepped(SceneFunctions(
             scene.name, tree.nq, tree.nv, tree.coordinates, tuple(self.bodies),
             tuple((p.name, float(p.value)) for p in scene.parameters), coordinates.neutral(tree),
-            tuple(found), (), scene.precisions, self.timed), steps)
+            tuple(found), (), scene.precisions, self.timed,
+            tuple(name for name, sign in signs(scene).items() if sign is Sign.POSITIVE)), steps)
 
     def _makers(self) -> Makers:
         return {**self._of_dynamics(), **self._of_bodies(), **self._of_steps()}
 
     def _refuse_absent(self, found: set[str]) -> None:
         """Raise AskedError for a selected function that only scenes of another kind have."""
-        for several, reason in ((FREE, "no base floats"), (CONTACTS, "no limit closes")):
+        for several, reason in ((FREE, "no base is floating"), (CONTACTS, "no limit closes")):
             for name in several:
                 if name in self.scene.functions and name not in found:
                     raise AskedError(f"{self.scene.name}: there is no {name}: {reason} in the "

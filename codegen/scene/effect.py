@@ -207,5 +207,6 @@ class Effect:
     joint_inertia: Callable[[Values], Number] | None = None
     body_force: Callable[[BodyState, Values], Force] | None = None
     pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
+    massive: bool = False  # acts on a body by its mass and inertia: only on bodies that have them
     reaction: bool = False  # selects the joint's reaction function
     mimic: bool = False  # makes followers follow

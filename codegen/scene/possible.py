@@ -44,8 +44,8 @@ def judged(model: Model, implausible: str) -> Model:
                              f"mass {_shown(value(body.inertia.mass))} kg; wanted a positive mass")
     faults = tuple(_faults(model))
     if faults and implausible == ERROR:
-        raise ModelError(faults[0].element, f'{faults[0].problem}; implausible = "{WARN}" lets it '
-                                            "through")
+        raise ModelError(faults[0].element,
+                         f'{faults[0].problem}; implausible = "{WARN}" accepts it')
     return replace(model, implausible=(*model.implausible, *map(str, faults)))
 
 

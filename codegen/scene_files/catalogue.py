@@ -2,7 +2,7 @@
 
 import argparse
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from coscrew_codegen.effects import EFFECTS
@@ -49,12 +49,18 @@ def described(effect: Effect) -> Iterator[str]:
         yield from textwrap.wrap(_line(parameter), WIDTH, initial_indent="      ",
                                  subsequent_indent="          ")
     if effect.any_of:
-        yield f"      at least one of {', '.join(effect.any_of)}"
+        yield f"      at least one of {alternatives(effect, effect.any_of)}"
 
 
 def where(effect: Effect) -> str:
     """The headings of its tables in scene files."""
     return _WHERE[effect.place].format(effect.name)
+
+
+def alternatives(effect: Effect, names: Iterable[str]) -> str:
+    """The parameters `any_of`, written as `names`, and where one of them must have a value."""
+    of_model = any(x.model for x in effect.parameters if x.name in effect.any_of)
+    return f"{' and '.join(names)}{', here or in the model' if of_model else ''}"
 
 
 def _line(parameter: ParameterOf) -> str:

@@ -4,16 +4,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from typing import overload
+from typing import NoReturn, overload
 
 from coscrew_codegen.parameter import Scalar
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
-from coscrew_codegen.scene.model import Joint, Kind, Model, value
+from coscrew_codegen.scene.model import Body, Joint, Kind, Model, value
 from coscrew_codegen.scene.scene import Setting
 from coscrew_codegen.scene_files import settings
 from coscrew_codegen.scene_files.tables import Table
 
 ALL, MODEL = "all", "model"
+MANY = 5
+"""Joints or bodies that a message lists."""
 
 
 @dataclass
@@ -39,9 +41,13 @@ class EffectTable:
     @cached_property
     def targets(self) -> Mapping[str, Joint | None]:
         """The joints or bodies that the effect can act on, in the model's order."""
-        if self.effect.place is Place.JOINT:
-            return {joint.name: joint for joint in self.model.joints if self.suits(joint)}
-        return dict.fromkeys(self.bodies)
+        return {x.name: x if isinstance(x, Joint) else None for x in self.elements
+                if not self.obstacle(x)}
+
+    @property
+    def elements(self) -> tuple[Joint, ...] | tuple[Body, ...]:
+        """The model's joints or bodies, whichever the effect acts on."""
+        return self.model.joints if self.effect.place is Place.JOINT else self.model.bodies
 
     @property
     def what(self) -> str:
@@ -55,19 +61,35 @@ class EffectTable:
     def parameters(self) -> tuple[str, ...]:
         return tuple(parameter.name for parameter in self.effect.parameters)
 
-    def suits(self, joint: Joint) -> bool:
-        if self.effect.mimic:
-            return joint.mimic is not None
-        if self.effect.reaction:
-            return joint.kind is not Kind.FIXED
-        return joint.kind in (Kind.REVOLUTE, Kind.PRISMATIC)
+    def obstacle(self, on: Joint | Body) -> str:
+        """Why the effect cannot act on a joint or body: "is free"; "" if it can."""
+        if isinstance(on, Body):
+            return "has no mass" if self.effect.massive and on.inertia is None else ""
+        able = on.kind is not Kind.FIXED if self.effect.reaction else \
+            on.kind in (Kind.REVOLUTE, Kind.PRISMATIC)
+        return "" if able else f"is {on.kind.value}"
+
+    @property
+    def needs(self) -> str:
+        """What a joint or body must be for the effect to act on it."""
+        if self.effect.place is not Place.JOINT:
+            return "has a mass"
+        return "moves" if self.effect.reaction else "is revolute or prismatic"
+
+    def refuse_none(self) -> NoReturn:
+        """Refuse an effect that can act on no joint or body of the model."""
+        reasons = [f"{x.name!r} {self.obstacle(x)}" for x in self.elements]
+        listed = ", ".join((*reasons[:MANY], *["…"] * (len(reasons) > MANY))) or "there is none"
+        self.table.refuse(self.several, f"no {self.what} of the model {self.needs}, as "
+                          f"{self.effect.name} needs: {listed}; wanted such a {self.what}, or no "
+                          f"{self.effect.name}")
 
     def target(self, table: Table, key: str, name: str) -> str:
         """The name, if the effect can act on it."""
-        for joint in self.model.joints if self.what == "joint" else ():
-            if joint.name == name and not self.suits(joint):
-                why = "mimics no other" if self.effect.mimic else f"is {joint.kind.value}"
-                table.refuse(key, f"{self.effect.name} cannot act on joint {name!r}, which {why}")
+        for on in self.elements:
+            if on.name == name and (why := self.obstacle(on)):
+                table.refuse(key, f"{self.effect.name} cannot act on {self.what} {name!r}, which "
+                                  f"{why}")
         return table.known(key, name, self.what, self.targets)
 
     @overload
@@ -80,7 +102,7 @@ class EffectTable:
 
     def values(self, table: Table, given: Mapping[str, object], target: str,
                named: bool = True) -> dict[str, Setting] | None:
-        """The values of the parameters; None if the model lacks one and the target was not named.
+        """The values of the parameters; None if the model lacks one and the target is one of "all".
         """
         kind = self._kind(table, given)
         values: dict[str, Setting] = {}
@@ -103,7 +125,7 @@ class EffectTable:
             else:
                 values[name] = settings.default(table, parameter)
         if self.effect.any_of and all(values[name] is None for name in self.effect.any_of):
-            if named:
+            if named or not read:
                 table.missing(self.effect.any_of[0], f"{' or '.join(self.effect.any_of)}")
             return None
         self._refuse_descent(table, values)

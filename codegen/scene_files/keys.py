@@ -131,9 +131,9 @@ SCENE = TableOf("", "The file itself.", (
     Key("base", "whether the root is fixed or moves freely", choices=tuple(BASES)),
     Key("name", "name of the files and the package, and prefix of the C functions: a C identifier",
         default="the file's name"),
-    Key("precision", 'of runs, and of the files of `coscrew generate`; without it double is run '
-        'and both are generated; "both" runs both and shows the difference.  "double" is necessary '
-        "if a number exceeds single precision's range (1.2e-38 to 3.4e38)", choices=PRECISIONS),
+    Key("precision", 'of runs, and of the files of `coscrew generate`; "both" runs both and shows '
+        'the difference.  "double" is necessary if a number exceeds single precision\'s range '
+        "(1.2e-38 to 3.4e38)", choices=PRECISIONS, default="runs in double, files in both"),
     Key("implausible", '"warn" accepts inertias that no body has, that are massless or '
         "incomplete, and reports them; on the command line --implausible warn",
         choices=(ERROR, WARN)),

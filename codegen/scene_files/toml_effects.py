@@ -103,7 +103,7 @@ def _in_own_table(reading: EffectTable, key: str) -> Applied:
         on = reading.target(own, "body", own.text("body"))
         return Applied(reading.effect, on, reading.values(own, own.values, on), key)
     label = "; or body = … under a label" if reading.what == "body" else ""
-    if key not in reading.targets and key not in {j.name for j in reading.model.joints}:
+    if key not in {x.name for x in reading.elements}:
         known = (*reading.targets, *reading.parameters, reading.several)
         table.refuse(key, f"no {reading.what} {key!r}{label}; {did_you_mean(key, known)}")
     on = reading.target(table, key, key)
@@ -121,6 +121,8 @@ def _on_named(reading: EffectTable, plain: Mapping[str, object]) -> Iterator[App
     for of_each in by_target.values():
         for name in of_each.values:
             reading.target(of_each, name, name)
+    if not reading.targets:
+        reading.refuse_none()
     chosen, named = _chosen(reading, plain.get(several), by_target)
     for key, of_each in by_target.items():
         for name in of_each.values:
@@ -140,8 +142,8 @@ def _on_named(reading: EffectTable, plain: Mapping[str, object]) -> Iterator[App
     if not applied:
         lacking = ", ".join(p.model for p in reading.effect.parameters
                             if p.model and plain.get(p.name, p.default) == MODEL)
-        table.refuse("", f"no {reading.what} of the model has {lacking or 'what it needs'}; "
-                         f"wanted numbers, or no {reading.effect.name}")
+        table.refuse("", f"no {reading.what} of the model has {lacking}; wanted numbers, or no "
+                         f"{reading.effect.name}")
 
 
 def _chosen(reading: EffectTable, several: object, by_target: Mapping[str, Table]

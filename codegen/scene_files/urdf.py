@@ -113,8 +113,8 @@ class _Urdf:
         """The element with this tag; None if it is missing and that is accepted."""
         found = self._only(inertial, tag, body)
         if found is None and self.implausible == ERROR:
-            self._refuse(inertial, body, f'<inertial> lacks <{tag}>; implausible = "{WARN}" lets '
-                                         "it through")
+            self._refuse(inertial, body,
+                         f'<inertial> lacks <{tag}>; implausible = "{WARN}" accepts it')
         if found is None:
             self.lacking.append(f"{body}: <inertial> lacks <{tag}>; {taken}")
         return found

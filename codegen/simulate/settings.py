@@ -8,16 +8,14 @@ from fractions import Fraction
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.parameter import Parameter, Scalar
 from coscrew_codegen.scene.assembly import ModelError
-from coscrew_codegen.scene.effect import ParameterOf
 from coscrew_codegen.scene.model import Model, value
 from coscrew_codegen.scene.possible import judged, unmoved_mass
 from coscrew_codegen.scene.recorded import exempt_joints
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
+from coscrew_codegen.scene.signs import Sign, signs
 from coscrew_codegen.scene_files.decimals import bounded
 from coscrew_codegen.scene_files.runtime import swapped_model
 from coscrew_codegen.simulate import SimulateError
-
-_POSITIVE, _NOT_NEGATIVE = "wanted a positive number", "wanted 0 or more"
 
 
 def refuse_settings(scene: Scene, settings: Mapping[str, float], precision: Precision) -> None:
@@ -36,10 +34,10 @@ def refuse_settings(scene: Scene, settings: Mapping[str, float], precision: Prec
         if number and not least <= abs(number) <= most:
             raise SimulateError(f"--set {name}={number:g}: outside {precision.name} precision's "
                                 f"range: 0, and {least:.2g} to {most:.2g} in size")
-    for name, wanted in _signs(scene):
+    for name, sign in signs(scene).items():
         number = settings.get(name, 1)
-        if number < 0 or wanted == _POSITIVE and number == 0:
-            raise SimulateError(f"--set {name}={number:g}: {wanted}")
+        if number < 0 or sign is Sign.POSITIVE and number == 0:
+            raise SimulateError(f"--set {name}={number:g}: wanted {sign.value}")
     for applied, low, high in ranges(scene, settings):
         if applied.effect.ascending and low > high:
             given = " ".join(f"--set {name}={number:g}" for name, number in settings.items())
@@ -63,23 +61,6 @@ def _number(given: Setting, settings: Mapping[str, float], without: float) -> fl
         return without
     named = settings.get(given.name) if isinstance(given, Parameter) else None
     return float(value(given)) if named is None else named
-
-
-def _signs(scene: Scene) -> Iterator[tuple[str, str]]:
-    """Parameters whose sign is restricted, with the message that says how."""
-    for body in scene.model.bodies:
-        if body.inertia and isinstance(body.inertia.mass, Parameter):
-            yield body.inertia.mass.name, _POSITIVE
-    for applied in scene.effects:
-        for described in applied.effect.parameters:
-            value = applied.values.get(described.name)
-            for x in value if isinstance(value, tuple) else (value,):
-                if isinstance(x, Parameter) and (described.positive or described.nonnegative):
-                    yield x.name, _sign(described)
-
-
-def _sign(described: ParameterOf) -> str:
-    return _POSITIVE if described.positive else _NOT_NEGATIVE
 
 
 def _of_bodies(scene: Scene) -> tuple[str, ...]:

@@ -173,7 +173,8 @@ def order_in_words(scene: SceneFunctions) -> list[str]:
     kinds = [f"  {kind}: {_UNITS[kind]}." for kind in _UNITS
              if any(x.kind == kind for x in scene.coordinates)]
     bodies = ", ".join(f"{n} {printable(name)}" for n, name in enumerate(scene.bodies))
-    parameters = ", ".join(f"{n} {printable(name)} = {value!r}"
+    signs = dict.fromkeys(scene.positive, " (must be positive)")
+    parameters = ", ".join(f"{n} {printable(name)} = {value!r}{signs.get(name, '')}"
                            for n, (name, value) in enumerate(scene.parameters))
     return ["Coordinates q and velocities v, joint by joint:", *table, *kinds,
             *([f"Bodies, in the order of body_poses: {bodies}."] if bodies else []),

@@ -1,5 +1,6 @@
 """`coscrew effects` prints every effect with its equation, parameters and units."""
 
+from dataclasses import replace
 
 import pytest
 
@@ -53,4 +54,8 @@ def test_alternatives_are_told():
                     (ParameterOf("lower", "rad", "lower end", required=False),
                      ParameterOf("upper", "rad", "upper end", required=False)),
                     any_of=("lower", "upper"))
-    assert list(described(effect))[-1].strip() == "at least one of lower, upper"
+    assert list(described(effect))[-1].strip() == "at least one of lower and upper"
+    of_model = replace(effect, parameters=tuple(replace(x, model=x.name)
+                                                for x in effect.parameters))
+    assert list(described(of_model))[-1].strip() == \
+        "at least one of lower and upper, here or in the model"

@@ -91,18 +91,28 @@ def test_scenes_in_snippets_are_of_the_schema(snippet):
     jsonschema.validate(tomllib.loads(snippet), schema)
 
 
+def test_the_scene_of_the_readme_runs_as_it_stands(tmp_path, capsys):
+    (scene,) = re.findall(r"```toml\n(.*?)```", TEXTS["README.md"], re.DOTALL)
+    (tmp_path / "arm.toml").write_text(scene, encoding="utf-8")
+    assert main(["simulate", str(tmp_path / "arm.toml")]) == 0
+    assert "q.elbow" in capsys.readouterr().out
+
+
 def test_shell_snippets_run(tmp_path, monkeypatch, capsys):
+    """Those that make everything, for one family: test_generate.py runs them whole."""
     blocks = re.findall(r"```sh\n(.*?)```", "".join(TEXTS.values()), re.DOTALL)
     commands = [line.split("#")[0].split() for block in blocks for line in block.splitlines()]
-    generate = [words[1:] for words in commands if words[0] == "coscrew"]
-    assert len(generate) == 3
+    ours = [words[1:] for words in commands if words[0] == "coscrew"]
+    assert len(ours) == 5
+    shutil.copytree(ROOT / "examples/scenes", tmp_path / "examples/scenes")
     shutil.copytree(ROOT / "generated", tmp_path / "generated",
                     ignore=shutil.ignore_patterns("*.so", "__pycache__"))
     monkeypatch.chdir(tmp_path)
-    for words in generate:  # what makes everything, for one family: test_generate.py runs the whole
-        part = [] if "--family" in words else ["--family", "vec3"]
-        assert main([*words, *part]) == 0, capsys.readouterr()
+    for words in ours:
+        whole = words in (["generate"], ["generate", "--check"])
+        assert main([*words, *(("--family", "vec3") if whole else ())]) == 0, capsys.readouterr()
     assert (tmp_path / "firmware/ksl/c/include/ksl/coscrew.h").exists()
+    assert (tmp_path / "build/pendulum/pendulum.c").exists()
     assert {words[0] for words in commands} == {"coscrew", "make"}
 
 

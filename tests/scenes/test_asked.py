@@ -78,7 +78,7 @@ def test_each_function_can_stand_alone(name: str, tmp_path: Path):
     """Nothing else is declared; it is what it is among all others; it compiles without a warning,
     of a function that is not used, either."""
     if name in FREE:
-        with pytest.raises(AskedError, match=f"arm: there is no {name}: no base floats"):
+        with pytest.raises(AskedError, match=f"arm: there is no {name}: no base is floating"):
             derive(arm(name))
         return
     assert public(arm(name)) == [name]
