@@ -173,9 +173,9 @@ def _add_to_parent(motion: Motion, number: int, joint: Freed, rest: Sequence[Num
             transmitted = tuple(x + y * r for x, y in zip(transmitted, w, strict=True))
         inverse.label(motion, "fj", "mj", transmitted)
     in_parent = to_parent(motion, number, transmitted)
-    with motion.part(parent, "f"):
+    with motion.part(parent, "fA"):
         wrench[parent] = add(wrench[parent], in_parent)
-        inverse.label(motion, "f", "m", wrench[parent])
+        inverse.label(motion, "fA", "mA", wrench[parent])
 
 
 def _outwards(motion: Motion, joints: Sequence[tuple[Freed, list[Number]]]) -> list[Number]:

@@ -218,7 +218,8 @@ def test_the_command_shows_and_empties(path: Path, folder: Path, capsys):
 def test_what_is_found_imports_neither_sympy_nor_scipy(path: Path):
     """Nor what derives, prints and plots: that takes longer than most runs."""
     program = ("import sys\nfrom coscrew_codegen.__main__ import main\n"
-               f"status = main(['simulate', {str(path)!r}, '--until', '0.01'])\n"
+               f"status = main(['simulate', {str(path)!r}, '--until', '0.01', '--output',\n"
+               f"               {str(path.with_suffix('.csv'))!r}])\n"
                "heavy = {'sympy', 'scipy', 'matplotlib', 'jinja2', 'coscrew',\n"
                "         'coscrew_codegen.mechanics'}\n"
                "print(status, sorted(heavy & set(sys.modules)))")
