@@ -13,7 +13,8 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
-from types import ModuleType
+from types import FrameType, ModuleType
+from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,6 +57,7 @@ class Kernels:
         if self._derived:
             return self._derived
         from coscrew_codegen.mechanics import derive
+        assert self.scene  # without one, the functions were given
         return derive(self.scene, self.selected)
 
     @property
@@ -98,7 +100,7 @@ class Kernels:
         functions = None if self.scene else self.functions
         return zlib.compress(pickle.dumps((self.scene, self.selected, functions)))
 
-    def __reduce__(self) -> tuple[Callable, tuple[bytes]]:
+    def __reduce__(self) -> tuple[Callable[[bytes], Kernels], tuple[bytes]]:
         """Pickle the scene and the selected functions; unpickling compiles them, or finds them in
         the cache."""
         return restored, (self._pickled,)
@@ -106,7 +108,7 @@ class Kernels:
     def __copy__(self) -> Kernels:
         return self
 
-    def __deepcopy__(self, memo: dict) -> Kernels:
+    def __deepcopy__(self, memo: dict[int, object]) -> Kernels:
         return self
 
     def __repr__(self) -> str:
@@ -157,8 +159,8 @@ def kernels_for(scene: Scene, functions: Collection[str] = (),
     """The kernels of the scene's selected functions, or of those with these names that it has,
     compiled in these precisions: found in the cache, or made."""
     compiler = _compiler(scene.name)
-    key = compiler and _key(scene, functions, precisions, compiler)
-    if key and (kept := _kept(key)):
+    key = _key(scene, functions, precisions, compiler) if compiler else ""
+    if compiler and key and (kept := _kept(key)):
         interface, library = kept
         return _compiled(scene, tuple(functions), interface, library, precisions, compiler)
     with doing(f"deriving {scene.name}") as tell:
@@ -192,7 +194,7 @@ def _warn(name: str, error: native.CompilationError) -> None:
 
 def _frames() -> Iterator[str]:
     """The files of the functions on the call stack, from `_warn` outwards."""
-    frame = sys._getframe(1)
+    frame: FrameType | None = sys._getframe(1)
     while frame:
         yield frame.f_code.co_filename
         frame = frame.f_back
@@ -250,12 +252,15 @@ def _compiled(scene: Scene | None, selected: tuple[str, ...], found: SceneInterf
 
 def _kernels(scene: Scene | None, selected: tuple[str, ...], found: SceneInterface, compiler: str,
              library: str, functions: SceneFunctions | None, precisions: tuple[str, ...],
-             made: Callable[[Signature, Precision], Callable]) -> Kernels:
-    each = [calls.gathered(found, p, {x.name: made(x, p) for x in found.signatures
-                                      if p.name in found.precisions and p.name in precisions})
-            for p in PRECISIONS]
-    kernels = Kernels(scene, found, *each, compiler, library, selected, functions)
-    for x in each:
+             made: Callable[[Signature, Precision], calls.Made]) -> Kernels:
+    double, single = (
+        calls.gathered(found, p, {x.name: made(x, p) for x in found.signatures
+                                  if p.name in found.precisions and p.name in precisions})
+        for p in PRECISIONS)
+    kernels = Kernels(scene, found, cast("calls.Functions[np.float64]", double),
+                      cast("calls.Functions[np.float32]", single), compiler, library, selected,
+                      functions)
+    for x in (double, single):
         x._kernels = kernels
     return kernels
 
@@ -297,6 +302,7 @@ def _modules(functions: SceneFunctions) -> dict[str, ModuleType]:
         init = folder / functions.name / "__init__.py"
         spec = importlib.util.spec_from_file_location(
             name, init, submodule_search_locations=[str(init.parent)])
+        assert spec and spec.loader
         module = importlib.util.module_from_spec(spec)
         sys.modules[name] = module
         spec.loader.exec_module(module)

@@ -17,6 +17,7 @@ from coscrew_codegen.scene.model import HERE, Kind, Model
 from coscrew_codegen.scene.scene import Applied, Scene
 from tests.support.scenes.mechanisms import (
     Formula,
+    Value,
     X,
     Y,
     Z,
@@ -31,7 +32,7 @@ from tests.support.scenes.mechanisms import (
 HALF = Fraction(1, 2)
 TIMED = (Formula("sin(t)"), Fraction(2), Formula("1 - t"))
 
-PLACES: Mapping[str, Sequence[tuple[str, Mapping]]] = {
+PLACES: Mapping[str, Sequence[tuple[str, Mapping[str, Value]]]] = {
     "actuator": [
         ("j1", {"kind": "pd", "kp": 3, "kd": 2, "target": Formula("t"), "limit": 5}),
         ("j2", {"kind": "dc", "voltage": 9, "kt": 2, "ke": 1, "R": 3}),

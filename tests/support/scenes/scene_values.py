@@ -13,7 +13,8 @@ UNIT = {"double": 2.0**-53, "single": 2.0**-24}
 SPECIAL = (0.0, -0.0, 1.0, -1.0, 1e-300, 1e30, 5e-324, np.inf, np.nan, 1.5)
 
 
-def inputs(function: Signature, kind: str, *lead: int, special: bool = False):
+def inputs(function: Signature, kind: str, *lead: int, special: bool = False
+           ) -> list[np.ndarray]:
     """Arguments of the function, drawn for these leading axes."""
     draw = np.random.default_rng(len(function.name))
     with np.errstate(over="ignore", under="ignore"):
@@ -30,7 +31,7 @@ def same_bits(a: object, b: object) -> bool:
         (np.isnan(a) & np.isnan(b)) | ((a == b) & (np.signbit(a) == np.signbit(b))))))
 
 
-def random_state(f: Evaluated, seed: int) -> dict[str, object]:
+def random_state(f: Evaluated[mpf], seed: int) -> dict[str, mpf | list[mpf]]:
     """q with quaternions of norm 1, v, tau, t."""
     random = Random(seed)
 
