@@ -3,8 +3,8 @@
 from dataclasses import replace
 
 from coscrew_codegen.integrators import EMITTED
-from coscrew_codegen.scene.asked import DEFAULT, jacobians
 from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.selected import DEFAULT, jacobians
 
 STEPPED = (DEFAULT, *(x.step_name for x in EMITTED))
 """The default functions, and every emitted integrator."""
