@@ -201,7 +201,7 @@ def test_imports_run_one_way():
              "identifiers", "algebra", "quantity", "domains", "operations", "kernel", "passes",
              "program", "formats", "scene_functions", "scene_symbols", "schedule", "programs",
              "recording", "tiers", "library", "render", "plots", "native", "targets", "special",
-             "exact", "selection", "kept", "layout", "emit", "report", "scene", "mechanics",
+             "exact", "selection", "family_cache", "layout", "emit", "report", "scene", "mechanics",
              "effects", "scene_files", "documentation", "console", "simulate", "cost",
              "generate_command", "command_line", "extras", "__main__"]
     package = ROOT / "codegen"

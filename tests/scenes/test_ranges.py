@@ -13,7 +13,7 @@ from coscrew_codegen.layout import scene_files
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.mechanics.ranges import RangeError
 from coscrew_codegen.program import Constant
-from coscrew_codegen.scene_files.toml_scene import Said, read_scene
+from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
 
 SCENE = """
 {precision}
@@ -108,7 +108,7 @@ def test_double_precision_alone_is_not_refused_for_single(path, old, new, words)
     files = scene_files(derive(scene))
     assert set(files) == {"arm.h", "arm.c", "arm/__init__.py", "arm/_arrays.py", "arm/double.py"}
     assert "3.4028235e+38" not in files["arm.c"] and " float " not in files["arm.c"]
-    assert read_scene(path(old, new), said=Said("double")) == scene
+    assert read_scene(path(old, new), overrides=SceneOverrides("double")) == scene
 
 
 @pytest.mark.parametrize("old, new", [("com = [0, 0, -0.5]", "com = [0, 0, 1e200]"),

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.kept import Kept, made_from
+from coscrew_codegen.family_cache import FamilyCache, made_from
 from coscrew_codegen.library import FamilyKernels
 from coscrew_codegen.native import cache
 from coscrew_codegen.operations import FAMILIES, OPERATIONS, contributors
@@ -155,7 +155,7 @@ def test_sources_that_change_meanwhile_keep_nothing(tmp_path, monkeypatch):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     stands = cache.sources()
     for change, count in (({"codegen/another.py": b""}, 0), ({}, 1)):
-        kept = Kept(stands | change, "coscrew generate", lambda words: None)
+        kept = FamilyCache(stands | change, "coscrew generate", lambda words: None)
         assert kept(FamilyKernels("trig", (), ()), made) == "trig"
         kept.save()
         assert len(list(tmp_path.rglob("*.family"))) == count
