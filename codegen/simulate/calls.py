@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.native import cache
-from coscrew_codegen.scene.asked import names
 from coscrew_codegen.scene.names import or_mean
+from coscrew_codegen.scene.selected import names
 from coscrew_codegen.scene_functions import SceneInterface, Signature
 from coscrew_codegen.targets.scene_text import c_name
 
@@ -84,7 +84,7 @@ class Functions(Steps[Real]):
         possible = names(scene) if scene else ()
         hint = or_mean(name, (*dir(self), *possible))
         if name in possible:
-            hint = f"; it was not asked for: functions=[\"default\", {name!r}]"
+            hint = f"; it was not selected: functions=[\"default\", {name!r}]"
         raise AttributeError(f"{self._about} has no function {name!r}{hint}", name=name, obj=self)
 
     def __repr__(self) -> str:

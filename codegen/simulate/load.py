@@ -48,7 +48,7 @@ class Kernels:
     single: calls.Functions[np.float32]
     compiler: str  # its version and flags; "" if the generated Python runs
     library: str = ""  # its key in the cache
-    asked: tuple[str, ...] = ()  # names of the selected functions; (): those of the scene
+    selected: tuple[str, ...] = ()  # names of the selected functions; (): those of the scene
     _derived: SceneFunctions | None = None
 
     @functools.cached_property
@@ -58,7 +58,7 @@ class Kernels:
             return self._derived
         from coscrew_codegen.mechanics import derive
         assert self.scene  # without one, the functions were given
-        return derive(self.scene, self.asked)
+        return derive(self.scene, self.selected)
 
     @property
     def NQ(self) -> int:
@@ -98,7 +98,7 @@ class Kernels:
     @functools.cached_property
     def _pickled(self) -> bytes:
         functions = None if self.scene else self.functions
-        return zlib.compress(pickle.dumps((self.scene, self.asked, functions)))
+        return zlib.compress(pickle.dumps((self.scene, self.selected, functions)))
 
     def __reduce__(self) -> tuple[Callable[[bytes], Kernels], tuple[bytes]]:
         """Pickle the scene and the selected functions; unpickling compiles them, or finds them in
@@ -125,15 +125,15 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
     generated Python runs.  `precision` and `implausible` override the file's: a scene of precision
     "double" has no `single`; with implausible "warn", implausible bodies cause warnings.
     `functions` names functions to use instead of the scene's own selection; "default" stands for
-    those of a scene that selects none, "all" for all it can have.  Raises AskedError for unknown
-    functions, TypeError for anything but a file or a Scene, ValueError for unknown words,
+    those of a scene that selects none, "all" for all it can have.  Raises FunctionsError for
+    unknown functions, TypeError for anything but a file or a Scene, ValueError for unknown words,
     RangeError for numbers that a precision cannot hold, and the errors of reading the scene.
     """
     functions = _names(functions)
     if isinstance(scene, (str, Path)):
-        from coscrew_codegen.scene_files.toml_scene import Said, read_scene
+        from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
         path = Path(scene)
-        scene = read_scene(path, said=Said(precision, implausible, functions))
+        scene = read_scene(path, overrides=SceneOverrides(precision, implausible, functions))
         for line in scene.model.implausible:
             warnings.warn(f"{path.name}: {line}", RuntimeWarning, stacklevel=2)
     elif not isinstance(scene, Scene):
@@ -226,7 +226,7 @@ def _kept(key: str) -> tuple[SceneInterface, native.Library] | None:
     return (interface, library) if library else None
 
 
-def _made(functions: SceneFunctions, scene: Scene | None, asked: tuple[str, ...],
+def _made(functions: SceneFunctions, scene: Scene | None, selected: tuple[str, ...],
           precisions: tuple[str, ...], compiler: native.Compiler | None) -> Kernels:
     """The kernels: compiled or, if that fails, generated Python."""
     from coscrew_codegen.targets.scene_calls import interface
@@ -235,22 +235,22 @@ def _made(functions: SceneFunctions, scene: Scene | None, asked: tuple[str, ...]
     if compiler:
         try:
             library = _library(functions, compiler, precisions)
-            return _compiled(scene, asked, found, library, precisions, compiler, functions)
+            return _compiled(scene, selected, found, library, precisions, compiler, functions)
         except native.CompilationError as error:
             _warn(functions.name, error)
     modules = _modules(functions)
-    return _kernels(scene, asked, found, "", "", functions, precisions, lambda x, p: (
+    return _kernels(scene, selected, found, "", "", functions, precisions, lambda x, p: (
         calls.in_numpy(getattr(modules[p.name], x.name), x)))
 
 
-def _compiled(scene: Scene | None, asked: tuple[str, ...], found: SceneInterface,
+def _compiled(scene: Scene | None, selected: tuple[str, ...], found: SceneInterface,
               library: native.Library, precisions: tuple[str, ...], compiler: native.Compiler,
               functions: SceneFunctions | None = None) -> Kernels:
-    return _kernels(scene, asked, found, str(compiler), library.key, functions, precisions,
+    return _kernels(scene, selected, found, str(compiler), library.key, functions, precisions,
                     lambda x, p: calls.compiled(found, library.opened, x, p))
 
 
-def _kernels(scene: Scene | None, asked: tuple[str, ...], found: SceneInterface, compiler: str,
+def _kernels(scene: Scene | None, selected: tuple[str, ...], found: SceneInterface, compiler: str,
              library: str, functions: SceneFunctions | None, precisions: tuple[str, ...],
              made: Callable[[Signature, Precision], calls.Made]) -> Kernels:
     double, single = (
@@ -258,7 +258,7 @@ def _kernels(scene: Scene | None, asked: tuple[str, ...], found: SceneInterface,
                                   if p.name in found.precisions and p.name in precisions})
         for p in PRECISIONS)
     kernels = Kernels(scene, found, cast("calls.Functions[np.float64]", double),
-                      cast("calls.Functions[np.float32]", single), compiler, library, asked,
+                      cast("calls.Functions[np.float32]", single), compiler, library, selected,
                       functions)
     for x in (double, single):
         x._kernels = kernels
@@ -268,8 +268,8 @@ def _kernels(scene: Scene | None, asked: tuple[str, ...], found: SceneInterface,
 @functools.lru_cache(maxsize=32)
 def restored(pickled: bytes) -> Kernels:
     """The kernels of a pickled scene and its selected functions; made once per process."""
-    scene, asked, functions = pickle.loads(zlib.decompress(pickled))
-    return kernels_of(functions, scene) if functions else kernels_for(scene, asked)
+    scene, selected, functions = pickle.loads(zlib.decompress(pickled))
+    return kernels_of(functions, scene) if functions else kernels_for(scene, selected)
 
 
 def _library(functions: SceneFunctions, compiler: native.Compiler, precisions: tuple[str, ...]

@@ -13,7 +13,7 @@ import coscrew_codegen
 from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.operations import OPERATIONS
-from coscrew_codegen.scene_files.toml_scene import Said, read_scene
+from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
 from coscrew_codegen.simulate import calls
 from coscrew_codegen.targets import scene_calls
 
@@ -99,7 +99,7 @@ def test_what_is_typed_is_there():
     typed = {node.target.id for node in ast.walk(source) if isinstance(node, ast.AnnAssign)
              and isinstance(node.target, ast.Name)}
     scene = Path(__file__).parents[2] / "examples" / "scenes" / "pendulum.toml"
-    functions = derive(read_scene(scene, said=Said(functions=("all",))))
+    functions = derive(read_scene(scene, overrides=SceneOverrides(functions=("all",))))
     there = {x.name for x in scene_calls.callables(functions)}
     assert {x.step_name for x in EMITTED} <= typed <= there
     assert Path(coscrew_codegen.__file__).with_name("py.typed").exists()
