@@ -6,7 +6,7 @@ for all effects except viscous; it also works with a generator that lacks that e
 
 import json
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from hashlib import sha256
@@ -86,6 +86,13 @@ def effects(*names: str) -> tuple[Applied, ...]:
 def all_but(name: str) -> Scene:
     """The scene of all effects except one."""
     return scene(arm(), *effects(*(x for x in PLACES if x != name)))
+
+
+def assert_listed(listed: Iterable[str], wanted: Iterable[str], table: str, file: str) -> None:
+    """Assert that the table in this file has an entry for each wanted effect, and no others."""
+    missing, unknown = set(wanted) - set(listed), set(listed) - set(wanted)
+    assert not missing, f"add {', '.join(sorted(missing))} to {table} in {file}"
+    assert not unknown, f"remove {', '.join(sorted(unknown))} from {table} in {file}"
 
 
 def hashes(made: Scene) -> dict[str, str]:
