@@ -201,7 +201,7 @@ def test_tests_name_the_entries_that_an_effect_lacks(tmp_path):
         env={**os.environ, "PYTHONPATH": str(tmp_path)})
     for words in ("add cogging to PLACES in tests/support/scenes/effect_scenes.py",
                   "add cogging to ZEROS in tests/scenes/test_absence.py", "add cogging to TRUE",
-                  "or BOUNDED (they are bounds of them) in tests/scenes/test_slopes.py",
+                  "BOUNDED (bounds of them) or FRICTION in tests/scenes/test_slopes.py",
                   "generated/docs/scene.schema.json is out of date: make generate"):
         assert words in done.stdout, done.stdout
 
