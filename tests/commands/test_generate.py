@@ -25,7 +25,7 @@ def contents(folder: Path) -> dict[str, bytes]:
 
 
 def committed() -> dict[str, bytes]:
-    """What git would hold of generated/: everything but compiled files."""
+    """The files of generated/ that git tracks: all except compiled ones."""
     return {path: data for path, data in contents(ROOT / "generated").items()
             if not path.endswith((".so", ".pyc", ".pyd"))}
 
@@ -37,7 +37,7 @@ def run(*arguments: str, cwd: Path = ROOT, **environment: str) -> subprocess.Com
 
 @pytest.fixture(scope="module")
 def copy(tmp_path_factory) -> Path:
-    """Everything, generated anew into an empty folder."""
+    """All files, generated anew into an empty folder."""
     folder = tmp_path_factory.mktemp("everything") / "generated"
     assert main(["generate", "--output", str(folder)]) == 0
     return folder
@@ -48,7 +48,8 @@ def test_regenerating_from_nothing_restores_what_is_committed(copy):
 
 
 def test_the_bytes_do_not_depend_on_hash_seed_or_locale(tmp_path, copy):
-    """Another seed than this process's, a locale and terminal of ASCII, another time zone."""
+    """With another hash seed than this process's, an ASCII locale and terminal, another time zone.
+    """
     done = run("generate", "--output", str(tmp_path / "out"), PYTHONHASHSEED="4242",
                LC_ALL="POSIX", PYTHONUTF8="0", PYTHONCOERCECLOCALE="0", PYTHONIOENCODING="ascii",
                TZ="Asia/Tokyo", XDG_CACHE_HOME=str(tmp_path / "cache"))
@@ -237,7 +238,7 @@ def hand_written() -> list[Path]:
 
 
 def test_every_hand_written_file_is_python():
-    """Of benchmarks and long searches, too, which no test runs."""
+    """Benchmarks and long searches, too, which no test runs."""
     for path in hand_written():
         compile(path.read_text(encoding="utf-8"), path.name, "exec", dont_inherit=True)
 
@@ -251,7 +252,7 @@ def test_no_hand_written_line_is_over_100_characters():
 
 
 def test_what_is_built_is_what_is_generated():
-    """Every source of an extension, every package, those of a tier too: no list has them."""
+    """Every source of an extension and every package, also those of tiers; they are in no list."""
     made = [path for path in committed() if path.endswith(".c")]
     built = {extension.name: extension for extension in extensions(ROOT)}
     assert {source for x in built.values() for source in x.sources} == {
