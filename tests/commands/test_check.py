@@ -15,7 +15,7 @@ from coscrew_codegen.simulate.findings import Met
 from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.verdict import table
 from tests.support.scenes import scene_texts as texts
-from tests.support.scenes.asking import STEPPED
+from tests.support.scenes.selecting import STEPPED
 from tests.support.scenes.simulated import told
 
 

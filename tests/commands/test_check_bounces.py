@@ -13,7 +13,7 @@ from coscrew_codegen.__main__ import main
 from coscrew_codegen.simulate.check import check
 from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.verdict import table
-from tests.support.scenes.asking import STEPPED
+from tests.support.scenes.selecting import STEPPED
 
 BALL = """
 [bodies]

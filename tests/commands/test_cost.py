@@ -34,7 +34,7 @@ from coscrew_codegen.targets import scene_c
 from coscrew_codegen.targets.scene_text import banner_of
 from tests.support.each import each_precision
 from tests.support.scenes import scene_texts as texts
-from tests.support.scenes.asking import STEPPED
+from tests.support.scenes.selecting import STEPPED
 
 
 @pytest.fixture(scope="module")

@@ -19,7 +19,7 @@ from coscrew_codegen.simulate.plot import plot
 from coscrew_codegen.simulate.record import differences
 from coscrew_codegen.simulate.recording import Column, Recording
 from tests.support.scenes import scene_texts as texts
-from tests.support.scenes.asking import STEPPED
+from tests.support.scenes.selecting import STEPPED
 
 ENDINGS = tuple(write.FORMATS)
 EVERYTHING = """record = ["q", "v", "a", "energy", "momentum", "power", "pose.bob", "position.bob",

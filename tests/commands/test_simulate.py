@@ -27,7 +27,7 @@ from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import system
 from tests.support.processes import interruptible
 from tests.support.scenes import scene_texts as texts
-from tests.support.scenes.asking import STEPPED
+from tests.support.scenes.selecting import STEPPED
 from tests.support.scenes.simulated import run, scene_file
 
 ORDERS = {x.name: x.order for x in EMITTED}

@@ -14,7 +14,7 @@ from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.system import system
 from tests.support.scenes import scene_texts as texts
-from tests.support.scenes.asking import STEPPED
+from tests.support.scenes.selecting import STEPPED
 from tests.support.scenes.simulated import run, scene_file
 
 

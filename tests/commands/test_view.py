@@ -16,7 +16,7 @@ from coscrew_codegen.simulate.outcome import RunOverrides, simulated
 from coscrew_codegen.simulate.view import box_of, drawn, page, view
 from tests.support.browser import chromium, resize
 from tests.support.scenes import scene_texts as texts
-from tests.support.scenes.asking import STEPPED
+from tests.support.scenes.selecting import STEPPED
 
 AWKWARD = "</script><script>document.title='no'</script>"
 TEXTS = {"pendulum": texts.PENDULUM, "brick": texts.BRICK, "spring": texts.SPRING,

@@ -1,4 +1,4 @@
-"""Scenes that ask for more functions than they have by default."""
+"""Scenes that select more functions than the default ones."""
 
 from dataclasses import replace
 
