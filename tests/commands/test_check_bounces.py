@@ -8,12 +8,11 @@ from types import SimpleNamespace
 import mpmath
 import pytest
 
-from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.simulate.check import check
 from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.verdict import table
-from tests.support.scenes.selecting import STEPPED
+from tests.support.scenes.selecting import checked
 
 BALL = """
 [bodies]
@@ -45,7 +44,7 @@ def loaded(tmp_path):
     def load(**values: object):
         path = tmp_path / "ball.toml"
         path.write_text(BALL.format(**values))
-        return load_scene(path, functions=STEPPED)
+        return checked(path, None, "rk4")
 
     return load
 

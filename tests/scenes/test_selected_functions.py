@@ -3,7 +3,7 @@
 import re
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
 from itertools import pairwise
 from pathlib import Path
 
@@ -83,7 +83,7 @@ def test_each_function_can_stand_alone(name: str, tmp_path: Path):
         return
     assert public(arm(name)) == [name]
     files = scene_c.files(derive(arm(name)), "banner")
-    whole = scene_c.files(derive(arm(*ALL)), "banner")["arm.c"]
+    whole = whole_arm()
     text = files["arm.c"]
     for file, content in files.items():
         (tmp_path / file).write_text(content)
@@ -91,6 +91,12 @@ def test_each_function_can_stand_alone(name: str, tmp_path: Path):
               "-o", tmp_path / "arm.o"])
     for head in re.findall(r"^(?:static )?void (arm_\w+)\(", text, re.M):
         assert body(text, head) == body(whole, head), head
+
+
+@cache
+def whole_arm() -> str:
+    """The C of the arm with all functions."""
+    return scene_c.files(derive(arm(*ALL)), "banner")["arm.c"]
 
 
 def body(text: str, function: str) -> str:
@@ -221,13 +227,13 @@ def test_deriving_takes_in_proportion_to_the_number_of_joints(monkeypatch: pytes
 
     monkeypatch.setattr(Recorder, "issue", counted)
     counts = []
-    for joints in (9, 12, 15, 18):
+    for joints in (9, 12, 15):
         issued[0] = 0
         derive(chain(joints), [name for name in selected_functions(chain(3))
                                if name != "mass_matrix"])
         counts.append(issued[0])
     more = [b - a for a, b in pairwise(counts)]
-    assert more[0] == more[1] == more[2] > 0, counts
+    assert more[0] == more[1] > 0, counts
 
 
 def test_many_joints_have_no_mass_matrix_unless_asked_and_no_end_of_them_is_refused():

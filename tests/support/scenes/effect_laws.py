@@ -1,21 +1,20 @@
 """Comparisons for tests of effects: to 45 digits, and convergence of motions to their law."""
 
 from collections.abc import Callable, Sequence
+from typing import Unpack
 
 from mpmath import mpf
 
-from coscrew_codegen.parameter import Parameter
 from coscrew_codegen.scene.model import Model
 from coscrew_codegen.scene.scene import Applied
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated, Given, Moving
-from tests.support.scenes.mechanisms import scene
+from tests.support.scenes.mechanisms import Settings, scene
 
 TINY = mpf(10)**-45
 
 
-def multiprecise(model: Model, *effects: Applied, parameters: tuple[Parameter, ...] = ()
-                 ) -> Evaluated[mpf]:
-    return Evaluated(scene(model, *effects, parameters=parameters), MULTIPRECISE)
+def multiprecise(model: Model, *effects: Applied, **settings: Unpack[Settings]) -> Evaluated[mpf]:
+    return Evaluated(scene(model, *effects, **settings), MULTIPRECISE)
 
 
 def assert_same(found: Sequence[mpf], wanted: Sequence[mpf]) -> None:

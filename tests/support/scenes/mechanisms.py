@@ -1,7 +1,8 @@
 """Small models and scenes for tests, written with exact numbers."""
 
+from collections.abc import Mapping
 from fractions import Fraction
-from typing import TypeAlias
+from typing import TypeAlias, TypedDict, Unpack
 
 from coscrew_codegen.effects import EFFECTS
 from coscrew_codegen.parameter import Parameter, Scalar
@@ -17,7 +18,7 @@ from coscrew_codegen.scene.model import (
     Model,
     Placement,
 )
-from coscrew_codegen.scene.scene import Applied, Scene, Setting
+from coscrew_codegen.scene.scene import Applied, Run, Scene, Setting
 from tests.support.scenes.selecting import with_jacobians
 
 CATALOGUE = {effect.name: effect for effect in EFFECTS}
@@ -82,10 +83,19 @@ def gravity(*g: Exact) -> Applied:
     return applied("gravity", g=numbers(*(g or (0, 0, "-9.81"))))
 
 
-def scene(model: Model, *effects: Applied, parameters: tuple[Parameter, ...] = ()) -> Scene:
+class Settings(TypedDict, total=False):
+    """Of a scene, besides its name, model and effects."""
+
+    parameters: tuple[Parameter, ...]
+    start_q: Mapping[str, tuple[float, ...]]
+    start_v: Mapping[str, tuple[float, ...]]
+    run: Run
+
+
+def scene(model: Model, *effects: Applied, **settings: Unpack[Settings]) -> Scene:
     """The scene of these effects, in the order of the catalogue's names."""
     return with_jacobians(Scene(
-        model.name, model, tuple(sorted(effects, key=lambda x: x.effect.name)), parameters))
+        model.name, model, tuple(sorted(effects, key=lambda x: x.effect.name)), **settings))
 
 
 def chain(*links: tuple[Kind, tuple[Fraction, ...], Placement, Inertia],
