@@ -11,6 +11,7 @@ from typing import Generic, TypeAlias, TypeVar
 import mpmath
 import numpy as np
 
+from coscrew_codegen.mechanics.derivation import tree_for
 from coscrew_codegen.mechanics.functions import derive
 from coscrew_codegen.program import Op, Program
 from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly, interpreter
@@ -64,25 +65,33 @@ def evaluator(program: Program, numbers: Numbers[N]
 
 class Evaluated(Generic[N]):
     """The functions of a scene by name: f("forward_dynamics", q=…, v=…, tau=…) is a list of
-    numbers, or a number for a scalar output.
+    numbers, or a number for a scalar output.  Those that are called are derived, each by itself.
 
     Inputs that a function does not take are ignored; p defaults to the scene's values, t to zero.
     """
 
     def __init__(self, scene: Scene, numbers: Numbers[N],
                  functions: SceneFunctions | None = None):
-        self.scene, self.numbers = scene, numbers
-        self.functions = functions or derive(scene)
-        self.programs = {f.name: f.program for f in self.functions.functions}
+        self.scene, self.numbers, self._derived = scene, numbers, functions
+        tree = tree_for(scene)
+        self.nq, self.nv, self.coordinates = tree.nq, tree.nv, tree.coordinates
+        self._programs: dict[str, Program] = {}
         self._evaluators: dict[str, Callable[[Sequence[Sequence[N]]], list[N]]] = {}
+
+    def program(self, name: str) -> Program:
+        """The function's Program; derived with the others if those are given."""
+        if name not in self._programs:
+            functions = (self._derived or derive(self.scene, (name,))).functions
+            self._programs[name] = next(f.program for f in functions if f.name == name)
+        return self._programs[name]
 
     def __call__(self, name: str, **values: Given | Sequence[Given]) -> list[N] | N:
         found = self.components(name, **values)
-        return found if self.programs[name].outputs[0].quantity.shape else found[0]
+        return found if self.program(name).outputs[0].quantity.shape else found[0]
 
     def components(self, name: str, **values: Given | Sequence[Given]) -> list[N]:
         """All numbers of the results."""
-        program, number = self.programs[name], self.numbers.number
+        program, number = self.program(name), self.numbers.number
         if name not in self._evaluators:
             self._evaluators[name] = evaluator(program, self.numbers)
         given: dict[str, Given | Sequence[Given]] = {
@@ -104,7 +113,7 @@ class Moving:
         number = DOUBLE.number
         self.q, self.v = list(map(number, q)), list(map(number, v))
         self.t = number(0)
-        self.tau = [number(0)] * self.f.functions.nv
+        self.tau = [number(0)] * self.f.nv
 
     def moved(self, q: Sequence[Given], phi: Sequence[Given]) -> list[np.float64]:
         """q ⊕ phi."""
@@ -139,8 +148,8 @@ class Moving:
         for part in (h / 2, h / 2, h):
             phi = [part * x for x in rates[-1][0]]
             v = [x + part * y for x, y in zip(self.v, rates[-1][1], strict=True)]
-            u = (self.f.components("chart_rate", v=v, phi=phi)
-                 if "chart_rate" in self.f.programs else v)
+            u = (v if self.f.nq == self.f.nv else
+                 self.f.components("chart_rate", v=v, phi=phi))
             rates.append((u, self.acceleration(self.t + part, self.moved(self.q, phi), v)))
         phi, dv = zero, zero
         for weight, (u, a) in zip((1, 2, 2, 1), rates, strict=True):

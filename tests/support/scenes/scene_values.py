@@ -38,9 +38,9 @@ def random_state(f: Evaluated[mpf], seed: int) -> dict[str, mpf | list[mpf]]:
     def draw(n: int) -> list[mpf]:
         return [mpf(random.randint(-2000, 2000)) / 1000 for _ in range(n)]
 
-    q = draw(f.functions.nq)
-    for c in f.functions.coordinates:
+    q = draw(f.nq)
+    for c in f.coordinates:
         if c.kind in ("free", "spherical"):
             part = slice(c.q.stop - 4, c.q.stop)
             q[part] = [x / mpmath.norm(q[part]) for x in q[part]]
-    return {"t": mpf("0.4"), "q": q, "v": draw(f.functions.nv), "tau": draw(f.functions.nv)}
+    return {"t": mpf("0.4"), "q": q, "v": draw(f.nv), "tau": draw(f.nv)}

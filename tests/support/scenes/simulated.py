@@ -11,7 +11,7 @@ from coscrew_codegen.simulate.plan import Trajectory, plan
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import system
 from tests.support.scenes import scene_texts as texts
-from tests.support.scenes.asking import STEPPED
+from tests.support.scenes.selecting import STEPPED
 
 
 def scene_file(folder: Path, text: str, name: str = "scene") -> Path:
@@ -20,13 +20,21 @@ def scene_file(folder: Path, text: str, name: str = "scene") -> Path:
     return path
 
 
+class Loaded(dict[str, Kernels]):
+    """Kernels by the name of their text, loaded when they are first used."""
+
+    def __init__(self, folder: Path):
+        self._folder = folder
+
+    def __missing__(self, name: str) -> Kernels:
+        path = scene_file(self._folder, getattr(texts, name), name.lower())
+        self[name] = load_scene(path, functions=STEPPED)
+        return self[name]
+
+
 @pytest.fixture(scope="module")
-def kernels(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Kernels]:
-    """Kernels by the name of their text."""
-    folder = tmp_path_factory.mktemp("scenes")
-    return {name: load_scene(scene_file(folder, getattr(texts, name), name.lower()),
-                             functions=STEPPED)
-            for name in ("PENDULUM", "SPRING", "BRICK", "UNSTABLE")}
+def kernels(tmp_path_factory: pytest.TempPathFactory) -> Loaded:
+    return Loaded(tmp_path_factory.mktemp("scenes"))
 
 
 def run(kernels: Kernels, precision: str = "double", until: float | None = None,
