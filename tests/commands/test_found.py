@@ -21,6 +21,7 @@ from coscrew_codegen.program.bounds import bounds_of
 from tests.support.truth.attack import TIERED, plain_program
 from tests.support.walks import command, copied, generated, walk
 
+ROOT = Path(__file__).parents[2]
 TABLE = {operation.name: operation for operation in OPERATIONS}
 DERIVED = ("vec3", "mat3x3", "coscrew")  # families; deriving all would take long
 FOLDERS = {"effects": "EFFECT", "integrators": "INTEGRATOR", "operations": "FAMILY",
@@ -189,6 +190,20 @@ def test_an_effect_is_one_file(tmp_path):
         done = command(tmp_path, *words)
         assert done.returncode == 0, done.stdout + done.stderr
     assert "cogging" in done.stdout and "tau = -a sin(n q)" in done.stdout
+
+
+def test_tests_name_the_entries_that_an_effect_lacks(tmp_path):
+    walk(copied(tmp_path), "cogging")
+    done = subprocess.run(
+        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "--stale-extensions",
+         *(f"tests/scenes/test_{x}.py" for x in ("absence", "slopes", "schema")),
+         "-k", "every_effect or command_prints"], cwd=ROOT, text=True, capture_output=True,
+        env={**os.environ, "PYTHONPATH": str(tmp_path)})
+    for words in ("add cogging to PLACES in tests/support/scenes/effect_scenes.py",
+                  "add cogging to ZEROS in tests/scenes/test_absence.py", "add cogging to TRUE",
+                  "BOUNDED (bounds of them) or FRICTION in tests/scenes/test_slopes.py",
+                  "generated/docs/scene.schema.json is out of date: make generate"):
+        assert words in done.stdout, done.stdout
 
 
 @pytest.mark.parametrize("folder", FOLDERS)
