@@ -31,8 +31,8 @@ SYMBOLS: dict[tuple[str, ...], str] = {
     ("F",): "force and moment for a unit acceleration of the joint",
     ("M",): "entries of the mass matrix",
     ("A", "Al", "Ac", "Aa"): "articulated inertia A = [[Al, Ac^T], [Ac, Aa]], linear part first",
-    ("Ap", "Apl", "Apc", "Apa"): "the part of it that acts on the parent through the joint, in the parent's "
-                                 "frame",
+    ("Ap", "Apl", "Apc", "Apa"): "the part of it that acts on the parent through the joint, in the "
+                                 "parent's frame",
     ("S", "Sl", "Sa"): "articulated inertia times the joint's axes (linear; angular)",
     ("D",): "inertia along the joint's axes; of several axes, L D L^T",
     ("Di",): "1 / D",
