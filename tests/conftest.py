@@ -1,7 +1,6 @@
 """Before the first test: checks that the compiled extensions match the kernels in generated/.
 
-And `--quick`, for the working day: files that take long are left out, and of tests with many
-parameters a few are run.
+`--quick` leaves out slow files, and runs tests with many parameters for a few of them.
 """
 
 import importlib
@@ -11,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-if TYPE_CHECKING:  # imported with the first test that needs it: with it come SymPy and operations
+if TYPE_CHECKING:  # imports SymPy and the operations: only the tests that need it import it
     from tests.support.truth.exact import Exact, Sample
 
 LONG = frozenset("""
