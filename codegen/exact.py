@@ -87,7 +87,9 @@ def exact_functions(operation: Operation) -> tuple[tuple[Exact, Exact], ...]:
     def over_one_denominator(polynomial: sp.Expr) -> Exact:
         """Integer coefficients over one denominator: 1/2 would print as a float and be rounded."""
         numerator, denominator = sp.fraction(sp.together(polynomial))
-        function = sp.lambdify(symbols, sp.expand(numerator), "math")
+        function: Exact = sp.lambdify(symbols, sp.expand(numerator), "math")
+        if denominator == 1:
+            return function
         return lambda *values: function(*values) / int(denominator)
 
     return tuple(map(pair, formula(operation)))
