@@ -45,6 +45,9 @@ from tests.support.truth.multiprecision import (
 Row = tuple[list[mp.mpf], ...]  # components of every input
 Run = Callable[[Operation, Rules, Row], list[mp.mpf]]
 
+# That they suffice, branches taken and signs flipped show.
+ROWS = 24
+
 # The last row of L times its pivot enters only squared, so that its sign is free there.
 SIGNED = tuple(op for op in NUMERIC if op.name != "spatial_inertia_consistency")
 
@@ -128,9 +131,9 @@ def evaluator_of(operation: Operation, rules: Rules, row: Row) -> Evaluator:
 def rows(operation: Operation, precision: Precision) -> list[Row]:
     """Floats in every branch: motions where the operation takes them, anything finite; zeros, and
     among zeros a one or a small number."""
-    groups = [inputs_of(operation, precision, 60)]
+    groups = [inputs_of(operation, precision, ROWS)]
     if operation.name in TRUTHS:
-        motions = motions_of(operation, precision, 60)
+        motions = motions_of(operation, precision, ROWS)
         groups += [motions, tuple(4 * x[:10] for x in motions)]
         if operation.inputs[0].name in ("v", "s"):  # below the end of series, where all terms count
             turns = np.random.default_rng(1).uniform(-1, 1, (12, motions[0].shape[1])) / 2

@@ -25,7 +25,7 @@ from tests.support.truth.motion_errors import (
 )
 from tests.support.truth.motions import DIGITS, TRUTHS, exponential_series, skew
 
-ROWS = 250
+ROWS = 120
 MOTIONS = tuple(op for op in OPERATIONS if op.name in TRUTHS)
 TABLE = {op.name: op for op in MOTIONS}
 Arrays = tuple[np.ndarray, ...]
