@@ -6,7 +6,7 @@ import argparse
 import sys
 from importlib import import_module
 
-from coscrew_codegen.errors import Told
+from coscrew_codegen.errors import ReportedError
 
 COMMANDS = {
     "generate": "coscrew_codegen.generate_command",
@@ -26,7 +26,7 @@ def run(arguments: list[str] | None) -> int:
     options = _parser(words[0] if words else "").parse_args(words)
     try:
         return int(options.run(options))
-    except Told as error:
+    except ReportedError as error:
         print(f"coscrew: {error}", file=sys.stderr)
         return 2
 

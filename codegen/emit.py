@@ -8,12 +8,12 @@ import tempfile
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from coscrew_codegen.errors import Told
+from coscrew_codegen.errors import ReportedError
 
 MARK = "Made by `coscrew generate"
 
 
-class EmitError(Told, OSError):
+class EmitError(ReportedError, OSError):
     """The files cannot be written; those on disk are as they were."""
 
 

@@ -1,4 +1,5 @@
-"""The two precisions: digits, limits, names in each language.  No other module knows these."""
+"""The two precisions: digits, limits, names in each language, look in plots.  No other module knows
+these."""
 
 from collections.abc import Collection
 from dataclasses import dataclass
@@ -59,6 +60,9 @@ class Precision(Format):
     numpy_type: str
     buffer_format: str  # in Python's buffer protocol
     bytes: int
+    colour: str = ""  # in plots whose colours do not stand for tiers or integrators
+    dash: str = ""  # of lines in plots
+    marker: str = ""
 
     def value(self, constant: Constant) -> Fraction:
         """The constant's value for this precision, exact and not yet rounded."""
@@ -102,8 +106,8 @@ def _literal(precision: Precision, value: Fraction) -> str:
     raise ValueError(f"a constant is outside {precision.name} precision's range")
 
 
-DOUBLE = Precision(53, -1022, "double", "double", "", "float64", "d", 8)
-SINGLE = Precision(24, -126, "single", "float", "f", "float32", "f", 4)
+DOUBLE = Precision(53, -1022, "double", "double", "", "float64", "d", 8, "#0072b2", "-", "o")
+SINGLE = Precision(24, -126, "single", "float", "f", "float32", "f", 4, "#f5a04d", "--", "s")
 PRECISIONS = (DOUBLE, SINGLE)
 BY_NAME = {precision.name: precision for precision in PRECISIONS}
 

@@ -60,7 +60,7 @@ def _library(options: argparse.Namespace) -> int:
 
     from coscrew_codegen.documentation import reference_files
     from coscrew_codegen.emit import stale_files
-    from coscrew_codegen.kept import Kept
+    from coscrew_codegen.family_cache import FamilyCache
     from coscrew_codegen.layout import generated_files
     from coscrew_codegen.selection import Selection, SelectionError, select
 
@@ -70,7 +70,7 @@ def _library(options: argparse.Namespace) -> int:
     folder, check = Path(options.output or DEFAULT_OUTPUT), options.check
     whole = selection == Selection()
     with doing("generating") as tell:
-        kept = Kept(sources, selection.command, tell)
+        kept = FamilyCache(sources, selection.command, tell)
         library = selection.library(kept)
         files = generated_files(library) | (reference_files(library) if whole else {})
     kept.save()

@@ -11,9 +11,9 @@ from coscrew_codegen.targets.target import Files
 
 def generated_files(library: Library) -> Files:
     """Every file of the library, by its path in the output folder."""
-    asked = set(library.languages)
+    wanted = set(library.languages)
     return _gathered((target.name, target.library(library)) for target in targets()
-                     if target.asked and target.library and asked.issuperset(target.languages))
+                     if target.generated and target.library and wanted.issuperset(target.languages))
 
 
 def scene_files(functions: SceneFunctions, command: str = "") -> Files:
@@ -21,7 +21,7 @@ def scene_files(functions: SceneFunctions, command: str = "") -> Files:
     what makes them.  Raises ValueError for names that cannot be used in C or Python."""
     banner = banner_of(functions.name, command)
     return _gathered((target.name, target.scene(functions, banner)) for target in targets()
-                     if target.asked and target.scene)
+                     if target.generated and target.scene)
 
 
 def _gathered(made: Iterable[tuple[str, Files]]) -> Files:

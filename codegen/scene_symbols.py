@@ -1,4 +1,4 @@
-"""Names in a scene's text: the symbols after a link's name, and their legend."""
+"""Names in a scene's text: symbols with the number of a link or behind a name, and their legend."""
 
 import re
 from collections.abc import Iterable, Iterator
@@ -21,6 +21,7 @@ SYMBOLS: dict[tuple[str, ...], str] = {
     ("f", "m"): "net force and moment about the origin, less those of effects",
     ("fj", "mj"): "force and moment about the origin that the joint transmits",
     ("fp", "mp"): "the same in the parent's frame, about its origin",
+    ("fA", "mA"): "f and m, with fp and mp of the links beyond, whose joints move freely",
     ("tau",): "force or torque along the joint's axis; behind an effect's name what that supplies",
     ("p", "L"): "momentum and angular momentum about the origin",
     ("T", "V"): "kinetic and potential energy",
@@ -42,7 +43,7 @@ SYMBOLS: dict[tuple[str, ...], str] = {
     ("q",): "coordinates after the step",
     ("drift", "kick"): "change of q, and velocities, after part of a step",
 }
-_KNOWN = {symbol for symbols in SYMBOLS for symbol in symbols}
+_KNOWN = [symbol for symbols in SYMBOLS for symbol in symbols]
 
 
 def legend(names: Iterable[str]) -> tuple[str, ...]:
@@ -59,23 +60,26 @@ def legend(names: Iterable[str]) -> tuple[str, ...]:
     return (*_marks(marks), *rows) if rows else ()
 
 
+_MARKS = "(?P<sign>n?)(?P<number>(?:v[0-9]+)?)(?P<step>(?:_[0-9]+)?)"
+_OF_LINK = re.compile(f"(?P<symbol>[A-Za-z]+)[0-9]+[xyz]{{0,2}}{_MARKS}")
+_OF_NAME = re.compile(f"[A-Za-z0-9_]+_(?P<symbol>{'|'.join(_KNOWN)})[xyz]{{0,2}}{_MARKS}")
+
+
 def reading(name: str) -> tuple[str, str, str, str]:
     """The parts of a name: its symbol, and "sign", "number", "step" if it has these, else "".  All
     are empty if it has no symbol."""
-    stem, _, last = name.rpartition("_")
-    step = "step" if last.isdigit() and stem else ""
-    word = (stem if step else name).rpartition("_")[2] if "_" in name else ""
-    for cut in range(len(word), 0, -1):
-        match = re.fullmatch("([xyz]{0,2})(n?)([0-9]*)", word[cut:])
-        if match and word[:cut] in _KNOWN:
-            return word[:cut], match[2] and "sign", match[3] and "number", step
-    return "", "", "", ""
+    match = _OF_LINK.fullmatch(name) or _OF_NAME.fullmatch(name)
+    if not match or match["symbol"] not in _KNOWN:
+        return "", "", "", ""
+    sign, number, step = (x if match[x] else "" for x in ("sign", "number", "step"))
+    return match["symbol"], sign, number, step
 
 
 def _marks(marks: set[str]) -> Iterator[str]:
-    yield ("After a link's name comes the symbol of a quantity and its component: link_wx.  "
-           "Vectors are in the link's frame, about its origin, unless stated otherwise.")
-    words = {"sign": "link_wxn is -link_wx", "number": "link_wx2 a second value of it",
-             "step": "link_wx_1 a step towards it, link_w_1 one towards several"}
+    yield ("Names consist of the symbol of a quantity, the number of its link and a component: w3x "
+           "is w of link 3 along x.  Vectors are in the link's frame, about its origin, unless "
+           "stated otherwise.")
+    words = {"sign": "w3xn is -w3x", "number": "w3xv2 a second value of it",
+             "step": "w3x_1 a step towards it, w3_1 one towards several"}
     if said := [words[x] for x in words if x in marks]:
         yield "; ".join(said) + "."

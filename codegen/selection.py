@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from difflib import get_close_matches
 
-from coscrew_codegen.errors import Told
+from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.library import Keep, Library
 from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation
@@ -12,7 +12,7 @@ from coscrew_codegen.targets import languages
 LANGUAGES = languages()
 
 
-class SelectionError(Told, ValueError):
+class SelectionError(ReportedError, ValueError):
     """An unknown name; the message gives the nearest known one."""
 
 

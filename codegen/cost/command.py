@@ -31,13 +31,13 @@ def run(options: argparse.Namespace) -> int:
     from coscrew_codegen.cost import measure, plot, table
     from coscrew_codegen.cost.leaving_out import whole
     from coscrew_codegen.simulate.load import kernels_for
-    from coscrew_codegen.simulate.outcome import Asked
+    from coscrew_codegen.simulate.outcome import RunOverrides
     from coscrew_codegen.simulate.write import FIGURES, check_target
 
     if options.plot:
         check_target(options.plot, FIGURES)
     scene = scene_of(options, "both")
-    costs = measure.measure(kernels_for(scene, whole(scene)), Asked(
+    costs = measure.measure(kernels_for(scene, whole(scene)), RunOverrides(
         options.until, options.step, options.integrator, "both", tuple(options.settings)),
         options.digits)
     print(table.table(costs))

@@ -4,12 +4,12 @@ from dataclasses import dataclass, replace
 
 from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.mechanics.functions import derive
-from coscrew_codegen.scene.asked import FREE, asked_for, together
 from coscrew_codegen.scene.scene import Applied, Scene
+from coscrew_codegen.scene.selected import FREE, selected_functions, together
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 
 WHOLE = "all effects"
-TELLING = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
+SHOWN = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
 """The functions whose cost is shown for each effect."""
 
 
@@ -42,14 +42,14 @@ def parts(scene: Scene) -> tuple[Part, ...]:
 
 
 def _part(words: str, scene: Scene) -> Part:
-    functions = whole(scene) if words == WHOLE else TELLING
+    functions = whole(scene) if words == WHOLE else SHOWN
     return Part(words, scene, derive(scene, functions))
 
 
 def whole(scene: Scene) -> tuple[str, ...]:
     """The functions of the scene with all its effects: those it selects, those whose cost is shown
     for each effect, and the steps of all integrators."""
-    return together(asked_for(scene), TELLING, (x.step_name for x in EMITTED), ("energy",),
+    return together(selected_functions(scene), SHOWN, (x.step_name for x in EMITTED), ("energy",),
                     FREE)
 
 

@@ -1,4 +1,4 @@
-"""C loops over a scene's functions, and whole runs of its integrators, compiled for timing."""
+"""C loops over a scene's functions, compiled for timing beside the runs that simulations use."""
 
 import ctypes
 import time
@@ -11,12 +11,11 @@ from coscrew_codegen.cost.leaving_out import Part
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.native.buffers import aligned
 from coscrew_codegen.native.timing import Loop, driver, pointers
-from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, Step
 from coscrew_codegen.simulate.native import Compiler, library
-from coscrew_codegen.targets import scene_c
-from coscrew_codegen.targets.scene_text import banner_of, c_name, outputs, size, step_inputs
+from coscrew_codegen.targets import scene_c, scene_calls
+from coscrew_codegen.targets.scene_text import banner_of, c_name, outputs, size
 
 ELEMENTS = 64  # states of a loop: few enough for the first-level cache
 State = tuple[np.ndarray, np.ndarray]
@@ -53,10 +52,11 @@ class Compiled:
         of other processes does not count)."""
         q, v = (np.array(x, precision.numpy_type) for x in start)
         parameters = np.array([*p, 0], precision.numpy_type)
-        function = getattr(self.library, _run(step, precision))
+        function = getattr(self.library,
+                           f"run_{c_name(self.part.functions, step.name, precision)}")
         arguments = [ctypes.c_void_p(x.ctypes.data) for x in (parameters, q, v)]
         began = time.thread_time()
-        function(ctypes.c_long(steps), ctypes.c_double(h), *arguments)
+        function(ctypes.c_ssize_t(steps), ctypes.c_double(0), ctypes.c_double(h), *arguments)
         return q, v, time.thread_time() - began
 
 
@@ -72,52 +72,33 @@ def _made(function: Function, precision: Precision) -> list[np.ndarray]:
 def compiled(part: Part, functions: Sequence[Function], compiler: Compiler) -> Compiled:
     """A part's loops over these functions, compiled as load_scene does.  Raises CompilationError.
     """
-    name = part.functions.name
-    files = {**scene_c.files(part.functions, banner_of(name)), "loops.c": text(part, functions),
-             "driver.c": driver()}
-    units = {"scene": (f"{name}.c",), "loops": ("loops.c",), "driver": ("driver.c",)}
+    name, banner = part.functions.name, banner_of(part.functions.name)
+    files = {**scene_c.files(part.functions, banner), **scene_calls.files(part.functions, banner),
+             "loops.c": text(part, functions), "driver.c": driver()}
+    units = {"scene": (f"{name}_calls.c",), "loops": ("loops.c",), "driver": ("driver.c",)}
     return Compiled(part, library(units, files, compiler).opened)
 
 
 def text(part: Part, functions: Sequence[Function]) -> str:
-    """The C text of the loops and runs."""
-    scene = part.functions
+    """The C text of the loops."""
     loops = [{"name": _loop(f.name, precision), **_over_states(part, f, precision)}
              for f in functions for precision in PRECISIONS]
-    runs = [{"name": _run(step, precision), "real": precision.c_type,
-             "call": _call_of(part, step, precision)}
-            for step in scene.steps for precision in PRECISIONS]
-    return render("cost/loops.c", name=scene.name, loops=loops, runs=runs)
+    return render("cost/loops.c", name=part.functions.name, loops=loops)
 
 
 def _loop(function: str, precision: Precision) -> str:
     return f"coscrew_loop_{function}{precision.suffix}"
 
 
-def _run(step: Step, precision: Precision) -> str:
-    return f"coscrew_run_{step.name}{precision.suffix}"
-
-
 def _over_states(part: Part, function: Function, precision: Precision) -> dict[str, object]:
-    """The declarations of the loop's arrays, and the call for element i."""
+    """The declarations of the loop's arrays, a row an element, and the call for row i."""
     declared, passed = [], []
     arguments = [*((a, "const ") for a in function.program.inputs),
                  *((a, "") for a in outputs(function))]
     for number, (a, const) in enumerate(arguments):
-        declared.append(f"{const}{precision.c_type} *{a.name} = arguments[{number}];")
-        passed.append(_element(a, bool(const)))
+        row = f"(*{a.name})[{max(size(a), 1)}]" if a.quantity.shape else f"*{a.name}"
+        declared.append(f"{const}{precision.c_type} {row} = arguments[{number}];")
+        passed.append(f"{a.name}[i]" if a.quantity.shape or const else f"&{a.name}[i]")
     call = f"{c_name(part.functions, function.name, precision)}({', '.join(passed)});"
     return {"pointers": declared, "call": call}
 
-
-def _element(argument: Argument, read: bool) -> str:
-    if argument.quantity.shape:
-        return f"{argument.name} + {size(argument)} * i"
-    return f"{argument.name}[i]" if read else f"{argument.name} + i"
-
-
-def _call_of(part: Part, step: Step, precision: Precision) -> str:
-    real = precision.c_type
-    values = {"t": f"({real})((double)i * h)", "h": f"({real})h", "p": "p", "q": "q", "v": "v"}
-    given = ", ".join(values[x] for x in step_inputs(part.functions))
-    return f"{c_name(part.functions, step.name, precision)}({given});"

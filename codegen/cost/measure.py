@@ -10,7 +10,7 @@ import numpy as np
 from tqdm import tqdm
 
 from coscrew_codegen.cost import CostError
-from coscrew_codegen.cost.leaving_out import TELLING, WHOLE, Part, parts
+from coscrew_codegen.cost.leaving_out import SHOWN, WHOLE, Part, parts
 from coscrew_codegen.cost.loops import ELEMENTS, Compiled, compiled
 from coscrew_codegen.cost.work_precision import Point, Reference, reference, work_precision
 from coscrew_codegen.formats import PRECISIONS
@@ -21,7 +21,7 @@ from coscrew_codegen.program.flops import flops
 from coscrew_codegen.scene_functions import Function
 from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.load import Kernels
-from coscrew_codegen.simulate.outcome import Asked
+from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.plan import Trajectory, plan
 from coscrew_codegen.simulate.progress import Progress
 from coscrew_codegen.simulate.record import accelerations
@@ -59,7 +59,7 @@ class Costs:
         return self.reference is not None and point.error > self.reference.error
 
 
-def measure(kernels: Kernels, asked: Asked, digits: int | None) -> Costs:
+def measure(kernels: Kernels, overrides: RunOverrides, digits: int | None) -> Costs:
     """Measure; with `digits`, the reference is computed with so many.  Raises CostError."""
     scene = kernels.scene
     if scene is None:
@@ -71,27 +71,28 @@ def measure(kernels: Kernels, asked: Asked, digits: int | None) -> Costs:
                                 len(chosen)))
     except native.CompilationError as error:
         raise CostError(f"cost times C, and that cannot be compiled: {error}") from None
-    states = _states(kernels, asked)
+    states = _states(kernels, overrides)
     rows = tuple(_progress(_rows(built, states), "timing",
                            sum(len(_functions(x.part)) for x in built)))
-    its = system(kernels, "double", dict(asked.settings))
-    planned = plan(its, asked.until, asked.step, asked.integrator)
+    its = system(kernels, "double", dict(overrides.settings))
+    planned = plan(its, overrides.until, overrides.step, overrides.integrator)
     truth = reference(its, planned.until, digits)
-    points = work_precision(kernels, built[0], planned, asked, truth) if truth else ()
+    points = work_precision(kernels, built[0], planned, overrides, truth) if truth else ()
     return Costs(scene.name, str(using), rows, truth,
                  tuple(_progress(points, "integrating", None)))
 
 
 def _functions(part: Part) -> tuple[Function, ...]:
     """All functions of the whole scene; of its other parts, the functions shown for each effect."""
-    return tuple(f for f in part.public if part.words == WHOLE or f.name in TELLING)
+    return tuple(f for f in part.public if part.words == WHOLE or f.name in SHOWN)
 
 
-def _states(kernels: Kernels, asked: Asked) -> tuple[System, Trajectory]:
+def _states(kernels: Kernels, overrides: RunOverrides) -> tuple[System, Trajectory]:
     """A run of the scene, from whose samples the inputs of timed functions are taken."""
-    its = system(kernels, "double", dict(asked.settings))
-    until = plan(its, asked.until, asked.step, asked.integrator).until
-    planned = plan(its, asked.until, asked.step, asked.integrator, every=until / (ELEMENTS - 1))
+    its = system(kernels, "double", dict(overrides.settings))
+    until = plan(its, overrides.until, overrides.step, overrides.integrator).until
+    planned = plan(its, overrides.until, overrides.step, overrides.integrator,
+                   every=until / (ELEMENTS - 1))
     with Progress(its, until) as watch:
         trajectory = integrate(its, planned, watch)
     if trajectory.interrupted:

@@ -10,12 +10,11 @@ from matplotlib.figure import Figure
 
 from coscrew_codegen.cost.measure import Costs
 from coscrew_codegen.cost.work_precision import Point
+from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.plots import STYLE
 from coscrew_codegen.simulate.write import delivered
 
-_COLOURS = {"double": "#0072b2", "single": "#f5a04d"}
-_HATCHED = {"double": "-", "single": "--"}
 _MARKERS = "osD^v"
 _SHOWN = "forward_dynamics"
 
@@ -33,12 +32,13 @@ def plot(costs: Costs, path: Path) -> None:
 
 def _bars(axes: Axes, costs: Costs) -> None:
     rows = [x for x in costs.rows if x.function == _SHOWN]
-    for i, (precision, colour) in enumerate(_COLOURS.items()):
+    for i, precision in enumerate(PRECISIONS):
         bars = axes.barh([n + 0.4 * i for n in range(len(rows))],
-                         [x.times[i].median for x in rows], 0.38, color=colour, label=precision,
-                         xerr=_whiskers([x.times[i] for x in rows]), error_kw={"linewidth": 1})
+                         [x.times[i].median for x in rows], 0.38, color=precision.colour,
+                         label=precision.name, xerr=_whiskers([x.times[i] for x in rows]),
+                         error_kw={"linewidth": 1})
         for bar, row in zip(bars, rows, strict=True):
-            bar.set_gid(f"{row.part}-{precision}-ns")
+            bar.set_gid(f"{row.part}-{precision.name}-ns")
     for n, x in enumerate(rows):
         axes.annotate(f"{x.flops} flops", (0, n), (4, 0), textcoords="offset points",
                       va="center", fontsize=7, color="white")
@@ -58,12 +58,12 @@ def _accuracy(axes: Axes, costs: Costs) -> None:
     axes.set_title("error at the end against time")
     names = list(dict.fromkeys(x.integrator for x in costs.points))
     for i, name in enumerate(names):
-        for precision, dash in _HATCHED.items():
+        for precision in PRECISIONS:
             found = sorted((x for x in costs.points
-                            if (x.integrator, x.precision) == (name, precision)
+                            if (x.integrator, x.precision) == (name, precision.name)
                             and 0 < x.error < math.inf), key=lambda x: (x.time.median, x.error))
             if found:
-                _curve(axes, found, costs, dash, _MARKERS[i % len(_MARKERS)], f"C{i}")
+                _curve(axes, found, costs, precision.dash, _MARKERS[i % len(_MARKERS)], f"C{i}")
     if not axes.lines:
         axes.text(0.5, 0.5, "no reference", transform=axes.transAxes, ha="center")
         return

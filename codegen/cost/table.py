@@ -4,7 +4,7 @@ import math
 
 from tabulate import tabulate
 
-from coscrew_codegen.cost.leaving_out import TELLING
+from coscrew_codegen.cost.leaving_out import SHOWN
 from coscrew_codegen.cost.measure import Costs
 from coscrew_codegen.cost.work_precision import Point
 from coscrew_codegen.native.intervals import Interval
@@ -28,9 +28,9 @@ def _functions(costs: Costs) -> str:
 
 
 def _effects(costs: Costs) -> str:
-    """A table for each of the TELLING functions: its cost in each part, and the savings."""
+    """A table for each of the SHOWN functions: its cost in each part, and the savings."""
     tables = []
-    for name in TELLING:
+    for name in SHOWN:
         rows = [x for x in costs.rows if x.function == name]
         whole = rows[0].flops
         lines = [(x.part, x.flops, whole - x.flops or None, *map(_in_words, x.times))

@@ -14,7 +14,7 @@ from coscrew_codegen.integrators import ADAPTIVE
 from coscrew_codegen.native.intervals import FEWEST, Interval, interval
 from coscrew_codegen.scene_functions import Step
 from coscrew_codegen.simulate.load import Kernels
-from coscrew_codegen.simulate.outcome import Asked
+from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.plan import Plan, Trajectory
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import System, system
@@ -103,12 +103,12 @@ def _end(system: System, until: float, integrator: str, tolerance: float) -> Tra
     return None if trajectory.stopped else trajectory
 
 
-def work_precision(kernels: Kernels, library: Compiled, planned: Plan, asked: Asked,
+def work_precision(kernels: Kernels, library: Compiled, planned: Plan, overrides: RunOverrides,
                    truth: Reference) -> Iterator[Point]:
     """A point for each integrator, precision and step."""
-    yield from _in_c(kernels, library, planned, asked, truth)
+    yield from _in_c(kernels, library, planned, overrides, truth)
     for name, scheme in _ADAPTIVE:
-        its = system(kernels, "double", dict(asked.settings))
+        its = system(kernels, "double", dict(overrides.settings))
         for tolerance in _TOLERANCES[:4] if scheme.implicit else _TOLERANCES:
             samples: list[float] = []
             while len(samples) < (_REPEATS if sum(samples) < _SHORT else 1):
@@ -121,10 +121,10 @@ def work_precision(kernels: Kernels, library: Compiled, planned: Plan, asked: As
                         error(its, run.q[-1], truth), "Python")
 
 
-def _in_c(kernels: Kernels, library: Compiled, planned: Plan, asked: Asked,
+def _in_c(kernels: Kernels, library: Compiled, planned: Plan, overrides: RunOverrides,
           truth: Reference) -> Iterator[Point]:
     """The emitted integrators, timed in rounds: each run once per round."""
-    runs = [(system(kernels, precision.name, dict(asked.settings)), step, precision, steps)
+    runs = [(system(kernels, precision.name, dict(overrides.settings)), step, precision, steps)
             for precision in PRECISIONS for step in library.part.functions.steps
             for steps in _step_counts(planned)]
 

@@ -25,12 +25,20 @@ from coscrew_codegen.recording.numbers import (
     subtract,
 )
 from coscrew_codegen.recording.recorder import Recorder
-from coscrew_codegen.scene.effect import FIRST, SECOND, CoordinateState, Effect, Force, Torque, said
+from coscrew_codegen.scene.effect import (
+    FIRST,
+    SECOND,
+    CoordinateState,
+    Effect,
+    Force,
+    Torque,
+    required,
+)
 from coscrew_codegen.scene.scene import Applied, Scene
 
 
 @dataclass(frozen=True)
-class Pushed:
+class AppliedForce:
     """A force on a body."""
 
     state: BodyOfLink
@@ -39,18 +47,18 @@ class Pushed:
     @property
     def wrench(self) -> tuple[Number, ...]:
         """(f; τ) at the point, in the body's frame."""
-        return (*said(self.force.force), *(self.force.moment or self.state.motion.zero))
+        return (*required(self.force.force), *(self.force.moment or self.state.motion.zero))
 
     @property
     def on_link(self) -> tuple[Number, ...]:
         """[Ad]* c: force and moment about the link's origin, in its frame."""
-        return self.state.t.recorder.call("product_CoAdc", self.state.frame(said(self.force.point)),
-                                          self.wrench)
+        frame = self.state.frame(required(self.force.point))
+        return self.state.t.recorder.call("product_CoAdc", frame, self.wrench)
 
     def power(self) -> Number:
         """f·v + τ·ω."""
         return self.state.t.recorder.call("dot_cs", self.wrench,
-                                          self.state.twist(said(self.force.point)))[0]
+                                          self.state.twist(required(self.force.point)))[0]
 
 
 CLOSEST = Fraction(1, 10**12)
@@ -70,7 +78,7 @@ class Paired:
     def forces(self) -> tuple[Force, Force]:
         """The forces on both bodies; energy and power are counted with the first."""
         torque = self.along.torque
-        size = said(torque.torque)
+        size = required(torque.torque)
         pull = scaled(-size, self.direction)
         first, second = self.states
         power = _own_power(torque, lambda: size * self.along.at.v)
@@ -86,23 +94,23 @@ class Paired:
         u = self.direction
         forces = (Force(self.points[0], first.own_direction(negative(u))),
                   Force(self.points[1], second.own_direction(u)))
-        return [(state.link, Pushed(state, force).on_link)
+        return [(state.link, AppliedForce(state, force).on_link)
                 for state, force in zip(self.states, forces, strict=True)]
 
 
 class Acting:
     """The effects of a scene on one motion, at its time; each is evaluated once.
 
-    For the joints of the links in `later`, effects take the time plus that delay."""
+    At the joints of the links in `delays`, effects take place at the time plus that delay."""
 
-    def __init__(self, scene: Scene, motion: Motion, later: Mapping[int, Number] | None = None):
+    def __init__(self, scene: Scene, motion: Motion, delays: Mapping[int, Number] | None = None):
         self.scene, self.motion = scene, motion
         recorder = motion.recorder
         self.recorder = recorder
         self.t = recorder.argument("t")[0] if recorder.has("t") else recorder.number(0)
-        self.later = later or {}
+        self.delays = delays or {}
         self.torques: dict[int, list[Along]] = {}
-        self.pushes: dict[int, list[Pushed]] = {}
+        self.forces: dict[int, list[AppliedForce]] = {}
         self.pairs: list[Paired] = []
 
     def act(self) -> "Acting":
@@ -119,44 +127,44 @@ class Acting:
         if effect.joint_torque:
             link = self.motion.tree.links.index(self.motion.tree.link_of(applied.on))
             at = CoordinateState(self.motion.coordinates(link)[0], self.motion.speeds(link)[0],
-                            self.t + self.later.get(link, 0))
+                            self.t + self.delays.get(link, 0))
             self.torques.setdefault(link, []).append(
                 Along(effect.joint_torque, at, applied.values, self.recorder.current))
         if effect.body_force:
             state = self._body(applied.on)
-            self._push(state, body_force(effect.body_force, state, applied.values))
+            self._add(state, body_force(effect.body_force, state, applied.values))
         if effect.pair_force:
             pair = self._pair(effect.pair_force, applied)
             for state, force in zip(pair.states, pair.forces, strict=True):
-                self._push(state, force)
+                self._add(state, force)
             self.pairs.append(pair)
 
     def _body(self, name: str) -> BodyOfLink:
-        (link, seat), numbers = self.motion.tree.seat_of(name), self.recorder.numbers
-        place = displacement(numbers(seat.placement.R), numbers(seat.placement.t))
-        return BodyOfLink(seat.body.inertia, self.t, self.motion, link, place)
+        (link, placed), numbers = self.motion.tree.link_and_body(name), self.recorder.numbers
+        place = displacement(numbers(placed.placement.R), numbers(placed.placement.t))
+        return BodyOfLink(placed.body.inertia, self.t, self.motion, link, place)
 
     def _pair(self, law: Law, applied: Applied) -> Paired:
         first, second = (self._body(name) for name in applied.bodies)
         values = settings(self.recorder, applied.values, self.t)
         a, b = values.vector(FIRST), values.vector(SECOND)
-        apart = first.line_to(a, second, b)
-        length = sqrt(dot(apart, apart))
-        direction = scaled(1 / maximum(length, CLOSEST), apart)
+        separation = first.line_to(a, second, b)
+        length = sqrt(dot(separation, separation))
+        direction = scaled(1 / maximum(length, CLOSEST), separation)
         rate = dot(direction, subtract(second.world_direction(second.velocity(b)),
                                        first.world_direction(first.velocity(a))))
         return Paired((first, second), (a, b), direction,
                       Along(law, CoordinateState(length, rate, self.t), applied.values,
                             self.recorder.current))
 
-    def _push(self, state: BodyOfLink, force: Force) -> None:
-        self.pushes.setdefault(state.link, []).append(Pushed(state, force))
+    def _add(self, state: BodyOfLink, force: Force) -> None:
+        self.forces.setdefault(state.link, []).append(AppliedForce(state, force))
 
     # results
 
     def torque(self, link: int) -> Number:
         """The sum of the torques at a link's joint with one coordinate."""
-        return self._sum(said(x.torque.torque) for x in self.torques.get(link, ()))
+        return self._sum(required(x.torque.torque) for x in self.torques.get(link, ()))
 
     def damping(self, link: int) -> Number:
         """-∂torque/∂v, or a bound of it."""
@@ -169,20 +177,20 @@ class Acting:
     def force(self, link: int) -> tuple[Number, ...]:
         """The sum of the forces on a link: force; moment about its origin, in its frame."""
         total = (*self.motion.zero, *self.motion.zero)
-        for push in self.pushes.get(link, ()):
-            total = add(total, push.on_link)
+        for x in self.forces.get(link, ()):
+            total = add(total, x.on_link)
         return total
 
     def resisting(self, link: int) -> list[tuple[Number, Vector]]:
         """(damping, point in the link) of each force with a damping."""
-        return [(push.force.damping, push.state.in_link(said(push.force.point)))
-                for push in self.pushes.get(link, ()) if push.force.damping]
+        return [(x.force.damping, x.state.in_link(required(x.force.point)))
+                for x in self.forces.get(link, ()) if x.force.damping]
 
     def potential(self) -> Number:
         """The sum of the potential energies of effects."""
         torques = [x.torque.energy for link in sorted(self.torques) for x in self.torques[link]]
-        pushes = [x.force.energy for link in sorted(self.pushes) for x in self.pushes[link]]
-        return self._sum(x for x in (*torques, *pushes) if x)
+        forces = [x.force.energy for link in sorted(self.forces) for x in self.forces[link]]
+        return self._sum(x for x in (*torques, *forces) if x)
 
     def power(self) -> Number:
         """The power of the effects without potential energy, in W; negative if dissipated."""
@@ -191,10 +199,10 @@ class Acting:
             speed = self.motion.speeds(link)[0]
             for x in self.torques[link]:
                 torque = x.torque
-                total = total + _own_power(torque, partial(mul, said(torque.torque), speed))
-        for link in sorted(self.pushes):
-            for push in self.pushes[link]:
-                total = total + _own_power(push.force, push.power)
+                total = total + _own_power(torque, partial(mul, required(torque.torque), speed))
+        for link in sorted(self.forces):
+            for found in self.forces[link]:
+                total = total + _own_power(found.force, found.power)
         return total
 
     def _sum(self, values: Iterable[Number]) -> Number:

@@ -153,29 +153,29 @@ def accelerations(motion: Motion, bodies: Sequence[Articulated], wrenches: Seque
                 motion.recorder.label("u", value)
         joints.append((free, rest))
         if links[number].parent >= 0:
-            _hand_on(motion, number, free, rest, body, wrench)
+            _add_to_parent(motion, number, free, rest, body, wrench)
     return _outwards(motion, joints[::-1])
 
 
-def _hand_on(motion: Motion, number: int, joint: Freed, rest: Sequence[Number],
+def _add_to_parent(motion: Motion, number: int, joint: Freed, rest: Sequence[Number],
              body: list[Articulated], wrench: list[Wrench]) -> None:
     """Add the inertia and the wrench beyond the joint to its parent's."""
     parent = motion.tree.links[number].parent
     with motion.part(number, "Ap"):
-        left = body[number].without(joint).transformed(motion.frame(number))
-        left.label(motion, "Ap")
+        beyond = body[number].without(joint).transformed(motion.frame(number))
+        beyond.label(motion, "Ap")
     with motion.part(parent, "A"):
-        body[parent] = body[parent].plus(left)
+        body[parent] = body[parent].plus(beyond)
         body[parent].label(motion, "A")
     with motion.part(number, "fj"):
-        felt = wrench[number]
+        transmitted = wrench[number]
         for w, r in zip(joint.W, rest, strict=True):
-            felt = tuple(x + y * r for x, y in zip(felt, w, strict=True))
-        inverse.label(motion, "fj", "mj", felt)
-    brought = to_parent(motion, number, felt)
-    with motion.part(parent, "f"):
-        wrench[parent] = add(wrench[parent], brought)
-        inverse.label(motion, "f", "m", wrench[parent])
+            transmitted = tuple(x + y * r for x, y in zip(transmitted, w, strict=True))
+        inverse.label(motion, "fj", "mj", transmitted)
+    in_parent = to_parent(motion, number, transmitted)
+    with motion.part(parent, "fA"):
+        wrench[parent] = add(wrench[parent], in_parent)
+        inverse.label(motion, "fA", "mA", wrench[parent])
 
 
 def _outwards(motion: Motion, joints: Sequence[tuple[Freed, list[Number]]]) -> list[Number]:
@@ -184,23 +184,23 @@ def _outwards(motion: Motion, joints: Sequence[tuple[Freed, list[Number]]]) -> l
     frames: list[Column] = []
     for number, (joint, rest) in enumerate(joints):
         link = motion.tree.links[number]
-        brought: Column = (*motion.zero, *motion.zero)
+        A: Column = (*motion.zero, *motion.zero)
         if link.parent >= 0:
             with motion.part(number, "al"):
-                brought = motion.recorder.call("product_Adinvs", motion.frame(number),
-                                               frames[link.parent])
+                A = motion.recorder.call("product_Adinvs", motion.frame(number),
+                                         frames[link.parent])
         with motion.part(number, "qdd"):
-            a = [x - _sum(joint.zero, (w[i] * brought[i] for i in range(6)))
+            a = [x - _sum(joint.zero, (w[i] * A[i] for i in range(6)))
                  for x, w in zip(joint.D.solve(rest), joint.W, strict=True)]
             for value in a:
                 motion.recorder.label("qdd", value)
         with motion.part(number, "al"):
             for s, x in zip(joint.S, a, strict=True):
-                brought = add(brought, scaled(x, s))
-            motion.recorder.label("al", linear(brought))
-            motion.recorder.label("aa", angular(brought))
+                A = add(A, scaled(x, s))
+            motion.recorder.label("al", linear(A))
+            motion.recorder.label("aa", angular(A))
         found += a
-        frames.append(brought)
+        frames.append(A)
     return found
 
 

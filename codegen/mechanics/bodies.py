@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from coscrew_codegen.recording.numbers import Number, Vector, add, displacement
 from coscrew_codegen.recording.recorder import Recorder
 from coscrew_codegen.scene.model import Inertia
-from coscrew_codegen.scene.tree import Seat
+from coscrew_codegen.scene.tree import PlacedBody
 
 
 @dataclass(frozen=True)
@@ -34,13 +34,13 @@ def symmetric(six: Sequence[Number]) -> tuple[Number, ...]:
     return (xx, xy, xz, xy, yy, yz, xz, yz, zz)
 
 
-def lumped(recorder: Recorder, seats: Sequence[Seat]) -> Rigid:
+def lumped(recorder: Recorder, bodies: Sequence[PlacedBody]) -> Rigid:
     """The inertia of all the bodies as one, in their link's frame."""
     zero = recorder.number(0)
     total: Sequence[Number] = (zero,) * 10
-    for seat in seats:
-        if seat.body.inertia:
-            total = add(total, _seated(recorder, seat, seat.body.inertia))
+    for placed in bodies:
+        if placed.body.inertia:
+            total = add(total, _inertia_in_link(recorder, placed, placed.body.inertia))
     return rigid_of(total)
 
 
@@ -49,9 +49,10 @@ def rigid_of(numbers: Sequence[Number]) -> Rigid:
     return Rigid(numbers[0], tuple(numbers[1:4]), tuple(numbers[4:]))
 
 
-def _seated(recorder: Recorder, seat: Seat, inertia: Inertia) -> tuple[Number, ...]:
+def _inertia_in_link(recorder: Recorder, placed: PlacedBody, inertia: Inertia
+                     ) -> tuple[Number, ...]:
     number, numbers, call = recorder.number, recorder.numbers, recorder.call
     about_com = symmetric(numbers(inertia.moments))
     own = call("spatial_inertia_from_com", number(inertia.mass), numbers(inertia.com), about_com)
-    D = displacement(numbers(seat.placement.R), numbers(seat.placement.t))
+    D = displacement(numbers(placed.placement.R), numbers(placed.placement.t))
     return call("spatial_inertia_transformed", D, own)

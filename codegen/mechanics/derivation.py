@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Sequence
 
-from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.mechanics import coordinates
 from coscrew_codegen.mechanics.ranges import refuse_products, refuse_quotients
 from coscrew_codegen.mechanics.recorded import Recording, Results
@@ -38,9 +37,8 @@ class Derivation:
 
     def __init__(self, scene: Scene, tell: Callable[[str], None] = lambda name: None):
         self.scene, self.tree, self.tell = scene, tree_for(scene), tell
-        self.names = identifiers([link.name.removesuffix("_link") for link in self.tree.links])
-        bodies = [body.name for body in scene.model.bodies]
-        self.bodies = dict(zip(bodies, identifiers(bodies), strict=True))
+        self.bodies = {body.name: str(n) for n, body in enumerate(scene.model.bodies)}
+        self.names = tuple(self.bodies[link.name] for link in self.tree.links)
         nq, nv, units = self.tree.nq, self.tree.nv, "positions in m, angles in rad"
         self.inputs = {
             "t": array("t", (), "time in s"), "h": array("h", (), "step in s"),
@@ -79,9 +77,11 @@ class Derivation:
         return function
 
     def _heading(self, words: str) -> str:
-        """A link's name and motion: "forearm: elbow turns about y"."""
+        """A link's number, name and motion: "4 forearm: elbow turns about y"; a body's number and
+        name."""
         link = next((x for x in self.tree.links if x.name == words), None)
-        return f"{words}: {link.joint.in_words}" if link else words
+        called = f"{self.bodies[words]} {words}" if words in self.bodies else words
+        return f"{called}: {link.joint.in_words}" if link else called
 
     def _at_rest(self) -> dict[str, tuple[float, ...]]:
         """Inputs by name, at rest: neutral coordinates, default parameters, zero velocities."""

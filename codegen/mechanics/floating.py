@@ -45,9 +45,9 @@ def floating(scene: Scene, tree: Tree) -> tuple[int, ...]:
 def _tied(applied: Applied, tree: Tree) -> set[int]:
     """The trees on which an effect exerts an external force, by first link."""
     if applied.effect.body_force:
-        return {_root(tree, tree.seat_of(applied.on)[0])}
+        return {_root(tree, tree.link_and_body(applied.on)[0])}
     if applied.effect.pair_force:
-        ends = {_root(tree, tree.seat_of(body)[0]) for body in applied.bodies}
+        ends = {_root(tree, tree.link_and_body(body)[0]) for body in applied.bodies}
         return ends if len(ends) > 1 else set()
     return set()
 
@@ -59,7 +59,7 @@ def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
     motion = Motion(recorder, tree, [f"link{n}" for n in range(len(tree.links))],
                     gravity(scene, recorder))
     acting = Acting(replace(scene, effects=(applied,)), motion).act()
-    return all(x.is_zero for link in acting.pushes for x in acting.force(link))
+    return all(x.is_zero for link in acting.forces for x in acting.force(link))
 
 
 def _root(tree: Tree, number: int) -> int:

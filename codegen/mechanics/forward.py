@@ -61,11 +61,11 @@ def implicit(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
 
     def at_joint(k: int, inertia: Number) -> tuple[Number, Number]:
         rates[k] = damping[k] / (inertia + own[k])
-        mass, fall = weights(damping[k], stiffness[k], rates[k])
-        return torques[k] - fall * start.motion.v[k], own[k] + mass
+        mass, c = weights(damping[k], stiffness[k], rates[k])
+        return torques[k] - c * start.motion.v[k], own[k] + mass
 
     joint: Joint = at_joint
-    solve = _solver(motion, _heavier(motion, start, rigids, weights))
+    solve = _solver(motion, _with_point_masses(motion, start, rigids, weights))
     for number, pair in enumerate(start.pairs):
         with motion.recorder.part(f"pair_{number}", heading="pairs of bodies"):
             solve, joint = _with_pair(motion, pair, acting.pairs[number], weights, solve, joint)
@@ -111,8 +111,8 @@ def _gathered(motion: Motion, of_links: Mapping[int, Number], power: int = 1) ->
     return found
 
 
-def _heavier(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
-             weights: Weights) -> list[Rigid]:
+def _with_point_masses(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
+                       weights: Weights) -> list[Rigid]:
     """The links' inertias with point masses m for the forces that resist the motion of a point."""
     found = list(rigids)
     for number in range(len(found)):
@@ -153,12 +153,12 @@ def _solver(motion: Motion, rigids: Sequence[Rigid]) -> _Solve:
     def solve(joint: Joint, wrenches: Sequence[Wrench]) -> list[Number]:
         bias = inverse.joint_torques(motion, inverse.transmitted(motion, wrenches), None, {})
         with motion.recorder.part("solution", heading="M a = tau"):
-            torques, heavier = [], [list(row) for row in M]
-            for k, row in enumerate(heavier):
+            torques, A = [], [list(row) for row in M]
+            for k, row in enumerate(A):
                 torque, own = joint(k, row[k])
                 torques.append(torque)
                 row[k] = row[k] + own
-            return factored(heavier).solve(subtract(torques, bias))
+            return factored(A).solve(subtract(torques, bias))
 
     return solve
 
@@ -178,9 +178,9 @@ def _with_pair(motion: Motion, pair: Paired, now: Paired, weights: Weights, solv
     e = inverse.joint_torques(motion, inverse.transmitted(motion, wrenches), None, {})
     w = solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), still)
     slopes, rate, product = pair.along.slopes, pair.along.at.v, _product(e, w)
-    mass, fall = weights(slopes.damping, slopes.stiffness, slopes.damping * product)
+    mass, c = weights(slopes.damping, slopes.stiffness, slopes.damping * product)
     share = mass / (1 + mass * product)
-    pull = fall * rate
+    pull = c * rate
     if now is not pair:
         pull = pull - slopes.damping * (now.along.at.v - rate)
     less = scaled(pull, e)
@@ -189,11 +189,11 @@ def _with_pair(motion: Motion, pair: Paired, now: Paired, weights: Weights, solv
         a = solve(joint, wrenches)
         return list(subtract(a, scaled(share * _product(e, a), w)))
 
-    def felt(k: int, inertia: Number) -> tuple[Number, Number]:
+    def joint_with_pair(k: int, inertia: Number) -> tuple[Number, Number]:
         torque, own = joint(k, inertia)
         return torque - less[k], own
 
-    return coupled, felt
+    return coupled, joint_with_pair
 
 
 def _product(a: Sequence[Number], b: Sequence[Number]) -> Number:

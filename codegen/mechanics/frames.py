@@ -8,16 +8,16 @@ from coscrew_codegen.mechanics.recorded import Recording
 from coscrew_codegen.recording.numbers import Number, add, displacement, scaled
 
 
-def _seat(x: Recording, body: str) -> tuple[int, Displacement]:
+def _link_and_pose(x: Recording, body: str) -> tuple[int, Displacement]:
     """The link that a body belongs to, and the body's D in it."""
-    number, seat = x.tree.seat_of(body)
-    R, t = x.recorder.numbers(seat.placement.R), x.recorder.numbers(seat.placement.t)
+    number, placed = x.tree.link_and_body(body)
+    R, t = x.recorder.numbers(placed.placement.R), x.recorder.numbers(placed.placement.t)
     return number, displacement(R, t)
 
 
 def pose(x: Recording, motion: Motion, body: str) -> Displacement:
     """D of a body in the world."""
-    number, own = _seat(x, body)
+    number, own = _link_and_pose(x, body)
     D = motion.pose(number)
     with motion.part(number, "Rw"):
         return x.recorder.call("product_dd", D, own)
@@ -25,7 +25,7 @@ def pose(x: Recording, motion: Motion, body: str) -> Displacement:
 
 def jacobian(x: Recording, motion: Motion, body: str) -> list[Sequence[Number]]:
     """J by columns, one per velocity: the joint's screw in the body's frame."""
-    number, D = _seat(x, body)
+    number, D = _link_and_pose(x, body)
     columns: list[Sequence[Number]] = [(*motion.zero, *motion.zero)] * x.tree.nv
     while number >= 0:
         link = x.tree.links[number]
@@ -42,5 +42,5 @@ def jacobian(x: Recording, motion: Motion, body: str) -> list[Sequence[Number]]:
 
 def twist(x: Recording, motion: Motion, body: str) -> tuple[Number, ...]:
     """[Ad]^-1 s: the link's twist in the body's frame."""
-    number, D = _seat(x, body)
+    number, D = _link_and_pose(x, body)
     return x.recorder.call("product_Adinvs", D, motion.twist(number))

@@ -12,15 +12,15 @@ from coscrew_codegen.mechanics.functions_of_dynamics import DynamicsFunctions
 from coscrew_codegen.mechanics.functions_of_steps import StepFunctions
 from coscrew_codegen.mechanics.ranges import refuse_numbers
 from coscrew_codegen.mechanics.steps import needs, stepped
-from coscrew_codegen.scene.asked import (
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.selected import (
     CONTACTS,
     FREE,
-    AskedError,
-    asked_for,
+    FunctionsError,
     refuse_many,
+    selected_functions,
     together,
 )
-from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.signs import Sign, signs
 from coscrew_codegen.scene_functions import SceneFunctions
 
@@ -31,8 +31,8 @@ def derive(scene: Scene, functions: Collection[str] = (),
     functions that their steps call.  `tell` is called with each name before it is derived.
 
     Raises RangeError for numbers that one of its precisions cannot represent, ModelError for a
-    model whose mass matrix is singular at every q, AskedError for functions that it cannot have,
-    and for too many joints."""
+    model whose mass matrix is singular at every q, FunctionsError for functions that it cannot
+    have, and for too many joints."""
     refuse_many(scene)
     refuse_numbers(scene)
     with uncollected():
@@ -45,7 +45,7 @@ class _Derivation(DynamicsFunctions, BodyFunctions, StepFunctions):
     def functions(self, names: Collection[str]) -> SceneFunctions:
         """The functions of these names, for targets."""
         scene, tree = self.scene, self.tree
-        wanted = names or asked_for(scene)
+        wanted = names or selected_functions(scene)
         steps = [x for x in EMITTED if x.step_name in wanted]
         called = together(*map(needs, steps))
         found = [replace(made, internal=name not in wanted)
@@ -63,9 +63,9 @@ class _Derivation(DynamicsFunctions, BodyFunctions, StepFunctions):
         return {**self._of_dynamics(), **self._of_bodies(), **self._of_steps()}
 
     def _refuse_absent(self, found: set[str]) -> None:
-        """Raise AskedError for a selected function that only scenes of another kind have."""
+        """Raise FunctionsError for a selected function that only scenes of another kind have."""
         for several, reason in ((FREE, "no base is floating"), (CONTACTS, "no limit closes")):
             for name in several:
                 if name in self.scene.functions and name not in found:
-                    raise AskedError(f"{self.scene.name}: there is no {name}: {reason} in the "
-                                     "scene")
+                    raise FunctionsError(f"{self.scene.name}: there is no {name}: {reason} in the "
+                                         "scene")

@@ -8,7 +8,7 @@ from coscrew_codegen.mechanics.derivation import Derivation, Makers
 from coscrew_codegen.mechanics.recorded import Recording, Results
 from coscrew_codegen.recording.numbers import Number
 from coscrew_codegen.recording.recorder import array
-from coscrew_codegen.scene.asked import jacobians, reactions
+from coscrew_codegen.scene.selected import jacobians, reactions
 from coscrew_codegen.scene_functions import Function
 
 _BODY_FRAME = "in the frame of the body, at its origin"

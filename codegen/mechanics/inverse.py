@@ -46,9 +46,9 @@ def transmitted(motion: Motion, wrenches: Sequence[Wrench]) -> list[Wrench]:
     for number in reversed(range(len(total))):
         parent = motion.tree.links[number].parent
         if parent >= 0:
-            brought = to_parent(motion, number, total[number])
+            in_parent = to_parent(motion, number, total[number])
             with motion.part(parent, "fj"):
-                total[parent] = add(total[parent], brought)
+                total[parent] = add(total[parent], in_parent)
                 label(motion, "fj", "mj", total[parent])
     return total
 

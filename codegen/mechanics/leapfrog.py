@@ -21,7 +21,7 @@ from coscrew_codegen.mechanics.recorded import Recording
 from coscrew_codegen.mechanics.settings import settings
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.recording.numbers import Number, add, less, scaled, sqrt, where
-from coscrew_codegen.scene.effect import Contact, CoordinateState, said
+from coscrew_codegen.scene.effect import Contact, CoordinateState, required
 
 FINE = 12
 """A step is split into parts of length s such that ω s <= 1/FINE, ω the contact's frequency at its
@@ -54,12 +54,12 @@ def kick(x: Recording) -> list[Number]:
     start = Acting(x.scene, first).act()
     guess = forward.implicit(first, start, x.rigids, x.inertias, weights(h))
     second = x.motion(at=(q, _sum(v, scaled(h / 2, guess.a))))
-    acting = Acting(x.scene, second, _later(x, h, guess.rates)).act()
+    acting = Acting(x.scene, second, _delays(x, h, guess.rates)).act()
     return forward.implicit(second, acting, x.rigids, x.inertias, weights(h), start).a
 
 
-def _later(x: Recording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:
-    """(θ - ½) h of each joint, by which its motor's target is taken later, as the motor's force."""
+def _delays(x: Recording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:
+    """(θ - ½) h of each joint: effects act as at the time θ h, as do damping and stiffness."""
     found = {}
     for number, link in enumerate(x.tree.links):
         own = x.tree.links[link.driver.link] if link.driver else link
@@ -119,7 +119,7 @@ def _contacts(x: Recording) -> Iterator[tuple[int, Contact, Contact]]:
                 if before:
                     h, = recorder.argument("h")
                     after = applied.effect.joint_torque(CoordinateState(q + h * v, v, zero), values)
-                    yield link, before, said(after.contact)
+                    yield link, before, required(after.contact)
 
 
 def _power(x: Number, n: int) -> Number:

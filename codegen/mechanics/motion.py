@@ -172,9 +172,9 @@ class Motion:
         """The velocity of the link's origin."""
         if link < 0 or self.still:
             return self.zero
-        brought = self.recorder.call("product_Adinvs", self.frame(link),
-                                     self.twist(self.tree.links[link].parent))
-        return add(linear(brought), linear(self._relative(link, self.speeds(link))))
+        from_parent = self.recorder.call("product_Adinvs", self.frame(link),
+                                         self.twist(self.tree.links[link].parent))
+        return add(linear(from_parent), linear(self._relative(link, self.speeds(link))))
 
     def twist(self, link: int) -> Twist:
         """(v; ω)."""
@@ -187,11 +187,11 @@ class Motion:
         """ω'."""
         if link < 0:
             return self.zero
-        brought = rotated_back(rotation(self.frame(link)),
-                               self.angular_acceleration(self.tree.links[link].parent))
+        from_parent = rotated_back(rotation(self.frame(link)),
+                                   self.angular_acceleration(self.tree.links[link].parent))
         relative = angular(self._relative(link, self.speeds(link)))
         own = angular(self._relative(link, self.accelerations(link)))
-        return add(add(brought, cross(self.parent_angular_velocity(link), relative)), own)
+        return add(add(from_parent, cross(self.parent_angular_velocity(link), relative)), own)
 
     @_of_link("U")
     def acceleration_tensor(self, link: int) -> Rotation:

@@ -23,7 +23,7 @@ from coscrew_codegen.recording.numbers import (
     rotation,
 )
 from coscrew_codegen.recording.recorder import Recorder, array
-from coscrew_codegen.scene.effect import BodyState, Force, Values, said
+from coscrew_codegen.scene.effect import BodyState, Force, Values, required
 from coscrew_codegen.scene.scene import Setting
 
 BodyLaw = Callable[[BodyState, Values], Force]
@@ -31,11 +31,12 @@ BodyLaw = Callable[[BodyState, Values], Force]
 
 def body_force(law: BodyLaw, state: BodyOfLink, values: Mapping[str, Setting]) -> Force:
     """The law's Force; with force and moment derived if it gives only an energy."""
-    said = law(state, settings(state.t.recorder, values, state.t))
-    if said.force is not None or said.moment is not None:
-        return said
-    if said.energy is None:
-        raise TypeError("an effect on a body gives a force, a moment or an energy; this one none")
+    force = law(state, settings(state.t.recorder, values, state.t))
+    if force.force is not None or force.moment is not None:
+        return force
+    if force.energy is None:
+        raise TypeError("an effect on a body gives a force, a moment or an energy; this one "
+                        "gives none")
     slope = _slope(law, state, values)
     columns = [rotated_back(rotation(state.pose), slope[j::4]) for j in range(4)]
     zero = state.t.like(0)
@@ -43,7 +44,7 @@ def body_force(law: BodyLaw, state: BodyOfLink, values: Mapping[str, Setting]) -
     for j in range(3):
         axis = tuple(zero.like(int(i == j)) for i in range(3))
         moment = add(moment, cross(columns[j], axis))
-    return Force((zero, zero, zero), negative(columns[3]), moment, said.energy, said.power)
+    return Force((zero, zero, zero), negative(columns[3]), moment, force.energy, force.power)
 
 
 def _slope(law: BodyLaw, state: BodyOfLink, values: Mapping[str, Setting]) -> tuple[Number, ...]:
@@ -53,7 +54,7 @@ def _slope(law: BodyLaw, state: BodyOfLink, values: Mapping[str, Setting]) -> tu
     recorder = Recorder([array("D", (3, 4)), array("g", (3,)), array("t", ()), *p])
     (t,) = recorder.argument("t")
     posed = _Posed(state.own, t, recorder.argument("D"), recorder.argument("g"))
-    energy = said(law(posed, settings(recorder, values, t)).energy)
+    energy = required(law(posed, settings(recorder, values, t)).energy)
     program = recorder.program("energy", [(array("V", ()), [energy])])
     given = [state.pose, state.gravity, (state.t,), *(outer.argument(a.name) for a in p)]
     _, found = differentiate.adjoint(program, outer.arithmetic, numbers, given, [outer.number(1)])

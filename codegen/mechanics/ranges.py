@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from coscrew_codegen.errors import Told
+from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.parameter import Scalar
 from coscrew_codegen.program import Constant, Instruction, Op, Program
@@ -27,7 +27,7 @@ _REMEDY = ('; precision = "double" in the scene file, or --precision double, lea
            "precision out")
 
 
-class RangeError(Told, ValueError):
+class RangeError(ReportedError, ValueError):
     """"SCENE: body 'tool': mass 1e+60 kg is outside single precision's range: …"."""
 
 

@@ -38,7 +38,7 @@ class Recording:
         found = []
         for name, link in zip(self.names, self.tree.links, strict=True):
             with self.recorder.part(name, "B", link.name):
-                own, label = lumped(self.recorder, link.seats), self.recorder.label
+                own, label = lumped(self.recorder, link.bodies), self.recorder.label
                 found.append(rigid_of((*label("Bm", own.m), *label("Bh", own.h),
                                        *label("BI", own.I))))
         return found

@@ -55,7 +55,7 @@ class Along:
     @cached_property
     def torque(self) -> Torque:
         """The law's Torque; the torque itself from the energy if necessary, within the limit."""
-        found = self._said
+        found = self._stated
         torque = found.torque
         if found.limit is not None and found.energy is not None:
             raise TypeError("a torque with a limit has no energy: beyond the limit it would be "
@@ -71,13 +71,13 @@ class Along:
     @cached_property
     def slopes(self) -> Slopes:
         """The damping and stiffness of the torque."""
-        d, k = self._said.damping, self._said.stiffness
+        d, k = self._stated.damping, self._stated.stiffness
         with self.at.q.recorder.resumed(self.part):
             return Slopes(self._replayed(self._own.damping) if d is None else d,
                           self._replayed(self._own.stiffness) if k is None else k)
 
     @cached_property
-    def _said(self) -> Torque:
+    def _stated(self) -> Torque:
         recorder = self.at.q.recorder
         with recorder.resumed(self.part):
             return self.law(self.at, settings(recorder, self.values, self.at.t))
@@ -93,10 +93,10 @@ class Along:
         return recorder.replay(self._own.program(value), at.q, at.v, at.t, *p)[0]
 
 
-def _recorded(law: Law, values: Mapping[str, Setting], beside: Recorder) -> "_Law":
+def _recorded(law: Law, values: Mapping[str, Setting], outer: Recorder) -> "_Law":
     """The law as a function of q, v, t and the parameters of another recording."""
     recorder = Recorder([array("q", ()), array("v", ()), array("t", ()), *(
-        a for a in beside.inputs if a.name == "p")])
+        a for a in outer.inputs if a.name == "p")])
     at = CoordinateState(*(recorder.argument(name)[0] for name in "qvt"))
     return _Law(at, law(at, settings(recorder, values, at.t)))
 
@@ -106,7 +106,7 @@ class _Law:
     """A separately recorded law, and its derivatives."""
 
     at: CoordinateState
-    said: Torque
+    stated: Torque
 
     @property
     def recorder(self) -> Recorder:
@@ -116,9 +116,9 @@ class _Law:
     @cached_property
     def torque(self) -> Number:
         """The torque before it is limited."""
-        if self.said.torque is not None:
-            return self.said.torque
-        energy = self.said.energy
+        if self.stated.torque is not None:
+            return self.stated.torque
+        energy = self.stated.energy
         if energy is None:
             raise TypeError("an effect gives a torque or an energy; this one gives neither")
         if {self.at.v.operand, self.at.t.operand} & self.program(energy).used_inputs():
@@ -161,7 +161,7 @@ class _Law:
 
     def _share(self) -> Number | int:
         """The factor on the slopes where the torque exceeds its limit."""
-        limit = self.said.limit
+        limit = self.stated.limit
         if limit is None:
             return 1
         positive = limit if limit.constant else maximum(limit, _AT_REST)  # 0 at run time: no 0/0

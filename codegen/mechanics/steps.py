@@ -18,7 +18,7 @@ from coscrew_codegen.integrator import Composition, Drift, Integrator, Kick, Tab
 from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.recording.numbers import Number
 from coscrew_codegen.recording.recorder import Recorder, array, headings
-from coscrew_codegen.scene.asked import CONTACTS, FREE, MOVED
+from coscrew_codegen.scene.selected import CONTACTS, FREE, MOVED
 from coscrew_codegen.scene_functions import Call, Function, SceneFunctions, Split, Step
 
 ACCELERATION = "forward_dynamics"
@@ -59,12 +59,12 @@ class _Means:
 
     def time(self, c: Fraction) -> str:
         """The name of t + c h."""
-        name, later = _name("time", (c,)), array("t", (), "time in s")
+        name, result = _name("time", (c,)), array("t", (), "time in s")
         if name not in self.functions:
-            recorder = Recorder((later, array("h", (), "step in s")))
+            recorder = Recorder((result, array("h", (), "step in s")))
             (t,), (h,) = recorder.argument("t"), recorder.argument("h")
             with recorder.part("later"):
-                program = recorder.program(name, [(later, [t + h / c.denominator * c.numerator])])
+                program = recorder.program(name, [(result, [t + h / c.denominator * c.numerator])])
             self.functions[name] = Function(name, f"t + {c} h", program, internal=True)
         return name
 

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 
-from coscrew_codegen.errors import Told
+from coscrew_codegen.errors import ReportedError
 
 LIMIT = "COSCREW_CACHE_LIMIT"
 """The environment variable with the limit: 200 MB, 2 GB, 0."""
@@ -29,7 +29,7 @@ _SIZE = re.compile(r"([0-9]+(?:\.[0-9]+)?) *([KMG]?B)?", re.I)
 _ABANDONED = 86400.0  # s after which files that another process is writing count as abandoned
 
 
-class CacheError(Told, ValueError):
+class CacheError(ReportedError, ValueError):
     """The limit is not a size."""
 
 

@@ -11,14 +11,17 @@ from coscrew_codegen.program import Instruction, Op, Program, Ref, renamed
 class Part:
     """The value that instructions compute: a symbol of an owner, below a heading in the text."""
 
-    owner: str
+    owner: str  # the number of a link, or a name
     symbol: str = ""
     heading: str = ""
+    suffix: str = ""  # of a vector's or matrix's component: x, yz
 
     @property
     def stem(self) -> str:
-        """The beginning of its instructions' names."""
-        return f"{self.owner}_{self.symbol}" if self.symbol else self.owner
+        """The beginning of its instructions' names: w3x, elbow_viscous_tau."""
+        if self.owner.isdigit():
+            return f"{self.symbol}{self.owner}{self.suffix}"
+        return f"{self.owner}_{self.symbol}{self.suffix}" if self.symbol else self.owner
 
     @property
     def component(self) -> str:
@@ -64,7 +67,7 @@ def _labelled(labels: Mapping[str, Part], alive: set[str],
                 old, stem = x.name, f"{stem}n"
         if old in alive and old not in found:
             taken[stem] += 1
-            found[old] = stem if taken[stem] == 1 else f"{stem}{taken[stem]}"
+            found[old] = stem if taken[stem] == 1 else f"{stem}v{taken[stem]}"
     return found
 
 

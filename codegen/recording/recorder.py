@@ -5,11 +5,12 @@ once; signs move outwards until a sum absorbs them.  Knows no mechanics.
 
 Instructions are named when the program is complete, so that the numbers in names have no gaps:
 
-    link_wx      component x of the value w of the link
-    link_wxn     its negative
-    link_wx2     the second value of that name in the function
-    link_wx_1    the first step towards link_wx, used for nothing else
-    link_w_1     the first step of the part w of the link that has several uses
+    w3x                  component x of the value w of link 3
+    w3xn                 its negative
+    w3xv2                the second value of that name in the function
+    w3x_1                the first step towards w3x, used for nothing else
+    w3_1                 the first step of the part w of link 3 that has several uses
+    elbow_viscous_tau    the value tau of an owner that is no link
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -93,7 +94,8 @@ class Recorder:
 
     @contextmanager
     def part(self, owner: str, symbol: str = "", heading: str = "") -> Iterator[None]:
-        """Name the instructions issued in this block by owner and symbol, below a heading."""
+        """Name the instructions issued in this block by owner, a link's number or a name, and
+        symbol, below a heading."""
         with self.resumed(Part(owner, symbol, heading or self._part.heading)):
             yield
 
@@ -122,7 +124,7 @@ class Recorder:
         matrices xx, xy, xz, yx, ….  A component that has a name keeps it.  Returns the components:
         constants but 0 and ±1 have their names."""
         numbers, of = [value] if isinstance(value, Number) else value, self._part
-        return tuple(self._labelled(Part(owner or of.owner, f"{symbol}{suffix}", of.heading), x)
+        return tuple(self._labelled(Part(owner or of.owner, symbol, of.heading, suffix), x)
                      for suffix, x in zip(COMPONENTS[len(numbers)], numbers, strict=True))
 
     def _labelled(self, part: Part, x: Number) -> Number:

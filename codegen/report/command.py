@@ -54,7 +54,7 @@ def run(options: argparse.Namespace) -> int:
                                                           Path(options.compare).name))
     write({"report.json": report.to_json()}, folder)
     made = [folder / "report.json", *page.write(report, folder, tuple(options.op))]
-    print(summary.table(report, measure.TELLING))
+    print(summary.table(report, measure.SHOWN))
     print("\n".join(map(str, made)))
     return 0
 

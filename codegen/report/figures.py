@@ -24,10 +24,7 @@ from coscrew_codegen.report.schema import Entry, ProvenBound, Report
 from coscrew_codegen.tiers import TIERS
 
 _COLOURS = {tier.name: tier.colours[0] for tier in TIERS}
-_MARKERS = {"double": "o", "single": "s"}
-_DASHES = {"double": "-", "single": "--"}
 _LINEAR_BELOW = 0.1  # ulp: the axis is linear below, so that it has a zero
-
 
 
 def figures(report: Report, operations: tuple[str, ...]) -> dict[str, str]:
@@ -86,8 +83,9 @@ def _tiers(axes: Axes, entries: Iterable[Entry], layout: str, name: str, lift: i
         at, transform = (y, axes.transData) if isfinite(y) else (1, axes.get_xaxis_transform())
         axes.plot([time.low, time.high], [at, at], "|-", color=colour, transform=transform,
                   linewidth=1.2, clip_on=False, gid=f"{variant}-interval")
-        axes.plot([time.ns], [at], _MARKERS[entry.precision], color=colour, transform=transform,
-                  markerfacecolor="white" if time.dominated else colour, clip_on=False, gid=variant)
+        axes.plot([time.ns], [at], BY_NAME[entry.precision].marker, color=colour,
+                  transform=transform, clip_on=False, gid=variant,
+                  markerfacecolor="white" if time.dominated else colour)
     if best:
         axes.annotate(name, best[0], (-4, lift), textcoords="offset points")
 
@@ -124,7 +122,7 @@ def _condition(operation: str, entries: list[Entry]) -> str:
         for entry in entries:
             found = _finite_pairs(entry)
             if found:
-                axes.plot(*zip(*found, strict=True), _MARKERS[entry.precision], markersize=3,
+                axes.plot(*zip(*found, strict=True), BY_NAME[entry.precision].marker, markersize=3,
                           color=_COLOURS[entry.tier], alpha=0.5, markeredgewidth=0,
                           label=f"{entry.precision} {entry.tier}")
             if found and entry.bound:
@@ -144,8 +142,9 @@ def _bound_line(axes: Axes, entry: Entry, bound: ProvenBound, conditions: list[f
     """In ulp, as in u |x|: |err| <= u |x̂| + (c1 u + c2 u²) S and 1 ulp >= u |x|."""
     low, high = min(conditions), max(conditions)
     steps = [low * (high / low) ** (i / 60) for i in range(61)]
-    slope = bound.c1 + bound.c2 * float(BY_NAME[entry.precision].u)
-    axes.plot(steps, [bound.rounded + slope * x for x in steps], _DASHES[entry.precision],
+    precision = BY_NAME[entry.precision]
+    slope = bound.c1 + bound.c2 * float(precision.u)
+    axes.plot(steps, [bound.rounded + slope * x for x in steps], precision.dash,
               color=_COLOURS[entry.tier], linewidth=1.2)
 
 

@@ -34,7 +34,7 @@ from coscrew_codegen.report.variants import variants_of
 from coscrew_codegen.special import SPECIAL
 
 # The most informative operations: measured first if time is short, and printed.
-TELLING = ("product_CoAdc", "product_CoAdinvc", "product_Ads", "cross_sc", "cross_ss", "dot_cs",
+SHOWN = ("product_CoAdc", "product_CoAdinvc", "product_Ads", "cross_sc", "cross_ss", "dot_cs",
            "product_dd", "product_dv", "screw_normalized")
 
 # Shares of the time that remains after compiling and measuring errors, at least a quarter of the
@@ -154,11 +154,11 @@ def _timed_in_c(variants: list[Variant], built: tuple[Library, ...], seed: int,
 def _timed_in_python(variants: list[Variant], seed: int,
                      seconds: float) -> Iterator[list[Timed]]:
     callable_ = [v for v in variants if timing.python_function(v)]
-    telling = sorted(callable_, key=lambda v: v.operation.name not in TELLING)
+    shown = sorted(callable_, key=lambda v: v.operation.name not in SHOWN)
     for count, share in zip(COUNTS, _PYTHON_SHARES, strict=True):
-        found = timing.in_python(telling, count, seed, share * seconds)
+        found = timing.in_python(shown, count, seed, share * seconds)
         yield from _progress(found, f"times, Python, N = {count}",
-                             len(timing.contests(telling)))
+                             len(timing.contests(shown)))
 
 
 def _called_in_python(variant: Variant, arguments: Arrays) -> Arrays:

@@ -11,11 +11,11 @@ _HEADERS = ("operation", "precision", "tier", "benign", "hard", "error / bound",
             "Python, ns", "C, to plain")
 
 
-def table(report: Report, telling: Sequence[str]) -> str:
+def table(report: Report, shown: Sequence[str]) -> str:
     """Worst errors and times (in C over structures of arrays, in Python with 1000 elements) of the
-    operations `telling`; of all if the report has few."""
+    operations `shown`; of all if the report has few."""
     names = {entry.operation for entry in report.entries}
-    chosen = [e for e in report.entries if e.operation in telling or len(names) < len(telling)]
+    chosen = [e for e in report.entries if e.operation in shown or len(names) < len(shown)]
     about = report.provenance
     said = f"{about.cpu}, {', '.join(c.name for c in about.compilers) or 'no C compiler'}"
     notes = ("Worst errors in ulp (u where marked), hard up to condition 0.1/u; ns per element,\n"

@@ -3,7 +3,7 @@
 import heapq
 from collections.abc import Sequence
 
-from coscrew_codegen.errors import Told
+from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.scene.model import WORLD, Body, Joint, Kind, Model
 from coscrew_codegen.scene.names import did_you_mean
 
@@ -11,7 +11,7 @@ BASE = "base"
 """The name of the joint that joins a model's root to the world."""
 
 
-class ModelError(Told, ValueError):
+class ModelError(ReportedError, ValueError):
     """Bodies and joints do not form a tree; `element` is the cause: "joint 'elbow'"."""
 
     def __init__(self, element: str, problem: str) -> None:

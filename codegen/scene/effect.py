@@ -176,11 +176,11 @@ class Force:
     damping: Number | None = None
 
 
-def said(x: K | None) -> K:
-    """What an effect has said; TypeError if it has not, and nothing that it follows from."""
+def required(x: K | None) -> K:
+    """What an effect gives.  Raises TypeError if it gives neither this nor what it follows from."""
     if x is None:
-        raise TypeError("the effect says nothing of this: it gives a torque, or a force and its "
-                        "point, or an energy")
+        raise TypeError("an effect gives a torque, or a force and its point, or an energy; this "
+                        "one gives none")
     return x
 
 

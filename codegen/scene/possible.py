@@ -13,7 +13,7 @@ from coscrew_codegen.parameter import Scalar
 from coscrew_codegen.scene.assembly import ModelError
 from coscrew_codegen.scene.model import Joint, Kind, Model, value
 from coscrew_codegen.scene.rotations import rotated
-from coscrew_codegen.scene.tree import Seat, tree_of
+from coscrew_codegen.scene.tree import PlacedBody, tree_of
 
 SLACK = Fraction(1, 10**6)
 """Tolerance of the inequalities, relative to xx + yy + zz: files round moments to six digits, and
@@ -52,11 +52,11 @@ def judged(model: Model, implausible: str) -> Model:
 def _faults(model: Model) -> Iterator[ModelError]:
     """An error for each body that cannot exist, including bodies fixed to the world."""
     tree = tree_of(model, False)
-    for seats in (tree.ground, *(link.seats for link in tree.links)):
-        heavy = [seat.body.name for seat in seats if seat.body.inertia]
+    for bodies in (tree.ground, *(link.bodies for link in tree.links)):
+        heavy = [placed.body.name for placed in bodies if placed.body.inertia]
         if not heavy:
             continue
-        mass, first, moments = _composite(seats)
+        mass, first, moments = _composite(bodies)
         problem = "its mass is zero, its moments are not" if not mass else _wrong(
             mass, tuple(a - b / mass for a, b in zip(moments, _steiner(first), strict=True)))
         if problem and (mass or any(moments)):
@@ -86,14 +86,14 @@ def unmoved_mass(model: Model, exempt: Collection[str]) -> tuple[Joint, str] | N
     inner = {link.parent for link in links}
     massive = set()
     for number, link in reversed(tuple(enumerate(links))):
-        if number in massive or any(seat.body.inertia for seat in link.seats):
+        if number in massive or any(placed.body.inertia for placed in link.bodies):
             massive |= {number, link.parent}
     for number, link in enumerate(links):
         if link.joint.name in exempt:
             continue
         if number not in massive:
             return link.joint, "neither what it moves nor what moves on that has a mass"
-        if number not in inner and not _resists(link.joint, *_composite(link.seats)):
+        if number not in inner and not _resists(link.joint, *_composite(link.bodies)):
             return link.joint, "what it moves has no inertia against its motion"
     return None
 
@@ -102,15 +102,15 @@ def _values(numbers: tuple[Scalar, ...]) -> tuple[Fraction, ...]:
     return tuple(value(x) for x in numbers)
 
 
-def _composite(seats: Sequence[Seat]) -> tuple[Fraction, tuple[Fraction, ...], _Six]:
+def _composite(bodies: Sequence[PlacedBody]) -> tuple[Fraction, tuple[Fraction, ...], _Six]:
     """Mass, first and second moments of the bodies of a link, about its origin."""
     mass = Fraction(0)
     first: tuple[Fraction, ...] = (Fraction(0),) * 3
     moments: _Six = (Fraction(0),) * 6
-    for seat in seats:
-        if inertia := seat.body.inertia:
-            m, R, com = value(inertia.mass), seat.placement.R, _values(inertia.com)
-            at = tuple(sum((R[3 * i + k] * com[k] for k in range(3)), value(seat.placement.t[i]))
+    for placed in bodies:
+        if inertia := placed.body.inertia:
+            m, R, com = value(inertia.mass), placed.placement.R, _values(inertia.com)
+            at = tuple(sum((R[3 * i + k] * com[k] for k in range(3)), value(placed.placement.t[i]))
                        for i in range(3))
             own = rotated(R, _values(inertia.moments))
             mass += m

@@ -22,7 +22,7 @@ class Driver:
 
 
 @dataclass(frozen=True)
-class Seat:
+class PlacedBody:
     """A body as part of a link: its frame in the link's."""
 
     body: Body
@@ -36,7 +36,7 @@ class Link:
     joint: Joint
     parent: int
     placement: Placement  # of the joint's frame in the parent link's
-    seats: tuple[Seat, ...]
+    bodies: tuple[PlacedBody, ...]
     q: range
     v: range
     driver: Driver | None  # set if the joint follows another; else it has its own coordinates
@@ -52,7 +52,7 @@ class Tree:
     """The links, the bodies fixed to the world, and the numbers of coordinates and velocities."""
 
     links: tuple[Link, ...]
-    ground: tuple[Seat, ...]
+    ground: tuple[PlacedBody, ...]
     nq: int
     nv: int
 
@@ -71,14 +71,14 @@ class Tree:
         """The link that the joint of this name moves."""
         return next(link for link in self.links if link.joint.name == joint)
 
-    def seat_of(self, body: str) -> tuple[int, Seat]:
-        """The link a body belongs to (-1: the world, a body here as well), and its seat there."""
+    def link_and_body(self, body: str) -> tuple[int, PlacedBody]:
+        """The link a body belongs to (-1: the world, a body here as well), and the body in it."""
         if body == WORLD:
-            return -1, Seat(Body(WORLD), HERE)
-        for number, seats in [(-1, self.ground), *((i, x.seats) for i, x in enumerate(self.links))]:
-            for seat in seats:
-                if seat.body.name == body:
-                    return number, seat
+            return -1, PlacedBody(Body(WORLD), HERE)
+        for number, bodies in enumerate((self.ground, *(link.bodies for link in self.links)), -1):
+            for placed in bodies:
+                if placed.body.name == body:
+                    return number, placed
         raise KeyError(body)
 
 
@@ -98,7 +98,7 @@ def tree_of(model: Model, mimics: bool) -> Tree:
     Leaders must not follow other joints (see `without_chains`)."""
     bodies = {body.name: body for body in model.bodies}
     where: dict[str, tuple[int, Placement]] = {WORLD: (-1, HERE)}
-    seats: dict[int, list[Seat]] = {-1: []}
+    placed: dict[int, list[PlacedBody]] = {-1: []}
     moving: list[tuple[Joint, int, Placement]] = []
     for joint in model.joints:
         parent, placement = where[joint.parent]
@@ -108,13 +108,13 @@ def tree_of(model: Model, mimics: bool) -> Tree:
         else:
             moving.append((joint, parent, placement))
             where[joint.child] = len(moving) - 1, HERE
-        number, seat = where[joint.child]
-        seats.setdefault(number, []).append(Seat(bodies[joint.child], seat))
-    return _numbered(moving, seats, mimics)
+        link, in_link = where[joint.child]
+        placed.setdefault(link, []).append(PlacedBody(bodies[joint.child], in_link))
+    return _numbered(moving, placed, mimics)
 
 
-def _numbered(moving: list[tuple[Joint, int, Placement]], seats: dict[int, list[Seat]],
-              mimics: bool) -> Tree:
+def _numbered(moving: list[tuple[Joint, int, Placement]],
+              bodies: dict[int, list[PlacedBody]], mimics: bool) -> Tree:
     names = {joint.name: number for number, (joint, _, _) in enumerate(moving)}
     links: list[Link] = []
     nq = nv = 0
@@ -123,7 +123,7 @@ def _numbered(moving: list[tuple[Joint, int, Placement]], seats: dict[int, list[
         if mimics and joint.mimic:
             driver = Driver(names[joint.mimic.joint], joint.mimic.multiplier, joint.mimic.offset)
             wide_q = wide_v = 0
-        links.append(Link(joint, parent, placement, tuple(seats[number]), range(nq, nq + wide_q),
+        links.append(Link(joint, parent, placement, tuple(bodies[number]), range(nq, nq + wide_q),
                           range(nv, nv + wide_v), driver))
         nq, nv = nq + wide_q, nv + wide_v
-    return Tree(tuple(links), tuple(seats[-1]), nq, nv)
+    return Tree(tuple(links), tuple(bodies[-1]), nq, nv)

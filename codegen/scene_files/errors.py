@@ -2,10 +2,10 @@
 
 from pathlib import Path
 
-from coscrew_codegen.errors import Told
+from coscrew_codegen.errors import ReportedError
 
 
-class SceneError(Told, ValueError):
+class SceneError(ReportedError, ValueError):
     """"FILE: key or element: what came; what was wanted; did you mean …?"."""
 
     def __init__(self, file: Path | str, where: str, problem: str) -> None:

@@ -198,10 +198,10 @@ def with_reactions(scene: Scene, catalogue: tuple[Effect, ...]) -> tuple[Applied
     """The effects of a scene, with a reaction for each joint of which it is recorded or expected.
     """
     effect = next((effect for effect in catalogue if effect.reaction), None)
-    asked = {recorded(text, scene) for text in scene.record}
-    asked |= {expected(x.quantity, scene) for x in scene.expectations}
+    wanted = {recorded(text, scene) for text in scene.record}
+    wanted |= {expected(x.quantity, scene) for x in scene.expectations}
     there = {applied.on for applied in scene.effects if applied.effect is effect}
-    joints = {x.target for x in asked if x.quantity == "reaction"} - there
+    joints = {x.target for x in wanted if x.quantity == "reaction"} - there
     if effect is None or not joints:
         return scene.effects
     found = [*scene.effects, *(Applied(effect, joint.name, {}) for joint in scene.model.joints

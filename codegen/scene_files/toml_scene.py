@@ -7,7 +7,6 @@ from pathlib import Path
 
 from coscrew_codegen.formats import BY_NAME, DOUBLE
 from coscrew_codegen.integrators import NAMES
-from coscrew_codegen.scene.asked import AskedError, resolved
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.model import Joint, Kind, Model
 from coscrew_codegen.scene.possible import ERROR, WARN, unmoved_mass
@@ -20,6 +19,7 @@ from coscrew_codegen.scene.recorded import (
 )
 from coscrew_codegen.scene.rotations import unit
 from coscrew_codegen.scene.scene import Expectation, Run, Scene
+from coscrew_codegen.scene.selected import FunctionsError, resolved
 from coscrew_codegen.scene_files.effect_table import Use
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.identifiers import identifier, refused
@@ -32,7 +32,7 @@ from coscrew_codegen.scene_files.unused import unused
 
 
 @dataclass(frozen=True)
-class Said:
+class SceneOverrides:
     """Settings that override those in a scene's file; None: the file's."""
 
     precision: str | None = None  # double, single, both
@@ -46,7 +46,7 @@ class Said:
 
 
 def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
-               said: Said = Said()) -> Scene:
+               overrides: SceneOverrides = SceneOverrides()) -> Scene:
     """The scene in a TOML file; for a URDF file alone, a scene without effects, even gravity.
 
     `catalogue` holds the known effects (None: all).  Raises SceneError, naming file and key, for
@@ -55,16 +55,16 @@ def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
     effects = _all_effects() if catalogue is None else catalogue
     suffix = path.suffix.lower()
     if suffix == ".urdf":
-        implausible = said.implausible or ERROR
+        implausible = overrides.implausible or ERROR
         from coscrew_codegen.scene_files.urdf import read_urdf
         model = read_urdf(path, implausible=implausible)
         _refuse_unmoved(path, model, Scene(path.stem, model))
-        return _asking(Scene(identifier(path.stem), model, unused=unused(model, set(), effects),
-                             implausible=implausible, precision=said.precision or "double",
-                             precisions=_emitted(said.precision)), said.functions or ())
+        return _selecting(Scene(identifier(path.stem), model, unused=unused(model, set(), effects),
+                             implausible=implausible, precision=overrides.precision or "double",
+                             precisions=_emitted(overrides.precision)), overrides.functions or ())
     if suffix != ".toml":
         raise SceneError(path, "", f"suffix {shown(path.suffix)}; wanted a .toml or .urdf file")
-    return _scene(read_toml(path), effects, said)
+    return _scene(read_toml(path), effects, overrides)
 
 
 def _all_effects() -> tuple[Effect, ...]:
@@ -78,17 +78,17 @@ def _emitted(precision: str | None) -> tuple[str, ...]:
     return (DOUBLE.name,) if precision == DOUBLE.name else tuple(BY_NAME)
 
 
-def _said(beside: str | None, file: Table, key: str, choices: tuple[str, ...]) -> str | None:
+def _overridden(by: str | None, file: Table, key: str, choices: tuple[str, ...]) -> str | None:
     """The overriding word, or else the file's."""
     written = file.choice(key, choices) if key in file else None
-    return beside or written
+    return by or written
 
 
-def _scene(file: Table, catalogue: tuple[Effect, ...], said: Said) -> Scene:
+def _scene(file: Table, catalogue: tuple[Effect, ...], overrides: SceneOverrides) -> Scene:
     file.only(*SCENE.names)
     name = _name(file)
-    implausible = _said(said.implausible, file, "implausible", (ERROR, WARN)) or ERROR
-    precision = _said(said.precision, file, "precision", PRECISIONS)
+    implausible = _overridden(overrides.implausible, file, "implausible", (ERROR, WARN)) or ERROR
+    precision = _overridden(overrides.precision, file, "precision", PRECISIONS)
     model = _model(file, name, implausible)
     use = Use()
     effects = read_effects(file.table("effects"), model, catalogue, use)
@@ -104,10 +104,11 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], said: Said) -> Scene:
                     start_v=_start_v(start.table("v"), scene), record=_record(outputs, scene),
                     every=float(outputs.positive("every", Fraction(1, 100))),
                     expectations=_expectations(file, scene))
-    functions = said.functions or _functions(file, scene)
+    functions = overrides.functions or _functions(file, scene)
     effects = with_reactions(scene, catalogue)
     model, effects, parameters = with_parameters(file, model, effects, catalogue)
-    return _asking(replace(scene, model=model, effects=effects, parameters=parameters), functions)
+    return _selecting(replace(scene, model=model, effects=effects, parameters=parameters),
+                      functions)
 
 
 def _functions(file: Table, scene: Scene) -> tuple[str, ...]:
@@ -117,13 +118,13 @@ def _functions(file: Table, scene: Scene) -> tuple[str, ...]:
         file.refuse("functions", 'an empty list; wanted names, as ["inverse_dynamics"], "default" '
                                  'or "all" among them')
     try:
-        return _asking(scene, names).functions
-    except AskedError as error:
+        return _selecting(scene, names).functions
+    except FunctionsError as error:
         file.refuse("functions", str(error))
 
 
-def _asking(scene: Scene, functions: tuple[str, ...]) -> Scene:
-    """The scene with these functions selected.  Raises AskedError for unknown functions."""
+def _selecting(scene: Scene, functions: tuple[str, ...]) -> Scene:
+    """The scene with these functions selected.  Raises FunctionsError for unknown functions."""
     resolved(scene, functions)
     return replace(scene, functions=functions)
 

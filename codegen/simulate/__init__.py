@@ -1,7 +1,7 @@
 """Simulates scenes: integrates their equations of motion, records, writes, plots and shows."""
 
-from coscrew_codegen.errors import Told
+from coscrew_codegen.errors import ReportedError
 
 
-class SimulateError(Told, ValueError):
+class SimulateError(ReportedError, ValueError):
     """The run is impossible with these settings; the message says what came and what was wanted."""

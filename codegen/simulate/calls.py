@@ -5,22 +5,30 @@ import functools
 from collections.abc import Callable, Iterator, Mapping
 from math import prod
 from types import ModuleType
-from typing import TYPE_CHECKING, Generic, Protocol, TypeVar
+from typing import TYPE_CHECKING, Generic, Protocol, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.native import cache
-from coscrew_codegen.scene.asked import names
 from coscrew_codegen.scene.names import or_mean
+from coscrew_codegen.scene.selected import names
 from coscrew_codegen.scene_functions import SceneInterface, Signature
 from coscrew_codegen.targets.scene_text import c_name
+
+if TYPE_CHECKING:
+    from coscrew._steps import Steps
+    from coscrew_codegen.simulate.load import Kernels
+else:
+    Steps = Generic
 
 _PLAIN = frozenset((float, np.float64, np.float32, np.int64, np.int32))
 """Types of t and h that are passed to C without a check."""
 
 Real = TypeVar("Real", bound=np.floating, covariant=True)
+Made: TypeAlias = Callable[..., object]
+"""A function made at run time, whose parameters its Signature gives."""
 
 
 class Function(Protocol[Real]):
@@ -41,10 +49,10 @@ class Step(Protocol[Real]):
         """q and v after the step, written to `out` if that is given."""
 
 
-class Functions(Generic[Real]):
+class Functions(Steps[Real]):
     """The functions of one precision as attributes."""
 
-    if TYPE_CHECKING:  # functions of most scenes; others, such as jacobian_hand, are Functions too
+    if TYPE_CHECKING:  # shown by editors; others, such as jacobian_hand, have the same type
         inverse_dynamics: Function[Real]
         forward_dynamics: Function[Real]
         mass_matrix: Function[Real]
@@ -56,15 +64,11 @@ class Functions(Generic[Real]):
         body_poses: Function[Real]
         body_twists: Function[Real]
         integrated: Function[Real]
-        step_leapfrog: Step[Real]
-        step_semi_implicit_euler: Step[Real]
-        step_linear_implicit_euler: Step[Real]
-        step_rk4: Step[Real]
 
     def __init__(self, scene: str, precision: Precision):
         self._about = f"{scene} in {precision.name} precision"
         self._precision = precision.name
-        self._kernels: object = None  # the Kernels that they belong to, for pickle
+        self._kernels: Kernels | None = None  # that they belong to, for pickle
 
     def __dir__(self) -> list[str]:
         return [name for name in self.__dict__ if not name.startswith("_")]
@@ -76,35 +80,35 @@ class Functions(Generic[Real]):
         if not dir(self):
             raise AttributeError(f"{self._about} is not there: the scene is of double precision "
                                  "alone, as it says", name=name, obj=self)
-        scene = getattr(self._kernels, "scene", None)
+        scene = self._kernels.scene if self._kernels else None
         possible = names(scene) if scene else ()
         hint = or_mean(name, (*dir(self), *possible))
         if name in possible:
-            hint = f"; it was not asked for: functions=[\"default\", {name!r}]"
+            hint = f"; it was not selected: functions=[\"default\", {name!r}]"
         raise AttributeError(f"{self._about} has no function {name!r}{hint}", name=name, obj=self)
 
     def __repr__(self) -> str:
         return f"<{self._about}: {', '.join(dir(self))}>"
 
-    def __reduce__(self) -> tuple[Callable, tuple[object, str]]:
+    def __reduce__(self) -> tuple[Made, tuple[object, str]]:
         return getattr, (self._kernels, self._precision)
 
     def __copy__(self) -> "Functions[Real]":
         return self
 
-    def __deepcopy__(self, memo: dict) -> "Functions[Real]":
+    def __deepcopy__(self, memo: dict[int, object]) -> "Functions[Real]":
         return self
 
 
 class _Callable:
     """A function of a scene, as an object whose __reduce__ pickle and cloudpickle use."""
 
-    def __init__(self, of: Functions, function: Callable):
+    def __init__(self, of: Functions[np.floating], function: Made):
         self.__dict__.update(vars(function))
         self.__name__ = self.__qualname__ = function.__name__
         self._of = of
 
-    def __reduce__(self) -> tuple[Callable, tuple[Functions, str]]:
+    def __reduce__(self) -> tuple[Made, tuple[Functions[np.floating], str]]:
         return getattr, (self._of, self.__name__)
 
     def __repr__(self) -> str:
@@ -112,9 +116,9 @@ class _Callable:
 
 
 def gathered(scene: SceneInterface, precision: Precision,
-             functions: Mapping[str, Callable]) -> Functions:
+             functions: Mapping[str, Made]) -> Functions[np.floating]:
     """The functions, whose first argument is `self`, as methods of one object."""
-    found = Functions(scene.name, precision)
+    found: Functions[np.floating] = Functions(scene.name, precision)
     for name, function in functions.items():
         members = {"__call__": function, "__doc__": function.__doc__, "__module__": __name__}
         found.__dict__[name] = type(name, (_Callable,), members)(found, function)
@@ -135,7 +139,7 @@ def _checks() -> ModuleType:
 
 
 def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
-             precision: Precision) -> Callable:
+             precision: Precision) -> Made:
     """A function of the library, with the same name and arguments after `self`."""
     kind, name = np.dtype(precision.numpy_type), c_name(scene, described.name, precision)
     getattr(library, f"know_{precision.name}")(ctypes.py_object(np.ndarray))
@@ -149,11 +153,11 @@ def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
     exec(_text(described), names)
     function = _described(names[described.name], described)
     if described.moved:
-        function.repeated = _repeated(library, name, kind)
+        vars(function)["repeated"] = _repeated(library, name, kind)
     return function
 
 
-def in_numpy(twin: Callable, described: Signature) -> Callable:
+def in_numpy(twin: Made, described: Signature) -> Made:
     """A function of a generated package, with the same name and arguments after `self`."""
     given = ", ".join(x for x, _ in described.inputs)
     names = {"twin": twin}
@@ -162,12 +166,12 @@ def in_numpy(twin: Callable, described: Signature) -> Callable:
     return _described(names[described.name], described)
 
 
-def _described(function: Callable, described: Signature) -> Callable:
+def _described(function: Made, described: Signature) -> Made:
     function.__doc__ = "\n\n".join(described.words)
     return function
 
 
-def _repeated(library: ctypes.PyDLL, name: str, kind: np.dtype) -> Callable:
+def _repeated(library: ctypes.PyDLL, name: str, kind: np.dtype) -> Made:
     """n steps of one state in one call: (n, t, h, p, q, v) -> (q, v)."""
     run = getattr(_unlocked(library._name), f"run_{name}")
     run.restype = None
@@ -208,7 +212,7 @@ def _text(described: Signature) -> str:
 
 
 def _many(library: ctypes.PyDLL, name: str, described: Signature, kind: np.dtype,
-          call: Callable) -> Callable:
+          call: Made) -> Made:
     """The function for any arguments, which it checks, casts and broadcasts."""
     loop = getattr(_unlocked(library._name), f"many_{name}")
     loop.restype = None
@@ -217,7 +221,7 @@ def _many(library: ctypes.PyDLL, name: str, described: Signature, kind: np.dtype
                      *[pointer] * len(described.outputs)]
     checks = _checks()
 
-    def function(arguments: dict, out: object) -> object:
+    def function(arguments: Mapping[str, ArrayLike], out: object) -> object:
         lead, arrays = checks.arrays(kind, **{
             x: (arguments[x], shape) for x, shape in described.inputs})
         given = dict(zip(arguments, arrays, strict=True))
@@ -241,7 +245,7 @@ def _is_place(x: np.ndarray | None, kind: np.dtype, arrays: list[np.ndarray]) ->
             and not any(np.may_share_memory(x, array) for array in arrays))
 
 
-def _over(loop: Callable, lead: tuple[int, ...], given: dict[str, np.ndarray],
+def _over(loop: Made, lead: tuple[int, ...], given: dict[str, np.ndarray],
           described: Signature, results: list[np.ndarray]) -> None:
     """Call the loop over all states."""
     words: list[int] = [prod(lead)]

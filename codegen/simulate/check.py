@@ -16,7 +16,7 @@ from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.balance import balance
 from coscrew_codegen.simulate.findings import FINER, FINEST, Along, Findings, Met
-from coscrew_codegen.simulate.outcome import Asked, outside
+from coscrew_codegen.simulate.outcome import RunOverrides, outside
 from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
 from coscrew_codegen.simulate.progress import Progress
 from coscrew_codegen.simulate.record import accelerations, differences, largest, quantity
@@ -32,15 +32,15 @@ _STATES = 1000  # states along the run at which matrices are checked
 _TIGHTER = 16  # divisor of tolerances for the second run
 
 
-def check(kernels: "Kernels", asked: Asked) -> Findings:
+def check(kernels: "Kernels", overrides: RunOverrides) -> Findings:
     """Run the scene in its precisions, or in the selected one, with its steps and smaller ones.
 
     Expectations are checked in double precision, unless only single is run.  Raises SimulateError.
     """
     scene = scene_of(kernels)
-    names = (asked.precision,) if asked.precision in BY_NAME else scene.precisions
-    runs = {name: _run(kernels, name, asked) for name in names}
-    meant = "single" if (asked.precision or scene.precision) == "single" else "double"
+    names = (overrides.precision,) if overrides.precision in BY_NAME else scene.precisions
+    runs = {name: _run(kernels, name, overrides) for name in names}
+    meant = "single" if (overrides.precision or scene.precision) == "single" else "double"
     its, _, trajectory = runs[meant]
     met = tuple(_met(its, trajectory, x) for x in scene.expectations)
     along = [_along(*run) for run in runs.values()]
@@ -50,10 +50,11 @@ def check(kernels: "Kernels", asked: Asked) -> Findings:
     return Findings(met, tuple(along), apart, outside(its))
 
 
-def _run(kernels: "Kernels", precision: str, asked: Asked) -> tuple[System, Plan, Trajectory]:
+def _run(kernels: "Kernels", precision: str, overrides: RunOverrides
+         ) -> tuple[System, Plan, Trajectory]:
     """A run that is sampled at every step; with SciPy's solvers, equally densely."""
-    its = system(kernels, precision, dict(asked.settings))
-    rough = plan(its, asked.until, asked.step, asked.integrator)
+    its = system(kernels, precision, dict(overrides.settings))
+    rough = plan(its, overrides.until, overrides.step, overrides.integrator)
     count = max(2, min(math.ceil(rough.until / rough.step), _MOST_STEPS))
     planned = replace(rough, every=rough.until / count,
                       also=tuple(x.at for x in its.scene.expectations))
@@ -70,13 +71,13 @@ def _integrated(system: System, planned: Plan, alarm: Callable[..., Alarm] | Non
 
 
 def _met(system: System, trajectory: Trajectory, wanted: Expectation) -> Met:
-    asked = expected(wanted.quantity, system.scene)
+    component = expected(wanted.quantity, system.scene)
     near = int(np.argmin(np.abs(trajectory.t - wanted.at)))
     came = math.nan
     if abs(trajectory.t[near] - wanted.at) <= 1e-9 * max(1.0, wanted.at):
         one = _chosen(trajectory, np.array([near]))
-        came = float(quantity(system, one, asked)[0, 0])
-    return Met(wanted, came, asked.units[0])
+        came = float(quantity(system, one, component)[0, 0])
+    return Met(wanted, came, component.units[0])
 
 
 def _along(system: System, planned: Plan, trajectory: Trajectory) -> Along:
@@ -160,8 +161,8 @@ def _sparse(system: System, trajectory: Trajectory) -> Recording:
     """The state and the recorded quantities, at some of the samples."""
     some = _chosen(trajectory, _some(trajectory))
     texts = dict.fromkeys(("q", "v", *system.scene.record))
-    asked = [recorded(text, system.scene) for text in texts]
-    columns = tuple(Column(name, unit, x.quantity) for x in asked
+    found = [recorded(text, system.scene) for text in texts]
+    columns = tuple(Column(name, unit, x.quantity) for x in found
                     for name, unit in zip(x.names, x.units, strict=True))
     return Recording(some.t, columns, np.concatenate(
-        [quantity(system, some, x) for x in asked], 1), ())
+        [quantity(system, some, x) for x in found], 1), ())

@@ -29,7 +29,7 @@ def run(options: argparse.Namespace) -> int:
 
     scene = scene_of(options, options.precision)
     kernels = kernels_for(scene, needs.of_check(scene, options.integrator))
-    findings = check.check(kernels, outcome.Asked(
+    findings = check.check(kernels, outcome.RunOverrides(
         options.until, options.step, options.integrator, options.precision,
         tuple(options.settings)))
     print(verdict.table(findings))

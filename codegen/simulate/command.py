@@ -63,9 +63,10 @@ def scene_of(options: argparse.Namespace, precision: str | None,
     """The scene of the options, with `functions` instead of its own if there are any.
 
     Implausible bodies that it allows are reported on standard error."""
-    from coscrew_codegen.scene_files.toml_scene import Said, read_scene
+    from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
 
-    scene = read_scene(options.scene, said=Said(precision, options.implausible, functions))
+    overrides = SceneOverrides(precision, options.implausible, functions)
+    scene = read_scene(options.scene, overrides=overrides)
     for line in scene.model.implausible:
         print(f"coscrew: warning: {line}", file=sys.stderr)
     return scene
@@ -111,7 +112,7 @@ def run(options: argparse.Namespace) -> int:
                           BOTH if one == "both" else (one,))
     for line in _notes(scene, options.unused):
         print(f"coscrew: {line}", file=sys.stderr)
-    outcomes = outcome.simulated(kernels, outcome.Asked(
+    outcomes = outcome.simulated(kernels, outcome.RunOverrides(
         options.until, options.step, options.integrator, options.precision,
         tuple(options.settings)), told=bool(options.output or options.plot or options.view))
     for note in (outcome.outside(outcomes[0].system), outcome.bounces(outcomes[0])):

@@ -13,7 +13,8 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
-from types import ModuleType
+from types import FrameType, ModuleType
+from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,7 +48,7 @@ class Kernels:
     single: calls.Functions[np.float32]
     compiler: str  # its version and flags; "" if the generated Python runs
     library: str = ""  # its key in the cache
-    asked: tuple[str, ...] = ()  # names of the selected functions; (): those of the scene
+    selected: tuple[str, ...] = ()  # names of the selected functions; (): those of the scene
     _derived: SceneFunctions | None = None
 
     @functools.cached_property
@@ -56,7 +57,8 @@ class Kernels:
         if self._derived:
             return self._derived
         from coscrew_codegen.mechanics import derive
-        return derive(self.scene, self.asked)
+        assert self.scene  # without one, the functions were given
+        return derive(self.scene, self.selected)
 
     @property
     def NQ(self) -> int:
@@ -96,9 +98,9 @@ class Kernels:
     @functools.cached_property
     def _pickled(self) -> bytes:
         functions = None if self.scene else self.functions
-        return zlib.compress(pickle.dumps((self.scene, self.asked, functions)))
+        return zlib.compress(pickle.dumps((self.scene, self.selected, functions)))
 
-    def __reduce__(self) -> tuple[Callable, tuple[bytes]]:
+    def __reduce__(self) -> tuple[Callable[[bytes], Kernels], tuple[bytes]]:
         """Pickle the scene and the selected functions; unpickling compiles them, or finds them in
         the cache."""
         return restored, (self._pickled,)
@@ -106,7 +108,7 @@ class Kernels:
     def __copy__(self) -> Kernels:
         return self
 
-    def __deepcopy__(self, memo: dict) -> Kernels:
+    def __deepcopy__(self, memo: dict[int, object]) -> Kernels:
         return self
 
     def __repr__(self) -> str:
@@ -123,15 +125,15 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
     generated Python runs.  `precision` and `implausible` override the file's: a scene of precision
     "double" has no `single`; with implausible "warn", implausible bodies cause warnings.
     `functions` names functions to use instead of the scene's own selection; "default" stands for
-    those of a scene that selects none, "all" for all it can have.  Raises AskedError for unknown
-    functions, TypeError for anything but a file or a Scene, ValueError for unknown words,
+    those of a scene that selects none, "all" for all it can have.  Raises FunctionsError for
+    unknown functions, TypeError for anything but a file or a Scene, ValueError for unknown words,
     RangeError for numbers that a precision cannot hold, and the errors of reading the scene.
     """
     functions = _names(functions)
     if isinstance(scene, (str, Path)):
-        from coscrew_codegen.scene_files.toml_scene import Said, read_scene
+        from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
         path = Path(scene)
-        scene = read_scene(path, said=Said(precision, implausible, functions))
+        scene = read_scene(path, overrides=SceneOverrides(precision, implausible, functions))
         for line in scene.model.implausible:
             warnings.warn(f"{path.name}: {line}", RuntimeWarning, stacklevel=2)
     elif not isinstance(scene, Scene):
@@ -157,8 +159,8 @@ def kernels_for(scene: Scene, functions: Collection[str] = (),
     """The kernels of the scene's selected functions, or of those with these names that it has,
     compiled in these precisions: found in the cache, or made."""
     compiler = _compiler(scene.name)
-    key = compiler and _key(scene, functions, precisions, compiler)
-    if key and (kept := _kept(key)):
+    key = _key(scene, functions, precisions, compiler) if compiler else ""
+    if compiler and key and (kept := _kept(key)):
         interface, library = kept
         return _compiled(scene, tuple(functions), interface, library, precisions, compiler)
     with doing(f"deriving {scene.name}") as tell:
@@ -192,7 +194,7 @@ def _warn(name: str, error: native.CompilationError) -> None:
 
 def _frames() -> Iterator[str]:
     """The files of the functions on the call stack, from `_warn` outwards."""
-    frame = sys._getframe(1)
+    frame: FrameType | None = sys._getframe(1)
     while frame:
         yield frame.f_code.co_filename
         frame = frame.f_back
@@ -224,7 +226,7 @@ def _kept(key: str) -> tuple[SceneInterface, native.Library] | None:
     return (interface, library) if library else None
 
 
-def _made(functions: SceneFunctions, scene: Scene | None, asked: tuple[str, ...],
+def _made(functions: SceneFunctions, scene: Scene | None, selected: tuple[str, ...],
           precisions: tuple[str, ...], compiler: native.Compiler | None) -> Kernels:
     """The kernels: compiled or, if that fails, generated Python."""
     from coscrew_codegen.targets.scene_calls import interface
@@ -233,29 +235,32 @@ def _made(functions: SceneFunctions, scene: Scene | None, asked: tuple[str, ...]
     if compiler:
         try:
             library = _library(functions, compiler, precisions)
-            return _compiled(scene, asked, found, library, precisions, compiler, functions)
+            return _compiled(scene, selected, found, library, precisions, compiler, functions)
         except native.CompilationError as error:
             _warn(functions.name, error)
     modules = _modules(functions)
-    return _kernels(scene, asked, found, "", "", functions, precisions, lambda x, p: (
+    return _kernels(scene, selected, found, "", "", functions, precisions, lambda x, p: (
         calls.in_numpy(getattr(modules[p.name], x.name), x)))
 
 
-def _compiled(scene: Scene | None, asked: tuple[str, ...], found: SceneInterface,
+def _compiled(scene: Scene | None, selected: tuple[str, ...], found: SceneInterface,
               library: native.Library, precisions: tuple[str, ...], compiler: native.Compiler,
               functions: SceneFunctions | None = None) -> Kernels:
-    return _kernels(scene, asked, found, str(compiler), library.key, functions, precisions,
+    return _kernels(scene, selected, found, str(compiler), library.key, functions, precisions,
                     lambda x, p: calls.compiled(found, library.opened, x, p))
 
 
-def _kernels(scene: Scene | None, asked: tuple[str, ...], found: SceneInterface, compiler: str,
+def _kernels(scene: Scene | None, selected: tuple[str, ...], found: SceneInterface, compiler: str,
              library: str, functions: SceneFunctions | None, precisions: tuple[str, ...],
-             made: Callable[[Signature, Precision], Callable]) -> Kernels:
-    each = [calls.gathered(found, p, {x.name: made(x, p) for x in found.signatures
-                                      if p.name in found.precisions and p.name in precisions})
-            for p in PRECISIONS]
-    kernels = Kernels(scene, found, *each, compiler, library, asked, functions)
-    for x in each:
+             made: Callable[[Signature, Precision], calls.Made]) -> Kernels:
+    double, single = (
+        calls.gathered(found, p, {x.name: made(x, p) for x in found.signatures
+                                  if p.name in found.precisions and p.name in precisions})
+        for p in PRECISIONS)
+    kernels = Kernels(scene, found, cast("calls.Functions[np.float64]", double),
+                      cast("calls.Functions[np.float32]", single), compiler, library, selected,
+                      functions)
+    for x in (double, single):
         x._kernels = kernels
     return kernels
 
@@ -263,8 +268,8 @@ def _kernels(scene: Scene | None, asked: tuple[str, ...], found: SceneInterface,
 @functools.lru_cache(maxsize=32)
 def restored(pickled: bytes) -> Kernels:
     """The kernels of a pickled scene and its selected functions; made once per process."""
-    scene, asked, functions = pickle.loads(zlib.decompress(pickled))
-    return kernels_of(functions, scene) if functions else kernels_for(scene, asked)
+    scene, selected, functions = pickle.loads(zlib.decompress(pickled))
+    return kernels_of(functions, scene) if functions else kernels_for(scene, selected)
 
 
 def _library(functions: SceneFunctions, compiler: native.Compiler, precisions: tuple[str, ...]
@@ -297,6 +302,7 @@ def _modules(functions: SceneFunctions) -> dict[str, ModuleType]:
         init = folder / functions.name / "__init__.py"
         spec = importlib.util.spec_from_file_location(
             name, init, submodule_search_locations=[str(init.parent)])
+        assert spec and spec.loader
         module = importlib.util.module_from_spec(spec)
         sys.modules[name] = module
         spec.loader.exec_module(module)

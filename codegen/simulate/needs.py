@@ -3,9 +3,9 @@
 from collections.abc import Iterable
 
 from coscrew_codegen.integrators import DEFAULT, NAMES, named
-from coscrew_codegen.scene.asked import CONTACTS, FREE, MANY, reactions, speeds, together
 from coscrew_codegen.scene.recorded import Recorded, expected, recorded
 from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.selected import CONTACTS, FREE, MANY, reactions, speeds, together
 
 _OF_QUANTITY = {"q": (), "v": (), "a": ("forward_dynamics",), "energy": ("energy",),
                 "power": ("power",), "momentum": ("momentum",), "twist": ("body_twists",),
@@ -38,8 +38,8 @@ def _of_motion(scene: Scene, integrator: str | None) -> Iterable[str]:
             *FREE)
 
 
-def _of(scene: Scene, asked: Recorded) -> Iterable[str]:
-    if asked.quantity == "reaction":
-        own = (name for name, joint in reactions(scene).items() if joint == asked.target)
+def _of(scene: Scene, wanted: Recorded) -> Iterable[str]:
+    if wanted.quantity == "reaction":
+        own = (name for name, joint in reactions(scene).items() if joint == wanted.target)
         return "forward_dynamics", *own
-    return _OF_QUANTITY[asked.quantity]
+    return _OF_QUANTITY[wanted.quantity]

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Asked:
+class RunOverrides:
     """Settings that override the scene's own; None: the scene's."""
 
     until: float | None = None
@@ -45,24 +45,24 @@ class Outcome:
     recording: Recording
 
 
-def simulated(kernels: "Kernels", asked: Asked, also: tuple[float, ...] = (), told: bool = True
-              ) -> tuple[Outcome, ...]:
+def simulated(kernels: "Kernels", overrides: RunOverrides, also: tuple[float, ...] = (),
+              told: bool = True) -> tuple[Outcome, ...]:
     """The runs, double first.  `also` are further times to sample at; without `told`, recordings
     have no provenance.  Raises SimulateError."""
-    precision = asked.precision or scene_of(kernels).precision
+    precision = overrides.precision or scene_of(kernels).precision
     names = tuple(BY_NAME) if precision == "both" else (precision,)
     outcomes: list[Outcome] = []
     for name in names:
-        outcomes.append(_run(kernels, name, asked, also, told))
+        outcomes.append(_run(kernels, name, overrides, also, told))
         if outcomes[-1].trajectory.interrupted:
             break
     return tuple(outcomes)
 
 
-def _run(kernels: "Kernels", precision: str, asked: Asked, also: tuple[float, ...], told: bool
-         ) -> Outcome:
-    its = system(kernels, precision, dict(asked.settings))
-    planned = plan(its, asked.until, asked.step, asked.integrator, also=also)
+def _run(kernels: "Kernels", precision: str, overrides: RunOverrides, also: tuple[float, ...],
+         told: bool) -> Outcome:
+    its = system(kernels, precision, dict(overrides.settings))
+    planned = plan(its, overrides.until, overrides.step, overrides.integrator, also=also)
     with Progress(its, planned.until) as watch:
         trajectory = integrate(its, planned, watch, Alarm)
     origin: tuple[tuple[str, str], ...] = ()

@@ -83,8 +83,8 @@ def plan(system: System, until: float | None = None, step: float | None = None,
                             f"{did_you_mean(made.integrator, NAMES)}")
     called = named(made.integrator).step_name
     if called and not system.has(called):
-        raise SimulateError(f"integrator {made.integrator}: {called} is not among the functions "
-                            f"that were asked for; wanted functions = [\"default\", {called!r}]")
+        raise SimulateError(f"integrator {made.integrator}: {called} is not among the selected "
+                            f"functions; wanted functions = [\"default\", {called!r}]")
     for name, value in (("until", made.until), ("step", made.step), ("every", made.every)):
         if not (math.isfinite(value) and value > 0):
             raise SimulateError(f"{name}: wanted a positive number of seconds; got {value}")

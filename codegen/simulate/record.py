@@ -4,8 +4,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from coscrew_codegen.scene.asked import reactions
 from coscrew_codegen.scene.recorded import Recorded, recorded
+from coscrew_codegen.scene.selected import reactions
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.plan import Trajectory
 from coscrew_codegen.simulate.recording import Column, Provenance, Recording
@@ -17,27 +17,27 @@ _AT_ONCE = 4096  # samples per call, so that temporaries of pure NumPy stay with
 def record(system: System, trajectory: Trajectory, provenance: Provenance) -> Recording:
     """The columns that the scene records.  Raises SimulateError for a quantity whose function was
     not selected."""
-    asked = [recorded(text, system.scene) for text in system.scene.record]
+    wanted = [recorded(text, system.scene) for text in system.scene.record]
     columns = {name: Column(name, unit, x.quantity)
-               for x in asked for name, unit in zip(x.names, x.units, strict=True)}
-    names = [name for x in asked for name in x.names]
+               for x in wanted for name, unit in zip(x.names, x.units, strict=True)}
+    names = [name for x in wanted for name in x.names]
     first = [names.index(name) for name in columns]  # duplicates are recorded once
-    values = np.concatenate([quantity(system, trajectory, x) for x in asked], 1)
+    values = np.concatenate([quantity(system, trajectory, x) for x in wanted], 1)
     return Recording(trajectory.t, tuple(columns.values()), values[:, first], provenance)
 
 
-def quantity(system: System, trajectory: Trajectory, asked: Recorded) -> np.ndarray:
+def quantity(system: System, trajectory: Trajectory, wanted: Recorded) -> np.ndarray:
     """The quantity at each sample, in the system's precision.  (n, number of its columns)."""
     n = len(trajectory.t)
-    parts = [_values(system, asked, *(x[i:i + _AT_ONCE] for x in (
+    parts = [_values(system, wanted, *(x[i:i + _AT_ONCE] for x in (
         trajectory.t, trajectory.q, trajectory.v))) for i in range(0, n, _AT_ONCE)]
-    return np.concatenate(parts)[:, list(asked.places)].astype(system.dtype)
+    return np.concatenate(parts)[:, list(wanted.places)].astype(system.dtype)
 
 
-def _values(system: System, asked: Recorded, t: np.ndarray, q: np.ndarray, v: np.ndarray
+def _values(system: System, wanted: Recorded, t: np.ndarray, q: np.ndarray, v: np.ndarray
             ) -> np.ndarray:
     """All components of the quantity.  (n), (n, nq), (n, nv)->(n, …)."""
-    match asked.quantity:
+    match wanted.quantity:
         case "q":
             return q
         case "v":
@@ -53,12 +53,12 @@ def _values(system: System, asked: Recorded, t: np.ndarray, q: np.ndarray, v: np
             return system.call("momentum", t=t, q=q, v=v)
         case "reaction":
             a = accelerations(system, t, q, v)
-            return system.call(reaction_name(system, asked.target), t=t, q=q, v=v, a=a)
-    body = [x.name for x in system.scene.model.bodies].index(asked.target)
-    if asked.quantity == "twist":
+            return system.call(reaction_name(system, wanted.target), t=t, q=q, v=v, a=a)
+    body = [x.name for x in system.scene.model.bodies].index(wanted.target)
+    if wanted.quantity == "twist":
         return system.call("body_twists", q=q, v=v)[:, body]
     pose = system.call("body_poses", q=q)[:, body]
-    return pose[:, :, 3] if asked.quantity == "position" else pose.reshape(len(q), 12)
+    return pose[:, :, 3] if wanted.quantity == "position" else pose.reshape(len(q), 12)
 
 
 def accelerations(system: System, t: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -70,8 +70,8 @@ def reaction_name(system: System, joint: str) -> str:
     """The function of a joint's reaction.  Raises SimulateError if it was not selected."""
     name = next(name for name, on in reactions(system.scene).items() if on == joint)
     if not system.has(name):
-        raise SimulateError(f"reaction.{joint}: {name} is not among the functions that were asked "
-                            f"for; wanted functions = [\"default\", {name!r}]")
+        raise SimulateError(f"reaction.{joint}: {name} is not among the selected functions; "
+                            f"wanted functions = [\"default\", {name!r}]")
     return name
 
 

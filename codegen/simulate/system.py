@@ -6,7 +6,6 @@ The inputs of a function depend on the scene (time, parameters); here all are ca
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from types import SimpleNamespace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,6 +18,7 @@ from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.settings import refuse_settings
 
 if TYPE_CHECKING:
+    from coscrew_codegen.simulate.calls import Functions
     from coscrew_codegen.simulate.load import Kernels
 
 State = tuple[np.ndarray, np.ndarray]
@@ -32,7 +32,7 @@ class System:
 
     scene: Scene
     functions: SceneInterface
-    kernels: SimpleNamespace
+    kernels: "Functions[np.floating]"
     precision: Precision
     p: tuple[float, ...] = ()
     origin: "Kernels | None" = None  # the kernels of all precisions

@@ -24,4 +24,4 @@ def targets() -> tuple[Target, ...]:
 
 def languages() -> tuple[str, ...]:
     """The languages that can be selected, in alphabetical order."""
-    return tuple(sorted({x for target in targets() if target.asked for x in target.languages}))
+    return tuple(sorted({x for target in targets() if target.generated for x in target.languages}))

@@ -180,7 +180,7 @@ def planned(program: Program, language: Language, access: Callable[[Input], str]
             named: Collection[str] = ()) -> Plan:
     """A plan that assigns what has a name of its own, is `named` or is used several times, and
     keeps assignments at most `width` wide in this language."""
-    constants = _constants(program)
+    constants = named_constants(program)
     found = Nesting(program, language, access, width, constants=constants, named=lambda step: (
         step.name in named or not _NUMBERED.fullmatch(step.name)))
     chosen = {x.step.name for x in found.assigned if isinstance(x, Assignment)}
@@ -189,7 +189,7 @@ def planned(program: Program, language: Language, access: Callable[[Input], str]
     return Plan(renamed(program, names), frozenset(names[x] for x in assigned), constants)
 
 
-def _constants(program: Program) -> dict[str, Constant]:
+def named_constants(program: Program) -> dict[str, Constant]:
     """The program's constants that have names, each of its own, by name."""
     found: dict[str, Constant] = {}
     taken = _names(program)
@@ -211,7 +211,7 @@ def _numbered(program: Program, assigned: Sequence[str]) -> dict[str, str]:
     """New names by old: assigned instructions are numbered first, then the others; a result that
     is the only one of its stem loses its number."""
     steps = [step.name for step in program.instructions]
-    taken = {*_names(program), *_constants(program)}
+    taken = {*_names(program), *named_constants(program)}
     names: dict[str, str] = {}
     numbers: Counter[str] = Counter()
     for name in dict.fromkeys((*assigned, *steps)):

@@ -17,7 +17,7 @@ from coscrew_codegen.targets import scene_c_arguments as arguments
 from coscrew_codegen.targets.c_function import Body, CFunction, Stored
 from coscrew_codegen.targets.c_nested import declarations, language
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
-from coscrew_codegen.targets.nesting import Assignment, Nesting, Plan
+from coscrew_codegen.targets.nesting import Assignment, Nesting, Plan, named_constants
 from coscrew_codegen.targets.scene_text import VALUE_WIDTH, access, c_name, outputs, printable
 
 LONG = 4000
@@ -99,10 +99,11 @@ class Parts:
     def _planned(self, part: Program, named: frozenset[str]) -> Plan:
         """The part's plan: what functions have `named`, and what is kept, is assigned."""
         kept = named.union(x.name for x in part.results if isinstance(x, Ref))
+        constants = named_constants(part)
         found = Nesting(part, language(part, DOUBLE), self._access(part, "->"), VALUE_WIDTH,
-                        named=lambda step: step.name in kept)
-        return Plan(part, frozenset(x.step.name for x in found.assigned
-                                    if isinstance(x, Assignment)))
+                        named=lambda step: step.name in kept, constants=constants)
+        assigned = frozenset(x.step.name for x in found.assigned if isinstance(x, Assignment))
+        return Plan(part, assigned - constants.keys(), constants)
 
     def _parameter(self, name: str, own: Group, precision: Precision) -> str:
         if name in self._groups:

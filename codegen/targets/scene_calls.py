@@ -100,4 +100,4 @@ def _array(name: str, shape: tuple[int, ...]) -> dict[str, str]:
             "shape": ", ".join(map(str, shape)) or "1"}
 
 
-TARGET = Target("calls of a scene", ("c", "python"), scene=files, asked=False)
+TARGET = Target("calls of a scene", ("c", "python"), scene=files, generated=False)

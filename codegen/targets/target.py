@@ -23,4 +23,4 @@ class Target:
     languages: tuple[str, ...]
     library: Callable[[Library], Files] | None = None  # its files of the library
     scene: Callable[[SceneFunctions, str], Files] | None = None  # of a scene, with this banner
-    asked: bool = True  # whether `coscrew generate` makes them; else only `load_scene` does
+    generated: bool = True  # whether `coscrew generate` makes them; else only `load_scene` does

@@ -27,13 +27,16 @@ Where something overflows, s and with it the bound are infinite or NaN: no state
 
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from coscrew_codegen.formats import Format
-from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.program import name_of
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.tiers.tier import Tier
+
+if TYPE_CHECKING:
+    from coscrew_codegen.operations import Operation
 
 _ZERO = Constant(Fraction(0), Fraction(0))
 
@@ -43,7 +46,7 @@ def bounds_of_outputs(outputs: tuple[Argument, ...]) -> tuple[Argument, ...]:
     return tuple(Argument(f"{a.name}_bound", a.quantity) for a in outputs)
 
 
-def certified_operation(operation: Operation) -> Operation:
+def certified_operation(operation: "Operation") -> "Operation":
     """The operation with its bounds as further outputs; its formula gives the other outputs only.
     """
     bounds = bounds_of_outputs(operation.outputs)

@@ -3,11 +3,14 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from typing import TYPE_CHECKING
 
 from coscrew_codegen.formats import Precision
-from coscrew_codegen.operations import Operation
 from coscrew_codegen.program import Constant, Op, Operand, Program
 from coscrew_codegen.program.ops import POLYNOMIAL
+
+if TYPE_CHECKING:  # with it comes SymPy, for which `coscrew simulate` need not wait
+    from coscrew_codegen.operations import Operation
 
 
 def is_polynomial(program: Program) -> bool:
@@ -43,7 +46,7 @@ class Tier:
     colours: tuple[str, str]  # in plots, on a light and on a dark background
     make: Callable[[Program, Precision], Program]  # plain program → the tier's
     has: Callable[[Program], bool] = is_polynomial  # whether a plain program has this tier
-    operation: Callable[[Operation], Operation] = lambda plain: plain  # may add outputs
+    operation: Callable[["Operation"], "Operation"] = lambda plain: plain  # may add outputs
     header: str = "ksl_types"  # that its C functions need; ksl_exact computes rounding errors
     in_words: str = ""  # docstring of its Python package; "" if only C has the tier
     marked: bool = True  # whether names of its functions end in the tier's name

@@ -8,12 +8,11 @@ from types import SimpleNamespace
 import mpmath
 import pytest
 
-from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.simulate.check import check
-from coscrew_codegen.simulate.outcome import Asked
+from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.verdict import table
-from tests.support.scenes.asking import STEPPED
+from tests.support.scenes.asking import checked
 
 BALL = """
 [bodies]
@@ -45,14 +44,14 @@ def loaded(tmp_path):
     def load(**values: object):
         path = tmp_path / "ball.toml"
         path.write_text(BALL.format(**values))
-        return load_scene(path, functions=STEPPED)
+        return checked(path, None, "rk4")
 
     return load
 
 
 @pytest.mark.parametrize("values", FALLS)
 def test_a_right_bounce_is_right_and_its_balance_falls_with_the_step(loaded, values):
-    findings = check(loaded(**values), Asked(precision="double"))
+    findings = check(loaded(**values), RunOverrides(precision="double"))
     double, = findings.along
     assert findings.passed, table(findings)
     found = math.log2(double.coarse.relative / double.fine.relative)
@@ -62,7 +61,7 @@ def test_a_right_bounce_is_right_and_its_balance_falls_with_the_step(loaded, val
 @pytest.mark.parametrize("step", (1e-3, 1e-4))
 def test_a_right_bounce_is_right_in_single_precision(loaded, step):
     findings = check(loaded(**{**FALL, "k": 1e8, "alpha": 0.2, "duration": 0.6}),
-                     Asked(precision="single", step=step))
+                     RunOverrides(precision="single", step=step))
     assert findings.passed and "DOUBTFUL" not in table(findings), table(findings)
 
 
@@ -94,7 +93,7 @@ def test_alpha_for_a_restitution_is_as_the_readme_says(e, alpha_v):
 @pytest.mark.parametrize("step", (1e-3, 1e-4))
 def test_the_work_of_a_limit_is_what_the_law_takes(loaded, k, alpha, step):
     ball = loaded(**{**FALL, "g": 0, "v": -4.4, "k": k, "alpha": alpha, "duration": 0.5})
-    balance = check(ball, Asked(precision="double", step=step)).along[0].coarse
+    balance = check(ball, RunOverrides(precision="double", step=step)).along[0].coarse
     assert balance.work == pytest.approx(-lost(4.4, alpha), rel=1e-3)
     assert balance.after - balance.before == pytest.approx(-lost(4.4, alpha), rel=2e-3)
 
@@ -103,7 +102,7 @@ def test_a_limit_whose_power_is_wrong_is_found(loaded):
     kernels = loaded(**{**FALL, "k": 1e8, "alpha": 0.2, "duration": 0.6})
     own = {name: getattr(kernels.double, name) for name in kernels.double}
     wrong = SimpleNamespace(**{**own, "power": lambda *x: 1.01 * own["power"](*x)})
-    findings = check(replace(kernels, double=wrong), Asked(precision="double"))
+    findings = check(replace(kernels, double=wrong), RunOverrides(precision="double"))
     assert not findings.passed
     assert "neither half the step nor 1/8 of it helps" in table(findings)
 
@@ -113,13 +112,13 @@ def test_a_limit_whose_power_is_wrong_is_found(loaded):
     ({"k": 1e6, "alpha": 0.045, "duration": 1}, {"step": 1e-3, "integrator": "rk4"})))
 def test_what_is_said_to_help_helps(loaded, values, asked):
     kernels = loaded(**{**FALL, **values})
-    findings = check(kernels, Asked(precision="double", **asked))
+    findings = check(kernels, RunOverrides(precision="double", **asked))
     assert not findings.passed
     said = table(findings)
     assert "the step is too large; take one " in said
     times = float(said.split("take one ")[1].split()[0])
     again = {**asked, "step": times * asked["step"]}
-    assert check(kernels, Asked(precision="double", **again)).passed
+    assert check(kernels, RunOverrides(precision="double", **again)).passed
 
 
 @pytest.mark.parametrize("k, integrator, told", (

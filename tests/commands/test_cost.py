@@ -15,7 +15,7 @@ from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.cost import CostError
 from coscrew_codegen.cost.exact_run import MULTIPRECISE, exact_end
-from coscrew_codegen.cost.leaving_out import TELLING, parts
+from coscrew_codegen.cost.leaving_out import SHOWN, parts
 from coscrew_codegen.cost.loops import ELEMENTS, compiled, text
 from coscrew_codegen.cost.measure import measure
 from coscrew_codegen.cost.plot import _accuracy, plot
@@ -28,7 +28,7 @@ from coscrew_codegen.program.flops import flops
 from coscrew_codegen.program.interpreter import evaluate
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import native
-from coscrew_codegen.simulate.outcome import Asked
+from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.system import system
 from coscrew_codegen.targets import scene_c
 from coscrew_codegen.targets.scene_text import banner_of
@@ -49,7 +49,7 @@ def kernels(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def costs(kernels):
-    return measure(kernels["SPRING"], Asked(), None)
+    return measure(kernels["SPRING"], RunOverrides(), None)
 
 
 # what is left out
@@ -125,7 +125,7 @@ def test_every_function_and_part_has_a_row(costs, kernels):
     assert [x.function for x in costs.rows if x.part == "all effects"] == public
     for words in ("without spring", "without viscous", "bare"):
         assert [x.function for x in costs.rows if x.part == words] == [
-            name for name in public if name in TELLING]
+            name for name in public if name in SHOWN]
     for row in costs.rows:
         assert all(0 < t.low <= t.median <= t.high < 1e6 for t in row.times), row
 

@@ -98,7 +98,8 @@ def test_the_scene_of_the_readme_runs_as_it_stands(tmp_path, capsys):
     assert "q.elbow" in capsys.readouterr().out
 
 
-def test_shell_snippets_run(tmp_path):
+def test_shell_snippets_run(tmp_path, monkeypatch, capsys):
+    """Those that make everything, for one family: test_generate.py runs them whole."""
     blocks = re.findall(r"```sh\n(.*?)```", "".join(TEXTS.values()), re.DOTALL)
     commands = [line.split("#")[0].split() for block in blocks for line in block.splitlines()]
     ours = [words[1:] for words in commands if words[0] == "coscrew"]
@@ -106,10 +107,10 @@ def test_shell_snippets_run(tmp_path):
     shutil.copytree(ROOT / "examples/scenes", tmp_path / "examples/scenes")
     shutil.copytree(ROOT / "generated", tmp_path / "generated",
                     ignore=shutil.ignore_patterns("*.so", "__pycache__"))
+    monkeypatch.chdir(tmp_path)
     for words in ours:
-        done = subprocess.run([sys.executable, "-m", "coscrew_codegen", *words], cwd=tmp_path,
-                              text=True, capture_output=True)
-        assert done.returncode == 0, done.stdout + done.stderr
+        whole = words in (["generate"], ["generate", "--check"])
+        assert main([*words, *(("--family", "vec3") if whole else ())]) == 0, capsys.readouterr()
     assert (tmp_path / "firmware/ksl/c/include/ksl/coscrew.h").exists()
     assert (tmp_path / "build/pendulum/pendulum.c").exists()
     assert {words[0] for words in commands} == {"coscrew", "make"}

@@ -37,37 +37,39 @@ def run(*arguments: str, cwd: Path = ROOT, **environment: str) -> subprocess.Com
 
 @pytest.fixture(scope="module")
 def copy(tmp_path_factory) -> Path:
-    """Everything, generated anew into an empty folder."""
-    folder = tmp_path_factory.mktemp("everything") / "generated"
-    assert main(["generate", "--output", str(folder)]) == 0
+    """Everything, generated anew into a folder with files of another hand and of older runs; with
+    another hash seed than this process's, a locale and terminal of ASCII, in another time zone."""
+    base = tmp_path_factory.mktemp("everything")
+    folder = strewn(base / "generated")
+    done = run("generate", "--output", str(folder), PYTHONHASHSEED="4242",
+               LC_ALL="POSIX", PYTHONUTF8="0", PYTHONCOERCECLOCALE="0", PYTHONIOENCODING="ascii",
+               TZ="Asia/Tokyo", XDG_CACHE_HOME=str(base / "cache"))
+    assert done.returncode == 0, done.stderr
+    (folder / "c/include/ksl/users.h").unlink()
     return folder
 
 
-def test_regenerating_from_nothing_restores_what_is_committed(copy):
+def strewn(folder: Path) -> Path:
+    """The folder, with a file that is no longer generated, and one that never was."""
+    headers = folder / "c/include/ksl"
+    headers.mkdir(parents=True, exist_ok=True)
+    (headers / "old.h").write_text("/* Made by `coscrew generate`; … */\n")
+    (headers / "users.h").write_text("/* not ours */\n")
+    return folder
+
+
+def test_regenerating_restores_what_is_committed(copy):
+    """The bytes do not depend on hash seed or locale, and are all there is."""
     assert contents(copy) == committed()
 
 
-def test_the_bytes_do_not_depend_on_hash_seed_or_locale(tmp_path, copy):
-    """Another seed than this process's, a locale and terminal of ASCII, another time zone."""
-    done = run("generate", "--output", str(tmp_path / "out"), PYTHONHASHSEED="4242",
-               LC_ALL="POSIX", PYTHONUTF8="0", PYTHONCOERCECLOCALE="0", PYTHONIOENCODING="ascii",
-               TZ="Asia/Tokyo", XDG_CACHE_HOME=str(tmp_path / "cache"))
-    assert done.returncode == 0, done.stderr
-    assert contents(tmp_path / "out") == contents(copy)
-
-
-def test_check_passes_on_the_committed_files(capsys):
-    assert main(["generate", "--check"]) == 0, capsys.readouterr().out
-
-
 def test_check_shows_each_difference_and_the_command_that_mends_it(copy, tmp_path, capsys):
+    """And no other: it makes everything anew, with this process's hash seed and locale."""
     folder = tmp_path / "changed"
     shutil.copytree(copy, folder)
-    header = folder / "c/include/ksl/coscrew.h"
+    header = strewn(folder) / "c/include/ksl/coscrew.h"
     header.write_text(header.read_text().replace(" - co_3b", " + co_3b"))
     (folder / "c/include/ksl/vec3.h").unlink()
-    (folder / "c/include/ksl/old.h").write_text("/* Made by `coscrew generate`; … */\n")
-    (folder / "c/include/ksl/users.h").write_text("/* not ours */\n")
     before = contents(folder)
     assert main(["generate", "--check", "--output", str(folder)]) == 1
     captured = capsys.readouterr()
@@ -77,9 +79,21 @@ def test_check_shows_each_difference_and_the_command_that_mends_it(copy, tmp_pat
     assert "--- c/include/ksl/old.h" in captured.out and "users.h" not in captured.out
     assert f"3 files are out of date; run `coscrew generate --output {folder}`" in captured.err
     assert contents(folder) == before
-    assert main(["generate", "--output", str(folder)]) == 0
-    (folder / "c/include/ksl/users.h").unlink()
-    assert contents(folder) == contents(copy)
+
+
+def test_check_passes_on_what_is_current_and_the_command_it_names_mends_the_rest(tmp_path, capsys):
+    part = ["--family", "vec3"]
+    assert main(["generate", *part, "--output", str(tmp_path)]) == 0
+    wanted = contents(tmp_path)
+    capsys.readouterr()
+    assert main(["generate", *part, "--check", "--output", str(tmp_path)]) == 0
+    assert capsys.readouterr().out == f"{tmp_path}: {len(wanted)} files are current\n"
+    (tmp_path / "c/include/ksl/vec3.h").write_text("changed\n")
+    (tmp_path / "c/include/ksl/ksl.h").unlink()
+    assert main(["generate", *part, "--check", "--output", str(tmp_path)]) == 1
+    command = re.search(r"2 files are out of date; run `coscrew (.*)`", capsys.readouterr().err)[1]
+    assert main(command.split(" ")) == 0
+    assert contents(tmp_path) == wanted
 
 
 def test_one_family_in_one_precision_and_language(tmp_path):
@@ -102,19 +116,33 @@ def test_one_family_in_one_precision_and_language(tmp_path):
             b"/* Made by `coscrew generate --family coscrew --precision single --language c`;")
 
 
-@pytest.mark.parametrize("family", FAMILIES)
+EACH_PACKAGE = """
+import sys
+from pathlib import Path
+
+for folder in map(Path, sys.argv[1:]):
+    sys.path.insert(0, str(folder))
+    import coscrew
+
+    assert Path(coscrew.__file__).parent == folder / "coscrew" and not coscrew.COMPILED
+    print(folder.name, *coscrew.__all__)
+    for name in [x for x in sys.modules if x.partition(".")[0] == "coscrew"]:
+        del sys.modules[name]
+"""
+
+
 @pytest.mark.parametrize("precision", ("double", "single"))
-def test_a_part_of_the_python_package_stands_alone(family, precision, tmp_path):
-    assert main(["generate", "--family", family, "--precision", precision, "--language", "python",
-                 "--output", str(tmp_path)]) == 0
-    (tmp_path / "python").rename(tmp_path / "coscrew")
-    program = ("import coscrew, sys; from pathlib import Path; "
-               "assert Path(coscrew.__file__).parent == Path('coscrew').resolve(); "
-               "assert not coscrew.COMPILED; print(*coscrew.__all__)")
-    done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, text=True,
-                          capture_output=True, env={**os.environ, "PYTHONPATH": str(tmp_path)})
+def test_each_family_of_the_python_package_stands_alone(precision, tmp_path):
+    for family in FAMILIES:
+        assert main(["generate", "--family", family, "--precision", precision, "--language",
+                     "python", "--output", str(tmp_path / family)]) == 0
+        (tmp_path / family / "python").rename(tmp_path / family / "coscrew")
+    done = subprocess.run([sys.executable, "-c", EACH_PACKAGE, *(tmp_path / x for x in FAMILIES)],
+                          text=True, capture_output=True)
     assert done.returncode == 0, done.stderr
-    assert precision in done.stdout.split()
+    said = [line.split() for line in done.stdout.splitlines()]
+    assert [words[0] for words in said] == list(FAMILIES)
+    assert all(precision in words for words in said)
 
 
 @pytest.mark.parametrize(("arguments", "near"), [
@@ -173,7 +201,7 @@ def test_imports_run_one_way():
              "identifiers", "algebra", "quantity", "domains", "operations", "kernel", "passes",
              "program", "formats", "scene_functions", "scene_symbols", "schedule", "programs",
              "recording", "tiers", "library", "render", "plots", "native", "targets", "special",
-             "exact", "selection", "kept", "layout", "emit", "report", "scene", "mechanics",
+             "exact", "selection", "family_cache", "layout", "emit", "report", "scene", "mechanics",
              "effects", "scene_files", "documentation", "console", "simulate", "cost",
              "generate_command", "command_line", "extras", "__main__"]
     package = ROOT / "codegen"

@@ -14,7 +14,7 @@ from coscrew_codegen import load_scene
 from coscrew_codegen.scene.content import content_hash
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import SimulateError, write
-from coscrew_codegen.simulate.outcome import Asked, simulated
+from coscrew_codegen.simulate.outcome import RunOverrides, simulated
 from coscrew_codegen.simulate.plot import plot
 from coscrew_codegen.simulate.record import differences
 from coscrew_codegen.simulate.recording import Column, Recording
@@ -29,7 +29,7 @@ EVERYTHING = """record = ["q", "v", "a", "energy", "momentum", "power", "pose.bo
 def outcomes(folder: Path, text: str, **asked):
     path = folder / "scene.toml"
     path.write_text(text)
-    return simulated(load_scene(path, functions=STEPPED), Asked(**asked))
+    return simulated(load_scene(path, functions=STEPPED), RunOverrides(**asked))
 
 
 @pytest.fixture(scope="module")

@@ -20,7 +20,7 @@ import pytest
 from coscrew_codegen import load_scene
 from coscrew_codegen.integrators import EMITTED, NAMES, named
 from coscrew_codegen.simulate import SimulateError
-from coscrew_codegen.simulate.outcome import Asked, simulated
+from coscrew_codegen.simulate.outcome import RunOverrides, simulated
 from coscrew_codegen.simulate.plan import Plan, plan
 from coscrew_codegen.simulate.progress import line
 from coscrew_codegen.simulate.run import integrate
@@ -40,7 +40,8 @@ ROUNDOFF = {"double": 2.0**-53, "single": 2.0**-24}
 @pytest.mark.parametrize("integrator, error", (("rk4", 1e-9), ("dop853", 1e-9), ("radau", 1e-9)))
 def test_a_pendulum_is_where_the_benchmark_says(kernels, integrator, error):
     """Problem A01 of the library of multibody benchmarks, its published figures at t = 10."""
-    (first,) = simulated(kernels["PENDULUM"], Asked(integrator=integrator, precision="double"))
+    overrides = RunOverrides(integrator=integrator, precision="double")
+    (first,) = simulated(kernels["PENDULUM"], overrides)
     x, _, z = (first.recording.of(f"position.bob.{i}")[-1] for i in range(3))
     assert abs(x + 0.275087462576117) < error
     assert abs(z + 0.961419205099125) < error
@@ -69,7 +70,7 @@ def test_a_damped_spring_swings_as_its_closed_form(kernels, integrator, precisio
 
 @pytest.mark.parametrize("integrator", ("rk4", "dop853", "radau"))
 def test_a_brick_falls_and_keeps_its_angular_momentum(kernels, integrator):
-    (first,) = simulated(kernels["BRICK"], Asked(integrator=integrator, precision="double"))
+    (first,) = simulated(kernels["BRICK"], RunOverrides(integrator=integrator, precision="double"))
     t = first.recording.t
     position = np.column_stack([first.recording.of(f"position.brick.{i}") for i in range(3)])
     thrown = np.column_stack((t, 2 * t, 5 * t - texts.GRAVITY * t**2 / 2))
@@ -110,7 +111,7 @@ def test_without_a_compiler_the_same_run_comes_from_numpy(kernels, tmp_path, mon
     monkeypatch.setenv("CC", "no-such-compiler")
     with pytest.warns(RuntimeWarning, match="pure NumPy"):
         others = load_scene(scene_file(tmp_path, texts.SPRING, "spring"), functions=STEPPED)
-    found, wanted = (simulated(x, Asked(until=0.1, precision=precision))[0]
+    found, wanted = (simulated(x, RunOverrides(until=0.1, precision=precision))[0]
                      for x in (others, kernels["SPRING"]))
     assert found.trajectory.q.tobytes() == wanted.trajectory.q.tobytes()
     assert found.recording.values.tobytes() == wanted.recording.values.tobytes()
@@ -118,7 +119,7 @@ def test_without_a_compiler_the_same_run_comes_from_numpy(kernels, tmp_path, mon
 
 
 def test_a_parameter_may_be_set(kernels):
-    (first,) = simulated(kernels["SPRING"], Asked(precision="double",
+    (first,) = simulated(kernels["SPRING"], RunOverrides(precision="double",
                                                   settings=(("block.mass", 8.0),)))
     wanted = [float(texts.spring(t, 8)[0]) for t in first.trajectory.t]
     assert np.abs(first.trajectory.q[:, 0] - wanted).max() < 1e-10

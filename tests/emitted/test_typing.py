@@ -10,9 +10,10 @@ import pytest
 
 import coscrew
 import coscrew_codegen
+from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.operations import OPERATIONS
-from coscrew_codegen.scene_files.toml_scene import Said, read_scene
+from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
 from coscrew_codegen.simulate import calls
 from coscrew_codegen.targets import scene_calls
 
@@ -63,10 +64,11 @@ WRONG = {
 }
 
 
-def check(program: str, tmp_path, package=coscrew) -> subprocess.CompletedProcess:
+def check(program: str, tmp_path) -> subprocess.CompletedProcess:
     (tmp_path / "program.py").write_text(program)
-    folder = Path(package.__file__).parent  # linked to as in an ordinary install: its errors do
-    (tmp_path / package.__name__).symlink_to(folder)  # not show
+    for package in (coscrew, coscrew_codegen):  # linked to as in an ordinary install: their errors
+        folder = Path(package.__file__).parent  # do not show
+        (tmp_path / package.__name__).symlink_to(folder)
     return subprocess.run([sys.executable, "-m", "mypy", "--strict", "--follow-imports=silent",
                            "program.py"], cwd=tmp_path, text=True, capture_output=True)
 
@@ -84,7 +86,7 @@ def test_wrong_programs_are_refused(tmp_path):
 
 
 def test_programs_with_scenes_are_checked(tmp_path):
-    done = check(SCENES + "\n".join(WRONG_SCENES), tmp_path, coscrew_codegen)
+    done = check(SCENES + "\n".join(WRONG_SCENES), tmp_path)
     lines = [x for x in done.stdout.splitlines() if ": error: " in x]
     assert len(lines) == len(WRONG_SCENES), done.stdout + done.stderr
     for line, (program, message) in zip(lines, WRONG_SCENES.items(), strict=True):
@@ -92,13 +94,14 @@ def test_programs_with_scenes_are_checked(tmp_path):
 
 
 def test_what_is_typed_is_there():
-    source = ast.parse(inspect.getsource(calls.Functions))
+    stub = Path(coscrew.__file__).with_name("_steps.pyi").read_text()
+    source = ast.parse(inspect.getsource(calls.Functions) + stub)
     typed = {node.target.id for node in ast.walk(source) if isinstance(node, ast.AnnAssign)
              and isinstance(node.target, ast.Name)}
     scene = Path(__file__).parents[2] / "examples" / "scenes" / "pendulum.toml"
-    functions = derive(read_scene(scene, said=Said(functions=("all",))))
+    functions = derive(read_scene(scene, overrides=SceneOverrides(functions=("all",))))
     there = {x.name for x in scene_calls.callables(functions)}
-    assert typed and typed <= there
+    assert {x.step_name for x in EMITTED} <= typed <= there
     assert Path(coscrew_codegen.__file__).with_name("py.typed").exists()
     assert {"load_scene", "__version__"} <= {*dir(coscrew_codegen)} & {*coscrew_codegen.__all__}
 

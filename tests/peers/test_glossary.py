@@ -9,7 +9,7 @@ import pytest
 
 import coscrew
 from coscrew_codegen.effects import EFFECTS
-from coscrew_codegen.scene.asked import DYNAMICS, MOVED
+from coscrew_codegen.scene.selected import DYNAMICS, MOVED
 from coscrew_codegen.scene_files.keys import TYPES
 
 ROOT = Path(__file__).parents[2]

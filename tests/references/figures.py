@@ -29,7 +29,7 @@ def _text(number: object, digits: int) -> str:
     if isinstance(number, float):
         return repr(float(number))
     if isinstance(number, mpmath.mpf):
-        return mpmath.nstr(number if abs(number) > NOTHING else mpmath.mpf(0), digits)
+        return str(mpmath.nstr(number if abs(number) > NOTHING else mpmath.mpf(0), digits))
     return str(number)
 
 

@@ -10,6 +10,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from importlib.resources import as_file, files
+from itertools import permutations
 from pathlib import Path
 
 import mpmath
@@ -19,6 +20,7 @@ import coscrew_codegen
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene.model import Parameter
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
+from coscrew_codegen.scene_functions import SceneFunctions
 from tests.support.scenes.effect_scenes import PLACES, all_but, effects, hashes, mechanism
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated
 from tests.support.scenes.mechanisms import CATALOGUE, scene
@@ -47,26 +49,39 @@ def generator(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-@pytest.mark.parametrize("name", sorted(PLACES))
-def test_text_is_that_of_a_generator_without_the_effect(generator: Path, name: str) -> None:
-    file = generator / "coscrew_codegen" / "effects" / f"{name}.py"
-    text = file.read_bytes()
-    file.unlink()
+ROW = 4
+LEFT_OUT = [tuple(x for n, x in enumerate(sorted(PLACES)) if place(n) == k)
+            for place, count in ((lambda n: n // ROW, -(-len(PLACES) // ROW)),
+                                 (lambda n: n % ROW, ROW)) for k in range(count)]
+"""The rows and the columns of a table of the effects: of any two, either is left out once while the
+other is there."""
+
+
+@pytest.mark.parametrize("names", LEFT_OUT, ids="-".join)
+def test_text_is_that_of_a_generator_without_the_effects(generator: Path,
+                                                         names: tuple[str, ...]) -> None:
+    folder = generator / "coscrew_codegen" / "effects"
+    texts = {folder / f"{name}.py": (folder / f"{name}.py").read_bytes() for name in names}
     environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "",
                    "PYTHONPATH": os.pathsep.join((str(generator), str(ROOT)))}
     try:
-        done = subprocess.run([sys.executable, "-m", "tests.support.scenes.effect_scenes", name],
+        for file in texts:
+            file.unlink()
+        done = subprocess.run([sys.executable, "-m", "tests.support.scenes.effect_scenes", *names],
                               cwd=generator, env=environment, capture_output=True, text=True,
                               check=False)
-        known = subprocess.run(
-            [sys.executable, "-c", "import coscrew_codegen.effects as e\n"
-             "print(e.__file__, *(x.name for x in e.EFFECTS))"], cwd=generator, env=environment,
-            capture_output=True, text=True, check=True).stdout.split()
     finally:
-        file.write_bytes(text)
+        for file, text in texts.items():
+            file.write_bytes(text)
     assert done.returncode == 0, done.stderr
-    assert known[0].startswith(str(generator)) and known[1:] == sorted(set(CATALOGUE) - {name})
-    assert json.loads(done.stdout) == hashes(all_but(name))
+    place, known, found = json.loads(done.stdout)
+    assert place.startswith(str(generator)) and known == sorted(set(CATALOGUE) - set(names))
+    assert found == hashes(all_but(names))
+
+
+def test_of_two_effects_either_is_left_out_without_the_other() -> None:
+    for one, other in permutations(PLACES, 2):
+        assert any(one in names and other not in names for names in LEFT_OUT), (one, other)
 
 
 def test_every_effect_is_left_out_once() -> None:
@@ -90,11 +105,17 @@ def bare(*names: str) -> Evaluated:
     return Evaluated(scene(mechanism(), *effects(*names)), MULTIPRECISE)
 
 
+@cache
+def derived(*names: str) -> SceneFunctions:
+    """All of its functions."""
+    return derive(bare(*names).scene)
+
+
 @pytest.mark.parametrize("name", sorted(ZEROS))
 def test_parameters_of_zero_fold_to_the_same_programs(name: str) -> None:
     """Also of a scene with time, gravity and other effects."""
     others = sorted({"gravity", "viscous", "wrench"} - {name})
-    wanted = bare(*others).functions.functions
+    wanted = derived(*others).functions
     found = derive(scene(mechanism(), *effects(*others), *zeroed(name, Fraction(0)))).functions
     assert [f.words for f in found] == [f.words for f in wanted]
     for f, g in zip(found, wanted, strict=True):
@@ -123,14 +144,14 @@ def test_zeros_at_run_time_change_no_result(name: str) -> None:
 
 
 def test_reactions_add_a_function_and_change_none() -> None:
-    unasked = bare().functions.functions
+    unasked = derived().functions
     asked = derive(scene(mechanism(), *effects("reaction"))).functions
     assert [f.name for f in asked if f not in unasked] == ["reaction_j2"]
     assert [f for f in asked if f.name != "reaction_j2"] == list(unasked)
 
 
 def test_mimic_changes_nothing_where_nothing_mimics() -> None:
-    assert derive(scene(mechanism(), *effects("mimic"))) == bare().functions
+    assert derive(scene(mechanism(), *effects("mimic"))) == derived()
 
 
 def test_bare_scenes_know_no_time_and_no_effects() -> None:

@@ -227,7 +227,7 @@ def test_followers_add_their_inertia(multiplier: Fraction) -> None:
     alpha = mpf(multiplier.numerator) / multiplier.denominator
     effects = applied("mimic"), applied("spring", "j1", k=8), applied("viscous", "j1", d=3)
     f = multiprecise(geared(multiplier, HALF, (5, 7)), *effects)
-    assert f.functions.nv == f.functions.nq == 1
+    assert f.nv == f.nq == 1
     assert_same(f("mass_matrix", q=[1]), [5 + 7 * alpha**2])
     q, v = mpf("0.3"), mpf("0.9")
     torque = alpha * (-8 * (alpha * q + mpf("0.5")) - 3 * alpha * v)

@@ -19,7 +19,7 @@ def evaluated(kind: Kind) -> Evaluated:
 
 def turned(f: Evaluated) -> list[mpf]:
     """A q with a quaternion of norm 1, in fifths."""
-    return [mpf(x) for x in (1, -2, 3)[:f.functions.nq - 4]] + [
+    return [mpf(x) for x in (1, -2, 3)[:f.nq - 4]] + [
         mpf(x) / 10 for x in (2, -4, 4, 8)]
 
 
@@ -27,8 +27,8 @@ def turned(f: Evaluated) -> list[mpf]:
 def test_rates_of_displacements_are_right_to_third_order(kind: Kind) -> None:
     """d/dt integrated(q, φ + t u) is d/dt integrated(integrated(q, φ), t v), but for |φ|⁴."""
     f = evaluated(kind)
-    v = [mpf(x) for x in (3, -1, 2, 1, 4, -2)[-f.functions.nv:]]
-    far = [mpf(x) / 10 for x in (2, 1, -3, 2, -2, 1)[-f.functions.nv:]]
+    v = [mpf(x) for x in (3, -1, 2, 1, 4, -2)[-f.nv:]]
+    far = [mpf(x) / 10 for x in (2, 1, -3, 2, -2, 1)[-f.nv:]]
     q, t = turned(f), mpf(10)**-5
 
     def apart(phi: list[mpf]) -> mpf:
@@ -51,5 +51,5 @@ def test_norms_come_back_to_one(kind: Kind) -> None:
     for e in (mpf(10)**-3, -mpf(10)**-5):
         q = turned(f)
         q[-4:] = [x * (1 + e) for x in q[-4:]]
-        found = f("integrated", q=q, phi=[mpf(1) / 7] * f.functions.nv)[-4:]
+        found = f("integrated", q=q, phi=[mpf(1) / 7] * f.nv)[-4:]
         assert abs(mpmath.norm(found) - 1) <= 2 * e**2 + mpf(10)**-15

@@ -6,11 +6,9 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from coscrew_codegen import load_scene
 from coscrew_codegen.scene.model import HERE, Body, Joint, Kind, Model
 from coscrew_codegen.scene.scene import Applied
-from coscrew_codegen.simulate.calls import Functions
-from coscrew_codegen.simulate.load import Kernels
+from tests.support.scenes.asking import OneByOne
 from tests.support.scenes.mechanisms import (
     X,
     Y,
@@ -37,16 +35,19 @@ both = pytest.mark.parametrize("precision", ["double", "single"])
 
 
 @pytest.fixture(scope="module")
-def load(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[..., Kernels]]:
-    """A model's kernels with these effects."""
+def load(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[..., OneByOne]]:
+    """A model's functions with these effects."""
+    def functions(model: Model, *effects: Applied, precision: str = "double") -> OneByOne:
+        return OneByOne(scene(model, *effects), precision)
+
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
-        yield lambda model, *effects: load_scene(scene(model, *effects))
+        yield functions
 
 
-def run(f: Functions, step: str, h: float, steps: int, q: list, v: list) -> tuple[np.ndarray, ...]:
+def run(f: OneByOne, step: str, h: float, steps: int, q: list, v: list) -> tuple[np.ndarray, ...]:
     """q and v after each step, (steps, n)."""
-    q, v = (np.asarray(x, np.float32 if "single" in repr(f) else float) for x in (q, v))
+    q, v = (np.asarray(x, f.kind) for x in (q, v))
     step = getattr(f, f"step_{step}")
     found = []
     for _ in range(steps):
@@ -66,8 +67,8 @@ IMPLICIT = "linear_implicit_euler"
 @both
 def test_stiff_viscous_joints_decay(load: Callable, precision: str) -> None:
     """v/(1 + h d/J) a step; where explicit steps would multiply it by -9999."""
-    kernels = load(rotor(), applied("viscous", "j0", d=STIFF))
-    f, u = getattr(kernels, precision), UNIT[precision]
+    f = load(rotor(), applied("viscous", "j0", d=STIFF), precision=precision)
+    u = UNIT[precision]
     _, v = run(f, IMPLICIT, H, 5, [0], [1])
     exact = (1 + H * STIFF) ** -np.arange(1.0, 6)
     # v + h a cancels to 1e-4 of v: each step leaves an error of 1e4 units of what it leaves
@@ -88,7 +89,7 @@ def test_stiff_controllers_hold_an_arm(load: Callable, precision: str) -> None:
     """It settles where kp (target - q) is the weight's torque."""
     effects = [applied("actuator", x, kind="pd", kp=STIFF, kd=STIFF, target=y)
                for x, y in (("j0", HALF), ("j1", -1))]
-    f = getattr(load(arm(), gravity(), *effects), precision)
+    f = load(arm(), gravity(), *effects, precision=precision)
     q, v = run(f, IMPLICIT, H, 3000, [0, 0], [0, 0])
     still = 1e-9 + 2 * UNIT[precision] / H  # q takes up no slower motion
     assert np.max(np.abs(v[-1])) <= still
@@ -105,7 +106,7 @@ def test_stiff_controllers_hold_an_arm(load: Callable, precision: str) -> None:
     ids=lambda x: x.effect.name)
 def test_stiff_joints_make_an_arm_one_pendulum(load: Callable, effect: Applied) -> None:
     """The elbow hardly moves, the energy hardly grows: no step feeds in more than its error h."""
-    f = load(arm(), gravity(), effect).double
+    f = load(arm(), gravity(), effect)
     q, v = run(f, IMPLICIT, 1e-3, 4000, [0, 0], [0, 0])
     assert np.max(np.abs(q[:, 1])) <= 0.01
     total = f.energy(q, v).sum(-1)
@@ -117,7 +118,7 @@ def test_stiff_joints_make_an_arm_one_pendulum(load: Callable, effect: Applied) 
 def test_saturated_controllers_do_not_chatter(load: Callable) -> None:
     """A stiff controller drives with all it has, then slides to its target without turning back."""
     effect = applied("actuator", "j0", kind="pd", kp=STIFF, kd=STIFF, target=1, limit=4)
-    f = load(rotor(), effect).double
+    f = load(rotor(), effect)
     q, v = run(f, IMPLICIT, H, 2000, [0], [0])
     assert np.all(v >= -1e-12) and np.max(v) <= np.sqrt(2 * 4 * 1)
     assert abs(q[-1, 0] - 1) <= 1e-6
@@ -139,7 +140,7 @@ def held(name: str, eps: Fraction) -> list[Applied]:
 @pytest.mark.parametrize("name", ["coulomb", "stribeck"])
 def test_what_sticks_only_creeps(load: Callable, name: str, precision: str) -> None:
     """1e5 steps: no faster than eps artanh(tau/tau_c), and no further than that takes it."""
-    f = getattr(load(slider(), *held(name, Fraction(1, 10**6))), precision)
+    f = load(slider(), *held(name, Fraction(1, 10**6)), precision=precision)
     u, steps = UNIT[precision], 10**5
     q, v = run(f, IMPLICIT, H, steps, [0], [0])
     creep = 1e-6 * CREEP
@@ -152,7 +153,7 @@ def test_what_sticks_only_creeps(load: Callable, name: str, precision: str) -> N
 def test_what_slides_stops_once_and_for_all(load: Callable, name: str) -> None:
     """Down a slope that would hold it: it slides for J v/(tau_c - tau), then loses tau_c - tau of
     tau_c of its speed a step, until it creeps; it never turns back."""
-    f = load(slider(), *held(name, Fraction(1, 10**8))).double
+    f = load(slider(), *held(name, Fraction(1, 10**8)))
     _, v = run(f, IMPLICIT, H, 2000, [0], [1])
     stopped = int(1 / ((4 - 3) * H))
     assert np.all(np.diff(v[:stopped - 20, 0]) < 0)
@@ -163,7 +164,7 @@ def test_what_slides_stops_once_and_for_all(load: Callable, name: str) -> None:
 def test_an_arm_sticks_at_all_its_joints(load: Callable) -> None:
     eps = Fraction(1, 10**6)
     effects = [applied("coulomb", x, tau_c=t, eps=eps) for x, t in (("j0", 40), ("j1", 6))]
-    f = load(arm(), gravity(), *effects).double
+    f = load(arm(), gravity(), *effects)
     steps = 10**5
     q, v = run(f, IMPLICIT, H, steps, [0, 0], [0, 0])
     fastest = 1e-6 * np.arctanh(np.abs(f.gravity_torques(np.zeros(2))) / [40, 6])
@@ -179,7 +180,7 @@ def test_mass_ratios_of_a_million(load: Callable, masses: tuple) -> None:
     """Energy stays, the better the shorter the steps; and torques give back what they came from."""
     links = [(Kind.REVOLUTE, Y, at(n, 0, 0), inertia(m, (1, 0, 0), (0, m, m, 0, 0, 0)))
              for n, m in enumerate(masses)]
-    f = load(chain(*links), gravity()).double
+    f = load(chain(*links), gravity())
     drifts = []
     for steps in (1000, 2000):
         q, v = run(f, "rk4", 1 / steps, steps, [0, 0.5], [0, 0])
@@ -199,7 +200,7 @@ def test_spinning_top_at_150_rad_per_s(load: Callable) -> None:
     energy, the turning about its axis and about the vertical stay."""
     top = chain((Kind.SPHERICAL, Z, HERE, inertia(
         15, (0, 1, 0), numbers("0.234375", "0.46875", "0.234375", 0, 0, 0))))
-    f = load(top, gravity()).double
+    f = load(top, gravity())
     start = np.array([0, 0, 0, 1.0]), np.array([0, 150, -4.61538])
     drifts = []
     for steps in (1000, 2000):
@@ -224,11 +225,11 @@ def test_gravity_far_from_the_origin(load: Callable, precision: str) -> None:
 
     tendon = applied("spring_damper", "s", bodies=("b0", "b1"), first=(0, 0, 1), second=(0, 1, 0),
                      k=100, d=3, length=1)
-    near, far = (getattr(load(hung(x), gravity(), tendon), precision) for x in (0, 10**6))
+    near, far = (load(hung(x), gravity(), tendon, precision=precision) for x in (0, 10**6))
     state = [np.array(x, np.float32) for x in ([0.3, -0.4], [1, 2], [0.5, 0.6])]
     assert np.array_equal(near.inverse_dynamics(*state), far.inverse_dynamics(*state))
     assert np.array_equal(near.forward_dynamics(*state), far.forward_dynamics(*state))
-    f = getattr(load(free_body(3), gravity()), precision)
+    f = load(free_body(3), gravity(), precision=precision)
     zero, q = np.zeros(6, np.float32), np.array([0, 0, 0, 0, 0, 0, 1], np.float32)
     away = np.array([1e6, -1e6, 1e6, 0, 0, 0, 1], np.float32)
     assert np.array_equal(f.forward_dynamics(q, zero, zero), f.forward_dynamics(away, zero, zero))
@@ -245,7 +246,7 @@ def test_bounces_without_end_come_to_rest(load: Callable, step: str, h: float,
                                           precision: str) -> None:
     """Zeno: infinitely many bounces in a finite time; then it lies (m g/k)^(2/3) deep."""
     effect = applied("limit", "j0", lower=0, k=10**5, alpha=HALF)
-    f = getattr(load(slider(1, Z), gravity(), effect), precision)
+    f = load(slider(1, Z), gravity(), effect, precision=precision)
     q, v = run(f, step, h, int(12 / h), [1], [0])
     e = f.energy(q, v).sum(-1)
     assert np.max(e) <= 9.81 * (1 + 2 * h * 10)
@@ -258,12 +259,12 @@ def test_bounces_without_end_come_to_rest(load: Callable, step: str, h: float,
 def test_drag_stops_light_bodies(load: Callable, precision: str) -> None:
     """h rho area v/m = 1e6: the speed falls to its terminal one and does not turn round."""
     light = free_body(Fraction(1, 10**6), moments=(Fraction(1, 10**9),) * 3 + (0,) * 3)
-    f = getattr(load(light, gravity(), applied("drag", "b0", rho=1, area=1)), precision)
+    f = load(light, gravity(), applied("drag", "b0", rho=1, area=1), precision=precision)
     _, v = run(f, IMPLICIT, H, 2000, [0, 0, 0, 0, 0, 0, 1], [100, 0, 0, 0, 0, 0])
     assert np.all(v[:, 0] >= 0) and np.all(np.diff(v[:, 0]) <= 0) and v[-1, 0] <= 1e-2
     terminal = np.sqrt(2 * 9.81e-6)
     assert abs(v[-1, 2] + terminal) <= 0.01 * terminal
-    f = getattr(load(light, applied("drag", "b0", kind="stokes", b=1)), precision)
+    f = load(light, applied("drag", "b0", kind="stokes", b=1), precision=precision)
     _, v = run(f, IMPLICIT, H, 3, [0, 0, 0, 0, 0, 0, 1], [0, 8, 0, 0, 0, 0])
     assert abs(v[0, 1] - 8 / 10001) <= 8 * 8 * UNIT[precision]
 
@@ -274,13 +275,13 @@ def test_springs_pass_through_length_zero(load: Callable, precision: str) -> Non
     direction where its ends meet, and no force; nowhere is it not a number."""
     ends = {"bodies": ("world", "b0"), "k": 100}
     body = free_body(1)
-    f = getattr(load(body, applied("spring_damper", "s", **ends)), precision)
+    f = load(body, applied("spring_damper", "s", **ends), precision=precision)
     steps = 1000
     q, _ = run(f, "rk4", np.pi / 10 / steps, steps, [0.5, 0, -0.5, 0, 0, 0, 1], [0] * 6)
     wanted = np.cos(np.pi * np.arange(1, steps + 1) / steps) / 2
     error = np.max(np.abs(q[:, :3] - np.outer(wanted, [1, 0, -1])))
     assert error <= 1e-9 + 20 * steps * UNIT[precision]
-    f = getattr(load(body, applied("spring_damper", "s", length=1, d=5, **ends)), precision)
+    f = load(body, applied("spring_damper", "s", length=1, d=5, **ends), precision=precision)
     met = np.array([0, 0, 0, 0, 0, 0, 1], np.float32), np.array([1, 2, 3, 0, 0, 0], np.float32)
     assert np.array_equal(f.forward_dynamics(*met, np.zeros(6, np.float32)), np.zeros(6))
     for step in ("rk4", IMPLICIT, "semi_implicit_euler"):
@@ -293,7 +294,7 @@ def test_stiff_springs_between_bodies_leave_their_fall_alone(load: Callable) -> 
     two = Model("two", tuple(Body(x, inertia(m, moments=(1, 1, 1, 0, 0, 0)))
                              for x, m in (("a", 1), ("b", 3))), joints)
     tendon = applied("spring_damper", "s", bodies=("a", "b"), k=10**8, d=10**6, length=1)
-    f = load(two, gravity(), tendon).double
+    f = load(two, gravity(), tendon)
     q0 = [0, 0, 0, 0, 0, 0, 1] * 2
     q, v = run(f, IMPLICIT, H, 1000, q0, [0, 0, 1] + [0] * 9)
     fall = 0.25 - 9.81 * H * np.arange(1, 1001)
@@ -304,15 +305,14 @@ def test_stiff_springs_between_bodies_leave_their_fall_alone(load: Callable) -> 
 def test_balls_are_kept_from_turning_by_drag_at_their_rim(load: Callable) -> None:
     """Drag at a point resists turning, too: h b r²/I = 1e4."""
     f = load(ball(moments=(1, 1, 1, 0, 0, 0)),
-             applied("drag", "b0", kind="stokes", b=STIFF, point=(1, 0, 0))).double
+             applied("drag", "b0", kind="stokes", b=STIFF, point=(1, 0, 0)))
     _, v = run(f, IMPLICIT, H, 50, [0, 0, 0, 1], [2, 3, 4])
     assert np.max(np.abs(v[-1] - [2, 0, 0])) <= 1e-12
 
 
 def test_pendulum_of_a_light_rod_and_a_heavy_armature(load: Callable) -> None:
     """Ia/I = 1e6: the frequency is that of the armature."""
-    f = load(pendulum(), applied("armature", "j0", inertia=10**6), applied("spring", "j0", k=10**6)
-             ).double
+    f = load(pendulum(), applied("armature", "j0", inertia=10**6), applied("spring", "j0", k=10**6))
     q, _ = run(f, "rk4", 1e-2, 628, [1], [0])
     omega = np.sqrt(1e6 / (1e6 + 1))
     assert np.max(np.abs(q[:, 0] - np.cos(omega * 1e-2 * np.arange(1, 629)))) <= 1e-9

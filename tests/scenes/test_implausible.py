@@ -8,12 +8,12 @@ from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.toml_scene import Said, read_scene
+from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
 from tests.support.scenes.evaluation import DOUBLE, evaluator
 from tests.support.scenes.implausible import BODIES, robot
 from tests.support.scenes.robots import path_of
 
-WARN = Said(implausible="warn")
+WARN = SceneOverrides(implausible="warn")
 
 WELDED = """
 [bodies.foot]
@@ -74,7 +74,7 @@ def test_implausible_bodies_that_are_let_through_move_as_pinocchio_says(written,
     """Accelerations are finite and Pinocchio's, within 1e-12: it takes such bodies as they are."""
     pinocchio = pytest.importorskip("pinocchio")
     path = written(robot(body))
-    scene = read_scene(path, said=WARN)
+    scene = read_scene(path, overrides=WARN)
     told = scene.model.implausible
     assert told and all(line.startswith(f"body {body!r}: ") for line in told)
     assert BODIES[body][1] in told[0]
@@ -105,14 +105,14 @@ def test_faults_of_what_is_welded_to_the_world_are_seen(written):
 
 def test_a_negative_mass_is_never_let_through(written):
     with pytest.raises(SceneError, match="mass -2 kg; wanted a positive mass"):
-        read_scene(written(robot("lwa_link").replace('"2"', '"-2"')), said=WARN)
+        read_scene(written(robot("lwa_link").replace('"2"', '"-2"')), overrides=WARN)
 
 
 def test_massless_bodies_of_scene_files_are_let_through_by_name(written):
     text = WELDED.replace("mass = 1\ninertia = [1, 1, 3]", "mass = 0")
     with pytest.raises(SceneError, match="bodies.foot.mass: 0; wanted a positive number"):
         read_scene(written(text, "a.toml"))
-    scene = read_scene(written(text, "a.toml"), said=WARN)
+    scene = read_scene(written(text, "a.toml"), overrides=WARN)
     assert scene.model.implausible == ("body 'foot': its mass is zero, and so are its moments",)
 
 
@@ -123,7 +123,7 @@ def test_what_would_divide_by_zero_is_refused_all_the_same(written, body, kind):
     text = text.replace('name="first" type="revolute"', f'name="first" type="{kind}"')
     text = text.replace('<mass value="1"/>', '<mass value="0"/>').replace('"0.02"', '"0"')
     with pytest.raises(SceneError, match="the mass matrix is singular; wanted a mass in body"):
-        read_scene(written(text), said=WARN)
+        read_scene(written(text), overrides=WARN)
 
 
 def test_a_mass_matrix_that_is_singular_for_every_q_is_told(written, capsys, tmp_path):
@@ -137,7 +137,7 @@ def test_a_mass_matrix_that_is_singular_for_every_q_is_told(written, capsys, tmp
 
 def test_romeo_is_let_through_and_warned_of():
     path = path_of("romeo_description/urdf/romeo_small.urdf")
-    scene = read_scene(path, said=WARN)
+    scene = read_scene(path, overrides=WARN)
     assert any("RShoulderYawLink" in line for line in scene.model.implausible)
     (forward,) = (f for f in derive(scene).functions if f.name == "forward_dynamics")
     q, v, tau = np.random.default_rng(1).uniform(-1, 1, (3, len(scene.model.joints)))

@@ -13,7 +13,7 @@ from coscrew_codegen.layout import scene_files
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.mechanics.ranges import RangeError
 from coscrew_codegen.program import Constant
-from coscrew_codegen.scene_files.toml_scene import Said, read_scene
+from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
 
 SCENE = """
 {precision}
@@ -104,11 +104,11 @@ def test_what_single_precision_cannot_hold_is_named(path, old, new, words):
 
 @pytest.mark.parametrize("old, new, words", CASES)
 def test_double_precision_alone_is_not_refused_for_single(path, old, new, words):
-    functions = derive(read_scene(path(old, new, DOUBLE_SAID)))
-    files = scene_files(functions)
+    scene = read_scene(path(old, new, DOUBLE_SAID))
+    files = scene_files(derive(scene))
     assert set(files) == {"arm.h", "arm.c", "arm/__init__.py", "arm/_arrays.py", "arm/double.py"}
     assert "3.4028235e+38" not in files["arm.c"] and " float " not in files["arm.c"]
-    assert derive(read_scene(path(old, new), said=Said("double"))) == functions
+    assert read_scene(path(old, new), overrides=SceneOverrides("double")) == scene
 
 
 @pytest.mark.parametrize("old, new", [("com = [0, 0, -0.5]", "com = [0, 0, 1e200]"),
@@ -123,7 +123,7 @@ def test_what_double_precision_cannot_hold_has_no_such_way_round(path, old, new)
 @pytest.mark.parametrize("eps, tau_c", [("1e-30", "1e8"), ("1e-3", "1e-30")])
 def test_quotients_within_range_are_not_refused(path, eps, tau_c):
     its = load_scene(path("[effects.viscous.pivot]", f"[effects.coulomb.pivot]\ntau_c = {tau_c}\n"
-                          f"eps = {eps}\n[effects.viscous.pivot]"))
+                          f"eps = {eps}\n[effects.viscous.pivot]"), functions=["step_leapfrog"])
     assert all(np.isfinite(x).all() for x in its.single.step_leapfrog(0.0, 1e-3, [0.1], [0.0]))
 
 

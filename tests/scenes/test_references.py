@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-from coscrew_codegen import load_scene
 from coscrew_codegen.scene.scene import Run, Scene
 from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.system import system
@@ -18,7 +17,7 @@ from tests.references import figures as committed
 from tests.references import heavy_top, pendulum, rigid_body
 from tests.references.figures import Figure
 from tests.support.scenes import mechanisms, runs
-from tests.support.scenes.asking import STEPPED
+from tests.support.scenes.asking import checked
 
 SCENES = Path(__file__).parents[2] / "examples/scenes"
 
@@ -54,8 +53,8 @@ def last_place(x: Figure) -> float:
 def kernels(name: str) -> Kernels:
     """Of an example scene, or of one of the tops."""
     tops = {"euler_top": _euler_top, "heavy_top": _heavy_top}
-    return load_scene(tops[name]() if name in tops else SCENES / f"{name}.toml",
-                      functions=STEPPED)
+    return checked(tops[name]() if name in tops else SCENES / f"{name}.toml", "rk4", "dop853",
+                   others=("energy", "momentum", "body_poses"))
 
 
 def _euler_top() -> Scene:

@@ -92,9 +92,14 @@ def _object(case, compiler: str, precision: Precision, folder: Path) -> Path:
     """The object file of one precision."""
     written(case, folder)
     path = folder / f"{precision.name}.o"
-    left_out = [f"-D{case.name.upper()}_NO_{p.name.upper()}" for p in PRECISIONS if p != precision]
-    run([compiler, *C11, "-O2", *left_out, "-c", folder / f"{case.name}.c", "-o", path])
+    run([compiler, *C11, "-O2", *_without_others(case, precision),
+         "-c", folder / f"{case.name}.c", "-o", path])
     return path
+
+
+def _without_others(case, precision: Precision) -> list[str]:
+    """What leaves out the other precision."""
+    return [f"-D{case.name.upper()}_NO_{p.name.upper()}" for p in PRECISIONS if p != precision]
 
 
 def _double_operations(path: Path) -> list[str]:
@@ -114,7 +119,8 @@ def test_outputs_may_overlap_inputs(case, compiler: str, flags: tuple[str, ...],
     written(case, tmp_path)
     source, binary = tmp_path / "overlaps.c", tmp_path / "overlaps"
     source.write_text(_overlaps(case, precision))
-    run([compiler, *C11, *flags, EXACT, source, tmp_path / f"{case.name}.c", "-o", binary, "-lm"])
+    run([compiler, *C11, *flags, EXACT, *_without_others(case, precision), source,
+         tmp_path / f"{case.name}.c", "-o", binary, "-lm"])
     checked = run([binary])
     assert int(checked) > 0
 

@@ -201,7 +201,7 @@ def test_pairs_of_bodies(read):
                                                           "bodies": ("world", "tool")}}
 
 
-def test_a_recorded_reaction_is_asked_for(read):
+def test_a_recorded_reaction_is_selected(read):
     scene = read(tail="""
 [outputs]
 record = ["reaction.elbow", "reaction.elbow.2"]

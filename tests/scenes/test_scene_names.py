@@ -67,7 +67,7 @@ def test_legends_tell_the_symbols_that_occur_and_no_others(functions: SceneFunct
 def test_values_keep_their_names_and_what_is_left_out_leaves_no_gap() -> None:
     recorder = Recorder((array("x", (3,)),))
     x, y, z = recorder.argument("x")
-    with recorder.part("arm", "w", "arm"):
+    with recorder.part("3", "w", "arm"):
         unused = x * y
         product, shared = x * z, y + z
         value = (product + shared, -(shared * x), shared + unused)
@@ -75,7 +75,7 @@ def test_values_keep_their_names_and_what_is_left_out_leaves_no_gap() -> None:
         results = value[0], value[1] - 1
     program = recorder.program("f", [(array("out", (2,)), results)])
     assert [step.name for step in program.instructions] == [
-        "arm_wx_1", "arm_w_1", "arm_wx", "arm_wyn", "arm_w_2", "arm_w_3"]
+        "w3x_1", "w3_1", "w3x", "w3yn", "w3_2", "w3_3"]
 
 
 def test_the_second_value_of_a_name_is_numbered() -> None:
@@ -85,7 +85,7 @@ def test_the_second_value_of_a_name_is_numbered() -> None:
         for value in (x + y, x * y):
             recorder.label("T", value)
     program = recorder.program("f", [(array("out", (2,)), (x + y, x * y))])
-    assert [step.name for step in program.instructions] == ["arm_T", "arm_T2"]
+    assert [step.name for step in program.instructions] == ["arm_T", "arm_Tv2"]
 
 
 def example(name: str) -> SceneFunctions:
@@ -101,7 +101,7 @@ def test_numbers_of_the_model_and_torques_of_effects_have_names() -> None:
     c, double, single = (
         text for files in (scene_c.files(functions, "x"), scene_python.files(functions, "x"))
         for path, text in files.items() if path.endswith((".c", "double.py", "single.py")))
-    for name, value in (("pan_armature_I", 0.7), ("forearm_Bm", 2.4), ("forearm_tx", 0.41)):
+    for name, value in (("pan_armature_I", 0.7), ("Bm2", 2.4), ("t2x", 0.41)):
         assert f"{name} = {value}\n" in double and f"{name} = {value}\n" in single
         for start in ("void arm6_inverse_dynamics(", "void arm6_inverse_dynamicsf("):
             body = c[c.index(start):]
@@ -128,4 +128,4 @@ def test_a_name_that_two_numbers_have_is_the_firsts() -> None:
 
 def test_example_scenes_headings_say_how_links_move() -> None:
     found = example("pendulum")
-    assert "/* rod: pivot turns about z */" in scene_c.files(found, "x")["pendulum.c"]
+    assert "/* 0 rod: pivot turns about z */" in scene_c.files(found, "x")["pendulum.c"]

@@ -42,7 +42,7 @@ def state_of(f: Evaluated, seed: int, number: type) -> dict[str, object]:
             for key, x in state.items()}
 
 
-derived = cache(lambda name: derive(SCENES[name]))
+derived = cache(lambda name: derive(SCENES[name], FUNCTIONS))
 
 
 def evaluated(name: str, numbers: Numbers = MULTIPRECISE) -> Evaluated:

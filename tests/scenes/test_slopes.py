@@ -208,7 +208,7 @@ def test_implicit_steps_solve_with_all_slopes(following: bool) -> None:
     inertial = tuple(x for x in STIFF if x.effect.joint_inertia)
     bare = Evaluated(scene(chain_of_three(), *extra, *inertial), MULTIPRECISE)
     f = Evaluated(scene(chain_of_three(), *extra, *STIFF), MULTIPRECISE)
-    x, n, h = random_state(f, 5), f.functions.nv, mpf(3) / 4
+    x, n, h = random_state(f, 5), f.nv, mpf(3) / 4
 
     def added(q: list, v: list) -> mpmath.matrix:
         return mpmath.matrix([a - b for a, b in zip(*(g("bias_torques", t=x["t"], q=q, v=v)

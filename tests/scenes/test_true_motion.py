@@ -12,7 +12,6 @@ import mpmath
 import numpy as np
 import pytest
 
-from coscrew_codegen import load_scene
 from coscrew_codegen.scene.model import HERE, Kind
 from coscrew_codegen.scene.scene import Run, Scene
 from coscrew_codegen.simulate.load import Kernels
@@ -21,6 +20,7 @@ from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import system
 from tests.references import figures
 from tests.support.scenes import mechanisms as m
+from tests.support.scenes.asking import OneByOne, checked
 from tests.support.scenes.generated_scenes import imported
 
 OLD = "semi-implicit-euler"
@@ -40,7 +40,7 @@ def ran(kernels: Kernels, until: float, step: float = 1e-3, integrator: str = NE
 
 @cache
 def kernels(name: str) -> Kernels:
-    return load_scene(FREE[name]())
+    return checked(FREE[name](), NEW, OLD, others=("body_poses", "body_twists"))
 
 
 def offset() -> Scene:
@@ -163,7 +163,7 @@ def test_a_tumbling_nut_turns_as_jacobis_functions_say():
 
 def test_a_spring_turns_in_phase_space_and_keeps_its_energy():
     """A step is the rotation by 2 atan(h ω/2) of (q, v/ω), so that 1e5 steps lose nothing."""
-    its = load_scene(m.scene(m.slider(1), m.applied("spring", "j0", k=10**4))).double
+    its = OneByOne(m.scene(m.slider(1), m.applied("spring", "j0", k=10**4)), "double")
     for h in (1e-3, 1e-2, 0.1):
         q, v = its.step_leapfrog.repeated(100_000, 0.0, h, np.zeros(0), np.ones(1), np.zeros(1))
         assert its.energy(q, v).sum() == pytest.approx(5000, rel=1e5 * 10 * U["double"])
@@ -176,10 +176,9 @@ def test_a_spring_turns_in_phase_space_and_keeps_its_energy():
 def test_a_damped_speed_shrinks_as_promised_at_any_step(z):
     """By 1/(1 + z + z²/2) a step, z = h d/J: never changes sign, never grows."""
     scene = m.scene(m.rotor(), m.applied("viscous", "j0", d=Fraction(z) * 1000))
-    its = load_scene(scene)
     for precision, u in U.items():
         h = {"double": 1e-3, "single": np.float32(1e-3)}[precision]
-        _, v = getattr(its, precision).step_leapfrog(h, np.zeros(1), np.ones(1))
+        _, v = OneByOne(scene, precision).step_leapfrog(h, np.zeros(1), np.ones(1))
         real = mpmath.mpf(float(h)) * mpmath.mpf(z) * 1000
         right = float(1 / (1 + real + real**2 / 2))
         assert abs(v[0] - right) <= 4 * u * (1 + z * right)  # 1 - h a, from two numbers near 1
@@ -193,7 +192,7 @@ def test_stiff_motors_on_light_links_are_followed(name):
     model = m.chain(*[link] * (1 if name == "rotor" else 2), name=name)
     scene = m.scene(model, *(m.applied("actuator", j.name, **PD, target=Fraction(0))
                              for j in model.joints), start_q={"j0": (1.0,)})
-    its = load_scene(scene)
+    its = checked(scene, NEW, OLD, precisions=("double",))
     for h, until in ((1e-3, 0.1), (5e-4, 0.1)):
         q = ran(its, until, h).q[-1]
         assert abs(q[0] - math.exp(-10 * until)) < 10 * h / 2 * math.exp(-1) * 1.1
@@ -228,7 +227,7 @@ def smooth() -> dict[str, Scene]:
 @pytest.mark.parametrize("name", smooth())
 def test_errors_are_of_second_order(name):
     """Beside Radau's method with tolerances of 1e-11."""
-    its = load_scene(smooth()[name])
+    its = checked(smooth()[name], NEW, "radau", precisions=("double",))
     right = ran(its, 0.8, integrator="radau").q[-1]
     errors = [np.max(np.abs(ran(its, 0.8, h).q[-1] - right)) for h in (2e-3, 1e-3, 5e-4)]
     assert [math.log2(a / b) for a, b in pairwise(errors)] == pytest.approx([2, 2], abs=0.35)
@@ -238,8 +237,9 @@ def test_errors_are_of_second_order(name):
 @cache
 def bouncing(k: str) -> Kernels:
     """A kilogram over a stop at q = 0."""
-    return load_scene(m.scene(m.slider(1, m.Z), m.gravity(), m.applied(
-        "limit", "j0", lower=Fraction(0), k=Fraction(k), alpha=Fraction(1, 10))))
+    return checked(m.scene(m.slider(1, m.Z), m.gravity(), m.applied(
+        "limit", "j0", lower=Fraction(0), k=Fraction(k), alpha=Fraction(1, 10))), NEW,
+        others=("parts",))
 
 
 def restitution(v: float, alpha: float = 0.1) -> float:
@@ -270,9 +270,9 @@ def test_several_limits_at_once_feed_no_energy_in():
     """Two sliders, one on the other, fall on stops of both: energy falls, and ends at rest."""
     model = m.chain((Kind.PRISMATIC, m.Z, HERE, m.inertia(1)),
                     (Kind.PRISMATIC, m.Z, HERE, m.inertia("0.01")), name="stacked")
-    its = load_scene(m.scene(model, m.gravity(), *(m.applied(
+    its = checked(m.scene(model, m.gravity(), *(m.applied(
         "limit", f"j{n}", lower=Fraction(0), k=10**8, alpha=Fraction(1, 5)) for n in range(2)),
-        start_q={"j0": (0.1,), "j1": (0.02,)}))
+        start_q={"j0": (0.1,), "j1": (0.02,)}), NEW, precisions=("double",))
     run = integrate(system(its, "double"), Plan(3.0, 1e-3, NEW, 1e-3, 1, 1))
     e = np.sum(its.double.energy(run.q, run.v), -1)
     assert np.max(np.diff(e)) < 5e-3 * e[0] and np.max(e) <= e[0] * 1.001

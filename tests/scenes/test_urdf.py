@@ -89,12 +89,12 @@ def test_masses_equal_pinocchios(path):
 
 @pytest.mark.parametrize("path", RIGHT, ids=lambda p: p.name)
 def test_big_robots_are_read_in_well_below_a_second(path):
-    times = []
-    for _ in range(3):
+    def seconds() -> float:
         start = time.process_time()
         read_urdf(path)
-        times.append(time.process_time() - start)
-    assert min(times) < 0.5
+        return time.process_time() - start
+
+    assert any(seconds() < 0.5 for _ in range(3))
 
 
 def poses_at_rest(model):

@@ -7,10 +7,12 @@ from contextlib import contextmanager
 
 
 @contextmanager
-def interruptible(words: Sequence[object], **options: object) -> Iterator[subprocess.Popen]:
+def interruptible(words: Sequence[object], stdout: int | None = None, stderr: int | None = None
+                  ) -> Iterator[subprocess.Popen[str]]:
     """The running program.  It reacts to SIGINT even if the tests run in the background and ignore
     it, and is ended with the test."""
-    process = subprocess.Popen([str(x) for x in words], text=True, preexec_fn=_heed, **options)
+    process = subprocess.Popen([str(x) for x in words], text=True, preexec_fn=_heed, stdout=stdout,
+                               stderr=stderr)
     try:
         yield process
     finally:

@@ -29,9 +29,9 @@ def _errors(worst: float) -> Errors:
 
 def _time(language: str, compiler: str | None, layout: str, ns: float, width: float,
           ratio: float | None, dominated: bool) -> Time:
-    ratios = (None,) * 3 if ratio is None else (ratio, ratio - width / 4, ratio + width / 2)
-    return Time(language, compiler, layout, ns, ns - width / 2, ns + width, ns - width, 25, *ratios,
-                dominated)
+    low, high = (None, None) if ratio is None else (ratio - width / 4, ratio + width / 2)
+    return Time(language, compiler, layout, ns, ns - width / 2, ns + width, ns - width, 25, ratio,
+                low, high, dominated)
 
 
 def _entry(number: int, operation: str, family: str, precision: str, tier: str) -> Entry:

@@ -19,7 +19,7 @@ from tests.support.compiled.c_harness import call_of, distinct, is_array
 from tests.support.truth.attack import plain_program
 
 # Where a quantity can lie inside another: whole → part → C members.
-PLACES = {
+PLACES: dict[str, dict[str, tuple[str, ...]]] = {
     "SE3": {"mat3x3": ("R",), "vec3": ("t", "v1")},
     "mat3x3": {"vec3": ("v0", "v2"), "dc": ("at[1]",)},
     "mat4x4": {"vec4": ("v1",), "vec3": ("v3.r",)}, "vec4": {"vec3": ("r",)},

@@ -69,7 +69,7 @@ def harness(folder: Path, compiler: str, flags: tuple[str, ...], tier: str = "",
                for p in PRECISIONS}
     for path, text in sources.items():
         path.with_suffix(".c").write_text(text)
-    options = (*C11, *flags, "-fPIC", "-I", INCLUDE)
+    options: tuple[str | Path, ...] = (*C11, *flags, "-fPIC", "-I", INCLUDE)
     in_parallel([(compiler, *options, "-c", f"{path}.c", "-o", f"{path}.o") for path in sources])
     run((compiler, "-shared", *(f"{path}.o" for path in sources), "-o", f"{stem}.so", "-lm"))
     return ctypes.CDLL(f"{stem}.so")

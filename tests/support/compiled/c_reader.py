@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
+from typing import TypeAlias
 
 import sympy as sp
 from pycparser import CParser, c_ast
@@ -38,7 +39,7 @@ class Arithmetic:
     """The meaning of literals (without f), operators and functions of <math.h>."""
 
     literal: Callable[[str], object]
-    functions: Mapping[str, Callable]
+    functions: Mapping[str, Callable[..., sp.Expr]]
 
 
 SYMBOLIC = Arithmetic(sp.Rational, _MATH | _BINARY)
@@ -89,10 +90,14 @@ class Place:
         return cls([None] * kind.size, 0, kind)
 
     def member(self, name: str) -> "Place":
+        if not isinstance(self.type, Record):
+            raise TypeError(f"{self.type} has no member {name}")
         offset, kind = self.type.members[name]
         return Place(self.cells, self.start + offset, kind)
 
     def element(self, index: int) -> "Place":
+        if not isinstance(self.type, Array):
+            raise TypeError(f"{self.type} has no elements")
         if not 0 <= index < self.type.length:
             raise IndexError(f"index {index} in an array of {self.type.length}")
         kind = self.type.element
@@ -119,7 +124,7 @@ class Place:
         return replace(self, cells=list(self.cells))
 
 
-Value = sp.Expr | int | bool | Place
+Value: TypeAlias = sp.Expr | int | bool | Place
 
 
 @cache
@@ -230,8 +235,9 @@ class Header:
         parameters = [p for p in function.decl.type.args.params if p.name]
         scope: dict[str, Value] = {}
         for parameter, value in zip(parameters, arguments, strict=True):
-            by_value = isinstance(parameter.type, c_ast.TypeDecl) and isinstance(value, Place)
-            scope[parameter.name] = value.copy() if by_value else value
+            if isinstance(value, Place) and isinstance(parameter.type, c_ast.TypeDecl):
+                value = value.copy()  # passed by value
+            scope[parameter.name] = value
         return self._run(function.body, scope)
 
     def _function(self, name: str) -> c_ast.FuncDef:
@@ -294,7 +300,7 @@ class Header:
             case c_ast.Cast():
                 return self._value(node.expr, scope)
             case c_ast.UnaryOp(op="-"):
-                return -self._value(node.expr, scope)
+                return -self._number(node.expr, scope)
             case c_ast.UnaryOp(op="+"):
                 return self._value(node.expr, scope)
             case c_ast.BinaryOp():
@@ -311,6 +317,12 @@ class Header:
                 place = self._place(node, scope)
                 return place.read() if isinstance(place.type, Scalar) else place
 
+    def _number(self, node: c_ast.Node, scope: dict[str, Value]) -> sp.Expr | int:
+        value = self._value(node, scope)
+        if isinstance(value, Place):
+            raise TypeError(f"wanted a number, got an object: {node}")
+        return value
+
     def _choice(self, node: c_ast.TernaryOp, scope: dict[str, Value]) -> Value:
         condition = self._value(node.cond, scope)
         if condition in (True, False):
@@ -320,12 +332,12 @@ class Header:
 
     def _place(self, node: c_ast.Node, scope: dict[str, Value]) -> Place:
         match node:
-            case c_ast.ID():
-                return scope[node.name]
+            case c_ast.ID() if isinstance(place := scope[node.name], Place):
+                return place
             case c_ast.StructRef():
                 return self._place(node.name, scope).member(node.field.name)
             case c_ast.ArrayRef():
-                index = self._value(node.subscript, scope)
+                index = int(self._number(node.subscript, scope))
                 return self._place(node.name, scope).element(index)
         raise TypeError(f"this reader knows no such C expression: {node}")
 
@@ -348,7 +360,9 @@ def _record(node: c_ast.Struct | c_ast.Union, types: dict[str, Type]) -> Record:
     offset = size = 0
     for declaration in node.decls:
         kind = _layout(declaration.type, types)
-        inner = {declaration.name: (0, kind)} if declaration.name else kind.members
+        inner = kind.members if isinstance(kind, Record) else {}
+        if declaration.name:
+            inner = {declaration.name: (0, kind)}
         members |= {name: (offset + start, part) for name, (start, part) in inner.items()}
         size = max(size, offset + kind.size)
         offset = size if isinstance(node, c_ast.Struct) else 0

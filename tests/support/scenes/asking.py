@@ -1,10 +1,15 @@
-"""Scenes that ask for more functions than they have by default."""
+"""Scenes and kernels with the functions that a test needs: more than by default, or fewer."""
 
 from dataclasses import replace
+from pathlib import Path
 
+from coscrew_codegen.formats import named
 from coscrew_codegen.integrators import EMITTED
-from coscrew_codegen.scene.asked import DEFAULT, jacobians
 from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.selected import DEFAULT, jacobians, together
+from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.simulate import needs
+from coscrew_codegen.simulate.load import BOTH, Kernels, kernels_for
 
 STEPPED = (DEFAULT, *(x.step_name for x in EMITTED))
 """The default functions, and every emitted integrator."""
@@ -13,3 +18,25 @@ STEPPED = (DEFAULT, *(x.step_name for x in EMITTED))
 def with_jacobians(scene: Scene) -> Scene:
     """The scene with the default functions, all Jacobians, every emitted integrator."""
     return replace(scene, functions=(*STEPPED, *jacobians(scene)))
+
+
+def checked(scene: Scene | Path, *integrators: str | None, others: tuple[str, ...] = (),
+            precisions: tuple[str, ...] = BOTH) -> Kernels:
+    """The kernels that `coscrew check` has for these integrators (None: the scene's), and other
+    functions; in these precisions."""
+    read = read_scene(scene) if isinstance(scene, Path) else scene
+    wanted = (needs.of_check(read, x) for x in integrators or (None,))
+    return kernels_for(read, together(*wanted, others), precisions)
+
+
+class OneByOne:
+    """A scene's functions of one precision, each derived and compiled when it is first used."""
+
+    def __init__(self, scene: Scene, precision: str):
+        self._scene, self._precision = scene, precision
+        self.kind = named((precision,))[0].numpy_type
+
+    def __getattr__(self, name: str) -> object:
+        kernels = kernels_for(self._scene, (name,), (self._precision,))
+        setattr(self, name, found := getattr(getattr(kernels, self._precision), name))
+        return found

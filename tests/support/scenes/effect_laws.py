@@ -1,22 +1,23 @@
 """Comparisons for tests of effects: to 45 digits, and convergence of motions to their law."""
 
 from collections.abc import Callable, Sequence
+from typing import Unpack
 
 from mpmath import mpf
 
 from coscrew_codegen.scene.model import Model
 from coscrew_codegen.scene.scene import Applied
-from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated, Moving
-from tests.support.scenes.mechanisms import scene
+from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated, Given, Moving
+from tests.support.scenes.mechanisms import Settings, scene
 
 TINY = mpf(10)**-45
 
 
-def multiprecise(model: Model, *effects: Applied, **others: object) -> Evaluated:
-    return Evaluated(scene(model, *effects, **others), MULTIPRECISE)
+def multiprecise(model: Model, *effects: Applied, **settings: Unpack[Settings]) -> Evaluated[mpf]:
+    return Evaluated(scene(model, *effects, **settings), MULTIPRECISE)
 
 
-def assert_same(found: Sequence, wanted: Sequence) -> None:
+def assert_same(found: Sequence[mpf], wanted: Sequence[mpf]) -> None:
     """Assert equality to 45 digits of the largest component."""
     size = max(1, *(abs(x) for x in wanted))
     assert len(found) == len(wanted)
@@ -33,5 +34,6 @@ def assert_reaches(truth: float, run: Callable[[int], float], steps: int, order:
     assert abs(error) <= 1e-6 * max(1, abs(truth))
 
 
-def moving(model: Model, *effects: Applied, q: Sequence = (0,), v: Sequence = (0,)) -> Moving:
+def moving(model: Model, *effects: Applied, q: Sequence[Given] = (0,),
+           v: Sequence[Given] = (0,)) -> Moving:
     return Moving(scene(model, *effects), q, v)

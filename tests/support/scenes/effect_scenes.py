@@ -1,22 +1,25 @@
 """A mechanism with all kinds of joints, and effects on it as data: scenes of any of them.
 
-`python -m tests.support.scenes.effect_scenes viscous` prints the hashes of the files generated
-for all effects except viscous; it also works with a generator that lacks that effect's file.
+`python -m tests.support.scenes.effect_scenes drag viscous` prints which effects the generator has,
+and the hashes of the files generated for all effects except drag and viscous; it also works with a
+generator that lacks these effects' files.
 """
 
 import json
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from hashlib import sha256
 
+from coscrew_codegen import effects as catalogue
 from coscrew_codegen.layout import scene_files
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene.model import HERE, Kind, Model
 from coscrew_codegen.scene.scene import Applied, Scene
 from tests.support.scenes.mechanisms import (
     Formula,
+    Value,
     X,
     Y,
     Z,
@@ -31,7 +34,7 @@ from tests.support.scenes.mechanisms import (
 HALF = Fraction(1, 2)
 TIMED = (Formula("sin(t)"), Fraction(2), Formula("1 - t"))
 
-PLACES: Mapping[str, Sequence[tuple[str, Mapping]]] = {
+PLACES: Mapping[str, Sequence[tuple[str, Mapping[str, Value]]]] = {
     "actuator": [
         ("j1", {"kind": "pd", "kp": 3, "kd": 2, "target": Formula("t"), "limit": 5}),
         ("j2", {"kind": "dc", "voltage": 9, "kt": 2, "ke": 1, "R": 3}),
@@ -82,9 +85,9 @@ def effects(*names: str) -> tuple[Applied, ...]:
     return tuple(applied(name, on, **values) for name in names for on, values in PLACES[name])
 
 
-def all_but(name: str) -> Scene:
-    """The scene of all effects except one."""
-    return scene(arm(), *effects(*(x for x in PLACES if x != name)))
+def all_but(names: Collection[str]) -> Scene:
+    """The scene of all effects except these."""
+    return scene(arm(), *effects(*(x for x in PLACES if x not in names)))
 
 
 def hashes(made: Scene) -> dict[str, str]:
@@ -94,4 +97,5 @@ def hashes(made: Scene) -> dict[str, str]:
 
 
 if __name__ == "__main__":
-    print(json.dumps(hashes(all_but(sys.argv[1]))))
+    print(json.dumps([catalogue.__file__, [x.name for x in catalogue.EFFECTS],
+                      hashes(all_but(sys.argv[1:]))]))

@@ -6,129 +6,150 @@ Shares only the Programs with the targets, and needs no compiler.
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Generic, TypeAlias, TypeVar
 
 import mpmath
 import numpy as np
 
+from coscrew_codegen.mechanics.derivation import tree_for
 from coscrew_codegen.mechanics.functions import derive
 from coscrew_codegen.program import Op, Program
 from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly, interpreter
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import SceneFunctions
 
+N = TypeVar("N")
+Real = TypeVar("Real", bound=np.floating)
+Given: TypeAlias = int | float | Fraction | mpmath.mpf
+
 
 @dataclass(frozen=True)
-class Numbers:
+class Numbers(Generic[N]):
     """A kind of numbers for evaluation, and the conversion of the caller's numbers to it."""
 
-    arithmetic: Arithmetic
-    number: Callable[[object], object]
+    arithmetic: Arithmetic[N]
+    number: Callable[[Given | N], N]
 
 
-def _rational(number: Callable) -> Callable[[object], object]:
-    """The number converted: Fractions by division, others by `number`."""
-    return lambda x: number(x.numerator) / number(x.denominator) if isinstance(x, Fraction) \
-        else number(x)
+def _multiprecise(x: Given) -> mpmath.mpf:
+    """The number in the precision of mpmath's context."""
+    return mpmath.mpf(x.numerator) / mpmath.mpf(x.denominator) if isinstance(x, Fraction) \
+        else mpmath.mpf(x)
 
 
-def _floats(number: type, precision: str) -> Numbers:
+def _floats(number: type[Real], precision: str) -> Numbers[Real]:
     return Numbers(by_operation(lambda x: number(float(getattr(x, precision))), exactly(np),
                                 number(np.nan)),
                    lambda x: number(float(x) if isinstance(x, Fraction) else x))
 
 
 DOUBLE, SINGLE = _floats(np.float64, "double"), _floats(np.float32, "single")
-MULTIPRECISE = Numbers(by_operation(lambda x: _rational(mpmath.mpf)(x.double), exactly(mpmath)),
-                       _rational(mpmath.mpf))
+MULTIPRECISE = Numbers(by_operation(lambda x: _multiprecise(x.double), exactly(mpmath)),
+                       _multiprecise)
 """Numbers and constants in the precision of mpmath's context."""
 
 
-def rational(circle: Mapping[Fraction, tuple[Fraction, Fraction]]) -> Numbers:
+def rational(circle: Mapping[Fraction, tuple[Fraction, Fraction]]) -> Numbers[Fraction]:
     """Fractions; the sine and cosine of each angle are given, as rational points of the circle."""
     odd = {**circle, **{-q: (-s, c) for q, (s, c) in circle.items()}}
-    functions = {**exactly(), Op.SIN: lambda q: odd[q][0], Op.COS: lambda q: odd[q][1]}
-    return Numbers(by_operation(lambda x: x.double, functions), Fraction)
+    functions: dict[Op, Callable[..., Fraction]] = {
+        **exactly(), Op.SIN: lambda q: odd[q][0], Op.COS: lambda q: odd[q][1]}
+    return Numbers(by_operation(lambda x: x.double, functions), lambda x: Fraction(x))
 
 
-def evaluator(program: Program, numbers: Numbers) -> Callable[[Sequence], list]:
+def evaluator(program: Program, numbers: Numbers[N]
+              ) -> Callable[[Sequence[Sequence[N]]], list[N]]:
     """From the inputs' components to those of the outputs."""
     return interpreter(program, numbers.arithmetic)
 
 
-class Evaluated:
+class Evaluated(Generic[N]):
     """The functions of a scene by name: f("forward_dynamics", q=…, v=…, tau=…) is a list of
-    numbers, or a number for a scalar output.
+    numbers, or a number for a scalar output.  Those that are called are derived, each by itself.
 
     Inputs that a function does not take are ignored; p defaults to the scene's values, t to zero.
     """
 
-    def __init__(self, scene: Scene, numbers: Numbers = DOUBLE,
+    def __init__(self, scene: Scene, numbers: Numbers[N],
                  functions: SceneFunctions | None = None):
-        self.scene, self.numbers = scene, numbers
-        self.functions = functions or derive(scene)
-        self.programs = {f.name: f.program for f in self.functions.functions}
-        self._evaluators: dict[str, Callable] = {}
+        self.scene, self.numbers, self._derived = scene, numbers, functions
+        tree = tree_for(scene)
+        self.nq, self.nv, self.coordinates = tree.nq, tree.nv, tree.coordinates
+        self._programs: dict[str, Program] = {}
+        self._evaluators: dict[str, Callable[[Sequence[Sequence[N]]], list[N]]] = {}
 
-    def __call__(self, name: str, **values: object) -> object:
-        program, number = self.programs[name], self.numbers.number
+    def program(self, name: str) -> Program:
+        """The function's Program; derived with the others if those are given."""
+        if name not in self._programs:
+            functions = (self._derived or derive(self.scene, (name,))).functions
+            self._programs[name] = next(f.program for f in functions if f.name == name)
+        return self._programs[name]
+
+    def __call__(self, name: str, **values: Given | Sequence[Given]) -> list[N] | N:
+        found = self.components(name, **values)
+        return found if self.program(name).outputs[0].quantity.shape else found[0]
+
+    def components(self, name: str, **values: Given | Sequence[Given]) -> list[N]:
+        """All numbers of the results."""
+        program, number = self.program(name), self.numbers.number
         if name not in self._evaluators:
             self._evaluators[name] = evaluator(program, self.numbers)
-        given = {"t": 0, "p": [x.value for x in self.scene.parameters], **values}
+        given: dict[str, Given | Sequence[Given]] = {
+            "t": 0, "p": [x.value for x in self.scene.parameters], **values}
         found = self._evaluators[name]([[number(x) for x in _components(given[a.name])]
                                         for a in program.inputs])
-        found = [number(x) for x in found]
-        return found if program.outputs[0].quantity.shape else found[0]
+        return [number(x) for x in found]
 
 
-def _components(value: object) -> Sequence:
-    return value if isinstance(value, (list, tuple, np.ndarray)) else [value]
+def _components(value: Given | Sequence[Given]) -> Sequence[Given]:
+    return list(value) if isinstance(value, (Sequence, np.ndarray)) else [value]
 
 
 class Moving:
-    """A state (t, q, v) of a scene that takes steps; positions move by `integrated`."""
+    """A state (t, q, v) of a scene that takes steps in double; positions move by `integrated`."""
 
-    def __init__(self, scene: Scene, q: Sequence, v: Sequence, numbers: Numbers = DOUBLE,
-                 tau: Sequence | None = None):
-        self.f = Evaluated(scene, numbers)
-        number = numbers.number
+    def __init__(self, scene: Scene, q: Sequence[Given], v: Sequence[Given]):
+        self.f = Evaluated(scene, DOUBLE)
+        number = DOUBLE.number
         self.q, self.v = list(map(number, q)), list(map(number, v))
         self.t = number(0)
-        self.tau = tau if tau is not None else [number(0)] * self.f.functions.nv
+        self.tau = [number(0)] * self.f.nv
 
-    def moved(self, q: Sequence, phi: Sequence) -> list:
+    def moved(self, q: Sequence[Given], phi: Sequence[Given]) -> list[np.float64]:
         """q ⊕ phi."""
-        return self.f("integrated", q=q, phi=phi)
+        return self.f.components("integrated", q=q, phi=phi)
 
-    def acceleration(self, t: object, q: Sequence, v: Sequence) -> list:
+    def acceleration(self, t: Given, q: Sequence[Given], v: Sequence[Given]) -> list[np.float64]:
         """a."""
-        return self.f("forward_dynamics", t=t, q=q, v=v, tau=self.tau)
+        return self.f.components("forward_dynamics", t=t, q=q, v=v, tau=self.tau)
 
-    def implicit(self, h: object, steps: int = 1) -> "Moving":
+    def implicit(self, h: float, steps: int = 1) -> "Moving":
         """Linearly implicit steps: v + h a, then q ⊕ h v."""
         for _ in range(steps):
-            a = self.f("implicit_acceleration", h=h, t=self.t, q=self.q, v=self.v)
+            a = self.f.components("implicit_acceleration", h=h, t=self.t, q=self.q, v=self.v)
             self._advance(h, a)
         return self
 
-    def _advance(self, h: object, a: Sequence) -> None:
+    def _advance(self, h: float, a: Sequence[np.float64]) -> None:
         self.v = [v + h * x for v, x in zip(self.v, a, strict=True)]
         self.q = self.moved(self.q, [h * v for v in self.v])
         self.t = self.t + h
 
-    def rk4(self, h: object, steps: int = 1) -> "Moving":
+    def rk4(self, h: float, steps: int = 1) -> "Moving":
         """Steps of Runge and Kutta's, of order 4: on quaternions, in the chart phi around q."""
         for _ in range(steps):
             self._rk4(h)
         return self
 
-    def _rk4(self, h: object) -> None:
+    def _rk4(self, h: float) -> None:
         zero = [0 * v for v in self.v]
         u, a = self.v, self.acceleration(self.t, self.q, self.v)
         rates = [(u, a)]
         for part in (h / 2, h / 2, h):
             phi = [part * x for x in rates[-1][0]]
             v = [x + part * y for x, y in zip(self.v, rates[-1][1], strict=True)]
-            u = self.f("chart_rate", v=v, phi=phi) if "chart_rate" in self.f.programs else v
+            u = (v if self.f.nq == self.f.nv else
+                 self.f.components("chart_rate", v=v, phi=phi))
             rates.append((u, self.acceleration(self.t + part, self.moved(self.q, phi), v)))
         phi, dv = zero, zero
         for weight, (u, a) in zip((1, 2, 2, 1), rates, strict=True):
@@ -137,6 +158,6 @@ class Moving:
         self.q, self.t = self.moved(self.q, phi), self.t + h
         self.v = [x + y for x, y in zip(self.v, dv, strict=True)]
 
-    def energy(self) -> object:
+    def energy(self) -> float:
         """Kinetic and potential."""
-        return sum(self.f("energy", t=self.t, q=self.q, v=self.v))
+        return sum(self.f.components("energy", t=self.t, q=self.q, v=self.v))

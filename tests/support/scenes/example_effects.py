@@ -7,8 +7,9 @@ from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 ZERO = (Fraction(0),) * 3
 
 GRAVITY = Effect("gravity", "falls", "a = -g", Place.SCENE, (
-    ParameterOf("g", "m/s^2", "acceleration of free fall", "vector", (0, 0, Fraction(-981, 100))),),
-    gravity=lambda values: values["g"])
+    ParameterOf("g", "m/s^2", "acceleration of free fall", "vector",
+                (*ZERO[:2], Fraction(-981, 100))),),
+    gravity=lambda values: values.vector("g"))
 VISCOUS = Effect("viscous", "resists", "-d v", Place.JOINT, (
     ParameterOf("d", "N m s/rad", "damping", model="damping", nonnegative=True),))
 STRIBECK = Effect("stribeck", "sticks", "…", Place.JOINT, (

@@ -41,7 +41,9 @@ class Writer:
     """Writes a Program line by line: do("x", Op.MUL, a, b)."""
 
     def __init__(self, *inputs: Argument):
-        self.inputs, self.steps, self.headings = inputs, [], []
+        self.inputs = inputs
+        self.steps: list[Instruction] = []
+        self.headings: list[tuple[int, str]] = []
         self._places = {a.name: n for n, a in enumerate(inputs)}
 
     def at(self, name: str, index: int = 0) -> Input:
@@ -58,7 +60,7 @@ class Writer:
         self.headings.append((len(self.steps), words))
 
     def function(self, name: str, words: str, outputs: tuple[Argument, ...],
-                 results: list[str | int | Operand], internal: bool = False) -> Function:
+                 results: Sequence[str | int | Operand], internal: bool = False) -> Function:
         """The function that returns these results."""
         program = Program(name, self.inputs, outputs, tuple(self.steps),
                           tuple(map(number, results)))
@@ -161,7 +163,7 @@ def pendulum() -> SceneFunctions:
         (forward, height, _additive(1))), "semi-implicit-euler", "rk4")
 
 
-def _products(w: Writer, name: str, a: list[Operand], b: list[Operand]) -> list[Ref]:
+def _products(w: Writer, name: str, a: Sequence[Operand], b: Sequence[Operand]) -> list[Ref]:
     """The quaternion product a b, both (x, y, z, w)."""
     terms = ((("", 3, 0), ("", 0, 3), ("", 1, 2), ("-", 2, 1)),
              (("", 3, 1), ("-", 0, 2), ("", 1, 3), ("", 2, 0)),
@@ -174,6 +176,7 @@ def _products(w: Writer, name: str, a: list[Operand], b: list[Operand]) -> list[
             term = w.do(f"{name}_{k}t{n}", Op.MUL, a[i], b[j], of=f"{name}_{k}")
             total = term if total is None else w.do(
                 f"{name}_{k}s{n}", Op.SUB if sign else Op.ADD, total, term, of=f"{name}_{k}")
+        assert total
         found.append(total)
     return found
 
@@ -241,11 +244,10 @@ def robot(joints: int, steps: int) -> SceneFunctions:
                 w.heading(f"link {i // 100}")
             op = draw.choice((Op.MUL, Op.ADD, Op.MUL, Op.SUB))
             scaled = draw.random() < 0.1
-            operands = [
-                Fraction(draw.randrange(1, 999), 1000) if scaled else draw.choice(pool[-60:]),
-                draw.choice(pool[-60:])]
-            operands = [Constant(x, x) if isinstance(x, Fraction) else x for x in operands]
-            pool.append(w.do(f"link{i // 100}_{i % 100}", op, *operands, of=f"link{i // 3}"))
+            first = (number(f"{draw.randrange(1, 999)}/1000") if scaled
+                     else draw.choice(pool[-60:]))
+            pool.append(w.do(f"link{i // 100}_{i % 100}", op, first, draw.choice(pool[-60:]),
+                             of=f"link{i // 3}"))
         return w.function(name, "numbers", (argument(out, n),), pool[-n:])
 
     coordinates = tuple(Coordinate(f"joint{i}", "revolute", range(i, i + 1), range(i, i + 1))
@@ -278,10 +280,11 @@ def imported(functions: SceneFunctions, folder: Path) -> ModuleType:
     """The generated package, under a name of its own."""
     init = written(functions, folder) / functions.name / "__init__.py"
     name = f"generated_scene_{functions.name}"
-    for module in [m for m in sys.modules if m == name or m.startswith(f"{name}.")]:
-        del sys.modules[module]
+    for old in [m for m in sys.modules if m == name or m.startswith(f"{name}.")]:
+        del sys.modules[old]
     spec = importlib.util.spec_from_file_location(name, init, submodule_search_locations=[
         str(init.parent)])
+    assert spec and spec.loader
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module
     spec.loader.exec_module(module)

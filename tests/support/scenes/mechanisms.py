@@ -2,8 +2,10 @@
 
 from collections.abc import Mapping
 from fractions import Fraction
+from typing import TypeAlias, TypedDict, Unpack
 
 from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.parameter import Parameter, Scalar
 from coscrew_codegen.scene.formulas import Formula
 from coscrew_codegen.scene.model import (
     HERE,
@@ -14,10 +16,9 @@ from coscrew_codegen.scene.model import (
     Kind,
     Mimic,
     Model,
-    Parameter,
     Placement,
 )
-from coscrew_codegen.scene.scene import Applied, Scene, Setting
+from coscrew_codegen.scene.scene import Applied, Run, Scene, Setting
 from tests.support.scenes.asking import with_jacobians
 
 CATALOGUE = {effect.name: effect for effect in EFFECTS}
@@ -26,25 +27,31 @@ O = (Fraction(0),) * 3
 X, Y, Z = (tuple(Fraction(int(i == k)) for i in range(3)) for k in range(3))
 
 
-def numbers(*values: object) -> tuple[Fraction, ...]:
-    """Exact numbers from integers, strings such as "0.1", and fractions."""
+Exact: TypeAlias = Fraction | int | str  # "0.1" is 1/10
+Triple: TypeAlias = tuple[Exact, Exact, Exact]
+Value: TypeAlias = Scalar | int | Formula | str | None | tuple[Scalar | int | Formula | str, ...]
+
+
+def numbers(*values: Exact | Parameter) -> tuple[Scalar, ...]:
+    """Exact numbers; parameters stay as they are."""
     return tuple(x if isinstance(x, Parameter) else Fraction(x) for x in values)
 
 
-def inertia(mass: object, com: tuple = (0, 0, 0), moments: tuple = (0,) * 6) -> Inertia:
+def inertia(mass: Exact | Parameter, com: tuple[Exact | Parameter, ...] = (0, 0, 0),
+            moments: tuple[Exact | Parameter, ...] = (0,) * 6) -> Inertia:
     """Mass, centre of mass, moments xx, yy, zz, xy, xz, yz about it."""
     return Inertia(numbers(mass)[0], numbers(*com), numbers(*moments))
 
 
-def at(*t: object) -> Placement:
+def at(x: Exact, y: Exact, z: Exact) -> Placement:
     """A placement with this origin, without rotation."""
-    return Placement(I, numbers(*t))
+    return Placement(I, (Fraction(x), Fraction(y), Fraction(z)))
 
 
-def applied(name: str, on: str = "", **values: Setting | int) -> Applied:
+def applied(name: str, on: str = "", **values: Value) -> Applied:
     """An effect of the catalogue; missing parameters have their default values."""
     effect = CATALOGUE[name]
-    found: dict[str, Setting] = {p.name: None if p.default == "model" else p.default
+    found: dict[str, Value] = {p.name: None if p.default == "model" else p.default
                                  for p in effect.parameters}
     chosen = values.get("kind", found.get("kind"))
     for parameter in effect.parameters:
@@ -56,63 +63,81 @@ def applied(name: str, on: str = "", **values: Setting | int) -> Applied:
     return Applied(effect, on, {key: _setting(x) for key, x in {**found, **values}.items()})
 
 
-def _setting(value: object) -> Setting:
-    if isinstance(value, tuple):
-        return tuple(map(_setting, value))
-    return Fraction(value) if isinstance(value, int) and not isinstance(value, bool) else value
+def _setting(value: Value) -> Setting:
+    match value:
+        case (str(first), str(second)):
+            return first, second
+        case tuple():
+            return tuple(_exact(x) for x in value if not isinstance(x, str))
+        case int():
+            return Fraction(value)
+    return value
 
 
-def gravity(*g: object) -> Applied:
+def _exact(x: Scalar | int | Formula) -> Scalar | Formula:
+    return Fraction(x) if isinstance(x, int) else x
+
+
+def gravity(*g: Exact) -> Applied:
     """Gravity g, by default 9.81 m/s^2 along -z."""
     return applied("gravity", g=numbers(*(g or (0, 0, "-9.81"))))
 
 
-def scene(model: Model, *effects: Applied, **others: object) -> Scene:
+class Settings(TypedDict, total=False):
+    """Of a scene, besides its name, model and effects."""
+
+    parameters: tuple[Parameter, ...]
+    start_q: Mapping[str, tuple[float, ...]]
+    start_v: Mapping[str, tuple[float, ...]]
+    run: Run
+
+
+def scene(model: Model, *effects: Applied, **settings: Unpack[Settings]) -> Scene:
     """The scene of these effects, in the order of the catalogue's names."""
     return with_jacobians(Scene(
-        model.name, model, tuple(sorted(effects, key=lambda x: x.effect.name)), **others))
+        model.name, model, tuple(sorted(effects, key=lambda x: x.effect.name)), **settings))
 
 
-def chain(*links: tuple[Kind, tuple, Placement, Inertia], name: str = "chain",
-          **of_joints: Mapping[str, object]) -> Model:
+def chain(*links: tuple[Kind, tuple[Fraction, ...], Placement, Inertia],
+          name: str = "chain") -> Model:
     """A chain of joints j0, j1, … and bodies b0, b1, …, each with kind, axis, placement, inertia.
     """
     bodies, joints = [], []
     for n, (kind, axis, placement, body) in enumerate(links):
         bodies.append(Body(f"b{n}", body))
-        joints.append(Joint(f"j{n}", kind, f"b{n - 1}" if n else WORLD, f"b{n}", placement, axis,
-                            **of_joints.get(f"j{n}", {})))
+        joints.append(Joint(f"j{n}", kind, f"b{n - 1}" if n else WORLD, f"b{n}", placement, axis))
     return Model(name, tuple(bodies), tuple(joints))
 
 
-def rotor(J: object = 1) -> Model:
+def rotor(J: Exact = 1) -> Model:
     """A wheel of moment of inertia J about z, on its axis."""
     return chain((Kind.REVOLUTE, Z, HERE, inertia(1, moments=(J, J, J, 0, 0, 0))), name="rotor")
 
 
-def slider(mass: object = 1, axis: tuple = X) -> Model:
+def slider(mass: Exact = 1, axis: tuple[Fraction, ...] = X) -> Model:
     """A mass on a line."""
     return chain((Kind.PRISMATIC, axis, HERE, inertia(mass)), name="slider")
 
 
-def pendulum(mass: object = 1, length: object = 1) -> Model:
+def pendulum(mass: Exact = 1, length: Exact = 1) -> Model:
     """A point mass on a massless rod that rotates about y; at rest it hangs along -z."""
     return chain((Kind.REVOLUTE, Y, HERE, inertia(mass, (0, 0, -Fraction(length)))),
                  name="pendulum")
 
 
-def free_body(mass: object = 1, com: tuple = (0, 0, 0),
-              moments: tuple = (1, 1, 1, 0, 0, 0)) -> Model:
+def free_body(mass: Exact = 1, com: tuple[Exact, ...] = (0, 0, 0),
+              moments: tuple[Exact, ...] = (1, 1, 1, 0, 0, 0)) -> Model:
     """A body on a free joint."""
     return chain((Kind.FREE, Z, HERE, inertia(mass, com, moments)), name="free_body")
 
 
-def ball(mass: object = 1, com: tuple = (0, 0, 0), moments: tuple = (1, 2, 3, 0, 0, 0)) -> Model:
+def ball(mass: Exact = 1, com: tuple[Exact, ...] = (0, 0, 0),
+         moments: tuple[Exact, ...] = (1, 2, 3, 0, 0, 0)) -> Model:
     """A body on a spherical joint."""
     return chain((Kind.SPHERICAL, Z, HERE, inertia(mass, com, moments)), name="ball")
 
 
-def geared(multiplier: object, offset: object = 0, J: tuple = (1, 1)) -> Model:
+def geared(multiplier: Exact, offset: Exact = 0, J: tuple[Exact, Exact] = (1, 1)) -> Model:
     """Two wheels; the second one's joint mimics the first one's."""
     wheels = [inertia(1, moments=(j, j, j, 0, 0, 0)) for j in J]
     bodies = (Body("b0", wheels[0]), Body("b1", wheels[1]))

@@ -1,7 +1,11 @@
 """A scene file with a model that tests of readers share, and functions that read it."""
 
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
 import pytest
 
+from coscrew_codegen.scene.scene import Scene, Setting
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from tests.support.scenes.example_effects import CATALOGUE
 
@@ -73,10 +77,10 @@ ARM = """<?xml version="1.0"?>
 
 
 @pytest.fixture
-def read(tmp_path):
+def read(tmp_path: Path) -> Callable[..., Scene]:
     """Read a scene, with MODEL unless it has its own model."""
 
-    def read(head="", tail="", model=MODEL, name="arm.toml"):
+    def read(head: str = "", tail: str = "", model: str = MODEL, name: str = "arm.toml") -> Scene:
         path = tmp_path / name
         path.write_text(head + model + tail, encoding="utf-8")
         return read_scene(path, CATALOGUE)
@@ -84,5 +88,5 @@ def read(tmp_path):
     return read
 
 
-def applied(scene, effect):
+def applied(scene: Scene, effect: str) -> dict[tuple[str, str], Mapping[str, Setting]]:
     return {(x.on, x.label): x.values for x in scene.effects if x.effect.name == effect}

@@ -6,6 +6,7 @@ angles written in full: 1.57079632679 as 1.5707963267948966.
 
 import re
 import sysconfig
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
@@ -48,7 +49,7 @@ class Robot:
     follow: np.ndarray
     offset: np.ndarray  # of Pinocchio's coordinates with one number, by speed
 
-    def states(self, count: int, seed: int = 0):
+    def states(self, count: int, seed: int = 0) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Random q, v, a of ours, a row a state, each number a float32."""
         rng = np.random.default_rng(seed)
         f = self.functions
@@ -81,7 +82,7 @@ class Robot:
 
 def _in_full(text: str) -> str:
     """The text with right angles written in full."""
-    def angle(found: re.Match) -> str:
+    def angle(found: re.Match[str]) -> str:
         x = float(found[0])
         near = round(x / (np.pi / 2)) * np.pi / 2
         return repr(near) if near and abs(x - near) < 1e-11 else found[0]
@@ -91,8 +92,8 @@ def _in_full(text: str) -> str:
                   .join(("rpy=", "")), text)
 
 
-def _safely(function):
-    def apply(found: re.Match) -> str:
+def _safely(function: Callable[[re.Match[str]], str]) -> Callable[[re.Match[str]], str]:
+    def apply(found: re.Match[str]) -> str:
         try:
             return function(found)
         except ValueError:
@@ -136,8 +137,9 @@ def robot(file: str, free: bool, mimics: bool) -> Robot:
         places[c.joint] = c.v.start
         for k in range(len(c.v)):
             follow[start + k, c.v.start + k] = 1
-    for joint in (j for j in scene.model.joints if j.mimic and mimics):
-        place = theirs.joints[theirs.getJointId(joint.name)].idx_v
-        follow[place, places[joint.mimic.joint]] = float(joint.mimic.multiplier)
-        offset[place] = float(joint.mimic.offset)
+    for joint in scene.model.joints if mimics else ():
+        if joint.mimic:
+            place = theirs.joints[theirs.getJointId(joint.name)].idx_v
+            follow[place, places[joint.mimic.joint]] = float(joint.mimic.multiplier)
+            offset[place] = float(joint.mimic.offset)
     return Robot(functions, theirs, follow, offset)

@@ -1,5 +1,6 @@
 """Running error analysis: numbers to 50 digits with bounds on their errors in a precision."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import mpmath
@@ -59,7 +60,7 @@ def _root(x: Bounded) -> Bounded:
     return x._rounded(root, x.error / root if root else mpmath.sqrt(x.error))
 
 
-def _contracting(function):
+def _contracting(function: Callable[[mpf], mpf]) -> Callable[[Bounded], Bounded]:
     """A function whose derivative is at most 1."""
     return lambda x: x._rounded(function(x.exact), x.error, FUNCTION)
 
@@ -69,15 +70,16 @@ def _exponential(x: Bounded) -> Bounded:
     return x._rounded(exact, exact * mpmath.expm1(x.error), FUNCTION)
 
 
-def bounded(precision: str, u: mpf) -> Numbers:
+def bounded(precision: str, u: mpf) -> Numbers[Bounded]:
     """For Programs evaluated in this precision; inputs are its numbers."""
     def constant(x: Constant) -> Bounded:
         value = getattr(x, precision)
         exact = mpf(value.numerator) / value.denominator
         return Bounded(exact, u * abs(exact), u)
 
-    functions = {Op.SQRT: _root, Op.EXP: _exponential} | {
-        op: _contracting(getattr(mpmath, op.value)) for op in (Op.SIN, Op.COS, Op.TANH)}
-    return Numbers(by_operation(constant, exactly() | functions),
+    functions: dict[Op, Callable[..., Bounded]] = {
+        **exactly(), Op.SQRT: _root, Op.EXP: _exponential,
+        **{op: _contracting(getattr(mpmath, op.value)) for op in (Op.SIN, Op.COS, Op.TANH)}}
+    return Numbers(by_operation(constant, functions),
                    lambda x: x if isinstance(x, Bounded) else
                    Bounded(mpmath.mpmathify(float(x)), mpf(0), u))

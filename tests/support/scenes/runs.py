@@ -70,7 +70,8 @@ def values(its: System, figures: Sequence[Figure], integrator: str, step: float,
 def _at(trajectory: Trajectory, time: float) -> Trajectory:
     near = int(np.argmin(np.abs(trajectory.t - time)))
     assert abs(trajectory.t[near] - time) < 1e-9
-    return Trajectory(*(x[near:near + 1] for x in (trajectory.t, trajectory.q, trajectory.v)), 0, 0)
+    t, q, v = (x[near:near + 1] for x in (trajectory.t, trajectory.q, trajectory.v))
+    return Trajectory(t, q, v, 0, 0)
 
 
 def _started(its: System, q: np.ndarray, v: np.ndarray) -> System:
@@ -85,7 +86,7 @@ def _growth(kernels: Kernels, figures: Sequence[Figure], along: Trajectory) -> n
     """A of each figure, by runs in double precision from starts moved one component at a time."""
     its = system(kernels, "double")
     q, v = its.start()
-    step = kernels.scene.run.step
+    step = its.scene.run.step
     plain, _ = values(its, figures, "rk4", step)
     total = np.zeros(len(figures))
     for state, others in ((q, along.q), (v, along.v)):

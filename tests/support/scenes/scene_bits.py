@@ -14,7 +14,8 @@ import numpy as np
 
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.mechanics import derive
-from coscrew_codegen.scene.model import HERE, Kind, Parameter
+from coscrew_codegen.parameter import Parameter
+from coscrew_codegen.scene.model import HERE, Kind
 from coscrew_codegen.scene_functions import SceneFunctions, Signature
 from coscrew_codegen.targets import scene_c, scene_calls
 from coscrew_codegen.targets.scene_text import c_name, count

@@ -13,7 +13,8 @@ UNIT = {"double": 2.0**-53, "single": 2.0**-24}
 SPECIAL = (0.0, -0.0, 1.0, -1.0, 1e-300, 1e30, 5e-324, np.inf, np.nan, 1.5)
 
 
-def inputs(function: Signature, kind: str, *lead: int, special: bool = False):
+def inputs(function: Signature, kind: str, *lead: int, special: bool = False
+           ) -> list[np.ndarray]:
     """Arguments of the function, drawn for these leading axes."""
     draw = np.random.default_rng(len(function.name))
     with np.errstate(over="ignore", under="ignore"):
@@ -30,16 +31,16 @@ def same_bits(a: object, b: object) -> bool:
         (np.isnan(a) & np.isnan(b)) | ((a == b) & (np.signbit(a) == np.signbit(b))))))
 
 
-def random_state(f: Evaluated, seed: int) -> dict[str, object]:
+def random_state(f: Evaluated[mpf], seed: int) -> dict[str, mpf | list[mpf]]:
     """q with quaternions of norm 1, v, tau, t."""
     random = Random(seed)
 
     def draw(n: int) -> list[mpf]:
         return [mpf(random.randint(-2000, 2000)) / 1000 for _ in range(n)]
 
-    q = draw(f.functions.nq)
-    for c in f.functions.coordinates:
+    q = draw(f.nq)
+    for c in f.coordinates:
         if c.kind in ("free", "spherical"):
             part = slice(c.q.stop - 4, c.q.stop)
             q[part] = [x / mpmath.norm(q[part]) for x in q[part]]
-    return {"t": mpf("0.4"), "q": q, "v": draw(f.functions.nv), "tau": draw(f.functions.nv)}
+    return {"t": mpf("0.4"), "q": q, "v": draw(f.nv), "tau": draw(f.nv)}

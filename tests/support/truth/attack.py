@@ -43,7 +43,9 @@ TIERED = tuple(op for op in OPERATIONS if is_polynomial(plain_program(op)))
 @functools.cache
 def bounds(operation: Operation, precision: Precision, tier: str) -> tuple[Bound, ...]:
     """The emitted bounds of the operation's results."""
-    return bounds_of(tier_named(tier).program(plain_program(operation), precision))
+    found = bounds_of(tier_named(tier).program(plain_program(operation), precision))
+    assert found
+    return found
 
 
 def rows(operation: Operation, precision: Precision, count: int, seed: int) -> Arrays:

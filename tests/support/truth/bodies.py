@@ -72,8 +72,8 @@ def determinant(A: Matrix) -> Fraction:
     def sign(p: tuple[int, ...]) -> int:
         return prod(1 if p[i] < p[j] else -1 for j in range(len(p)) for i in range(j))
 
-    return sum(sign(p) * prod((A[i, j] for i, j in enumerate(p)), start=Fraction(1))
-               for p in permutations(range(len(A))))
+    return sum((sign(p) * prod((A[i, j] for i, j in enumerate(p)), start=Fraction(1))
+                for p in permutations(range(len(A)))), start=Fraction(0))
 
 
 def pivots(A: Matrix) -> list[Fraction]:

@@ -4,13 +4,14 @@ Written from the papers' matrices, independently of the generator; works on arra
 mpmath numbers or of SymPy symbols.  D = [R | t]; linear parts on top: s = (v; ω), c = (f; τ).
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import partial
 from itertools import permutations
 from math import prod
 from random import Random
 from types import FunctionType, ModuleType
+from typing import TypeAlias
 
 import mpmath
 import numpy as np
@@ -20,11 +21,12 @@ from tests.support.truth.bodies import BODIES
 from tests.support.truth.motions import TRUTHS
 
 Matrix = np.ndarray  # of objects
+Result: TypeAlias = Matrix | Fraction | tuple[Matrix | Fraction, ...]
 TABLE = {op.name: op for op in OPERATIONS}
 JOINTS = ("tx", "ty", "tz", "rx", "ry", "rz")
 
 
-def array(entries: list) -> Matrix:
+def array(entries: Sequence[object]) -> Matrix:
     """A vector or matrix of these entries, as they are."""
     return np.array(entries, dtype=object)
 
@@ -147,7 +149,7 @@ def determinant(R: Matrix) -> Fraction:
     return sum(sign(p) * R[0, p[0]] * R[1, p[1]] * R[2, p[2]] for p in permutations(range(3)))
 
 
-def joined(*parts: Matrix) -> Matrix:
+def joined(*parts: Matrix | list[int]) -> Matrix:
     return np.concatenate(parts)
 
 
@@ -167,7 +169,7 @@ def moved(D: Matrix, s: Matrix, time: mpmath.mpf) -> Matrix:
 
 I3, O3 = eye(3), zeros(3)
 
-FORMULAS: dict[str, Callable[..., Matrix | Fraction | tuple[Matrix, ...]]] = {
+FORMULAS: dict[str, Callable[..., Result]] = {
     "vec3_scaled": lambda v, k: k * v,
     "vec3_swap": lambda v1, v2: (v2, v1),
     "dot_vv": lambda v1, v2: v1 @ v2,
@@ -356,12 +358,13 @@ class Sample:
 
     def of(self, kind: str) -> Matrix | Fraction:
         """The quantity of this name; a mat3x3 is a rotation."""
-        return {"scalar": self.scalar, "vec3": self.vector, "dc": self.sine_cosine,
-                "mat3x3": self.rotation, "SE3": self.displacement, "quaternion": self.quaternion,
-                "mat6x6": lambda: self.vector(36).reshape(6, 6),
-                "mat4x4": lambda: self.vector(16).reshape(4, 4), "vec4": partial(self.vector, 4),
-                **dict.fromkeys(("inertia", "spatial_inertia"), partial(self.vector, 10)),
-                }.get(kind, lambda: self.vector(6))()
+        draw: dict[str, Callable[[], Matrix | Fraction]] = {
+            "scalar": self.scalar, "vec3": self.vector, "dc": self.sine_cosine,
+            "mat3x3": self.rotation, "SE3": self.displacement, "quaternion": self.quaternion,
+            "mat6x6": lambda: self.vector(36).reshape(6, 6),
+            "mat4x4": lambda: self.vector(16).reshape(4, 4), "vec4": partial(self.vector, 4),
+            **dict.fromkeys(("inertia", "spatial_inertia"), partial(self.vector, 10))}
+        return draw[kind]() if kind in draw else self.vector(6)
 
 
 class Exact:
@@ -370,14 +373,15 @@ class Exact:
     def __init__(self, kernels: ModuleType):
         self._kernels = kernels
 
-    def __getattr__(self, name: str) -> Callable[..., Matrix | Fraction | tuple[Matrix, ...]]:
+    def __getattr__(self, name: str) -> Callable[..., Result]:
         operation, kernel = TABLE[name], getattr(self._kernels, name).__wrapped__
         constants = tuple(Fraction(x) if isinstance(x, float) else x
                           for x in kernel.__code__.co_consts)
         exact = FunctionType(kernel.__code__.replace(co_consts=constants), kernel.__globals__)
 
-        def on_arrays(*values: Matrix | Fraction) -> Matrix | Fraction | tuple[Matrix, ...]:
-            found = exact(*(tuple(np.ravel(x)) if np.ndim(x) else x for x in values))
+        def on_arrays(*values: Matrix | Fraction) -> Result:
+            found = exact(*(tuple(x.ravel()) if isinstance(x, np.ndarray) and x.ndim else x
+                            for x in values))
             found = iter(found if isinstance(found, tuple) else (found,))
             results = tuple(array([next(found) for _ in range(a.quantity.size)])
                             .reshape(a.quantity.shape)[()] for a in operation.outputs)

@@ -4,16 +4,17 @@ It shows what rounding costs; not what a truncated series does, nor how exact er
 programs of the plain tier only.
 """
 
+from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
 
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, Op, Program
-from coscrew_codegen.program.interpreter import by_operation, exactly
+from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly
 from coscrew_codegen.program.interpreter import evaluate as evaluate_on
 
-_WIDE = {**exactly(np), Op.SELECT: np.where}
+_WIDE: dict[Op, Callable[..., np.ndarray]] = {**exactly(np), Op.SELECT: np.where}
 
 
 def evaluate(program: Program, precision: Precision, rows: np.ndarray) -> np.ndarray:
@@ -21,12 +22,14 @@ def evaluate(program: Program, precision: Precision, rows: np.ndarray) -> np.nda
     in long double, of single in double."""
     wide = np.dtype({"double": np.longdouble, "single": np.float64}[precision.name])
     starts = np.cumsum([0, *(a.quantity.size for a in program.inputs)])
-    columns = [rows[:, start:end].astype(wide).T for start, end in pairwise(starts)]
+    columns = [list(rows[:, start:end].astype(wide).T) for start, end in pairwise(starts)]
 
     def constant(x: Constant) -> np.ndarray:
         exact = precision.value(x)
         return np.full(len(rows), wide.type(exact.numerator) / wide.type(exact.denominator))
 
-    numbers = by_operation(constant, _WIDE, np.full(len(rows), wide.type(np.nan)))
+    nowhere = np.full(len(rows), wide.type(np.nan))
+    numbers: Arithmetic[np.ndarray] = by_operation(constant, _WIDE, nowhere)
     with np.errstate(all="ignore"):
-        return np.stack(evaluate_on(program, columns, numbers), axis=1)
+        found = evaluate_on(program, columns, numbers)
+    return np.stack(found, axis=1)

@@ -14,13 +14,14 @@ import mpmath as mp
 import numpy as np
 from gmpy2 import mpq
 
+from coscrew_codegen.exact import UNIT, exact_functions
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Program
 from coscrew_codegen.tiers import tier_named
 from tests.support.domains import angle, defect
 from tests.support.truth import backward
-from tests.support.truth.attack import TIERED, UNIT, bounds, exact_functions, plain_program
+from tests.support.truth.attack import TIERED, bounds, plain_program
 from tests.support.truth.truths import Components, other_way, truth
 
 # k of |x̂ - x| <= k u |x| in the plain tier, counted along the roundings: n squares and their sum

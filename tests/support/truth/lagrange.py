@@ -7,7 +7,7 @@ energy is that of its mass and of its second moments, ½ m ṗ·ṗ + ½ tr(Ṙ 
 recursion.  Shares no code with the generator.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -16,7 +16,7 @@ import numpy as np
 from sympy import QQ
 from sympy.polys.rings import PolyElement, PolyRing, ring
 
-from coscrew_codegen.scene.model import Body, Joint, Kind, Model
+from coscrew_codegen.scene.model import Body, Joint, Kind, Model, value
 from tests.support.truth.exact import array, eye, rotation_of, skew, zeros
 
 Matrix = np.ndarray  # of polynomials or Fractions
@@ -94,16 +94,14 @@ class Motion:
             found[joint.child] = R @ own_R, t + R @ own_t
         return {body.name: found[body.name] for body in self.model.bodies}
 
-    def _bodies(self):
-        """(mass, second moments Σ about the centre, R, centre) of each."""
+    def _bodies(self) -> Iterator[tuple[Body, PolyElement, Matrix, Matrix, Matrix]]:
+        """Each body with its mass, second moments Σ about the centre, R, centre."""
         one = self._ring.one
         for body in self.model.bodies:
             R, t = self.poses[body.name]
-            xx, yy, zz, xy, xz, yz = body.inertia.moments
-            I = array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-            second = eye(3) * (xx + yy + zz) / 2 - I
-            com = t + R @ _polynomials(one, array(body.inertia.com))
-            yield body, _rational(body.inertia.mass), _polynomials(one, second), R, com
+            mass, com, second = _massive(body)
+            yield (body, _rational(mass), _polynomials(one, second), R,
+                   t + R @ _polynomials(one, com))
 
     def rate(self, X: Matrix) -> Matrix:
         """Σ ∂X/∂x_i w_i."""
@@ -189,7 +187,7 @@ class Motion:
         force, moment = array([Fraction(0)] * 3), array([Fraction(0)] * 3)
         for body, _, second, R, com in self._bodies():
             if body.name in behind:
-                f = body.inertia.mass * (self.second(com) - array(list(self.gravity)))
+                f = _massive(body)[0] * (self.second(com) - array(list(self.gravity)))
                 force = force + f
                 moment = moment + skew(self.values(com) - t0) @ f + _moment(
                     self.values(second), self.values(R), self.second(R))
@@ -209,15 +207,15 @@ def _polynomials(one: PolyElement, X: Matrix) -> Matrix:
     return _each(X, lambda x: one * _rational(x))
 
 
-def _each(X: Matrix, f) -> Matrix:
+def _each(X: Matrix, f: Callable[..., object]) -> Matrix:
     found = np.empty(X.shape, dtype=object)
     for index in np.ndindex(X.shape):
         found[index] = f(X[index])
     return found
 
 
-def virtual_work(model: Model, circle: Circle, g: Sequence[Fraction], q: Sequence, v: Sequence,
-                 a: Sequence) -> list[Fraction]:
+def virtual_work(model: Model, circle: Circle, g: Sequence[Fraction], q: Sequence[Fraction],
+                 v: Sequence[Fraction], a: Sequence[Fraction]) -> list[Fraction]:
     """τ_k = Σ m (p'' - g)·∂p/∂δ_k + ∫ ∂r/∂δ_k · r'' dm: every joint's motion is a matrix E(t) with
     E' = E W, E'' = E (W W + W'), its virtual displacements E W_k; all else is the product rule."""
     found = np.array([Fraction(0)] * len(v), dtype=object)
@@ -252,7 +250,7 @@ def _homogeneous(R: Matrix, t: Matrix, corner: Fraction = Fraction(1)) -> Matrix
     return D
 
 
-def _joint_matrix(joint: Joint, q: Sequence, circle: Circle) -> Matrix:
+def _joint_matrix(joint: Joint, q: Sequence[Fraction], circle: Circle) -> Matrix:
     axis, origin = array(joint.axis), array([Fraction(0)] * 3)
     if joint.kind is Kind.PRISMATIC:
         return _homogeneous(eye(3), q[0] * axis)
@@ -274,12 +272,18 @@ def _rate_matrix(joint: Joint, k: int) -> Matrix:
     return _homogeneous(skew(array(list(angular))), array(list(linear)), Fraction(0))
 
 
+def _massive(body: Body) -> tuple[Fraction, Matrix, Matrix]:
+    """Mass, its centre, and second moments Σ about that."""
+    assert body.inertia
+    xx, yy, zz, xy, xz, yz = map(value, body.inertia.moments)
+    I = array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    com = array([value(x) for x in body.inertia.com])
+    return value(body.inertia.mass), com, eye(3) * (xx + yy + zz) / 2 - I
+
+
 def _pseudo_inertia(body: Body) -> Matrix:
     """∫ (r; 1) (r; 1)^T dm."""
-    m, com = body.inertia.mass, array(body.inertia.com)
-    xx, yy, zz, xy, xz, yz = body.inertia.moments
-    I = array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    second = eye(3) * (xx + yy + zz) / 2 - I + m * np.outer(com, com)
-    J = _homogeneous(second, m * com, m)
+    m, com, second = _massive(body)
+    J = _homogeneous(second + m * np.outer(com, com), m * com, m)
     J[3, :3] = m * com
     return J

@@ -1,5 +1,7 @@
 """Errors of motions against motions.py, each part against its largest component."""
 
+from typing import TypeAlias
+
 import mpmath as mp
 import numpy as np
 
@@ -7,7 +9,7 @@ from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import Operation
 from tests.support.truth.motions import DIGITS, TRUTHS, alternatives
 
-Matrix = mp.matrix | mp.mpf
+Matrix: TypeAlias = mp.matrix | mp.mpf
 Objects = np.ndarray  # of mpf
 
 

@@ -6,12 +6,14 @@ results are mpmath matrices, columns for vectors, and numbers.
 """
 
 from collections.abc import Callable
+from typing import TypeAlias
 
 import gmpy2  # the series are summed in its numbers, ten times as fast as in mpmath's
 import mpmath as mp
 import numpy as np
 
-Matrix = mp.matrix
+Matrix: TypeAlias = mp.matrix
+Truth: TypeAlias = Matrix | mp.mpf | tuple[mp.mpf, Matrix]
 DIGITS = 60  # enough for angles and their differences from π down to 1e-30
 
 
@@ -151,7 +153,7 @@ def slerp(p: Matrix, q: Matrix, k: mp.mpf) -> Matrix:
     return product(p, quaternion_exp(k * vector_of(product(conjugate(p), q))))
 
 
-TRUTHS: dict[str, Callable[..., Matrix | mp.mpf | tuple[mp.mpf, Matrix]]] = {
+TRUTHS: dict[str, Callable[..., Truth]] = {
     "SO3_exp": lambda v: exponential_series(skew(v)),
     "SO3_log": lambda R: vector_of(nearest_quaternion(R)),
     "SO3_leftJacobian": lambda v: exponential_series(skew(v), 1),
@@ -199,7 +201,7 @@ def _screw_the_long_way(s: Matrix) -> Matrix:
     return mp.matrix([*mp.lu_solve(exponential_series(skew(w), 1), t), *w])
 
 
-OTHERS: dict[str, tuple[Callable, Callable]] = {
+OTHERS: dict[str, tuple[Callable[..., mp.mpf], Callable[..., Truth]]] = {
     **dict.fromkeys(("SO3_log", "quaternion_log"), (norm, the_long_way)),
     "SE3_log": (lambda s: norm(s[3:6]), _screw_the_long_way),
     "quaternion_from_mat3x3": (lambda q: 2 * mp.acos(q[3]), lambda q: -q),
@@ -209,7 +211,7 @@ OTHERS: dict[str, tuple[Callable, Callable]] = {
 """The angle of a truth; the other truth if that angle is π."""
 
 
-def alternatives(name: str, truth: Matrix | tuple, rounding: mp.mpf) -> list[Matrix | tuple]:
+def alternatives(name: str, truth: Truth, rounding: mp.mpf) -> list[Truth]:
     """The exact result; if the angle is π to within this rounding, also the other one."""
     if name in OTHERS:
         angle, other = OTHERS[name]

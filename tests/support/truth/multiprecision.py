@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property, partial, reduce
 from types import FunctionType
+from typing import TypeAlias
 
 import mpmath as mp
 import numpy as np
@@ -50,7 +51,7 @@ class Rules:
     def named(self, symbol: sp.Symbol) -> "Number":
         return self.constant(PER_PRECISION[symbol][PRECISIONS.index(self.precision)])
 
-    def rounded(self, function: Callable, *values: mp.mpf) -> mp.mpf:
+    def rounded(self, function: Callable[..., mp.mpf], *values: mp.mpf) -> mp.mpf:
         if not self.rounds:
             return function(*values)
         with mp.workprec(np.finfo(self.precision.numpy_type).nmant + 1):
@@ -60,14 +61,14 @@ class Rules:
     def grid(self) -> int:
         return int(PER_PRECISION[GRID][PRECISIONS.index(self.precision)])
 
-    def sum(self, function: Callable, x: "Number", y: object) -> "Number":
-        on_grid = x.is_grid or getattr(y, "is_grid", False)
+    def sum(self, function: Callable[..., mp.mpf], x: "Number", y: "Like") -> "Number":
+        on_grid = x.is_grid or isinstance(y, Number) and y.is_grid
         found = x._with(partial(self.rounded, function) if on_grid else function, y)
         found.on_grid = on_grid
         return found
 
-    def product(self, x: "Number", y: object) -> "Number":
-        square = x.on_grid and getattr(y, "on_grid", False) and x.value == y.value
+    def product(self, x: "Number", y: "Like") -> "Number":
+        square = x.on_grid and isinstance(y, Number) and y.on_grid and x.value == y.value
         is_grid = self.grid in (x.value, value_of(y))
         found = x._with(partial(self.rounded, operator.mul) if square or is_grid else
                         operator.mul, y)
@@ -99,37 +100,41 @@ class Number:
         self.is_grid = False  # a multiple of GRID
         self.on_grid = False  # a sum with one
 
-    def _with(self, function: Callable, *others: object) -> "Number":
+    def _with(self, function: Callable[..., mp.mpf], *others: "Like") -> "Number":
         return Number(function(self.value, *map(value_of, others)), self.rules)
 
-    def __add__(self, other): return self.rules.sum(operator.add, self, other)
-    def __sub__(self, other): return self.rules.sum(operator.sub, self, other)
-    def __rsub__(self, other): return -self + other
-    def __mul__(self, other): return self.rules.product(self, other)
-    def __truediv__(self, other): return self._with(self.rules.quotient, other)
-    def __rtruediv__(self, other): return self.rules.number(other) / self
-    def __neg__(self): return self._with(operator.neg)
-    def __lt__(self, other): return bool(self.value < value_of(other))
-    def __gt__(self, other): return bool(self.value > value_of(other))
-    def __eq__(self, other): return bool(self.value == value_of(other))
-    __radd__, __rmul__, __hash__ = __add__, __mul__, None
+    def __add__(self, other: "Like") -> "Number": return self.rules.sum(operator.add, self, other)
+    def __sub__(self, other: "Like") -> "Number": return self.rules.sum(operator.sub, self, other)
+    def __rsub__(self, other: "Like") -> "Number": return -self + other
+    def __mul__(self, other: "Like") -> "Number": return self.rules.product(self, other)
+    def __truediv__(self, other: "Like") -> "Number": return self._with(self.rules.quotient, other)
+    def __rtruediv__(self, other: "Like") -> "Number": return self.rules.number(other) / self
+    def __neg__(self) -> "Number": return self._with(operator.neg)
+    def __lt__(self, other: "Like") -> bool: return bool(self.value < value_of(other))
+    def __gt__(self, other: "Like") -> bool: return bool(self.value > value_of(other))
+    def __eq__(self, other: object) -> bool: return bool(self.value == value_of(other))
+    __radd__, __rmul__ = __add__, __mul__
 
     def sqrt(self) -> "Number":
         return self._with(self.rules.root)
 
 
-def value_of(x: "Number | int") -> mp.mpf:
+Like: TypeAlias = Number | int
+
+
+def value_of(x: object) -> mp.mpf:
     if not isinstance(x, (Number, int)):
         raise TypeError(f"{x!r} came in beside the rules")
     return x.value if isinstance(x, Number) else mp.mpf(x)
 
 
-_FUNCTIONS = {
+_FUNCTIONS: dict[str, Callable[..., Number]] = {
     "abs": lambda x: x._with(abs), "sqrt": Number.sqrt, "sin": lambda x: x._with(mp.sin),
     "cos": lambda x: x._with(mp.cos), "atan2": lambda y, x: y._with(mp.atan2, x)}
 
-_SYMPY = {sp.Equality: operator.eq, scaled: operator.mul, sp.Abs: _FUNCTIONS["abs"],
-          sp.sin: _FUNCTIONS["sin"], sp.cos: _FUNCTIONS["cos"], sp.atan2: _FUNCTIONS["atan2"]}
+_SYMPY: dict[type[sp.Basic], Callable[..., Number | bool]] = {
+    sp.Equality: operator.eq, scaled: operator.mul, sp.Abs: _FUNCTIONS["abs"],
+    sp.sin: _FUNCTIONS["sin"], sp.cos: _FUNCTIONS["cos"], sp.atan2: _FUNCTIONS["atan2"]}
 
 
 def can_evaluate(expression: sp.Expr) -> bool:
@@ -139,9 +144,9 @@ def can_evaluate(expression: sp.Expr) -> bool:
 
 def c_arithmetic(rules: Rules) -> Arithmetic:
     """C's operators and functions under these rules."""
-    operators = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
-                 "<": operator.lt, "==": operator.eq, "fabs": _FUNCTIONS["abs"]}
-    return Arithmetic(rules.literal, operators | _FUNCTIONS)
+    return Arithmetic(rules.literal, {
+        "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
+        "<": operator.lt, "==": operator.eq, "fabs": _FUNCTIONS["abs"], **_FUNCTIONS})
 
 
 def python_function(function: FunctionType, rules: Rules) -> FunctionType:
@@ -161,14 +166,15 @@ class Evaluator:
     """
 
     def __init__(self, rules: Rules, values: Mapping[sp.Symbol, Number]):
-        self.rules, self.values = rules, dict(values)
+        self.rules = rules
+        self.values: dict[sp.Symbol, Number | bool] = dict(values)
         self.seen: set[tuple[sp.Basic, bool]] = set()
 
     def kernel(self, kernel: Kernel) -> list[Number]:
         """Every component of every output."""
         for binding in kernel.bindings:
             self.values[binding.symbol] = self(binding.expression)
-        return [self(x) for x in kernel.values]
+        return [self.number(x) for x in kernel.values]
 
     def __call__(self, x: sp.Basic) -> Number | bool:
         if x.is_Symbol:
@@ -186,10 +192,17 @@ class Evaluator:
             test, yes, no = x.args
             return self(yes if self(test) else no)
         if isinstance(x, (sp.StrictLessThan, sp.StrictGreaterThan)):
-            return self(x.lts) < self(x.gts)
+            return self.number(x.lts) < self.number(x.gts)
         return self._by_type(x, [self(argument) for argument in x.args])
 
-    def _by_type(self, x: sp.Basic, values: list) -> Number | bool:
+    def number(self, x: sp.Basic) -> Number:
+        """The value of an expression that is a number."""
+        found = self(x)
+        if isinstance(found, bool):
+            raise TypeError(f"{x} is a condition")
+        return found
+
+    def _by_type(self, x: sp.Basic, values: list[Number | bool]) -> Number | bool:
         kind = type(x)
         if kind in (sp.Add, sp.And):
             return reduce({sp.Add: operator.add, sp.And: operator.and_}[kind], values)
@@ -197,7 +210,7 @@ class Evaluator:
 
     def holds(self, test: sp.Basic) -> bool:
         for part in sp.And.make_args(test):
-            result = self(part)
+            result = bool(self(part))
             self.seen.add((part, result))
             if not result:
                 return False
@@ -212,7 +225,7 @@ class Evaluator:
         return product / reduce(operator.mul, below) if below else product
 
     def _power(self, base: sp.Expr, exponent: sp.Rational) -> Number:
-        x = self(base)
+        x = self.number(base)
         if exponent == sp.Rational(1, 2):
             return x.sqrt()
         return reduce(operator.mul, [x] * int(exponent))

@@ -21,6 +21,7 @@ from tests.support.truth.motions import (
     TRUTHS,
     Matrix,
     SE3_exp,
+    Truth,
     compose,
     conjugate,
     exponential_series,
@@ -83,10 +84,10 @@ def _argument(argument: Argument, numbers: Sequence[float]) -> Matrix | mp.mpf:
     return mp.matrix(np.reshape(numbers, (rows, columns)).tolist())
 
 
-def _flat(value: Matrix | mp.mpf | tuple) -> Components:
+def _flat(value: Truth) -> Components:
     if isinstance(value, tuple):
         return [x for part in value for x in _flat(part)]
-    return list(value) if isinstance(value, Matrix) else [mp.mpf(value)]
+    return list(value) if isinstance(value, mp.matrix) else [mp.mpf(value)]
 
 
 def _of_matrix(R: Matrix) -> Matrix:
@@ -102,7 +103,7 @@ def _screw(w: Matrix, t: Matrix) -> Matrix:
 
 
 # name → (rotation vector of the inputs, result by another rotation vector and the inputs)
-_OTHER: dict[str, tuple[Callable[..., Matrix], Callable[..., Matrix | tuple]]] = {
+_OTHER: dict[str, tuple[Callable[..., Matrix], Callable[..., Truth]]] = {
     "SO3_log": (_of_matrix, lambda w, R: w),
     "quaternion_log": (vector_of, lambda w, q: w),
     "quaternion_from_mat3x3": (_of_matrix, lambda w, R: -nearest_quaternion(R)),

@@ -16,7 +16,7 @@ import numpy as np
 
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Input, Op, Program
-from coscrew_codegen.program.bounds import Polynomial, bounds_of
+from coscrew_codegen.program.bounds import Bound, Polynomial, bounds_of
 from coscrew_codegen.program.interpreter import by_operation, evaluate
 
 WIDE = np.longdouble
@@ -55,7 +55,7 @@ def enclosed(program: Program, precision: Precision, rows: np.ndarray) -> Enclos
     """The exact results of a polynomial program for rows of all input components."""
     columns = rows.astype(WIDE).T
     found = _evaluated(program, precision, columns)
-    bounds = bounds_of(program)
+    bounds = _bounds(program)
     sizes, unit = np.abs(columns), WIDE(_UNIT[precision.name])
     terms = np.stack([_sum(program, bound.terms, sizes) for bound in bounds], axis=1)
     factors = np.array([float(bound.c1) + 1 if bound.rounded else 0 for bound in bounds], WIDE)
@@ -63,6 +63,12 @@ def enclosed(program: Program, precision: Precision, rows: np.ndarray) -> Enclos
     lo = np.stack([np.broadcast_to(WIDE(0) if x.lo is None else x.lo, len(rows)) for x in found],
                   axis=1)
     return Enclosed(hi, lo, factors * unit * terms * WIDE(1 + 2.0**-40), terms)
+
+
+def _bounds(program: Program) -> tuple[Bound, ...]:
+    found = bounds_of(program)
+    assert found, "only polynomial programs have bounds"
+    return found
 
 
 def _evaluated(program: Program, precision: Precision, columns: np.ndarray) -> list[Wide]:
@@ -74,7 +80,7 @@ def _evaluated(program: Program, precision: Precision, columns: np.ndarray) -> l
     inputs = [[Wide(columns[places[Input(number, i)]]) for i in range(argument.quantity.size)]
               for number, argument in enumerate(program.inputs)]
     return evaluate(program, inputs, by_operation(
-        lambda x: Wide(WIDE(float(precision.value(x)))), rules))
+        lambda x: Wide(np.array(float(precision.value(x)), WIDE)), rules))
 
 
 def _places(program: Program) -> dict[Input, int]:
@@ -88,7 +94,7 @@ def _sum(program: Program, terms: Polynomial, sizes: np.ndarray) -> np.ndarray:
     places = _places(program)
     total = np.zeros(sizes.shape[1], WIDE)
     for monomial, coefficient in terms.items():
-        term = WIDE(float(abs(coefficient)))
+        term = WIDE(abs(float(coefficient)))
         for x in monomial:
             term = term * sizes[places[x]]
         total += term
@@ -100,7 +106,7 @@ def linear(program: Program, component: int, place: int,
     """(p, q) with component = p + q · input number `place`; q is NaN if there is none."""
     places, columns = _places(program), rows.astype(WIDE).T
     parts = np.zeros((2, len(rows)), WIDE)
-    for monomial, coefficient in bounds_of(program)[component].terms.items():
+    for monomial, coefficient in _bounds(program)[component].terms.items():
         own = [x for x in monomial if places[x] == place]
         if len(own) > 1:
             return parts[0], np.full(len(rows), np.nan, WIDE)

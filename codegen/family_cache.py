@@ -29,7 +29,7 @@ Made = TypeVar("Made")
 Bundle = dict[str, object]  # a family's results, by the names of the functions that made them
 
 
-class Kept:
+class FamilyCache:
     """Finds the results for a family or makes them; `save` caches those that were made.
 
     `sources` are the generator's sources, read before this process imported the operations; without

@@ -6,7 +6,7 @@ A function that is not selected is neither derived, emitted nor compiled.
 
 from collections.abc import Iterable, Sequence
 
-from coscrew_codegen.errors import Told
+from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.integrators import DEFAULT as DEFAULT_INTEGRATOR
 from coscrew_codegen.integrators import EMITTED, named
@@ -31,7 +31,7 @@ MOST = 1000
 """Largest number of joints that move: their functions are 100 MB of C, too much for compilers."""
 
 
-class AskedError(Told, ValueError):
+class FunctionsError(ReportedError, ValueError):
     """A function that the scene does not have; the message gives the nearest name."""
 
 
@@ -71,11 +71,11 @@ def by_default(scene: Scene) -> tuple[str, ...]:
     if not integrator.emitted:
         integrator = named(DEFAULT_INTEGRATOR)
     recorded = {x.on for x in scene.effects if x.effect.reaction}
-    asked = {*DYNAMICS, *(name for name, joint in reactions(scene).items() if joint in recorded),
+    found = {*DYNAMICS, *(name for name, joint in reactions(scene).items() if joint in recorded),
              MOVED, *FREE, *CONTACTS, integrator.step_name}
     if speeds(scene) > MANY:
-        asked.remove("mass_matrix")
-    return tuple(name for name in names(scene) if name in asked)
+        found.remove("mass_matrix")
+    return tuple(name for name in names(scene) if name in found)
 
 
 def speeds(scene: Scene) -> int:
@@ -84,35 +84,35 @@ def speeds(scene: Scene) -> int:
 
 
 def refuse_many(scene: Scene) -> None:
-    """Raise AskedError for a scene of more than MOST joints that move."""
+    """Raise FunctionsError for a scene of more than MOST joints that move."""
     count = sum(joint.kind is not Kind.FIXED for joint in scene.model.joints)
     if count > MOST:
-        raise AskedError(f"{scene.name}: {count} joints move; wanted at most {MOST}, since of more "
-                         "no C compiler takes the functions")
+        raise FunctionsError(f"{scene.name}: {count} joints move; wanted at most {MOST}, since of "
+                             "more no C compiler takes the functions")
 
 
-def asked_for(scene: Scene) -> tuple[str, ...]:
-    """The functions that the scene selects, each once, in their order.  Raises AskedError."""
+def selected_functions(scene: Scene) -> tuple[str, ...]:
+    """The functions that the scene selects, each once, in their order.  Raises FunctionsError."""
     found = resolved(scene, scene.functions)
     return tuple(name for name in names(scene) if name in found)
 
 
-def resolved(scene: Scene, asked: Sequence[str]) -> set[str]:
+def resolved(scene: Scene, words: Sequence[str]) -> set[str]:
     """The functions that these words select: names, DEFAULT, ALL; without words, DEFAULT.  Raises
-    AskedError with the nearest name for an unknown word."""
+    FunctionsError with the nearest name for an unknown word."""
     known = names(scene)
     found: set[str] = set()
-    for word in asked or (DEFAULT,):
+    for word in words or (DEFAULT,):
         if word in (DEFAULT, ALL):
             found.update(by_default(scene) if word == DEFAULT else known)
         elif word in known:
             found.add(word)
         else:
-            raise AskedError(f"{word!r} is no function of the scene; "
-                             f"{did_you_mean(word, (*known, DEFAULT, ALL))}")
+            raise FunctionsError(f"{word!r} is no function of the scene; "
+                                 f"{did_you_mean(word, (*known, DEFAULT, ALL))}")
     return found
 
 
-def together(*asked: Iterable[str]) -> tuple[str, ...]:
+def together(*lists: Iterable[str]) -> tuple[str, ...]:
     """The names, each once, in the order of their first occurrence."""
-    return tuple(dict.fromkeys(name for several in asked for name in several))
+    return tuple(dict.fromkeys(name for several in lists for name in several))
