@@ -46,7 +46,7 @@ Row = tuple[list[mp.mpf], ...]  # components of every input
 Run = Callable[[Operation, Rules, Row], list[mp.mpf]]
 
 # That they suffice, branches taken and signs flipped show.
-ROWS = 24
+ROWS = 36
 
 # The last row of L times its pivot enters only squared, so that its sign is free there.
 SIGNED = tuple(op for op in NUMERIC if op.name != "spatial_inertia_consistency")
