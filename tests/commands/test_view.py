@@ -305,7 +305,8 @@ def test_awkward_names_are_text(browser, runs):
 def test_a_run_that_stopped_says_so(runs, tmp_path):
     path = tmp_path / "unstable.toml"
     path.write_text(texts.UNSTABLE)
-    (found,) = simulated(checked(path, None, others=("body_poses",)), RunOverrides(precision="double"))
+    kernels = checked(path, None, others=("body_poses",), precisions=("double",))
+    (found,) = simulated(kernels, RunOverrides(precision="double"))
     text = page(found.system, found.trajectory, found.recording.provenance)
     assert f'role="status">{found.trajectory.stopped}' in text
 
@@ -313,7 +314,8 @@ def test_a_run_that_stopped_says_so(runs, tmp_path):
 def test_a_run_of_huge_numbers_is_shown_as_far_as_they_go(browser, runs, tmp_path):
     path = tmp_path / "unstable.toml"
     path.write_text(texts.UNSTABLE)
-    (found,) = simulated(checked(path, None, others=("body_poses",)), RunOverrides(precision="double"))
+    kernels = checked(path, None, others=("body_poses",), precisions=("double",))
+    (found,) = simulated(kernels, RunOverrides(precision="double"))
     view(found.system, found.trajectory, found.recording.provenance, tmp_path / "unstable.html")
     shown = opened(browser, tmp_path, "unstable")
     assert shown.get_log("browser") == []
