@@ -187,8 +187,9 @@ def _constants(precision: Precision) -> list[mpmath.mpf]:
 
 
 def _multiprecise(operation: Operation) -> Callable[..., Sequence[mpmath.mpf]]:
-    return sp.lambdify([*_symbols(operation), *PER_PRECISION], formula(operation),
-                       [SPECIAL, "mpmath"], cse=True)
+    found: Callable[..., Sequence[mpmath.mpf]] = sp.lambdify(
+        [*_symbols(operation), *PER_PRECISION], formula(operation), [SPECIAL, "mpmath"], cse=True)
+    return found
 
 
 def _units(operation: Operation,

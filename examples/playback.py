@@ -15,7 +15,7 @@ import coscrew
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import needs
 from coscrew_codegen.simulate.load import kernels_for
-from coscrew_codegen.simulate.outcome import Asked, simulated
+from coscrew_codegen.simulate.outcome import RunOverrides, simulated
 from coscrew_codegen.simulate.view import drawn
 
 WIDTH, HEIGHT, FINER = 640, 440, 3  # pixels; each drawn with 3 × 3
@@ -32,7 +32,7 @@ def boxes(path: str) -> tuple[np.ndarray, np.ndarray]:
     """Corners of all boxes at all frames, (frames, boxes, 8, 3), in m; and their bodies."""
     scene = read_scene(path)
     kernels = kernels_for(scene, needs.of_run(scene, None, view=True))
-    run = simulated(kernels, Asked(precision="double"))[0]
+    run = simulated(kernels, RunOverrides(precision="double"))[0]
     t = run.trajectory.t
     chosen = np.searchsorted(t, np.arange(0, t[-1] - 1e-9, 1 / FRAMES_A_SECOND))
     poses = np.asarray(run.system.call("body_poses", t=t[chosen], q=run.trajectory.q[chosen]))

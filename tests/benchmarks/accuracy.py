@@ -36,7 +36,7 @@ Arrays = tuple[np.ndarray, ...]
 
 
 def _other_screw(s: mp.matrix) -> mp.matrix:
-    """The screw of the same displacement, turning the other way round."""
+    """The screw of the same displacement whose rotation has the opposite sense."""
     w = s[3:6] * (1 - 2 * mp.pi / norm(s[3:6]))
     t = exponential_series(skew(s[3:6]), 1) * s[0:3]
     return mp.matrix([*mp.lu_solve(exponential_series(skew(w), 1), t), *w])
@@ -81,7 +81,7 @@ def cases() -> Iterator[tuple[Operation, str, Arrays]]:
 
 
 def _turns(operation: Operation, rng: np.random.Generator, angles: np.ndarray) -> Arrays:
-    """Inputs for turns by these angles, computed in 60 digits and rounded once."""
+    """Inputs for rotations by these angles, computed in 60 digits and rounded once."""
     v = directions(rng, SAMPLES) * angles[:, None]
     lever = directions(rng, SAMPLES) * 10 ** rng.uniform(-1, 1, (SAMPLES, 1))
     kind = operation.inputs[0].quantity.name
@@ -115,7 +115,7 @@ def errors(operation: Operation, inputs: Arrays, found: np.ndarray) -> float:
 
 
 def _truths(operation: Operation, given: list[float]) -> list[Components]:
-    """The truth; at half a turn the other one as well; of a quaternion, both signs."""
+    """The true results: two at half a turn, and both signs of a quaternion."""
     found = [truth(operation, DOUBLE, tuple(given))]
     other = other_way(operation, given, 64 * U)
     found += [other] if other is not None else []

@@ -1,4 +1,4 @@
-"""Dynamics of real robots beside Pinocchio's and MuJoCo's: times of single calls.
+"""Dynamics of real robots compared with Pinocchio's and MuJoCo's: times of single calls.
 
 From C++, against the wheel's library (needs a C++ compiler, Eigen and the headers of urdfdom); from
 Python, a call of each; and a step of MuJoCo's, of the same model and effects.
@@ -75,7 +75,7 @@ def _operations(program) -> str:
 
 
 def _program() -> Path | None:
-    """The C++ program, compiled when it is not there; None where that cannot be done."""
+    """The C++ program, compiled if it does not exist; None if it cannot be compiled."""
     BUILD.mkdir(exist_ok=True)
     program = BUILD / "dynamics"
     source = Path(__file__).with_suffix(".cpp")
@@ -136,7 +136,7 @@ def _from_python(name: str, x: Kernels):
 
 
 def _step(name: str, effects: tuple[tuple[str, str, Fraction], ...]):
-    """A step of ours, of many states in a loop of C, and one of MuJoCo's, in its own."""
+    """Times of a step: ours, in a loop in C over many states, and MuJoCo's, in its own loop."""
     model = mujoco.MjModel.from_xml_string(_without_meshes(path_of(ROBOTS[name][0]).read_text()))
     model.opt.timestep = 1e-3
     model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)

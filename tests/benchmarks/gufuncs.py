@@ -18,7 +18,7 @@ Case = tuple[str, Callable[[], object]]
 
 
 def _cases(dtype: str) -> dict[str, list[Case]]:
-    """For each task: ours first, then the others."""
+    """The alternatives for each task: ours first, then the others."""
     random = np.random.default_rng(20)
     one = random.normal(size=(3, 4)).astype(dtype)
     each, s, c = (aligned(random.normal(size=(COUNT, *shape)).astype(dtype))

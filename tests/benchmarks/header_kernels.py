@@ -27,8 +27,9 @@ SECONDS = 0.2  # of each operation and precision
 
 
 def build(compiler: str, flags: str, folder: Path) -> ctypes.CDLL:
-    """The loops, and the functions they call: compiled apart, without link-time optimisation, and
-    called as those of a static library are (hidden: not through a table)."""
+    """The loops and the functions that they call: compiled separately, without link-time
+    optimisation, and called as functions of a static library are (hidden: not through the procedure
+    linkage table)."""
     common = [compiler, "-std=c11", "-ffp-contract=off", "-DKSL_CONTRACT_OFF", *flags.split(),
               "-fPIC",
               "-fvisibility=hidden", "-I", str(INCLUDE)]

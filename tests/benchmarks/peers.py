@@ -1,4 +1,4 @@
-"""What other libraries compute for coscrew's operations, in coscrew's conventions and layouts.
+"""Coscrew's operations computed by other libraries, in coscrew's conventions and layouts.
 
 Every function takes rows of inputs, (n, *shape), and returns rows of results.  A library that is
 not installed is named in `missing`.
@@ -25,7 +25,7 @@ class Peer:
 
 
 def peers() -> tuple[tuple[Peer, ...], tuple[str, ...]]:
-    """(libraries that are here, names of those that are not)."""
+    """(installed libraries, names of those that are not installed)."""
     found, missing = [], []
     for name, distribution, module, table in _KNOWN:
         try:
@@ -52,7 +52,7 @@ def _scalar_last(q: np.ndarray) -> np.ndarray:
 
 
 def _swapped(s: np.ndarray) -> np.ndarray:
-    """The other half on top."""
+    """The halves of each row exchanged."""
     return np.roll(s, 3, axis=-1)
 
 
@@ -100,7 +100,8 @@ def _scipy(scipy: ModuleType) -> dict[str, Function]:
 
 
 def _pinocchio(pin: ModuleType) -> dict[str, Function]:
-    """Its Jacobians are the right ones; those of logarithms take the rotation or displacement."""
+    """Pinocchio's Jacobians are right Jacobians; those of logarithms take the rotation or
+    displacement."""
 
     def displaced(D: np.ndarray) -> object:
         return pin.SE3(np.ascontiguousarray(D[:, :3]), D[:, 3].copy())

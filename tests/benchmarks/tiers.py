@@ -23,7 +23,8 @@ SECONDS = 0.5  # of each operation and precision
 
 
 def rows(library: Library, variants: list[Variant]) -> Iterator[tuple[str, ...]]:
-    """A line for each variant: time, and ratio to plain in the same round."""
+    """A line for each variant: its time, and the ratio to the plain tier's time in the same round.
+    """
     for rivals in contests(variants):
         drawn = [inputs.split(v.operation, inputs.benign(v.operation, v.precision, v.elements, 1))
                  for v in rivals]

@@ -14,7 +14,7 @@ from coscrew_codegen.simulate.findings import Met
 from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.verdict import table
 from tests.support.scenes import scene_texts as texts
-from tests.support.scenes.asking import checked
+from tests.support.scenes.selecting import checked
 from tests.support.scenes.simulated import told
 
 
@@ -88,7 +88,8 @@ def test_expectations_allow_their_tolerances(apart, passed):
 
 @pytest.mark.parametrize("integrator, order", (("semi-implicit-euler", 1), ("rk4", 4)))
 def test_a_defect_of_energy_has_the_integrators_order(loaded, integrator, order):
-    """Of a damped spring: E - E(0) + ∫ d v² dt, the largest, falls with the step."""
+    """The largest E - E(0) + ∫ d v² dt of a damped spring falls with the step, by the method's
+    order."""
     findings = check(loaded(texts.SPRING), RunOverrides(integrator=integrator, step=1e-2))
     double = findings.along[0]
     found = math.log2(double.coarse.relative / double.fine.relative)
@@ -105,7 +106,7 @@ def test_the_work_of_damping_is_the_energy_lost(spring):
 
 
 def test_power_that_does_not_account_for_the_loss_is_found(loaded, spring):
-    """Were an effect's power wrong by 1 %, no smaller step would help."""
+    """An effect's power that is wrong by 1 % is an error that smaller steps do not reduce."""
     kernels = loaded(texts.SPRING)
 
     def wrong(functions):
@@ -165,7 +166,7 @@ integrator = "rk4"
 
 
 def test_the_condition_is_that_of_the_mass_matrix(loaded):
-    """Of two links in a plane: M = [[a + 2 b cos θ, c + b cos θ], [c + b cos θ, c]]."""
+    """Two links in a plane have M = [[a + 2 b cos θ, c + b cos θ], [c + b cos θ, c]]."""
     kernels = loaded(TWO_LINKS)
     along = check(kernels, RunOverrides()).along[0]
     from coscrew_codegen.simulate.plan import plan
@@ -194,7 +195,7 @@ def test_both_precisions_are_compared(spring):
 
 
 @pytest.mark.parametrize("precision, other", (("double", "single"), ("single", "double")))
-def test_only_the_precision_asked_for_is_checked(tmp_path, capsys, precision, other):
+def test_only_the_selected_precision_is_checked(tmp_path, capsys, precision, other):
     path = tmp_path / "scene.toml"
     path.write_text(texts.SPRING)
     assert main(["check", str(path), "--precision", precision]) == 0
@@ -290,8 +291,8 @@ fall = 0.5
 @pytest.mark.parametrize("precision, strict", (("double", ("--strict",)), ("single", ()),
                                                 ("both", ())))
 def test_energy_and_momentum_are_judged_against_a_stated_size(tmp_path, capsys, precision, strict):
-    """Of a wing nut on which nothing acts: with the old default they are a few percent off after
-    ten seconds, and a smaller step would make that less."""
+    """After ten seconds of a wing nut on which nothing acts, integrated by a method of order 1,
+    both are off by a few percent, which smaller steps reduce."""
     path, old = tmp_path / "nut.toml", ("--integrator", "semi-implicit-euler")
     which = () if precision == "both" else ("--precision", precision)
     if precision == "both":
@@ -303,7 +304,7 @@ def test_energy_and_momentum_are_judged_against_a_stated_size(tmp_path, capsys, 
 
 
 def test_single_precision_is_not_excused_as_rounding(tmp_path, capsys):
-    """4e-5 is 700 u, but double precision shows the same: --strict fails."""
+    """An error of 4e-5 is 700 u, but double precision has the same error: --strict fails."""
     path = tmp_path / "nut.toml"
     words = ("--integrator", "semi-implicit-euler", "--until", "0.4")
     status, said = told(path, capsys, "check", NUT, *words)
@@ -316,7 +317,8 @@ def test_single_precision_is_not_excused_as_rounding(tmp_path, capsys):
 
 
 def test_work_within_steps_counts(tmp_path, capsys):
-    """A bounce begins and ends within one step: what it dissipates is known all the same."""
+    """A bounce begins and ends within one step; the energy it dissipates is summed within that
+    step."""
     status, said = told(tmp_path / "ball.toml", capsys, "check", BALL)
     assert status == 0, said
     assert told(tmp_path / "ball.toml", capsys, "check", BALL, "--integrator", "rk4")[0] == 1

@@ -1,4 +1,4 @@
-"""`coscrew check` stops where `coscrew simulate` does, and neither where only rounding is seen."""
+"""`coscrew check` stops where `coscrew simulate` does, and neither stops for rounding errors."""
 
 import pytest
 
@@ -24,8 +24,8 @@ z = 1
     "duration = 0.5", "duration = 0.095", "duration = 1e-3", "duration = 3e-3",
     "duration = 0.5\n[outputs]\nevery = 0.5", "duration = 0.9\nstep = 0.01"))
 def test_a_spring_that_turns_by_ten_radians_a_step_is_false(tmp_path, capsys, run):
-    """Though its energy is kept to rounding: `check` looks at steps as `simulate` does, and either
-    twice, however short the run is and however few its samples."""
+    """Its energy is kept to rounding. `check` compares steps with half steps, as `simulate` does;
+    both do so at least twice, however short the run is and however few its samples."""
     text = SPRING.replace("1e8", "1e6" if "step" in run else "1e8")
     for command in ("simulate", "check"):
         status, said = told(tmp_path / "spring.toml", capsys, command, text + run)
@@ -44,7 +44,7 @@ def test_energy_that_overflows_is_no_rounding(tmp_path, capsys, integrator, k, p
 
 
 def test_what_only_smaller_steps_show_is_false(tmp_path, capsys):
-    """A torque whose period is the step is zero wherever that looks."""
+    """A torque whose period equals the step is zero at the beginning of each step."""
     text = SLIDE + """
 [effects.actuator.z]
 kind = "torque"
@@ -60,7 +60,7 @@ duration = 0.5
 
 
 def test_speeds_that_smaller_steps_change_are_told(tmp_path, capsys):
-    """Of a light part that vibrates beside a heavy one, of which energies do not tell."""
+    """A light body vibrates beside a heavy one: energies do not show its error."""
     text = """
 [bodies]
 a = { mass = 100, inertia = [1, 1, 1] }
@@ -84,7 +84,7 @@ x = 10
 
 
 def test_what_double_shows_is_no_rounding_of_single(tmp_path, capsys):
-    """Of a pendulum on a hill, whose energy Euler's steps change in either precision."""
+    """Euler's steps change the energy of a pendulum on a hill in both precisions."""
     text = PENDULUM.format(angle="0.2", z=2000) + "step = 25e-3\n"
     status, said = told(tmp_path / "hill.toml", capsys, "check", text, "--integrator",
                         "linear-implicit-euler")
@@ -110,7 +110,7 @@ duration = 1
     ("1e-9", 0, "double"), ("'pi'", 0, "double")])
 def test_motions_smaller_than_the_rounding_of_energies_are_true(tmp_path, capsys, angle, z,
                                                                 precision):
-    """Of a pendulum whose m g z has more rounding than its kinetic energy has to lose."""
+    """The rounding error of m g z of a pendulum on a hill is larger than its kinetic energy."""
     text = PENDULUM.format(angle=angle, z=z)
     for command in ("simulate", "check"):
         status, said = told(tmp_path / "pendulum.toml", capsys, command, text, "--precision",
@@ -124,11 +124,11 @@ def test_motions_smaller_than_the_rounding_of_energies_are_true(tmp_path, capsys
                                                  ("3e-8", 0, "double")])
 def test_such_motions_are_still_false_where_steps_are_too_long(tmp_path, capsys, angle, z,
                                                                precision):
-    """Their energies tell nothing, but a step of 0.6 s differs from its halves: hω is 2.6."""
+    """Their energies show nothing, but a step of 0.6 s differs from two half steps: h ω = 2.6."""
     text = PENDULUM.format(angle=angle, z=z).replace("duration = 1", "duration = 30\nstep = 0.6")
     text += "[outputs]\nevery = 0.6\n"
     for command in ("simulate", "check"):
         status, said = told(tmp_path / "pendulum.toml", capsys, command, text, "--precision",
                             precision)
         assert status == 1
-        assert "the step is too large" in said or command == "simulate"  # energy tells that, too
+        assert "the step is too large" in said or command == "simulate"  # energy, too

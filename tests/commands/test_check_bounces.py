@@ -1,5 +1,5 @@
-"""coscrew check of bodies that bounce: a right motion is right, its work is that of Hunt and
-Crossley's law, and what is said to help helps."""
+"""`coscrew check` of bouncing bodies: correct motions pass, limits do the work of Hunt and
+Crossley's law, and the remedies that messages name help."""
 
 import math
 from dataclasses import replace
@@ -12,7 +12,7 @@ from coscrew_codegen.__main__ import main
 from coscrew_codegen.simulate.check import check
 from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.verdict import table
-from tests.support.scenes.asking import checked
+from tests.support.scenes.selecting import checked
 
 BALL = """
 [bodies]
@@ -66,7 +66,7 @@ def test_a_right_bounce_is_right_in_single_precision(loaded, step):
 
 
 def outgoing(v: float, alpha: float) -> mpmath.mpf:
-    """e v by Hunt and Crossley's law of what has no weight: G(v) = G(-e v),
+    """The speed e v after a bounce without gravity, by Hunt and Crossley's law: G(v) = G(-e v),
     G(v) = v/a - ln(1 + a v)/a², a = 1.5 alpha."""
     a = mpmath.mpf(3) / 2 * alpha
 
@@ -78,7 +78,7 @@ def outgoing(v: float, alpha: float) -> mpmath.mpf:
 
 
 def lost(v: float, alpha: float) -> float:
-    """The energy that a kilogram loses."""
+    """The energy that a ball of 1 kg loses in a bounce."""
     return float((mpmath.mpf(v)**2 - outgoing(v, alpha)**2) / 2)
 
 

@@ -34,7 +34,7 @@ from coscrew_codegen.targets import scene_c
 from coscrew_codegen.targets.scene_text import banner_of
 from tests.support.each import each_precision
 from tests.support.scenes import scene_texts as texts
-from tests.support.scenes.asking import STEPPED
+from tests.support.scenes.selecting import STEPPED
 
 
 @pytest.fixture(scope="module")
@@ -62,7 +62,7 @@ def test_each_effect_is_left_out_once(kernels):
 
 
 def test_what_costs_nothing_is_not_left_out(kernels):
-    """Reactions are outputs, no effects on the motion."""
+    """Reactions are outputs and do not change the motion."""
     found = {x.words: [a.effect.name for a in x.scene.effects]
              for x in parts(kernels["PENDULUM"].scene)}
     assert found == {"all effects": ["gravity", "reaction"], "bare": ["reaction"]}
@@ -84,7 +84,7 @@ def test_operations_are_those_of_the_terms(tmp_path):
 @each_precision
 @pytest.mark.parametrize("name", ("SPRING", "BRICK"))
 def test_the_loops_call_the_scenes_functions(kernels, name, precision):
-    """What a timed loop has computed are the functions' values at its inputs, to the last bit."""
+    """A timed loop computes the functions' values at its inputs, to the last bit."""
     whole = parts(kernels[name].scene)[0]
     library = compiled(whole, whole.public, native.compiler())
     its, rng = system(kernels[name], precision.name), np.random.default_rng(1)
@@ -150,7 +150,7 @@ def test_the_exact_run_of_a_pendulum_is_elliptic(kernels):
 
 
 def test_the_exact_run_of_a_free_body_is_dop853s(kernels):
-    """Which is another program, with other formulas of rates."""
+    """DOP853 runs another program, with other formulas for the rates of change."""
     its = system(kernels["BRICK"], "double")
     q, v, _ = exact_end(its, 1.0, 20)
     other = reference(its, 1.0, None)
@@ -232,7 +232,7 @@ def point(integrator: str, seconds: float, error: float) -> Point:
 
 @pytest.fixture
 def rough(costs):
-    """Costs whose reference is good to 1e-9; two of four runs are better than that."""
+    """Costs whose reference is accurate to 1e-9; two of four runs are more accurate than that."""
     truth = replace(costs.reference, error=1e-9)
     return replace(costs, reference=truth, points=(
         point("rk4", 1e-5, 1e-6), point("rk4", 2e-5, 3e-10), point("rk4", 4e-5, 2e-11),
@@ -245,7 +245,7 @@ def test_runs_better_than_the_reference_are_not_called_best(rough):
 
 
 def test_a_run_is_best_unless_another_ones_interval_lies_below(rough):
-    """1.1 times as long, the intervals overlap: nothing is said."""
+    """At 1.1 times the time the intervals overlap, and no run is called best."""
     near = replace(rough, points=(point("rk4", 1e-5, 1e-6), point("rk4", 1.1e-5, 1e-6),
                                   point("rk4", 1.6e-5, 1e-6)))
     marks = [x.split()[7:] for x in table(near).splitlines() if x.startswith("rk4 ")]

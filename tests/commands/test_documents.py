@@ -41,7 +41,7 @@ def test_the_readme_is_a_first_screen():
 
 
 def test_each_guide_has_its_snippet():
-    """Those that lose one fail here, not by having less to test."""
+    """A guide without a snippet has nothing to test; it fails here."""
     found = {name: text.count("```python\n") for name, text in GUIDES.items()}
     assert {name for name, count in found.items() if count} == {
         "README.md", "docs/accuracy.md", "docs/from_mujoco.md", "docs/from_pinocchio.md",
@@ -162,7 +162,7 @@ def test_every_guide_is_reached_from_the_readme():
 
 
 def test_the_picture_is_made_by_its_command(tmp_path):
-    """Of a scene that is quicker to derive and shorter."""
+    """Tried with a scene that is shorter and quicker to derive."""
     command = re.search(r"`python (examples/playback.py) (\S+) (\S+)`", TEXTS["README.md"])
     assert (ROOT / command[2]).exists() and (ROOT / command[3]).exists()
     scene = tmp_path / "swing.toml"

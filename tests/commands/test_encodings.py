@@ -11,7 +11,7 @@ from coscrew_codegen.__main__ import main
 from coscrew_codegen.console import _SPELLED, any_encoding
 from tests.support.scenes import scene_texts as texts
 
-# Names of joints and bodies in other scripts come out in tables and messages.
+# Tables and messages show names of joints and bodies in other scripts.
 SCENE = (texts.SPRING.replace('["block.mass"]', '["Körper.mass"]').replace('"block"', '"Körper"')
          .replace("[bodies.block]", '[bodies."Körper"]').replace("slide", '"Glied µ₁ дверь"')
          .replace("duration = 2", "duration = 0.02"))
@@ -40,7 +40,7 @@ def words(command: str, scenes: dict[str, str]) -> list[str]:
 
 @pytest.mark.parametrize("encoding", ENCODINGS)
 def test_every_command_in_every_encoding(scenes, encoding, monkeypatch):
-    """Nothing fails for a character, and what is written reads back in the encoding."""
+    """No character makes a command fail, and its output can be decoded."""
     for command, status in COMMANDS.items():
         out, err = io.BytesIO(), io.BytesIO()
         monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(out, encoding))

@@ -77,7 +77,8 @@ def test_a_bare_install_says_the_extra_of_each_command(bare, command):
 
 @pytest.mark.parametrize("module", sorted({module for _, module in NEEDED}))
 def test_a_package_that_lacks_alone_is_named(bare, module):
-    """By each command that needs it, before it looks at its arguments: of the scene not a word."""
+    """Each command that needs it names it before it looks at its arguments: the scene is not
+    mentioned."""
     command = [command for command, name in NEEDED if name == module][-1]
     extra = extras.COMMANDS[command]
     others = {*extras.EXTRAS[extra]} - {module}

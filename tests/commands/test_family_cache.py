@@ -1,6 +1,6 @@
-"""`coscrew generate` after a change: what it keeps of families is never another than what it makes.
+"""`coscrew generate` after a change: cached results of families equal those derived anew.
 
-`--check` makes everything anew: that it finds nothing to change is the proof."""
+`--check` derives everything anew; it must find no difference."""
 
 import pickle
 import re
@@ -20,14 +20,14 @@ from coscrew_codegen.native import cache
 from coscrew_codegen.operations import FAMILIES, OPERATIONS, contributors
 from tests.support.walks import copied, generated
 
-SOME = ("vec3", "mat6x6", "trig")  # families that are made soon
+SOME = ("vec3", "mat6x6", "trig")  # families that are derived quickly
 WORDS = ("--family", *SOME, "--output", "out")
 ALL = set(SOME)
 
 
 @pytest.fixture(scope="module")
 def filled(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of the generator that has made SOME families once, and kept them."""
+    """A copy of the generator that has derived and cached SOME families."""
     site = copied(tmp_path_factory.mktemp("site")).parent
     assert derived(generated(site, *WORDS)) == ALL
     return site
@@ -35,12 +35,12 @@ def filled(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def site(filled: Path, tmp_path: Path) -> Path:
-    """That, to change."""
+    """A copy of it, to change."""
     return shutil.copytree(filled, tmp_path / "site")
 
 
 def derived(done: subprocess.CompletedProcess[str]) -> set[str]:
-    """The families that were made."""
+    """The families that were derived, not found."""
     assert done.returncode == 0, done.stderr
     said = re.fullmatch(r"out: \d+ files, \d+ changed(?:; derived: (.*))?\n", done.stdout)
     assert said, done.stdout
@@ -48,7 +48,7 @@ def derived(done: subprocess.CompletedProcess[str]) -> set[str]:
 
 
 def assert_true(site: Path) -> None:
-    """What stands there is what is made from nothing."""
+    """The files there are those derived anew."""
     done = generated(site, *WORDS, "--check")
     assert done.returncode == 0, done.stdout
 
@@ -91,7 +91,7 @@ def contents(site: Path) -> dict[Path, bytes]:
 
 
 def test_other_commands_keep_their_own(site):
-    """Of a selection: precision, language, families."""
+    """Selections of precision, language and families have entries of their own."""
     words = ("--family", "trig", "--precision", "single", "--language", "c", "--output", "out")
     for again in ({"trig"}, set()):
         assert derived(generated(site, *words)) == again
@@ -109,7 +109,7 @@ def test_damaged_entries_are_made_again(site, damages):
         bad = {"truncated": content[:len(content) // 2], "emptied": b"", "a folder": None,
                "changed": content[:-1] + bytes([content[-1] ^ 1]), "no pickle": b"no pickle",
                "another's": zlib.compress(pickle.dumps(3))}[damage]
-        if damage in ("no pickle", "another's"):  # with its hash: whole, but not ours
+        if damage in ("no pickle", "another's"):  # with a valid hash
             path = path.with_name(f"{path.name.split('-')[0]}-{cache.hashed(bad)}.family")
         path.mkdir() if bad is None else path.write_bytes(bad)
     shutil.rmtree(site / "out")
@@ -143,7 +143,7 @@ def test_processes_at_once_make_the_same(site):
 
 
 def test_a_process_that_knew_older_sources_keeps_nothing(tmp_path, monkeypatch, capsys):
-    """This one has imported operations: they may have changed on disk since."""
+    """This process has imported the operations, which may have changed on disk since."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     for _ in range(2):
         assert main(["generate", "--family", "trig", "--output", str(tmp_path / "out")]) == 0
@@ -166,7 +166,8 @@ def made(kernels: FamilyKernels) -> str:
 
 
 def test_a_family_is_made_from_all_that_it_imports():
-    """Also within functions, relative, and through others; but not from other families alone."""
+    """Also imports inside functions, relative ones and indirect ones; but not modules that only
+    other families import."""
     sources = {"codegen/kernel.py": b"", "codegen/operations/__init__.py": b"",
                "codegen/operations/vec3.py": b"from coscrew_codegen.operations import a\n",
                "codegen/operations/a.py": b"def f():\n    from .b import x\n",
@@ -182,7 +183,7 @@ def test_a_family_is_made_from_all_that_it_imports():
 
 @pytest.mark.parametrize("family", FAMILIES)
 def test_functions_of_a_family_are_of_the_files_it_is_made_from(family):
-    """Wherever Python finds the code that derives it."""
+    """Wherever the code that derives it is defined."""
     found = made_from(family, cache.sources())
     for name in contributors(family):
         assert f"codegen/operations/{name}.py" in found
@@ -193,7 +194,7 @@ def test_functions_of_a_family_are_of_the_files_it_is_made_from(family):
 
 
 def files_of(function: Callable | None) -> set[str]:
-    """Where a function of operations and those it calls by their modules' names stand."""
+    """The files of a function of operations/ and of those it calls."""
     waiting, seen, paths = [function], set(), set()
     while waiting:
         one = waiting.pop()

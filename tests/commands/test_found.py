@@ -1,5 +1,5 @@
-"""What is added is one file, or an entry; no list has it: CONTRIBUTING.md's walks, in copies of the
-generator.
+"""An addition is one file or one entry, and is in no list: CONTRIBUTING.md's examples, in copies of
+the generator.
 
 The tier reorders sums; the target writes another language, with a folder of templates."""
 
@@ -21,8 +21,9 @@ from coscrew_codegen.program.bounds import bounds_of
 from tests.support.truth.attack import TIERED, plain_program
 from tests.support.walks import command, copied, generated, walk
 
+ROOT = Path(__file__).parents[2]
 TABLE = {operation.name: operation for operation in OPERATIONS}
-DERIVED = ("vec3", "mat3x3", "coscrew")  # families: to derive everything would take long
+DERIVED = ("vec3", "mat3x3", "coscrew")  # families; deriving all would take long
 FOLDERS = {"effects": "EFFECT", "integrators": "INTEGRATOR", "operations": "FAMILY",
            "tiers": "TIER", "targets": "TARGET"}
 
@@ -45,7 +46,7 @@ def made(site: Path) -> Path:
 
 
 def test_files_of_what_was_there_do_not_change(site, made):
-    """But for none: same paths, same bytes as without the two."""
+    """Same paths and same bytes as without the two."""
     done = generated(site, "--family", *DERIVED, "--output", "out", "--check")
     assert done.returncode == 0, done.stdout
     assert (made / "c/include/ksl/coscrew_pairwise.h").is_file()
@@ -76,8 +77,8 @@ def test_the_tier_has_a_header_an_extension_and_a_package(made):
 
 
 def test_the_tier_adds_in_another_order(made, site):
-    """The same polynomials by as many operations.  A sum of four products rounds each term three
-    times in a row, in halves twice."""
+    """The same polynomials, with as many operations; of sums of four products the constant of the
+    bound falls from 3 to 2."""
     spec = spec_from_file_location("pairwise", site / "coscrew_codegen/tiers/pairwise.py")
     pairwise = module_from_spec(spec)
     spec.loader.exec_module(pairwise)
@@ -95,7 +96,7 @@ def test_the_tier_adds_in_another_order(made, site):
 
 
 def test_the_target_writes_the_same_arithmetic(made):
-    """Its statements, read as Python's, give the bits of the kernels in NumPy."""
+    """Its statements, run as Python, give the bits of the NumPy kernels."""
     numbers, compared = np.random.default_rng(3), 0
     for family in DERIVED:
         text = (made / f"rust/{family}.rs").read_text()
@@ -121,7 +122,7 @@ def test_the_target_writes_the_same_arithmetic(made):
 
 
 def run_in(site: Path, program: str) -> str:
-    """What a program prints, in a folder with a package coscrew."""
+    """What a program prints that runs in a folder with a package coscrew."""
     done = subprocess.run([sys.executable, "-c", program], cwd=site, text=True,
                           capture_output=True, env={**os.environ, "PYTHONPATH": str(site)})
     assert done.returncode == 0, done.stderr
@@ -129,7 +130,7 @@ def run_in(site: Path, program: str) -> str:
 
 
 def test_an_operation_is_one_entry(tmp_path):
-    """v - 2 (n·v) n of whole numbers, which nothing rounds: in every tier, precision, language."""
+    """v - 2 (n·v) n of integers, which needs no rounding: in every tier, precision and language."""
     walk(copied(tmp_path), "vec3")
     done = generated(tmp_path, "--family", "vec3", "--output", "out")
     assert done.returncode == 0, done.stderr
@@ -158,7 +159,7 @@ def test_an_operation_is_one_entry(tmp_path):
 
 
 def test_a_family_is_one_file(tmp_path):
-    """It has headers and modules, and its place in the umbrella header, which its order says."""
+    """It has headers and modules, and a place in the umbrella header by its `order`."""
     walk(copied(tmp_path), "area")
     done = generated(tmp_path, "--family", "mat3x3", "area", "SE3", "--output", "out")
     assert done.returncode == 0, done.stderr
@@ -171,8 +172,8 @@ def test_a_family_is_one_file(tmp_path):
 
 
 def test_an_effect_is_one_file(tmp_path):
-    """At rest, without gravity, the motor's torque is the pull's, to the bit; its energy's balance
-    holds, also by steps that take its slope."""
+    """At rest, without gravity, the effect's torque is the pull's, to the bit; energy is balanced,
+    also in steps that are implicit in its slope."""
     walk(copied(tmp_path), "cogging")
     (tmp_path / "rotor.toml").write_text(
         "[bodies]\nrotor = { mass = 1, inertia = [1, 1, 1] }\n[joints]\n"
@@ -191,9 +192,23 @@ def test_an_effect_is_one_file(tmp_path):
     assert "cogging" in done.stdout and "tau = -a sin(n q)" in done.stdout
 
 
+def test_tests_name_the_entries_that_an_effect_lacks(tmp_path):
+    walk(copied(tmp_path), "cogging")
+    done = subprocess.run(
+        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "--stale-extensions",
+         *(f"tests/scenes/test_{x}.py" for x in ("absence", "slopes", "schema")),
+         "-k", "every_effect or command_prints"], cwd=ROOT, text=True, capture_output=True,
+        env={**os.environ, "PYTHONPATH": str(tmp_path)})
+    for words in ("add cogging to PLACES in tests/support/scenes/effect_scenes.py",
+                  "add cogging to ZEROS in tests/scenes/test_absence.py", "add cogging to TRUE",
+                  "BOUNDED (bounds of them) or FRICTION in tests/scenes/test_slopes.py",
+                  "generated/docs/scene.schema.json is out of date: make generate"):
+        assert words in done.stdout, done.stdout
+
+
 @pytest.mark.parametrize("folder", FOLDERS)
 def test_every_file_is_found_or_helps_one_that_is(folder):
-    """A file whose author forgot the name it is found by is told here."""
+    """A file without the name by which it is found is reported here."""
     package = Path(coscrew_codegen.__file__).parent
     texts = {path: path.read_text() for path in package.rglob("*.py")}
     for path in (package / folder).glob("[!_]*.py"):

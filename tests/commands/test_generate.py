@@ -25,7 +25,7 @@ def contents(folder: Path) -> dict[str, bytes]:
 
 
 def committed() -> dict[str, bytes]:
-    """What git would hold of generated/: everything but compiled files."""
+    """The files of generated/ that git tracks: all except compiled ones."""
     return {path: data for path, data in contents(ROOT / "generated").items()
             if not path.endswith((".so", ".pyc", ".pyd"))}
 
@@ -37,8 +37,8 @@ def run(*arguments: str, cwd: Path = ROOT, **environment: str) -> subprocess.Com
 
 @pytest.fixture(scope="module")
 def copy(tmp_path_factory) -> Path:
-    """Everything, generated anew into a folder with files of another hand and of older runs; with
-    another hash seed than this process's, a locale and terminal of ASCII, in another time zone."""
+    """All files, generated anew into a folder with files of users and of older runs; with another
+    hash seed than this process's, an ASCII locale and terminal, in another time zone."""
     base = tmp_path_factory.mktemp("everything")
     folder = strewn(base / "generated")
     done = run("generate", "--output", str(folder), PYTHONHASHSEED="4242",
@@ -64,7 +64,8 @@ def test_regenerating_restores_what_is_committed(copy):
 
 
 def test_check_shows_each_difference_and_the_command_that_mends_it(copy, tmp_path, capsys):
-    """And no other: it makes everything anew, with this process's hash seed and locale."""
+    """And no other difference: it derives everything anew, with this process's hash seed and
+    locale."""
     folder = tmp_path / "changed"
     shutil.copytree(copy, folder)
     header = strewn(folder) / "c/include/ksl/coscrew.h"
@@ -265,7 +266,7 @@ def hand_written() -> list[Path]:
 
 
 def test_every_hand_written_file_is_python():
-    """Of benchmarks and long searches, too, which no test runs."""
+    """Benchmarks and long searches, too, which no test runs."""
     for path in hand_written():
         compile(path.read_text(encoding="utf-8"), path.name, "exec", dont_inherit=True)
 
@@ -279,7 +280,7 @@ def test_no_hand_written_line_is_over_100_characters():
 
 
 def test_what_is_built_is_what_is_generated():
-    """Every source of an extension, every package, those of a tier too: no list has them."""
+    """Every source of an extension and every package, also those of tiers; they are in no list."""
     made = [path for path in committed() if path.endswith(".c")]
     built = {extension.name: extension for extension in extensions(ROOT)}
     assert {source for x in built.values() for source in x.sources} == {

@@ -1,4 +1,4 @@
-"""coscrew generate SCENE.toml: the files, their check, and what is said on the way."""
+"""`coscrew generate SCENE.toml`: the files, `--check`, and messages."""
 
 from pathlib import Path
 
@@ -139,7 +139,7 @@ AWKWARD = ("int", "sin", "q", "lambda", "tau", "np", "v_0", "*/ x", "π", "2", "
 
 
 def test_bodies_and_joints_may_be_called_anything(folder: Path):
-    """Words of the languages, names of arguments, what would end a comment, what ends C names."""
+    """Keywords of the languages, names of arguments, the end of a comment, suffixes of C names."""
     parents = ("world", *(f"{name} body" for name in AWKWARD))
     scene = ['name = "main_arm"', "[effects.gravity]"]
     for n, name in enumerate(AWKWARD):
@@ -162,13 +162,14 @@ def test_bodies_and_joints_may_be_called_anything(folder: Path):
     found = kernels.double.forward_dynamics(q, v, tau)
     condition = np.linalg.cond(kernels.double.mass_matrix(q))
     largest = np.linalg.norm(a, axis=-1)
-    bound = 100 * UNIT["double"] * condition * largest  # eight roundings a joint, amplified
+    bound = 100 * UNIT["double"] * condition * largest  # eight roundings for each joint, amplified
     assert np.all(np.linalg.norm(found - a, axis=-1) <= bound)
 
 
 @each_precision
 def test_derived_dynamics_have_the_same_bits_in_c_and_numpy(folder: Path, precision):
-    """At shoulder angle 0, where sine and cosine are exact; the wrist's quaternions are any."""
+    """At the shoulder's angle 0, where sine and cosine are exact; the wrist's quaternions are
+    arbitrary."""
     kernels = load_scene("arm.toml")
     package = imported(kernels.functions, folder / "out")
     transcendental = ("integrated", *(step.name for step in kernels.functions.steps))
@@ -190,7 +191,7 @@ def test_derived_dynamics_have_the_same_bits_in_c_and_numpy(folder: Path, precis
 
 @pytest.mark.parametrize("asked", ("--precision", "scene"))
 def test_single_precision_alone(folder: Path, asked: str):
-    """Its functions are those of the files that hold both; nothing is in double."""
+    """Its functions are the same as in files with both precisions; nothing is in double."""
     assert main(["generate", "arm.toml", "-o", "both"]) == 0
     if asked == "scene":
         (folder / "arm.toml").write_text('precision = "single"\n' + SCENE)

@@ -11,17 +11,18 @@ REPLACED = re.compile(rf"\b({'|'.join(map(re.escape, PHRASES))})\b", re.IGNORECA
 
 
 def texts() -> list[Path]:
-    """Sources, templates and guides, whose words people read; not the glossary itself."""
+    """Sources, tests, templates and guides; not the glossary and this file, which name the phrases.
+    """
     found = [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md")]
-    for folder in ("codegen", "templates"):
+    for folder in ("codegen", "templates", "tests"):
         found += [x for x in (ROOT / folder).rglob("*")
                   if x.suffix in (".py", ".jinja", ".js", ".css")]
-    return [x for x in sorted(found) if x != GLOSSARY]
+    return [x for x in sorted(found) if x not in (GLOSSARY, Path(__file__))]
 
 
 def replaced(text: str) -> list[str]:
-    """The replaced phrases in a text; a line break in prose is a blank."""
-    return REPLACED.findall(re.sub(r"\s*\n\s*(#|\*|//)?\s*", " ", text))
+    """The replaced phrases in a text; line breaks in prose and underscores in names are blanks."""
+    return REPLACED.findall(re.sub(r"\s*\n\s*(#|\*|//)?\s*|_", " ", text))
 
 
 def test_one_idea_has_one_word():
@@ -32,5 +33,6 @@ def test_one_idea_has_one_word():
 
 def test_a_replaced_phrase_is_found():
     assert replaced("exact, but\n    # for rounding") == ["but for"]
+    assert replaced("def test_no_name_bears_another") == ["bears"]
     assert replaced("buttons for a list, at least one") == []
     assert len(PHRASES) > 5

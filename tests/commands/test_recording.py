@@ -1,4 +1,4 @@
-"""What is recorded, against closed forms; what is written, read back by other programs."""
+"""Recorded values equal closed forms; other programs read the written files."""
 
 import csv
 import io
@@ -19,7 +19,7 @@ from coscrew_codegen.simulate.plot import plot
 from coscrew_codegen.simulate.record import differences
 from coscrew_codegen.simulate.recording import Column, Recording
 from tests.support.scenes import scene_texts as texts
-from tests.support.scenes.asking import STEPPED
+from tests.support.scenes.selecting import STEPPED
 
 ENDINGS = tuple(write.FORMATS)
 EVERYTHING = """record = ["q", "v", "a", "energy", "momentum", "power", "pose.bob", "position.bob",
@@ -64,7 +64,7 @@ def test_quantities_of_a_pendulum_are_its_closed_forms(swings, number, error):
         assert np.abs(found.of(name) - values).max() < error, name
     place, velocity = np.column_stack((-s, zero, -c)), np.column_stack((-c * v, zero, s * v))
     turn = np.column_stack((c, zero, s, -s, zero, 1 + zero, zero, zero, -s, zero, c, -c))
-    own = np.column_stack((-v, zero, zero, zero, v, zero))  # the bob's frame swings along
+    own = np.column_stack((-v, zero, zero, zero, v, zero))  # the bob's frame moves with the bob
     reaction = np.column_stack((g * 0 * s, zero, v**2 + g * c, zero, zero, zero))
     for stem, count, values in (
             ("position.bob", 3, place), ("pose.bob", 12, turn), ("twist.bob", 6, own),
@@ -79,7 +79,7 @@ def test_the_power_of_damping_is_recorded(tmp_path):
     assert np.abs(found.of("power") + texts.DAMPING * v**2).max() < 1e-9
 
 
-def test_columns_bear_names_and_units_once(swings):
+def test_columns_have_names_and_units_once(swings):
     found = swings[0].recording
     names = [x.name for x in found.columns]
     assert len(set(names)) == len(names) == found.values.shape[1]
@@ -117,7 +117,7 @@ def test_differences_are_the_largest_of_each_quantity():
 # what is written
 
 def read_back(path: Path) -> tuple[list[str], np.ndarray, np.ndarray, dict[str, str]]:
-    """Names with units, t, values and provenance, as readers that know nothing of coscrew do."""
+    """Names with units, t, values and provenance, read by programs that know nothing of coscrew."""
     if path.suffix == ".csv":
         lines = path.read_text().splitlines()
         told = dict(x[2:].split(": ", 1) for x in lines if x.startswith("#"))

@@ -1,4 +1,4 @@
-"""What `coscrew report` does as a command: what it writes, refuses and says."""
+"""`coscrew report` as a command: its files, refusals and messages."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""The report's Markdown and figures, as parsed."""
+"""The report's Markdown and figures, read by parsers."""
 
 import math
 import os
@@ -39,7 +39,7 @@ def markdown_rows(text):
 
 
 def shown(x):
-    """What a reader takes a cell's number for."""
+    """The number that a cell shows."""
     text = x.split()[0]
     return {"–": math.nan, "∞": math.inf}.get(text) if text in "–∞" else float(text)
 

@@ -30,7 +30,7 @@ NAMES = ("product_CoAdc", "cross_sc", "dot_cs", "product_dd", "mat3x3_determinan
 
 
 def exactly(operation: Operation, rows: np.ndarray) -> list[list[Fraction]]:
-    """The results by the papers' matrices, in fractions."""
+    """The results by the published matrices, in fractions."""
     found = []
     for row in rows:
         arguments = [np.array(list(map(Fraction, map(float, x.ravel()))), object).reshape(
@@ -43,7 +43,7 @@ def exactly(operation: Operation, rows: np.ndarray) -> list[list[Fraction]]:
 
 
 def spacing(x: Fraction, precision: Precision) -> Fraction:
-    """From NumPy: how far apart numbers of x's size are; x rounded towards zero first."""
+    """The distance of neighbouring numbers at x, by NumPy; x is rounded towards zero first."""
     near = np.dtype(precision.numpy_type).type(float(x))
     if abs(Fraction(float(near))) > abs(x):
         near = np.nextafter(near, type(near)(0))
@@ -67,7 +67,7 @@ def test_truth_is_what_fractions_say(name: str, precision: Precision):
 
 
 def test_ulp_is_of_the_binade_a_number_lies_in():
-    """Also of numbers that are no binary fractions, next to powers of two, and subnormal ones."""
+    """Also for numbers that are not binary fractions, next to powers of two, and subnormal."""
     third = mpq(1, 3**60)
     assert [ulp(x, DOUBLE) * 2**53 for x in (mpq(2, 3), mpq(1), 1 - third, 1 + third, -2 + third)] \
         == [1, 2, 1, 2, 2]
@@ -91,7 +91,7 @@ def test_truth_of_a_norm_is_the_integer_root(precision: Precision):
 
 @each_precision
 def test_a_wrong_kernel_shows_its_error(precision: Precision):
-    """Three numbers above the nearest one: 2.5 to 3.5 ulp, as fractions count."""
+    """A result three numbers above the nearest one has an error of 2.5 to 3.5 ulp, by fractions."""
     operation = BY_NAME["cross_sc"]
     (plain, *_) = variants_of(operation, precision)
     benign, hard = errors.samples(operation, precision, 60, 2)
@@ -118,7 +118,7 @@ def test_a_wrong_kernel_shows_its_error(precision: Precision):
 
 def counted_of(name: str, rows: list[list[float]],
                results: list[list[float]]) -> tuple[int, float]:
-    """How many of these results the report counts, and the worst error among them."""
+    """How many of these results the report counts, and their worst error."""
     operation = BY_NAME[name]
     plain, *_ = variants_of(operation, DOUBLE)
     inputs_ = np.array(rows)
@@ -134,7 +134,7 @@ REGULAR, SINGULAR = [2.0, 0, 0, 0, 4, 0, 0, 0, 8, 2, 4, 8], [1.0, 1, 0, 1, 1, 0,
 
 
 def test_a_row_without_truth_is_not_counted():
-    """1 / 0 v, and a singular system, whatever comes out."""
+    """1 / 0 v, and a singular system, whatever the result is."""
     assert counted_of("product_ainvv", [[0.0, 1, 2, 3], [2.0, 2, 4, 6]],
                       [[INF, INF, 7], [1, 2, 3]]) == (3, 0)
     assert counted_of("mat3x3_solve", [SINGULAR, REGULAR], [[0.0, 9, 9, 9], [1, 1, 1, 1]]) == (4, 0)
@@ -144,7 +144,7 @@ def test_a_refusal_is_not_counted_but_garbage_is():
     assert counted_of("mat3x3_solve", [REGULAR], [[1.0, NAN, NAN, NAN]]) == (1, 0)
     assert counted_of("mat3x3_solve", [REGULAR], [[1.0, 1, 1, 2]])[1] == 2.0**52
     assert counted_of("mat3x3_solve", [REGULAR], [[1.0, 1, 1, INF]])[1] == INF
-    assert counted_of("dot_vv", [[1.0] * 6], [[NAN]]) == (1, INF)  # it has nothing to refuse
+    assert counted_of("dot_vv", [[1.0] * 6], [[NAN]]) == (1, INF)  # it refuses nothing
 
 
 def test_what_overflows_is_not_counted_but_garbage_is():
@@ -175,7 +175,7 @@ def test_quantiles_of_known_errors():
 
 @pytest.mark.parametrize("named", [("lin", "ang"), ("co",)])
 def test_normwise_errors_are_relative_to_the_largest_component(named: tuple[str, ...]):
-    """Of the part, or of the output, that the operation names."""
+    """Of the part, or of the output, as the operation states."""
     plain = BY_NAME["cross_sc"]
     operation = replace(plain, normwise=tuple(Normwise(name, 3) for name in named))
     rows = inputs.benign(operation, DOUBLE, 20, 4)
@@ -196,7 +196,7 @@ def test_the_same_seed_gives_the_same_errors(precision: Precision):
 
 @each_precision
 def test_compiled_kernels_give_the_packages_bits(precision: Precision, tmp_path: Path):
-    """In both compilers, and called by rows: columns and rows of matrices are where they belong."""
+    """With both compilers, and for whole arrays: rows and columns of matrices are not exchanged."""
     names = ("product_dd", "product_drdrx", "SE3_invert", "coscrew_to_angular_first", "dot_cs")
     variants = [v for name in names for v in variants_of(BY_NAME[name], precision)]
     for library in native.libraries(variants, native.compilers(tmp_path), tmp_path):
@@ -241,7 +241,7 @@ def test_dominated_is_slower_and_no_better_with_intervals_apart():
 
 
 def test_a_ratio_is_taken_round_by_round():
-    """A machine that slows down to a half after some rounds slows both: the ratio stays."""
+    """A machine that becomes half as fast after some rounds slows both: the ratio stays."""
     slow = np.repeat([1.0, 2.0], 20)
     noisy = slow * np.linspace(1.99, 2.01, 40)
     ratio = Timing(noisy).ratio(Timing(slow))
@@ -273,8 +273,9 @@ def test_newton_steps_hold_the_defect(tmp_path: Path):
 
 
 def test_hard_cases_are_measured(tmp_path: Path):
-    """A line is tried beside the drawn ones: (1 + e) (1 + 3 e) - (1 + 4 e), e = 2^-12, is 3 e^2;
-    the product rounds to 1 + 4 e + 4 e^2, off by e^2, which is 2^22 spacings of 3 e^2."""
+    """One line is tried besides the random inputs: with e = 2^-12, (1 + e) (1 + 3 e) - (1 + 4 e) is
+    3 e^2; the product is rounded to 1 + 4 e + 4 e^2, an error of e^2, which is 2^22 spacings of 3
+    e^2."""
     (tmp_path / "vec3.txt").write_text(
         "# a remark\ndot_vv single : 0x1.001p0 1 0 0x1.003p0 -0x1.004p0 0 : by hand\n")
     cases = inputs.corpus(tmp_path)

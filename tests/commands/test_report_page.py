@@ -1,4 +1,4 @@
-"""The report's page as people see it, in a real browser."""
+"""The report's page in a real browser."""
 
 import json
 import math
@@ -33,7 +33,7 @@ def browser():
 
 @pytest.fixture
 def page(browser, folder):
-    """The page, freshly loaded on a desktop; what came before it in the logs is gone."""
+    """The page, freshly loaded on a desktop, with empty logs."""
     browser.get("about:blank")
     resize(browser, 1280, 900)
     browser.get_log("browser")
@@ -47,7 +47,7 @@ def ns(entry, layout):
 
 
 def rows(page):
-    """What the table shows: by variant, in order, the values its cells hold."""
+    """The values in the table's cells, by variant, in order."""
     return dict(page.execute_script("""
         return [...document.querySelectorAll("#table-body tr")].map(row => [row.dataset.variant,
           Object.fromEntries([...row.querySelectorAll("td")].map(
@@ -122,7 +122,7 @@ def test_a_heading_sorts_up_then_down_by_mouse_and_by_key(page, column, value, k
         found = list(rows(page))
         kept = found[:len(found) - len(missing)]
         assert [values[name] for name in kept] == sorted(map(values.get, kept), reverse=reverse)
-        assert sorted(found[len(kept):]) == sorted(missing)  # last, either way
+        assert sorted(found[len(kept):]) == sorted(missing)  # last in both orders
     assert page.execute_script(
         "return document.querySelectorAll('[aria-sort=ascending],[aria-sort=descending]').length"
     ) == 1

@@ -1,4 +1,4 @@
-"""Runs of scenes against closed forms; where they sample, where they stop, what they say."""
+"""Runs of scenes: values against closed forms, samples, stops, progress."""
 
 import fcntl
 import math
@@ -27,7 +27,7 @@ from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import system
 from tests.support.processes import interruptible
 from tests.support.scenes import scene_texts as texts
-from tests.support.scenes.asking import STEPPED
+from tests.support.scenes.selecting import STEPPED
 from tests.support.scenes.simulated import run, scene_file
 
 ORDERS = {x.name: x.order for x in EMITTED}
@@ -35,11 +35,11 @@ INTEGRATORS = NAMES
 ROUNDOFF = {"double": 2.0**-53, "single": 2.0**-24}
 
 
-# what comes out
+# results
 
 @pytest.mark.parametrize("integrator, error", (("rk4", 1e-9), ("dop853", 1e-9), ("radau", 1e-9)))
 def test_a_pendulum_is_where_the_benchmark_says(kernels, integrator, error):
-    """Problem A01 of the library of multibody benchmarks, its published figures at t = 10."""
+    """Problem A01 of IFToMM's Library of Computational Benchmark Problems: its values at t = 10."""
     overrides = RunOverrides(integrator=integrator, precision="double")
     (first,) = simulated(kernels["PENDULUM"], overrides)
     x, _, z = (first.recording.of(f"position.bob.{i}")[-1] for i in range(3))
@@ -49,7 +49,8 @@ def test_a_pendulum_is_where_the_benchmark_says(kernels, integrator, error):
 
 @pytest.mark.parametrize("integrator", ORDERS)
 def test_errors_fall_with_the_integrators_order(kernels, integrator):
-    """Of angle and speed together: from rest at a right angle some of one alone fall faster."""
+    """Errors of angle and speed together: from rest at a right angle, some of one alone fall
+    faster."""
     wanted = np.array([float(x) for x in texts.pendulum(1)])
     found = [run(kernels["PENDULUM"], until=1.0, integrator=integrator, step=h)
              for h in (0.01, 0.005)]
@@ -107,7 +108,7 @@ def test_steps_in_one_call_are_those_one_by_one(kernels, integrator, precision):
 @pytest.mark.parametrize("precision", ROUNDOFF)
 def test_without_a_compiler_the_same_run_comes_from_numpy(kernels, tmp_path, monkeypatch,
                                                           precision):
-    """To the last bit: of a spring only sums, products and quotients are taken."""
+    """To the last bit, since a spring needs only sums, products and quotients."""
     monkeypatch.setenv("CC", "no-such-compiler")
     with pytest.warns(RuntimeWarning, match="pure NumPy"):
         others = load_scene(scene_file(tmp_path, texts.SPRING, "spring"), functions=STEPPED)
@@ -169,7 +170,7 @@ def test_a_state_that_is_not_finite_stops_and_keeps_the_rest(kernels, precision)
 
 
 def test_a_solver_that_gives_up_keeps_the_rest(tmp_path):
-    """A motor's force has a pole at t = 0.5, and so has the speed."""
+    """A motor's force, and so the speed, has a pole at t = 0.5."""
     text = texts.SPRING.replace("[effects.viscous]\njoints = \"all\"\nd = 1", """
 [effects.actuator.slide]
 kind = "torque"
@@ -197,7 +198,8 @@ def test_an_interrupt_keeps_what_was_sampled(kernels):
 
 @contextmanager
 def on_a_terminal(*arguments: object) -> Iterator[tuple[subprocess.Popen, int]]:
-    """The command, its standard error on a terminal of 24 lines, whose other end is returned."""
+    """The command, with its standard error on a terminal of 24 lines; returns the other end of
+    that."""
     master, slave = pty.openpty()
     fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 100, 0, 0))
     words = (sys.executable, "-m", "coscrew_codegen", *arguments)
@@ -208,7 +210,7 @@ def on_a_terminal(*arguments: object) -> Iterator[tuple[subprocess.Popen, int]]:
 
 
 def said_until(master: int, pattern: bytes) -> bytes:
-    """What was said until the pattern came, or to the end."""
+    """The output up to the pattern, or to the end."""
     said = b""
     while not re.search(pattern, said) and select.select([master], [], [], 300)[0]:
         try:
@@ -244,7 +246,7 @@ def test_the_line_of_progress():
 
 
 def test_runs_tell_where_they_are_between_samples(kernels, monkeypatch, tmp_path):
-    """However long it is to the next one; the states are the same, to the last bit."""
+    """However far the next sample is; the states are the same, to the last bit."""
     def told(its, **asked):
         seen = []
         planned = plan(its, **asked)

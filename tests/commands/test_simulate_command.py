@@ -1,4 +1,4 @@
-"""`coscrew simulate` as a command: what it prints, refuses and sets."""
+"""`coscrew simulate` as a command: output, refusals, parameters."""
 
 import math
 import re
@@ -14,7 +14,7 @@ from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import SimulateError
 from coscrew_codegen.simulate.system import system
 from tests.support.scenes import scene_texts as texts
-from tests.support.scenes.asking import STEPPED
+from tests.support.scenes.selecting import STEPPED
 from tests.support.scenes.simulated import run, scene_file
 
 
@@ -202,7 +202,7 @@ upper = 0.8
 k = 1e4
 [effects.limit.slide]""").replace("upper = 0.1", "upper = 1").replace(
             "slide = 0.1\n", f"slide = {start}\n")
-    assert main(["simulate", str(scene_file(tmp_path, text))]) == bool(told)  # pushed too hard
+    assert main(["simulate", str(scene_file(tmp_path, text))]) == bool(told)  # by too large a force
     said = capsys.readouterr().err
     assert told in said and ("outside" in said) == bool(told)
 

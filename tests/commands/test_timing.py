@@ -1,4 +1,4 @@
-"""The core of all times: intervals of medians, rounds, where arrays lie."""
+"""How times are measured: confidence intervals of medians, rounds, addresses of arrays."""
 
 import ctypes
 import subprocess
@@ -16,7 +16,7 @@ from coscrew_codegen.native.timing import Loop, driver, pointers, timed_calls, t
 
 @pytest.mark.parametrize("count", (6, 7, 20, 100, 999))
 def test_an_interval_holds_the_median_in_95_of_100_cases_and_no_shorter_one_does(count: int):
-    """By the binomial distribution of how many samples lie below the true median."""
+    """By the binomial distribution of the number of samples below the true median."""
     def held(k: int) -> float:
         return 1 - 2 * sum(comb(count, i) for i in range(k)) / 2**count
 
@@ -27,7 +27,7 @@ def test_an_interval_holds_the_median_in_95_of_100_cases_and_no_shorter_one_does
 
 
 def test_an_interval_holds_the_median_of_skewed_times():
-    """Of 2000 sets of 30 samples, exponentially distributed, with the median ln 2: about 95 %."""
+    """About 95 % of 2000 sets of 30 samples, exponentially distributed with the median ln 2."""
     rng = np.random.default_rng(5)
     sets = map(interval, rng.exponential(size=(2000, 30)))
     held = sum(x.low <= np.log(2) <= x.high for x in sets) / 2000
@@ -48,7 +48,7 @@ def test_intervals_are_below_only_apart():
 @pytest.mark.parametrize("dtype", (np.float64, np.float32))
 @pytest.mark.parametrize("elements", range(16, 272, 16))
 def test_planes_start_at_lines_and_in_sets_of_their_own(elements: int, dtype: type):
-    """Of a cache of 32 KiB, 64 sets of 64 bytes."""
+    """For a cache of 32 KiB with 64 sets of lines of 64 bytes."""
     given = [np.arange(elements * size, dtype=dtype).reshape(elements, *shape)
              for size, shape in ((12, (3, 4)), (6, (6,)), (1, ()))]
     found = buffers.planes(given)
@@ -91,7 +91,8 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
 
 
 def test_loops_take_turns(library: ctypes.CDLL):
-    """Each is called once untimed and calls[k] times timed in a round; the first moves on."""
+    """In a round each is called once untimed and calls[k] times timed; each round begins with the
+    next one."""
     log = np.zeros(100, np.int64)
     arguments = [pointers((log, np.array([k], np.int64))) for k in range(3)]
     loops = (ctypes.c_void_p * 3)(*[ctypes.cast(library.log_one, ctypes.c_void_p).value] * 3)
@@ -107,8 +108,7 @@ def test_loops_take_turns(library: ctypes.CDLL):
 
 
 def test_times_of_loops_are_per_element(library: ctypes.CDLL):
-    """Four times the work takes two to eight times as long, whatever else runs, and n does not
-    matter."""
+    """Four times the work takes two to eight times as long, whatever else runs, for any n."""
     loops = [Loop(getattr(library, name), n, pointers((np.zeros(8),)))
              for name, n in (("fast", 100), ("slow", 100), ("fast", 1000))]
     fast, slow, longer = timed_loops(library, loops, 2e7)

@@ -1,4 +1,4 @@
-"""A terminal is told what goes on while a scene is derived and compiled; nothing else is."""
+"""While a scene is derived and compiled, terminals show the progress; files and pipes do not."""
 
 import os
 import pty
@@ -28,7 +28,7 @@ def words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 
 def on_a_terminal(words: list[str]) -> str:
-    """What the command writes on standard error, which is one."""
+    """What the command writes to standard error, a terminal."""
     reader, writer = pty.openpty()
     with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=writer) as process:
         os.close(writer)
@@ -36,7 +36,7 @@ def on_a_terminal(words: list[str]) -> str:
         while True:
             try:
                 more = os.read(reader, 1000)
-            except OSError:  # Linux's way to say that nobody writes any more
+            except OSError:  # Linux's error when the other end is closed
                 break
             if not more:
                 break
@@ -47,8 +47,8 @@ def on_a_terminal(words: list[str]) -> str:
 
 
 def test_terminals_are_told_what_goes_on(words: list[str]):
-    """First that something is derived, then each function, then the compiler; nothing stays.
-    Where all is found in the cache there is nothing to tell."""
+    """First that a scene is derived, then each function, then the compiler; the line is cleared at
+    the end. If the cache has everything, nothing is shown."""
     said = on_a_terminal(words)
     parts = said.split(ERASED)
     assert parts[1] == "deriving swing …"

@@ -1,4 +1,4 @@
-"""One version, of pyproject.toml: in both packages, the command, and every file that is emitted."""
+"""The version of pyproject.toml is that of both packages, the command and all emitted files."""
 
 import json
 import subprocess
@@ -28,8 +28,8 @@ HEADS = {suffix: (f"{start} Made by `coscrew generate",
 
 
 def refuse_other_heads(path: str, text: str) -> None:
-    """Every file begins with its command, its license, and the project with its version."""
-    if path.endswith(".json"):  # which knows no comments
+    """Every file begins with its command, its license, and the project's name and version."""
+    if path.endswith(".json"):  # which has no comments
         text = "\n".join(f"# {line}" for line in json.loads(text)["$comment"].splitlines())
     command, license_, project = text.splitlines()[:3]
     head = HEADS[".py" if path.endswith(".json") else Path(path).suffix]
@@ -43,7 +43,7 @@ def test_packages_and_command_tell_the_version():
     assert (done.returncode, done.stdout, done.stderr) == (0, f"coscrew {VERSION}\n", "")
 
 
-def test_every_generated_file_bears_license_version_and_project():
+def test_every_generated_file_has_license_version_and_project():
     files = [path for path in (ROOT / "generated").rglob("*")
              if path.suffix in (*HEADS, ".json") and path.is_file()]
     assert len(files) > 100
@@ -53,7 +53,7 @@ def test_every_generated_file_bears_license_version_and_project():
     assert others - set(HEADS) <= {".json", ".typed", "", ".so", ".pyc"}
 
 
-def test_amalgamations_bear_them_once():
+def test_amalgamations_have_them_once():
     for path in (ROOT / "generated" / "c").glob("coscrew*.h"):
         text = path.read_text(encoding="utf-8")
         assert text.count("SPDX") == text.count("Made by") == text.count("Copyright") == 1, path
@@ -70,7 +70,7 @@ def scene(tmp_path_factory):
     return folder
 
 
-def test_every_file_of_a_scene_bears_them(scene):
+def test_every_file_of_a_scene_has_them(scene):
     files = [*scene.glob("*.[ch]"), *(scene / "arm6").glob("*.py")]
     assert len(files) == 6
     for path in files:

@@ -1,4 +1,4 @@
-"""The playback as people see it: in a real browser, by mouse, keys and touch, without a network."""
+"""The playback in a real browser, by mouse, keys and touch, without a network."""
 
 import json
 import math
@@ -15,7 +15,7 @@ from coscrew_codegen.simulate.outcome import RunOverrides, simulated
 from coscrew_codegen.simulate.view import box_of, drawn, page, view
 from tests.support.browser import chromium, resize
 from tests.support.scenes import scene_texts as texts
-from tests.support.scenes.asking import checked
+from tests.support.scenes.selecting import checked
 
 AWKWARD = "</script><script>document.title='no'</script>"
 TEXTS = {"pendulum": texts.PENDULUM, "brick": texts.BRICK, "spring": texts.SPRING,
@@ -26,7 +26,7 @@ TEXTS = {"pendulum": texts.PENDULUM, "brick": texts.BRICK, "spring": texts.SPRIN
 
 @pytest.fixture(scope="module")
 def runs(tmp_path_factory):
-    """The runs by name, and the folder of their pages."""
+    """The runs by name, and the folder with their pages."""
     folder, found = tmp_path_factory.mktemp("view"), {}
     for name, text in TEXTS.items():
         path = folder / f"{name}.toml"
@@ -45,7 +45,7 @@ def browser():
 
 
 def opened(browser, folder: Path, name: str):
-    """The page, freshly loaded on a desktop; what came before it in the logs is gone."""
+    """The page, freshly loaded on a desktop, with empty logs."""
     browser.get("about:blank")
     resize(browser, 1280, 900)
     browser.get_log("browser")
@@ -90,8 +90,8 @@ def test_nothing_is_loaded_and_nothing_fails(browser, runs, name):
 
 @pytest.mark.parametrize("t", (0.0, 0.3333, 1.0, 1.987))
 def test_bodies_are_where_the_closed_form_says(shown, t):
-    """The bob hangs 1 m below the hinge, turned by the angle about y; between frames it is off by
-    at most h²/8 of its acceleration, which is no more than 2 g."""
+    """The bob hangs 1 m below the hinge, turned by the angle about y; between samples it is off by
+    at most h²/8 times its acceleration, which is at most 2 g."""
     angle = float(texts.pendulum(t)[0])
     wanted = (-math.sin(angle), 0, -math.cos(angle), 0, math.sin(angle / 2), 0, math.cos(angle / 2))
     assert np.abs(pose(shown, 1, t) - wanted).max() < 0.05**2 / 8 * 2 * texts.GRAVITY
@@ -102,7 +102,8 @@ def test_bodies_are_where_the_closed_form_says(shown, t):
 
 
 def test_the_bob_is_drawn_where_it_is(shown):
-    """The projection of its place is the colour of its box, and of another place is not."""
+    """Where its position is projected to, the picture has the colour of its box, and elsewhere not.
+    """
     for t in (0.0, 0.4, 0.8):
         shown.execute_script("seek(arguments[0]);", t)
         angle = float(texts.pendulum(t)[0])
@@ -134,13 +135,13 @@ def test_it_plays_pauses_and_ends(shown):
     play.click()
     WebDriverWait(shown, 10).until(lambda x: play.text == "Play")
     assert clock(shown) == 2
-    play.click()  # from the start again
+    play.click()  # again from the start
     assert clock(shown) < 1.9
 
 
 @pytest.mark.parametrize("words, speed", (("1×", 1), ("0.25×", 0.25), ("2×", 2)))
 def test_speeds_are_what_they_say(shown, words, speed):
-    """By the times of the frames that were shown, however many these are."""
+    """By the times of the frames that were shown, however few they are."""
     Select(shown.find_element(By.ID, "speed")).select_by_visible_text(words)
     passed = shown.execute_async_script("""
         const done = arguments[0];
@@ -250,7 +251,7 @@ def test_energies_are_those_of_the_pendulum(shown):
 
 
 def test_the_energies_have_ticks(shown):
-    """At the times and energies they say: lines and labels both."""
+    """Lines and labels are at the times and energies that the labels state."""
     low, high = -texts.GRAVITY, texts.GRAVITY  # of the potential and of the kinetic energy
     box = shown.find_element(By.ID, "energies").rect
     for name, unit, count in (("energy-labels", "J", 3), ("time-labels", "s", 3)):
@@ -266,7 +267,7 @@ def test_the_energies_have_ticks(shown):
     assert said == sorted(said)
     for y, value in zip(levels, said, strict=True):
         assert y == pytest.approx(150 - 140 * (value - low) / (high - low), abs=1.5)
-    scale = box["height"] / 160  # labels stand on their lines
+    scale = box["height"] / 160  # labels are at their lines
     labels = shown.find_elements(By.CSS_SELECTOR, "#energy-labels span")
     for y, label in zip(levels, labels, strict=True):
         below = label.rect["y"] + label.rect["height"]

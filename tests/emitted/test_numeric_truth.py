@@ -1,7 +1,7 @@
 """Emitted functions that cannot be compared symbolically, in C and Python: in 60 digits.
 
 Their text equals their kernel, to the last of 50 digits; their text, with constants as emitted but
-nothing else rounded, is their truth but for a fraction of u.
+nothing else rounded, is their truth except for a fraction of u.
 """
 
 import ast
@@ -164,7 +164,7 @@ def rows(operation: Operation, precision: Precision) -> list[Row]:
 
 def singular_at(k: int, M: np.ndarray) -> np.ndarray:
     """M without what couples its first k + 1 rows to the others, and with a pivot k that vanishes
-    but for the rounding of its diagonal entry: only the threshold for regular matrices refuses
+    except for the rounding of its diagonal entry: only the threshold for regular matrices refuses
     it."""
     found = M.copy()
     found[:k + 1, k + 1:] = found[k + 1:, :k + 1] = 0

@@ -155,7 +155,8 @@ def test_statements_become_formulas_and_prose(text, wanted):
 def test_effects_have_their_equations_and_parameters():
     text = (FOLDER / "effects.md").read_text(encoding="utf-8")
     sections = dict(section.split("\n", 1) for section in text.split("\n## ")[1:])
-    assert list(sections) == [effect.name for effect in EFFECTS]
+    assert list(sections) == [effect.name for effect in EFFECTS], (
+        "generated/docs/effects.md is out of date: make generate")
     for effect in EFFECTS:
         assert "$" in sections[effect.name], effect.name
         rows = re.findall(r"^\| `(\w+)` \| (.*?) \|", sections[effect.name], re.MULTILINE)

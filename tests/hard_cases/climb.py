@@ -1,11 +1,12 @@
 """Searches at length for the largest errors of kernels whose bounds are not proved.
 
-`python -m tests.search --minutes M [KERNEL …]` climbs (climb.c) for so many minutes of the
-processor's time a kernel and precision; each slice of it is kept in build/search, so that what is
-broken off goes on.  Errors are estimated in long double; each champion is confirmed in 60 digits,
-and so are inputs where the estimate tells nothing.  Where a kernel or its search has changed since,
-its champions stay and its time starts anew.  Right Jacobians are the left ones of -v, bit for bit
-but for signs, and functions in place are those that return: these are not searched again.
+`python -m tests.search --minutes M [KERNEL …]` climbs (climb.c) for M minutes of processor time for
+each kernel and precision. The result of each slice of that time is saved in build/search, so that
+an interrupted search can be continued. Errors are estimated in long double; each champion, the
+input with the largest error so far, is confirmed in 60 digits, as are inputs for which the estimate
+is not usable. If a kernel or its search has changed since, its champions stay and its time starts
+anew. Right Jacobians are the left ones of -v, bit for bit except for signs, and functions that work
+in place are those that return: these are not searched again.
 """
 
 import hashlib
@@ -49,11 +50,11 @@ class Found:
     parameters: list[list[str]] = field(default_factory=list)
     inputs: list[list[str]] = field(default_factory=list)
     of_bound: list[float] = field(default_factory=list)  # confirmed
-    broken: list[list[str]] = field(default_factory=list)  # inputs of which no estimate told
+    broken: list[list[str]] = field(default_factory=list)  # inputs without a usable estimate
 
     @property
     def worst(self) -> float:
-        """Of the bound; infinite where something is broken."""
+        """The largest ratio of error to bound; infinite if a result is wrong."""
         return float("inf") if self.broken else max(self.of_bound)
 
 
@@ -67,7 +68,7 @@ def known(operation: Operation, precision: Precision) -> Found:
 
 
 def climb(operation: Operation, precision: Precision, seconds: float) -> Iterator[Found]:
-    """What is known after each slice, until it has been searched for so long."""
+    """The results after each slice, until the kernel has been searched for this time."""
     found, kernel = known(operation, precision), _digest(operation, precision)
     if found.kernel != kernel:
         found = Found(kernel, slices=found.slices, parameters=found.parameters)
@@ -82,7 +83,7 @@ def climb(operation: Operation, precision: Precision, seconds: float) -> Iterato
 
 def after(operation: Operation, precision: Precision, before: Found, length: float,
           program: Path) -> Found:
-    """What is known after so many seconds more."""
+    """The results after this many more seconds."""
     earlier = [x for row in before.parameters for x in row]
     text = subprocess.run([program, str(before.slices + 1), str(length), *earlier], check=True,
                           capture_output=True, text=True).stdout
@@ -120,7 +121,7 @@ def compiled(operation: Operation, precision: Precision, folder: Path) -> Path:
 
 
 def _digest(operation: Operation, precision: Precision) -> str:
-    """Of the kernel, its inputs' domain and what it is compared with."""
+    """A digest of the kernel, the domain of its inputs and its truth."""
     text = f"{text_of(operation, precision)}{plain_program(operation).instructions}"
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
@@ -132,8 +133,8 @@ def _kept(path: Path, text: str) -> None:
 
 
 def search(names: list[str], minutes: float, append: bool) -> int:
-    """Climbs for so long, a little of each first; prints each kernel's figures; how many exceed
-    their bound."""
+    """Climb for this time, beginning with short searches of all; print each kernel's figures.
+    Returns how many kernels exceed their bounds."""
     operations = [TABLE[name] for name in names] or list(SEARCHED)
     targets = [(op, precision) for op in operations for precision in PRECISIONS]
     violations = 0

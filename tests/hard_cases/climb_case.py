@@ -1,7 +1,7 @@
-"""The file CASE of climb.c: a kernel, how inputs are made of free parameters, its truth and bounds.
+"""The file CASE of climb.c: a kernel, its inputs as functions of free parameters, truth and bounds.
 
-Truth is the plain program in long double, of the rotations nearest to those given; what results
-give back (backward.py) is its formula.
+Truth is the plain program in long double, for the rotations nearest to the given ones; for
+residuals (backward.py) it is their formula.
 """
 
 from collections.abc import Iterator
@@ -37,7 +37,7 @@ from tests.support.truth.attack import plain_program
 from tests.support.truth.backward import BACKWARD, expressions
 from tests.support.truth.judge import Group, groups
 
-LARGEST = 50.0  # angle searched; test_motions and the corpus have larger ones
+LARGEST = 50.0  # largest angle searched; test_motions and the corpus have larger ones
 
 _PARAMETERS = {"t": 3, "u": 3, "l": 3, "a": 1, "f": 1, "q": 4, "m": 1, "r": 9}
 
@@ -121,7 +121,7 @@ static void nearest(long double *R, int columns) { /* R (3 I - R^T R) / 2, until
 
 
 def parts(operation: Operation) -> tuple[Group, ...]:
-    """What is bounded; of residuals, all."""
+    """The parts that have a bound; of residuals, all."""
     if operation.name in BACKWARD:
         return (Group(tuple(range(9)), BACKWARD[operation.name].k),)
     return groups(operation, "plain")
@@ -185,7 +185,7 @@ def _turned(operation: Operation) -> str:
     return f"static double turned(const REAL *x) {{ (void)x; return (double){value}; }}"
 
 
-_OPPOSITE = {  # whether two ways are as short as each other, to some roundings
+_OPPOSITE = {  # whether both ways are equally short, except for rounding errors
     "quaternion_interpolated": ("""#define OPPOSITE
 static int opposite(const REAL *x) {
   long double dot = 0;
@@ -227,8 +227,8 @@ _WIDE = {Op.ADD: "{} + {}", Op.SUB: "{} - {}", Op.MUL: "{} * {}", Op.SCALE: "{} 
 
 
 def _compared(operation: Operation, precision: Precision) -> str:
-    """The plain program in long double, GRID for its 64 bits; but interpolation keeps what D1 is
-    off by."""
+    """The plain program in long double, with GRID for its 64 bits; interpolation keeps the error of
+    D1."""
     program, starts, start, lines = plain_program(operation), [], 0, []
     for a in program.inputs:
         starts.append(start)
@@ -255,7 +255,7 @@ def _compared(operation: Operation, precision: Precision) -> str:
 
 
 def _given_back(operation: Operation, precision: Precision) -> str:
-    """Residuals, and what they are parts of."""
+    """Residuals, and the sizes to which they are relative."""
     symbols, residuals, size = expressions(operation)
     common, (*found, whole) = sp.cse([*residuals, size])
     numbers = [(x, f"{'got_' if x.name.startswith('out_') else 'in_'}[{x.name.partition('_')[2]}]")
@@ -274,6 +274,6 @@ _JUDGED = """static void judged(const REAL *given_, const REAL *got_, long doubl
 
 
 def _c(expression: sp.Expr) -> str:
-    """C whose functions are those of tgmath.h."""
+    """C that calls the functions of tgmath.h."""
     square = [(lambda base, exponent: exponent == 2, lambda base, exponent: f"({base})*({base})")]
     return sp.ccode(expression, user_functions={"Pow": square})

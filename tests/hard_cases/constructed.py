@@ -1,7 +1,7 @@
-"""Hard cases by construction: where the numbers in tests/hard_cases that no search found are from.
+"""Constructed hard cases: the numbers in tests/hard_cases that were not found by a search.
 
-`python -m tests.hard_cases.constructed` puts them into the corpus; the same numbers on
-every machine, for they are computed in 60 digits and rounded once.
+`python -m tests.hard_cases.constructed` puts them into the corpus: the same numbers on every
+machine, since they are computed in 60 digits and rounded once.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -38,7 +38,7 @@ ANGLES: dict[str, Callable[[], mp.mpf]] = {
     "2": lambda: mp.mpf(2), "2 + 2^-20": lambda: 2 + mp.mpf(2)**-20, "3": lambda: mp.mpf(3),
     "π - 1e-4": lambda: mp.pi - mp.mpf("1e-4"), "π - 1e-8": lambda: mp.pi - mp.mpf("1e-8"),
     "π - 1e-12": lambda: mp.pi - mp.mpf("1e-12"), "π": lambda: +mp.pi}
-FAR: dict[str, Callable[[], mp.mpf]] = {  # the last two next to multiples of π/2
+FAR: dict[str, Callable[[], mp.mpf]] = {  # the last two are next to multiples of π/2
     "4": lambda: mp.mpf(4), "2π": lambda: 2 * mp.pi,
     "2π + 1e-6": lambda: 2 * mp.pi + mp.mpf("1e-6"),
     "40": lambda: mp.mpf(40), "1e3": lambda: mp.mpf(1000), "99999": lambda: mp.mpf(99999),
@@ -80,7 +80,7 @@ def _described(operation: Operation) -> Iterator[Described]:
         yield from _CANCELLING[operation.name]()
 
 
-# Motions: every kind of angle, half a turn about and between axes, matrices that are no rotations.
+# Motions: all sizes of angles, half turns about axes and between them, no rotations.
 
 
 def _motions(operation: Operation, angles: dict[str, Callable[[], mp.mpf]],
@@ -96,7 +96,7 @@ def _motions(operation: Operation, angles: dict[str, Callable[[], mp.mpf]],
 
 
 def _no_rotations(operation: Operation) -> Iterator[Described]:
-    """Matrices away from rotations, by more and less than rounding."""
+    """Matrices that differ from rotations by more and by less than rounding errors."""
     if {a.quantity.name for a in operation.inputs} & {"mat3x3", "SE3"}:
         for digits in (2, 4, 8, 12):
             yield f"R off by 1e-{digits}", [_spoiled(operation, a, mp.mpf(10)**-digits)
@@ -105,8 +105,8 @@ def _no_rotations(operation: Operation) -> Iterator[Described]:
 
 def _turned(operation: Operation, argument: Argument, unit: Matrix, angle: mp.mpf, lever: Matrix,
             number: int) -> Numbers:
-    """The input for a turn by this angle; the second of two displacements or quaternions, which
-    the turn is between, has it, the first is another one."""
+    """The inputs for a rotation by this angle; of two displacements or quaternions the first is
+    arbitrary, and the second is rotated by the angle from it."""
     pair = len(operation.inputs) == 3
     first = mp.matrix([1, -2, 2]) / 3
     R = mp.chop(exponential_series(skew(unit * angle)), 1e-40)  # half a turn leaves zeros
@@ -133,7 +133,7 @@ def _spoiled(operation: Operation, argument: Argument, by: mp.mpf) -> Numbers:
 
 
 def _lever_arms(matrix: bool, sign: int, screw: bool) -> Iterator[Described]:
-    """t = 1e6 m long and τ = ∓ t × f but for its rounding: the new moment nearly vanishes."""
+    """|t| = 1e6 m and τ = ∓ t × f, rounded: the new moment nearly vanishes."""
     R = exponential_series(skew(mp.matrix([0.3, -1.1, 0.7]))) if matrix else mp.eye(3)
     for length in (10**3, 10**6, 10**9):
         t = mp.matrix([2, -1, 2]) * length / 3
@@ -147,22 +147,23 @@ def _lever_arms(matrix: bool, sign: int, screw: bool) -> Iterator[Described]:
 
 
 def _parallel(size: int) -> Iterator[Described]:
-    """Second vector = first but for 1e-5, 1e-8, 1e-16, 0."""
+    """The second vector is the first, perturbed by 1e-5, 1e-8, 1e-16, 0."""
     for gap in ("1e-5", "1e-8", "1e-16", "0"):
         a = [mp.mpf(x) / 3 for x in (2, 5, -7, 11, -13, 17)][:size]
-        yield f"parallel but for {gap}", [a, [x * (1 + (-1)**i * mp.mpf(gap) * (i + 1))
+        yield f"parallel except for {gap}", [a, [x * (1 + (-1)**i * mp.mpf(gap) * (i + 1))
                                               for i, x in enumerate(a)]]
 
 
 def _multiples(size: int) -> Iterator[Described]:
-    """Parallel and antiparallel, rounded: cross products that are zero but for their roundings."""
+    """Parallel and antiparallel, rounded: cross products that are zero except for rounding errors.
+    """
     yield from _parallel(size)
     for numbers in ((1, 2, 3, -5, 8, 2), (7, -11, 13, 1, 5, -3), (2, 5, -7, 3, 1, 9)):
         a = numbers[:size]
         yield "one is -1 of the other", [a, [-v for v in a]]
         for k in (3, -7, mp.mpf(1) / 3, -mp.mpf(1) / 11):
             x = [mp.mpf(v) / 3 for v in a]
-            yield f"one is {mp.nstr(mp.mpf(k), 3)} of the other, but for roundings", [
+            yield f"one is {mp.nstr(mp.mpf(k), 3)} of the other, except for roundings", [
                 x, [k * float(v) for v in x]]
 
 
@@ -172,28 +173,28 @@ def _perpendicular(size: int) -> Iterator[Described]:
         b = [mp.mpf(x) / 7 for x in (3, 1, 2, -1, 5, 0)][:size]
         b[-1] = -mp.fsum(x * y for x, y in zip(a[:-1], b[:-1], strict=True)) / a[-1]
         b[0] *= 1 + mp.mpf(gap)
-        yield f"perpendicular but for {gap}", [a, b]
+        yield f"perpendicular except for {gap}", [a, b]
 
 
 def _singular() -> Iterator[Described]:
-    """Rows of rank 2 but for the gap: the condition is its inverse and more."""
+    """Rows of rank 2, perturbed by the gap: the condition is at least its inverse."""
     for gap in ("1e-8", "1e-16", "0"):
         x, y = [mp.mpf(v) / 7 for v in (1, 2, 3)], [mp.mpf(v) / 3 for v in (4, -5, 6)]
         z = [(a + b) * (1 + mp.mpf(gap) * (i + 1)) for i, (a, b) in
              enumerate(zip(x, y, strict=True))]
-        yield f"third row is the sum of two but for {gap}", [[*x, *y, *z]]
+        yield f"third row is the sum of two except for {gap}", [[*x, *y, *z]]
 
 
 def _sheared() -> Iterator[Described]:
-    """Away from rotations: rows that nearly depend on each other, of very different lengths, on
-    the side that no rotation has."""
+    """Far from rotations: nearly dependent rows; rows of very different lengths; left-handed rows.
+    """
     yield from _singular()
     yield "2^-30 R", [exponential_series(skew(mp.matrix([1, -2, 2]))) * mp.mpf(2)**-30]
     yield "a reflection", [[1, 0, 0, 0, 1, 0, 0, 0, -1]]
     yield "a reflection, turned", [-exponential_series(skew(mp.matrix([1, -2, 2])))]
     for gap in ("1e-3", "1e-7", "1e-14"):
         third = mp.mpf(gap)
-        yield f"rows parallel but for {gap}", [
+        yield f"rows parallel except for {gap}", [
             [1, 2, 3, 1 + third, 2 - third, 3, -1, -2, -3 - third]]
     yield "rows of length 1e-12, 1, 1e12", [
         [mp.mpf(x) * mp.mpf(10)**e for e, row in
@@ -201,19 +202,20 @@ def _sheared() -> Iterator[Described]:
 
 
 def _opposite() -> Iterator[Described]:
-    """The same rotation, of the other sign, but for roundings: no turn between."""
+    """The same rotation with the other sign, except for rounding errors: no rotation between them.
+    """
     for k in ("0.375", "1"):
         q = quaternion_exp(mp.matrix([1, -2, 2]) / 3)
         yield f"q = -p, k = {k}", [q, -q, [mp.mpf(k)]]
         near = quaternion_exp(mp.matrix([1, -2, 2]) * (1 + mp.mpf("1e-9")) / 3)
-        yield f"q = -p but for 1e-9, k = {k}", [q, -near, [mp.mpf(k)]]
+        yield f"q = -p except for 1e-9, k = {k}", [q, -near, [mp.mpf(k)]]
 
 
 def _cancelled(k: int) -> Iterator[Described]:
-    """a x + y = 0, exactly or but for a rounding."""
+    """a x + y = 0, exactly or except for a rounding error."""
     x = [mp.mpf(2 * i + 3) for i in range(k)]
     yield "a x + y = 0", [[mp.mpf(3)], x, [-3 * v for v in x]]
-    yield "a x + y = 0 but for roundings", [[mp.mpf(1) / 3], x, [-v / 3 for v in x]]
+    yield "a x + y = 0 except for roundings", [[mp.mpf(1) / 3], x, [-v / 3 for v in x]]
 
 
 _CANCELLING: dict[str, Callable[[], Iterator[Described]]] = {
@@ -241,7 +243,7 @@ _CANCELLING: dict[str, Callable[[], Iterator[Described]]] = {
 }
 
 
-# The ends of the range: subnormal and infinite results, norms of what cannot be squared.
+# The ends of the range: subnormal and infinite results, norms of vectors whose squares overflow.
 
 
 def _of_range(operation: Operation, precision: Precision) -> Iterator[Case]:
@@ -265,8 +267,8 @@ def _of_range(operation: Operation, precision: Precision) -> Iterator[Case]:
 
 
 def _scaled(operation: Operation, precision: Precision, signs: Numbers) -> Iterator[Case]:
-    """First input large and the others small, and so that its halves of 26 bits would overflow;
-    or first subnormal; and the other way round.  Products are of ordinary size."""
+    """The first input is so large that splitting it into halves of 26 bits would overflow, and the
+    others are small; or the first is subnormal; and vice versa. Products are of ordinary size."""
     first = operation.inputs[0].quantity.size
     large, subnormal = (1000, -1060) if precision == DOUBLE else (120, -140)
     if first == len(signs):
@@ -278,7 +280,8 @@ def _scaled(operation: Operation, precision: Precision, signs: Numbers) -> Itera
 
 
 def _degree(operation: Operation) -> int:
-    """The most inputs any term of the result multiplies, counted by doubling them all."""
+    """The largest number of inputs that a term of the result multiplies, found by doubling all
+    inputs."""
     n, found = size(operation), 1
     for _, absolute in exact_functions(operation):
         one, two = absolute(*[1] * n), absolute(*[2] * n)
@@ -288,7 +291,7 @@ def _degree(operation: Operation) -> int:
 
 
 def main() -> None:
-    """Put them into the corpus, instead of those constructed before."""
+    """Replace the constructed cases in the corpus by these."""
     others = tuple(case for case in load() if not case.origin.startswith(ORIGIN))
     cases = tuple(constructed())
     save((*cases, *others))

@@ -22,12 +22,12 @@ _PRECISIONS = {precision.name: precision for precision in PRECISIONS}
 
 
 class CorpusError(ValueError):
-    """A line that is no case; says which and why."""
+    """A line that is no case; the message says which and why."""
 
 
 @dataclass(frozen=True)
 class Case:
-    """Inputs of one call, and where they are from."""
+    """Inputs of one call, and their origin."""
 
     operation: Operation
     precision: Precision
@@ -36,7 +36,7 @@ class Case:
 
     @property
     def line(self) -> str:
-        """The case as its file has it."""
+        """The case as a line of its file."""
         numbers = " ".join(x.hex() for x in self.inputs)
         return f"{self.operation.name} {self.precision.name} : {numbers} : {self.origin}"
 
@@ -77,7 +77,7 @@ def parse(line: str, where: str) -> Case:
 
 
 def load(folder: Path = FOLDER) -> tuple[Case, ...]:
-    """All cases, file by file in the order of the families."""
+    """All cases, in the order of the families' files."""
     return tuple(case for family in FAMILIES for case in _load_file(folder / f"{family}.txt"))
 
 

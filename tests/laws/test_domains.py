@@ -120,7 +120,7 @@ def test_what_is_drawn_is_in_its_domain(operation: Operation, place: int, precis
 
 @pytest.mark.parametrize("domain", (*IS_IN, BODY), ids=lambda domain: domain.name)
 def test_what_is_not_in_a_domain_is_noticed(domain: Domain):
-    """Ordinary numbers are in none of them, but for rows here and there; nor is zero."""
+    """Ordinary numbers are in none of them, with the exception of single rows; nor is zero."""
     argument = next(a for op in OPERATIONS for a in op.inputs if a.domain == domain)
     x = np.random.default_rng(2).normal(size=(50, *argument.quantity.shape)) * 2e13
     x[::2] = 0

@@ -135,7 +135,7 @@ def general(precision: Precision) -> np.ndarray:
     rng, info = np.random.default_rng(precision.bytes), np.finfo(precision.numpy_type)
     n, apart = 600, 8 if precision.name == "single" else 100
     R = rng.uniform(0.5, 1, (n, 3, 3)) * rng.choice((-1, 1), (n, 3, 3))
-    near = np.arange(n) % 5 == 0  # the last row a sum of the others but for some units
+    near = np.arange(n) % 5 == 0  # the last row nearly a sum of the others
     sums = R[near, 0] * rng.normal(size=(near.sum(), 1)) + R[near, 1]
     R[near, 2] = sums * (1 + rng.uniform(-1, 1, sums.shape) * 2.0**-rng.uniform(4, info.nmant - 4,
                                                                                  (near.sum(), 1)))

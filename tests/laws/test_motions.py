@@ -210,7 +210,7 @@ def hat(s: mp.matrix) -> mp.matrix:
 @pytest.mark.parametrize("name, size", [("SO3_leftJacobianInverse", 3),
                                         ("SE3_leftJacobianInverse", 6)])
 def test_jacobian_is_the_derivative(name: str, size: int):
-    """exp (s + J_l^-1(s) δ)^ = exp δ^ exp s^ + O(δ²), in 60 digits but for the errors of J."""
+    """exp (s + J_l^-1(s) δ)^ = exp δ^ exp s^ + O(δ²), in 60 digits except for the errors of J."""
     rng, delta = np.random.default_rng(8), mp.mpf(10)**-20
     s = np.hstack([rng.normal(size=(30, size - 3)), rotation_vectors(rng, 30).astype(float)])
     (bound,) = (b.k for b in TABLE[name].normwise)

@@ -1,1 +1,1 @@
-"""The same figures from other programs: Pinocchio, MuJoCo, SciPy, KSL."""
+"""Comparisons with other programs: Pinocchio, MuJoCo, SciPy, KSL."""

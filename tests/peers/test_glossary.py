@@ -1,4 +1,4 @@
-"""The names in docs/glossary.md and in the guides for those who come from elsewhere exist."""
+"""The names in docs/glossary.md and in the guides for users of other libraries exist."""
 
 import re
 from pathlib import Path
@@ -58,7 +58,7 @@ def test_ksls_names_exist():
 
 
 def in_pinocchio(name: str) -> bool:
-    """Whether `SE3.action`, `model.armature`, `exp6`, `JointModelRevolute…` is there."""
+    """Whether Pinocchio has `SE3.action`, `model.armature`, `exp6`, `JointModelRevolute…`."""
     first, *rest = re.sub(r"\(.*\)$", "", name).split(".")
     model = pin.Model()
     roots = {"model": model, "data": model.createData(), "coeffs": pin.Quaternion.coeffs}
@@ -94,7 +94,7 @@ def test_mujocos_names_exist(mujocos):
 
 @pytest.mark.parametrize("guide, column", (("from_pinocchio", 1), ("from_mujoco", 2)))
 def test_guides_name_operations_and_effects_there_are(guide, column):
-    """Of our column of the table: what looks like a name of ours is one."""
+    """In our column of the table, whatever looks like a name of ours is one."""
     text = (ROOT / f"docs/{guide}.md").read_text(encoding="utf-8")
     cells = [re.split(r"(?<!\\)\|", line)[1 + column] for line in text.splitlines()
              if line.startswith("|")]

@@ -1,4 +1,5 @@
-"""What KSL declares beside formulas: Euler angles, principal axes, inverses, whole turns, loops.
+"""KSL's functions that are no single formula: Euler angles, principal axes, inverses, whole turns,
+loops over arrays.
 
 The truth is products of turns in 50 digits, exact fractions, and SciPy for the convention.
 """
@@ -43,7 +44,7 @@ def numbers(precision: Precision, x) -> np.ndarray:
 
 
 def call(functions: ctypes.CDLL, name: str, precision: Precision, *arguments, returned=None):
-    """The function of this name and precision; arrays are passed by address."""
+    """Calls the function of this name and precision; arrays are passed by address."""
     function = getattr(functions, f"{name}_{precision.c_type}")
     real = {"double": ctypes.c_double, "float": ctypes.c_float}[precision.c_type]
     function.restype = real if returned is float else returned
@@ -94,7 +95,7 @@ def lock_of(axes: tuple[int, ...]) -> tuple[float, ...]:
 
 
 def angles_of(axes: tuple[int, ...], seed: int) -> np.ndarray:
-    """Anywhere; in gimbal lock, and 1e-1 … 1e-17 from it."""
+    """Any angles; gimbal lock, and 1e-1 … 1e-17 from it."""
     rng = np.random.default_rng([seed, *axes])
     angles = rng.uniform(-PI, PI, (ROWS, 3))
     near = 10.0**-rng.uniform(1, 17, ROWS) * rng.choice((-1, 0, 1), ROWS)
@@ -117,7 +118,7 @@ def test_turns_are_about_the_bodys_axes(number, name, axes, precision, functions
 @each_precision
 @each_sequence
 def test_angles_turn_to_the_rotation_near_gimbal_lock_too(number, name, axes, precision, functions):
-    """Besides what rounding makes of R: half an ulp an entry, so u."""
+    """In addition to the error of R's rounded entries: half an ulp each, so u."""
     worst = 0.0
     for row in angles_of(axes, 2):
         R = rotation(axes, row).astype(precision.numpy_type)
@@ -130,8 +131,8 @@ def test_angles_turn_to_the_rotation_near_gimbal_lock_too(number, name, axes, pr
 @each_precision
 @each_sequence
 def test_angles_are_next_to_the_reference(number, name, axes, precision, functions):
-    """Within KSL's windows, z [-1/8, 3/8) of a turn and x, y [-1/8, 7/8) from the reference, there
-    is one triple; so these are KSL's numbers."""
+    """Within KSL's windows, from the reference z in [-1/8, 3/8) of a turn and x, y in [-1/8, 7/8),
+    there is one triple; so these are KSL's numbers."""
     rng, slack = np.random.default_rng(number), 1e4 * unit(precision)
     for row in rng.uniform(-PI, PI, (ROWS, 3)):
         near = rng.uniform(-20, 20, 3) if rng.random() < 0.7 else np.zeros(3)
@@ -177,7 +178,8 @@ def exact(x: np.ndarray) -> np.ndarray:
 
 
 def symmetric_matrices(precision: Precision):
-    """Eigenvalues apart, close, equal, of very different sizes; diagonal ones."""
+    """Matrices with eigenvalues far apart, close, equal, of very different sizes; diagonal
+    matrices."""
     rng = np.random.default_rng(precision.bytes)
     for n in range(120):
         Q, _ = np.linalg.qr(rng.normal(size=(3, 3)))
@@ -227,7 +229,7 @@ def test_inverses_are_right_or_refused(precision, functions):
 
 @each_precision
 def test_size_refuses_no_inverse(precision, functions):
-    """Determinants that under- and overflow are no reason."""
+    """Determinants that underflow or overflow are no reason to refuse."""
     info = np.finfo(precision.numpy_type)
     for exponent in range(1 - info.maxexp, info.maxexp - 2, 5):
         R = np.ldexp(np.array([[0.0, 2, 0], [0, 0, -1], [1, 0, 0]]), exponent)
@@ -264,7 +266,7 @@ def test_any_axis_turns(precision, functions):
 
 
 def angles_around(precision: Precision, turn_: float) -> list[np.floating]:
-    """Of every size; whole turns and next to them."""
+    """Angles of every size; whole turns, and angles next to them."""
     rng, info = np.random.default_rng(1), np.finfo(precision.numpy_type)
     real = np.dtype(precision.numpy_type).type
     turns = [real(turn_ * n) for n in (-1000, -3, -2, -1, 0, 1, 2, 3, 17, 1000, 2**20)]
@@ -277,7 +279,7 @@ def angles_around(precision: Precision, turn_: float) -> list[np.floating]:
 
 @each_precision
 def test_degrees_are_exact(precision, functions):
-    """But for one rounding of negative ones."""
+    """Except for one rounding of negative ones."""
     real = np.dtype(precision.numpy_type).type
     for angle in angles_around(precision, 360):
         found = call(functions, "degrees", precision, angle, returned=float)
@@ -290,7 +292,7 @@ def test_degrees_are_exact(precision, functions):
 
 @each_precision
 def test_whole_turns_are_taken_away(precision, functions):
-    """As the comment says, of the number 2 π itself."""
+    """Multiples of the number 2 π itself, as the header's comment says."""
     real = np.dtype(precision.numpy_type).type
     off, growth = {"double": (1.2e-15, 2e-32), "single": (8e-7, 7e-15)}[precision.name]
     header = (INCLUDE / "ksl/trig.h").read_text()

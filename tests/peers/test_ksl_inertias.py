@@ -1,4 +1,5 @@
-"""Inertias with moments about the centre of mass, as KSL's: laws, exactly; errors; factors in C."""
+"""Inertias with moments about the centre of mass, as KSL has them: exact laws; errors; factors in
+C."""
 
 import ctypes
 import re
@@ -20,7 +21,7 @@ from tests.support.truth import bodies
 from tests.support.truth.exact import Matrix, Sample
 
 SOURCE = Path(__file__).with_name("ksl_functions.c")
-FACTORED = 160  # in u: what L L^T is off by, of the largest moment
+FACTORED = 160  # in u: the error of L L^T, relative to the largest moment
 ROWS = 120
 TIERS = {"plain": coscrew, "accurate": coscrew.accurate}
 each_tier = pytest.mark.parametrize("tier", TIERS)
@@ -32,7 +33,7 @@ def points(sample: Sample) -> Matrix:
 
 
 def of_points(given: Matrix) -> Matrix:
-    """Their ten numbers, by definition."""
+    """The ten numbers of their inertia, by definition."""
     m = given[:, 0].sum()
     c = (given[:, :1] * given[:, 1:]).sum(axis=0) / m
     I = sum(row[0] * bodies.steiner(row[1:] - c) for row in given)
@@ -40,7 +41,7 @@ def of_points(given: Matrix) -> Matrix:
 
 
 def test_moments_are_about_the_centre_of_mass(k, sample):
-    """Those of points: turned and moved points, points joined with others."""
+    """They equal those of the points: rotated, moved, and joined with other points."""
     D, one, other = sample.displacement(), points(sample), points(sample)
     moved = np.hstack([other[:, :1], other[:, 1:] @ D[:, :3].T + D[:, 3]])
     J, Jj = of_points(one), of_points(other)
@@ -75,7 +76,7 @@ def test_spatial_inertias_know_the_same(k, sample):
 
 
 def test_the_moments_of_a_box(k):
-    """m/12 (b² + c²), and m d²/4 more about a corner: 12 kg, 1 by 2 by 3 m."""
+    """m/12 (b² + c²), and m d²/4 more about a corner, for a box of 12 kg and 1 by 2 by 3 m."""
     J = k.inertia(Fraction(12), np.array([Fraction(n, 2) for n in (1, 2, 3)]),
                   *map(Fraction, (13, 10, 5, 0, 0, 0)))
     B = k.spatial_inertia_from_inertia(J)
@@ -90,7 +91,7 @@ def rational(x: np.ndarray) -> Matrix:
 
 
 def drawn(precision: Precision, shape: tuple[int, ...], n: int) -> np.ndarray:
-    """Numbers of ordinary, and of very different, sizes."""
+    """Random numbers, of ordinary and of very different sizes."""
     rng = np.random.default_rng([n, precision.bytes, *shape])
     reach = {"double": 40, "single": 8}[precision.name] * (np.arange(ROWS) % 2)
     numbers = rng.normal(size=(ROWS, *shape))
@@ -99,7 +100,7 @@ def drawn(precision: Precision, shape: tuple[int, ...], n: int) -> np.ndarray:
 
 
 def sizes_of_merged(Ji, t_ic, Jj, t_jc, D) -> Matrix:
-    """Every term of the statement with its size."""
+    """The sum of the absolute values of the terms in the stated bound."""
     Ji, t_ic, Jj, t_jc, D = map(np.abs, (Ji, t_ic, Jj, t_jc, D))
     R, c = D[:, :3], D[:, :3] @ t_jc + D[:, 3]
     d, m = c + t_ic, Ji[0] + Jj[0]
@@ -110,8 +111,8 @@ def sizes_of_merged(Ji, t_ic, Jj, t_jc, D) -> Matrix:
 
 def worst(precision: Precision, tier: str, found: np.ndarray, truths: list[Matrix],
           sizes: list[Matrix]) -> float:
-    """The largest error, in u times the sizes; the accurate tier's beyond 1 u of the result, in u²
-    times them."""
+    """The largest error, in u times these sums; of the accurate tier the part above 1 u of the
+    result, in u² times these sums."""
     u, largest = Fraction(unit(precision)), 0.0
     for got, truth, size in zip(rational(found), truths, sizes, strict=True):
         error = np.abs(got - truth)
@@ -167,7 +168,7 @@ def test_comments_state_the_bounds():
 
 @each_precision
 def test_bodies_without_mass_are_no_numbers(precision):
-    """... where a centre of mass is wanted; others stay as they are."""
+    """NaN where a centre of mass is computed; other results are finite."""
     nothing = np.zeros(10, precision.numpy_type)
     with np.errstate(all="ignore"):
         assert np.isnan(coscrew.spatial_inertia_from_inertia(nothing)[4:]).all()
@@ -179,7 +180,7 @@ def test_bodies_without_mass_are_no_numbers(precision):
 
 @pytest.fixture(scope="module", params=COMPILERS)
 def factor(request, tmp_path_factory):
-    """ksl_inertia_factor, ksl_inertiaf_factor: rank, and L."""
+    """The rank and L, by ksl_inertia_factor or ksl_inertiaf_factor."""
     library = tmp_path_factory.mktemp("ksl") / "functions.so"
     run((request.param, *C11, "-O2", *STRICT, "-Wno-pedantic", EXACT, "-fPIC", "-shared", "-I",
          INCLUDE, SOURCE, "-o", library, "-lm"))
@@ -196,14 +197,14 @@ def factor(request, tmp_path_factory):
 
 
 def symmetric(rng, values, n: int) -> np.ndarray:
-    """A matrix of these eigenvalues, every third diagonal."""
+    """Matrices with these eigenvalues, every third one diagonal."""
     Q, _ = np.linalg.qr(rng.normal(size=(3, 3)))
     A = Q * np.array(values, float) @ Q.T if n % 3 else np.diag(rng.permutation(values) * 1.0)
     A = A * 2.0**rng.integers(-40, 40)
     return np.tril(A) + np.tril(A, -1).T
 
 
-# Eigenvalues of moments: of bodies, of rods, of points, of one direction alone.
+# Eigenvalues of moments: of bodies, rods, points, and along one direction alone.
 RANKS = {3: ((3, 2, 1), (1, 1, 1), (2, 1.9, 0.01), (1, 1, 1e-3)), 2: ((1, 1, 0), (2, 1, 0)),
          1: ((1, 0, 0),), 0: ((0, 0, 0),)}
 

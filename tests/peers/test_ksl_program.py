@@ -87,7 +87,7 @@ EXPECTED = {
 # Quaternions (x, y, z, w), and inertias about the centre of mass.
 
 p, q, turn = exact(1, -2, "1/2", 3), exact(-4, "1/4", 2, 1), exact("1/2", -2)
-third, K = exact(*["1/2"] * 4), exact([0, 0, 1], [1, 0, 0], [0, 1, 0])  # of a turn about (1, 1, 1)
+third, K = exact(*["1/2"] * 4), exact([0, 0, 1], [1, 0, 0], [0, 1, 0])  # about (1, 1, 1)
 
 
 def conjugate(q: np.ndarray) -> np.ndarray:
@@ -101,7 +101,7 @@ def times(p: np.ndarray, q: np.ndarray) -> np.ndarray:
 
 
 def about(axis: int) -> np.ndarray:
-    """The turn of this sine and cosine of half the angle."""
+    """The rotation with this sine and cosine of half its angle."""
     return np.array([*(turn[0] * I[axis]), turn[1]])
 
 
@@ -150,7 +150,7 @@ EXPECTED |= {
                          + steiner(mj, there - middle)),
     "inertia_factor": (3, 2),
 }
-HALFWAY = ("slerp", "nlerp", "squad")  # a quarter turn about z, the middle of half of one
+HALFWAY = ("slerp", "nlerp", "squad")  # a quarter turn about z, halfway through a half turn
 
 
 def _rounded(number: Fraction | int, precision: Precision) -> float:

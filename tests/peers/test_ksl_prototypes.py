@@ -1,7 +1,7 @@
 """Every function of KSL (Kinematics Subroutine Library) is here, with its parameters, in its order.
 
-tests/references/ksl_prototypes.txt holds the prototypes of KSL's headers in short.  C compilers
-compare them with ours; what is written for KSL includes them as "ksl/X.h", in any order.
+tests/references/ksl_prototypes.txt holds the prototypes of KSL's headers, shortened. C compilers
+compare them with ours; programs written for KSL include the headers as "ksl/X.h", in any order.
 """
 
 import random
@@ -16,12 +16,12 @@ from tests.support.each import each_compiler
 
 HEADERS = tuple(dict.fromkeys(p.header for p in prototypes()))
 
-# Pairs that these read only are pairs of const here: callers need not know.
+# Pairs that these functions only read are pairs of const here; callers are not affected.
 TO_CONST = ("ksl_quaternion_product_q", "ksl_product_q")
 
 
 def source(wanted: tuple[Prototype, ...], includes: tuple[str, ...]) -> str:
-    """C: a pointer to a function of KSL's type for each, set to ours."""
+    """C source: for each function a pointer of KSL's type, set to ours."""
     lines = [f'#include "ksl/{header}"' for header in includes]
     for prototype in wanted:
         pointer = prototype.pointer
@@ -34,7 +34,7 @@ def source(wanted: tuple[Prototype, ...], includes: tuple[str, ...]) -> str:
 @each_compiler
 @pytest.mark.parametrize("header", HEADERS)
 def test_prototypes_are_ksls(header, compiler, tmp_path):
-    """Each header alone has what KSL's has."""
+    """Each header alone declares what KSL's declares."""
     wanted = tuple(p for p in prototypes() if p.header == header)
     path = tmp_path / "prototypes.c"
     path.write_text(source(wanted, (header,)))

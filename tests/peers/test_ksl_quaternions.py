@@ -1,6 +1,7 @@
-"""KSL's quaternion functions that C has beside the table: against their formulas in 60 digits.
+"""KSL's quaternion functions in C that are not in the table of operations: against their formulas
+in 60 digits.
 
-A program written for KSL calls them with numbers of its own; what it prints is compared.
+A program written for KSL calls them and prints the results, which are compared.
 """
 
 from collections.abc import Callable, Sequence
@@ -41,7 +42,7 @@ def squad(q: Sequence[Matrix], t: mp.mpf) -> Matrix:
 
 
 def program(precision: Precision) -> str:
-    """Prints line by line what CASES wants."""
+    """A program that prints the results of CASES, a line each."""
     f, real = precision.suffix, precision.c_type
     name = {key: key if precision is DOUBLE else twin for key, twin in SINGLE.items()}
     numbers = ",\n".join("{{{" + ", ".join(f"{x}{f}" for x in row) + "}}}" for row in NUMBERS)
@@ -108,8 +109,9 @@ def test_they_are_their_formulas(precision, compiler, tmp_path):
 
 @each_precision
 def test_slerp_goes_on_beyond_half_a_turn_up_to_the_opposite(precision, tmp_path):
-    """From q to -q but for ever less, down to 64 u: at a quarter of the way the turn has a quarter
-    of its angle, about either axis that rounding may leave, never three quarters."""
+    """From q to -q with an ever smaller perturbation, down to 64 u: at a quarter of the way the
+    rotation has a quarter of its angle, never three quarters, about whichever axis rounding leaves.
+    """
     f = precision.suffix
     slerp, product = (("ksl_quaternion_slerp", "ksl_quaternion_product_qq") if precision is DOUBLE
                       else ("ksl_slerpf", "ksl_product_qqf"))

@@ -1,11 +1,11 @@
 """MuJoCo simulates the same: arms and free bodies with gravity, springs, dampers and rotors.
 
-Both get the same decimals, as MJCF and as TOML.  Dry friction and limits are left out: MuJoCo
-treats them as constraints, which is another formula.  Both integrate with Runge and Kutta's method
-and steps h and h/2.  For hinges and slides it is the same method, so that the runs may differ by
-what roundings make of it (runs.py); rotations of a free base are added up in ways of their
-own, so that there the finer runs may also differ by the sum of what halving the step changes in
-each: at any order above 1, either one's error is less than its change.
+Both read the same decimals, as MJCF and as TOML. Dry friction and limits are left out: MuJoCo
+treats them as constraints, by another formula. Both integrate by Runge and Kutta's method with
+steps h and h/2. For hinges and slides the method is the same, so that runs may differ by amplified
+rounding errors (runs.py). Rotations of a free base are integrated by different formulas, so that
+the runs with h/2 may also differ by the sum of both programs' changes from h to h/2: at any order
+above 1, the error of each is less than its change.
 """
 
 import random
@@ -22,7 +22,7 @@ from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.system import system
 from tests.references.figures import Figure
 from tests.support.scenes import runs
-from tests.support.scenes.asking import STEPPED
+from tests.support.scenes.selecting import STEPPED
 
 mujoco = pytest.importorskip("mujoco", reason="no wheel for this platform")
 
@@ -63,7 +63,7 @@ def _drawn(draw: random.Random, kind: str, first: bool) -> Link:
     def decimals(count: int, low: float, high: float) -> str:
         return " ".join(f"{draw.uniform(low, high):.3f}" for _ in range(count))
 
-    half = np.array([draw.uniform(0.03, 0.2) for _ in range(3)])  # of a box, turned any way
+    half = np.array([draw.uniform(0.03, 0.2) for _ in range(3)])  # of a box in a random orientation
     turn = np.linalg.qr(np.array([[draw.gauss(0, 1) for _ in range(3)] for _ in range(3)]))[0]
     mass = draw.uniform(0.5, 3)
     I = turn @ np.diag((half @ half - half**2) * mass / 3) @ turn.T
@@ -110,7 +110,7 @@ def _list(decimals: str) -> str:
 
 
 def mjcf(chain: Sequence[Link]) -> str:
-    """MuJoCo's model; what it would add by itself is switched off."""
+    """MuJoCo's model; its own additional forces are switched off."""
     inner = ""
     for i, x in reversed(tuple(enumerate(chain))):
         joint = "<freejoint/>" if x.kind == "f" else (
@@ -145,12 +145,12 @@ def theirs(name: str) -> "mujoco.MjModel":
 
 
 def reordered(free: bool, q: np.ndarray, by: int) -> np.ndarray:
-    """q with a free base's quaternion turned by 1 into MuJoCo's w, x, y, z; by −1 back."""
+    """q with a free base's quaternion rolled by 1 into MuJoCo's order w, x, y, z; by −1 back."""
     return np.concatenate((q[:3], np.roll(q[3:7], by), q[7:])) if free else q
 
 
 def frames(free: bool, q: np.ndarray, nv: int) -> np.ndarray:
-    """T of v_theirs = T v_ours: a free base's velocity is in the world's axes there.  (nv, nv)."""
+    """T with v_MuJoCo = T v: MuJoCo has a free base's velocity in the world's axes. (nv, nv)."""
     T = np.eye(nv)
     if free:
         R = np.zeros(9)
@@ -160,7 +160,7 @@ def frames(free: bool, q: np.ndarray, nv: int) -> np.ndarray:
 
 
 def states(its: Kernels, free: bool) -> list[tuple[np.ndarray, np.ndarray]]:
-    """The start, and random ones."""
+    """The initial state, and random ones."""
     draw, first = np.random.default_rng(0), system(its, "double").start()
     found = [first]
     for _ in range(STATES - 1):
@@ -173,7 +173,8 @@ def states(its: Kernels, free: bool) -> list[tuple[np.ndarray, np.ndarray]]:
 
 @pytest.mark.parametrize("name", CASES)
 def test_mass_matrix_and_bias_are_mujocos(name, folder):
-    """To 1e-12 of the largest entry; springs and dampers, apart in MuJoCo, are in our bias."""
+    """To 1e-12 of the largest entry; our bias includes springs and dampers, which MuJoCo keeps
+    separate."""
     its, model, free = ours(name, folder), theirs(name), CASES[name][0]
     data, mine = mujoco.MjData(model), system(its, "double")
     for q, v in states(its, free):
@@ -193,7 +194,7 @@ def test_mass_matrix_and_bias_are_mujocos(name, folder):
 
 
 def run(name: str, step: float, folder: Path) -> tuple[Figure, ...]:
-    """Theirs after DURATION, as figures of ours."""
+    """MuJoCo's results after DURATION, in our quantities."""
     model, free = theirs(name), CASES[name][0]
     data, its = mujoco.MjData(model), system(ours(name, folder), "double")
     q, v = its.start()

@@ -147,7 +147,8 @@ def test_energies_poses_twists_and_jacobians_are_pinocchios(file, free, mimics):
     ("ur_description/urdf/ur5_robot.urdf", 460, 940, 6),
     ("panda_description/urdf/panda.urdf", 900, 1820, 7)))
 def test_constants_fold_to_few_operations(file, inverse, forward, turns):
-    """Right angles cost nothing, and what a joint leaves of an inertia vanishes along its axis."""
+    """Right angles cost nothing, and the articulated inertia beyond a free joint is zero along its
+    axis."""
     programs = {f.name: f.program for f in robot(file, False, False).functions.functions}
     for name, most in (("inverse_dynamics", inverse), ("forward_dynamics", forward)):
         counts = programs[name].counts

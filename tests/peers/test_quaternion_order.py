@@ -1,6 +1,6 @@
-"""Quaternions are (x, y, z, w) wherever they are met: as SciPy and Pinocchio have them.
+"""Quaternions are (x, y, z, w) everywhere, as in SciPy and Pinocchio.
 
-Where the order were another, rotations would differ by far more than the bound of 64 u.
+In any other order, rotations would differ by far more than the bound of 64 u.
 """
 
 import numpy as np
@@ -11,7 +11,7 @@ import coscrew
 from coscrew_codegen import load_scene
 from coscrew_codegen.simulate.system import system
 from tests.support.compiled.c_harness import C11, INCLUDE, run
-from tests.support.scenes.asking import STEPPED
+from tests.support.scenes.selecting import STEPPED
 
 pin = pytest.importorskip("pinocchio")
 

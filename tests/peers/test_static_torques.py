@@ -1,7 +1,8 @@
 """Static torques by coscrew operations alone: against Pinocchio, and the example in C and Python.
 
-An error is measured against the joint's scale S_i = Σ_k (|f_k||v_i| + |τ_k||ω_i|), k over all that
-joint i carries: the sum τ_i = Σ_k c_k · h_i with every product as large as it may be.
+Errors are relative to the joint's scale S_i = Σ_k (|f_k||v_i| + |τ_k||ω_i|), summed over all bodies
+k beyond joint i: an upper bound of the sum of the absolute values of the terms of τ_i = Σ_k c_k ·
+h_i.
 """
 
 import importlib.metadata
@@ -60,7 +61,7 @@ def urdf(robot: str) -> Path:
 
 
 def joints(model: "pinocchio.Model") -> list["pinocchio.JointModel"]:
-    """All but the universe, which Pinocchio counts as joint 0."""
+    """All joints except the universe, which is Pinocchio's joint 0."""
     return list(model.joints)[1:]
 
 
@@ -70,7 +71,7 @@ def kind(joint: "pinocchio.JointModel") -> str:
 
 
 def configurations(model: "pinocchio.Model", real: type[np.floating]) -> Array:
-    """Angles anywhere, shifts within half a metre.  (CONFIGURATIONS, nq)"""
+    """Random angles, and shifts within half a metre. (CONFIGURATIONS, nq)"""
     random, columns = np.random.default_rng(20190), []
     for joint in joints(model):
         x = random.uniform(-1, 1, CONFIGURATIONS)

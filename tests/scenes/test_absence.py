@@ -21,7 +21,14 @@ from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene.model import Parameter
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
 from coscrew_codegen.scene_functions import SceneFunctions
-from tests.support.scenes.effect_scenes import PLACES, all_but, effects, hashes, mechanism
+from tests.support.scenes.effect_scenes import (
+    PLACES,
+    all_but,
+    assert_listed,
+    effects,
+    hashes,
+    mechanism,
+)
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated
 from tests.support.scenes.mechanisms import CATALOGUE, scene
 from tests.support.scenes.scene_values import random_state
@@ -84,7 +91,12 @@ def test_of_two_effects_either_is_left_out_without_the_other() -> None:
 
 
 def test_every_effect_is_left_out_once() -> None:
-    assert set(PLACES) == set(CATALOGUE) == {*ZEROS, "mimic", "reaction"}
+    assert_listed(PLACES, CATALOGUE, "PLACES", "tests/support/scenes/effect_scenes.py")
+
+
+def test_every_effect_that_acts_can_be_switched_off() -> None:
+    acting = [name for name, x in CATALOGUE.items() if not (x.mimic or x.reaction)]
+    assert_listed(ZEROS, acting, "ZEROS", "tests/scenes/test_absence.py")
 
 
 def zeroed(name: str, number: Fraction | Parameter) -> tuple[Applied, ...]:

@@ -25,7 +25,7 @@ def turned(f: Evaluated) -> list[mpf]:
 
 @KINDS
 def test_rates_of_displacements_are_right_to_third_order(kind: Kind) -> None:
-    """d/dt integrated(q, φ + t u) is d/dt integrated(integrated(q, φ), t v), but for |φ|⁴."""
+    """d/dt integrated(q, φ + t u) is d/dt integrated(integrated(q, φ), t v), except for O(|φ|⁴)."""
     f = evaluated(kind)
     v = [mpf(x) for x in (3, -1, 2, 1, 4, -2)[-f.nv:]]
     far = [mpf(x) / 10 for x in (2, 1, -3, 2, -2, 1)[-f.nv:]]

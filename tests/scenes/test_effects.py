@@ -96,7 +96,7 @@ def test_coulomb_friction_stops_in_time() -> None:
 
 
 def test_coulomb_friction_takes_the_same_from_each_cycle() -> None:
-    """4 tau_c/k, but for a fading friction within eps of rest: less by O(eps²)."""
+    """4 tau_c/k, less O(eps²) since friction fades within eps of rest."""
     tau_c, eps, k, m = 0.1, 1e-2, 1.0, 1.0
     state = moving(slider(1), applied("spring", "j0", k=1),
                    applied("coulomb", "j0", tau_c=TENTH, eps=Fraction(1, 100)), q=[2])
@@ -123,7 +123,8 @@ def test_dry_friction_follows_its_curve(v: str) -> None:
 
 
 def test_dry_friction_creeps_where_it_holds() -> None:
-    """At eps artanh(tau/tau_c); with Stribeck's, at eps artanh(tau/tau_s) but for (creep/v_s)²."""
+    """At eps artanh(tau/tau_c); with Stribeck friction at eps artanh(tau/tau_s), up to
+    O((creep/v_s)²)."""
     drive = applied("actuator", "j0", kind="torque", torque=Fraction(3, 4))
     eps = Fraction(1, 1000)
     held = moving(rotor(2), drive, applied("coulomb", "j0", tau_c=1, eps=eps)).implicit(1e-2, 500)

@@ -8,7 +8,6 @@ import pytest
 
 from coscrew_codegen.scene.model import HERE, Body, Joint, Kind, Model
 from coscrew_codegen.scene.scene import Applied
-from tests.support.scenes.asking import OneByOne
 from tests.support.scenes.mechanisms import (
     X,
     Y,
@@ -26,6 +25,7 @@ from tests.support.scenes.mechanisms import (
     scene,
     slider,
 )
+from tests.support.scenes.selecting import OneByOne
 
 STIFF = 10**6  # with J = 1 and h = 1e-2: h d/J = 1e4
 H = 1e-2

@@ -52,7 +52,7 @@ def test_implausible_bodies_are_refused_with_the_way_round(written, body):
     assert str(caught.value).endswith('implausible = "warn" accepts it')
 
 
-def test_load_scene_lets_them_through_and_warns(written):
+def test_load_scene_accepts_them_and_warns(written):
     path = written(robot(next(iter(BODIES))))
     with pytest.raises(SceneError, match="accepts it"):
         load_scene(path)
@@ -70,7 +70,7 @@ def test_load_scene_lets_them_through_and_warns(written):
 
 
 @pytest.mark.parametrize("body", BODIES)
-def test_implausible_bodies_that_are_let_through_move_as_pinocchio_says(written, body):
+def test_implausible_bodies_that_are_accepted_move_as_pinocchio_says(written, body):
     """Accelerations are finite and Pinocchio's, within 1e-12: it takes such bodies as they are."""
     pinocchio = pytest.importorskip("pinocchio")
     path = written(robot(body))
@@ -103,12 +103,12 @@ def test_faults_of_what_is_welded_to_the_world_are_seen(written):
         read_scene(written('implausible = "ignore"\n' + WELDED, "a.toml"))
 
 
-def test_a_negative_mass_is_never_let_through(written):
+def test_a_negative_mass_is_never_accepted(written):
     with pytest.raises(SceneError, match="mass -2 kg; wanted a positive mass"):
         read_scene(written(robot("lwa_link").replace('"2"', '"-2"')), overrides=WARN)
 
 
-def test_massless_bodies_of_scene_files_are_let_through_by_name(written):
+def test_massless_bodies_of_scene_files_are_accepted_by_name(written):
     text = WELDED.replace("mass = 1\ninertia = [1, 1, 3]", "mass = 0")
     with pytest.raises(SceneError, match="bodies.foot.mass: 0; wanted a positive number"):
         read_scene(written(text, "a.toml"))
@@ -135,7 +135,7 @@ def test_a_mass_matrix_that_is_singular_for_every_q_is_told(written, capsys, tmp
     assert "the mass matrix is singular" in said and said.count("\n") == 1
 
 
-def test_romeo_is_let_through_and_warned_of():
+def test_romeo_is_accepted_with_a_warning():
     path = path_of("romeo_description/urdf/romeo_small.urdf")
     scene = read_scene(path, overrides=WARN)
     assert any("RShoulderYawLink" in line for line in scene.model.implausible)

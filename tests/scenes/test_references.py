@@ -17,7 +17,7 @@ from tests.references import figures as committed
 from tests.references import heavy_top, pendulum, rigid_body
 from tests.references.figures import Figure
 from tests.support.scenes import mechanisms, runs
-from tests.support.scenes.asking import checked
+from tests.support.scenes.selecting import checked
 
 SCENES = Path(__file__).parents[2] / "examples/scenes"
 

@@ -158,25 +158,25 @@ def test_internal_functions_are_not_offered():
 
 
 @pytest.mark.parametrize("name", ("class", "lambda", "two words", "1st", "", "größe", "a-b"))
-def test_names_no_file_can_bear_are_refused(name: str):
+def test_names_no_file_can_have_are_refused(name: str):
     with pytest.raises(ValueError, match="a name that C and Python can import is wanted"):
         files(replace(CASES["pendulum"](), name=name))
 
 
 @pytest.mark.parametrize("name", ("int", "lambda", "template", "sin", "sqrtf", "where", "_x", "x y",
                                   "nan", "NAN", "float64"))
-def test_instructions_cannot_bear_words_of_the_languages(name: str):
+def test_instructions_cannot_have_keywords_as_names(name: str):
     with pytest.raises(ValueError, match=re.escape(f"{name!r} cannot be a name in C and Python")):
         files(_one(name))
 
 
 @pytest.mark.parametrize("name", ("q", "x"))
-def test_instructions_cannot_bear_names_of_arguments(name: str):
+def test_instructions_cannot_have_names_of_arguments(name: str):
     with pytest.raises(ValueError, match=f"{name!r} is given twice"):
         files(_one(name))
 
 
-def test_outputs_that_bear_an_inputs_name_get_another():
+def test_outputs_that_have_an_inputs_name_get_another():
     text = files(CASES["slider"]())["slider.h"]
     assert "void slider_integrated(const double q[2], const double phi[2], double qo[2]);" in text
 

@@ -20,6 +20,7 @@ from coscrew_codegen.scene_files.toml_scene import read_scene
 ROOT = Path(__file__).parents[2]
 SCENES = sorted((ROOT / "examples/scenes").glob("*.toml"))
 SCHEMA = json.loads((ROOT / "generated/docs/scene.schema.json").read_text(encoding="utf-8"))
+OUTDATED = "generated/docs/scene.schema.json is out of date: make generate"
 
 FULL = """
 name = "full"
@@ -160,7 +161,7 @@ def test_example_scenes_are_valid(path):
 
 def test_the_command_prints_it(capsys):
     assert main(["schema"]) == 0
-    assert json.loads(capsys.readouterr().out) == SCHEMA
+    assert json.loads(capsys.readouterr().out) == SCHEMA, OUTDATED
 
 
 def test_a_scene_with_every_key_is_read_and_valid(tmp_path):
@@ -198,6 +199,7 @@ def test_unknown_words_are_refused_by_both(tmp_path):
 
 @pytest.mark.parametrize("effect", EFFECTS, ids=lambda effect: effect.name)
 def test_effects_have_their_parameters_and_no_others(effect):
+    assert effect.name in SCHEMA["definitions"], OUTDATED
     own = SCHEMA["definitions"][effect.name]
     names = {parameter.name for parameter in effect.parameters}
     extra = {Place.BODY: {"body"}, Place.PAIR: {"bodies"}}.get(effect.place, set())

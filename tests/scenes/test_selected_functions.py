@@ -38,18 +38,18 @@ from tests.support.scenes import mechanisms as m
 ALL = ("all",)
 
 
-def arm(*asked: str, **others: object) -> Scene:
+def arm(*selected: str, **others: object) -> Scene:
     """Two joints with a limit at the second; b2 is fixed to b1."""
     model = m.chain((m.Kind.REVOLUTE, m.Y, m.HERE, m.inertia(1, (0, 0, 1), (1, 1, 1, 0, 0, 0))),
                     (m.Kind.PRISMATIC, m.X, m.at(0, 0, 1), m.inertia(2)),
                     (m.Kind.FIXED, m.Z, m.at(0, 1, 0), m.inertia(1)), name="arm")
     limit = m.applied("limit", "j1", lower=m.Fraction(-1), upper=m.Fraction(1),
                       k=m.Fraction(1000))
-    return replace(m.scene(model, m.gravity(), limit, **others), functions=asked)
+    return replace(m.scene(model, m.gravity(), limit, **others), functions=selected)
 
 
-def flyer(*asked: str) -> Scene:
-    return replace(m.scene(m.free_body(), m.gravity()), functions=asked)
+def flyer(*selected: str) -> Scene:
+    return replace(m.scene(m.free_body(), m.gravity()), functions=selected)
 
 
 def public(scene: Scene) -> list[str]:
@@ -62,8 +62,8 @@ def public(scene: Scene) -> list[str]:
 def test_without_a_word_jacobians_reactions_and_other_integrators_are_left_out():
     assert public(arm()) == [*DYNAMICS, "integrated", *CONTACTS, "step_leapfrog"]
     assert public(flyer()) == [*DYNAMICS, "integrated", *FREE, "step_leapfrog"]
-    asked = m.applied("reaction", "j1")
-    assert "reaction_j1" in public(replace(arm(), effects=(*arm().effects, asked)))
+    selected = m.applied("reaction", "j1")
+    assert "reaction_j1" in public(replace(arm(), effects=(*arm().effects, selected)))
 
 
 @pytest.mark.parametrize("integrator", INTEGRATORS, ids=lambda x: x.name)
@@ -189,7 +189,7 @@ def test_load_scene_takes_what_the_file_says_or_what_it_is_told(file: Path):
 
 
 def test_runs_have_all_that_they_call_and_tell_what_they_lack(file: Path):
-    """Of a scene whose own functions are one."""
+    """A run of a scene that selects a single function."""
     scene = replace(read_scene(file), record=("reaction.wrist", "pose.hand", "a", "momentum"))
     its = system.system(load.kernels_for(scene, needs.of_run(scene, "rk4")), "double")
     assert not its.has("jacobian_hand") and not its.has("inverse_dynamics")
@@ -252,8 +252,8 @@ def test_alarms_do_without_a_mass_matrix(tmp_path: Path, monkeypatch: pytest.Mon
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr(needs, "MANY", 0)
     scene = m.scene(m.slider(1), m.applied("spring", "j0", k=10**6))
-    asked = needs.of_run(scene, "semi-implicit-euler")
-    its = system.system(load.kernels_for(scene, asked), "double")
+    selected = needs.of_run(scene, "semi-implicit-euler")
+    its = system.system(load.kernels_for(scene, selected), "double")
     assert not its.has("mass_matrix")
     start = replace(its, scene=replace(scene, start_q={"j0": (1.0,)}))
     planned = plan.plan(start, integrator="semi-implicit-euler", step=1.9e-3, until=1.0)

@@ -1,4 +1,4 @@
-"""The default integrator's motions against laws and closed forms: what floats free keeps its
+"""The default integrator's motions against laws and closed forms: floating bases keep their
 momentum and energy, dampers and stiff motors are followed, bounces keep their speeds'
 restitution."""
 
@@ -20,8 +20,8 @@ from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import system
 from tests.references import figures
 from tests.support.scenes import mechanisms as m
-from tests.support.scenes.asking import OneByOne, checked
 from tests.support.scenes.generated_scenes import imported
+from tests.support.scenes.selecting import OneByOne, checked
 
 OLD = "semi-implicit-euler"
 NEW = "leapfrog"
@@ -112,7 +112,7 @@ def momenta(name: str, run: Trajectory) -> tuple[np.ndarray, np.ndarray]:
 
 @pytest.mark.parametrize("precision", ("double", "single"))
 @pytest.mark.parametrize("name", FREE)
-def test_what_floats_free_keeps_its_momentum_to_rounding(name, precision):
+def test_floating_bases_keep_their_momentum_to_rounding(name, precision):
     """Over 1e5 steps (with friction, a motor and a limit inside: 2e4); not the old default."""
     until = 20.0 if name == "falling" else 100.0
     run = ran(kernels(name), until, precision=precision)
@@ -127,7 +127,7 @@ def test_what_floats_free_keeps_its_momentum_to_rounding(name, precision):
 
 
 @pytest.mark.parametrize("name", ("offset", "nut", "tree"))
-def test_what_floats_free_keeps_its_energy_within_a_thousandth(name):
+def test_floating_bases_keep_their_energy_within_a_thousandth(name):
     """Over 1e5 steps of 1e-3 s, in both precisions."""
     for precision in U:
         run = ran(kernels(name), 100.0, precision=precision)
@@ -135,7 +135,7 @@ def test_what_floats_free_keeps_its_energy_within_a_thousandth(name):
         assert np.max(np.abs(e / e[0] - 1)) < 1e-3
 
 
-def test_steps_from_c_alone_keep_momentum_but_for_their_roundings():
+def test_steps_from_c_alone_keep_momentum_except_for_roundings():
     """1e5 calls of the step, each of which knows but q and v."""
     its = kernels("tree").double
     q, v = system(kernels("tree"), "double").start()

@@ -30,7 +30,7 @@ def test_what_is_said_to_be_searched_is():
 @each_precision
 @pytest.mark.parametrize("name", SAME)
 def test_what_is_not_searched_again_has_the_same_bits(name: str, precision: Precision):
-    """Right Jacobians are the left ones of -v, but for the signs of zeros."""
+    """Right Jacobians are the left ones of -v, except for the signs of zeros."""
     rng, dtype = np.random.default_rng(5), np.dtype(precision.numpy_type)
     (domain,) = domains(TABLE[name])
     rows = domain.inputs(domain.draw(rng, 2000, dtype)).astype(dtype)

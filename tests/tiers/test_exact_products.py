@@ -37,8 +37,8 @@ int has_fma(void) { return KSL_HAS_FMA; }
 
 
 def numbers() -> tuple[np.ndarray, ...]:
-    """a, b, a b rounded, and h with a b - h exact but for the product's rounding: factors of every
-    size, products near every end of the range, zeros, infinities, NaN."""
+    """a, b, a b rounded, and h, with a b - h exact except for the product's rounding: factors of
+    every size, products near all ends of the range, zeros, infinities, NaN."""
     rng, n = np.random.default_rng(11), 40_000
     a = np.ldexp(rng.uniform(0.5, 1, n) * rng.choice((-1, 1), n), rng.integers(-1074, 1025, n))
     b = np.ldexp(rng.uniform(0.5, 1, n) * rng.choice((-1, 1), n), rng.integers(-1074, 1025, n))

@@ -60,7 +60,7 @@ def test_no_hard_case_exceeds_the_bound(operation: Operation, precision: Precisi
 @each_precision
 @operations
 def test_pure_numpy_is_as_good(operation: Operation, precision: Precision):
-    """... but for NumPy's own float32 functions."""
+    """... except by NumPy's own float32 functions."""
     cases = CASES[operation.name, precision.name]
     extra = OF_NUMPY if precision.name == "single" else 0
     for case, got in zip(cases, results(twin(coscrew), cases), strict=True):
@@ -69,7 +69,7 @@ def test_pure_numpy_is_as_good(operation: Operation, precision: Precision):
 
 
 def test_the_corpus_has_what_is_constructed():
-    """... and nothing that was: line by line, but for inputs constructed or found twice."""
+    """... and nothing that was: line by line, except inputs constructed or found twice."""
     made = {(c.operation.name, c.precision.name, c.inputs): c.line
             for c in reversed(tuple(constructed()))}
     kept = {c.line for cases in CASES.values() for c in cases if c.origin.startswith(ORIGIN)}

@@ -7,7 +7,7 @@ generator that lacks these effects' files.
 
 import json
 import sys
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from hashlib import sha256
@@ -88,6 +88,13 @@ def effects(*names: str) -> tuple[Applied, ...]:
 def all_but(names: Collection[str]) -> Scene:
     """The scene of all effects except these."""
     return scene(arm(), *effects(*(x for x in PLACES if x not in names)))
+
+
+def assert_listed(listed: Iterable[str], wanted: Iterable[str], table: str, file: str) -> None:
+    """Assert that the table in this file has an entry for each wanted effect, and no others."""
+    missing, unknown = set(wanted) - set(listed), set(listed) - set(wanted)
+    assert not missing, f"add {', '.join(sorted(missing))} to {table} in {file}"
+    assert not unknown, f"remove {', '.join(sorted(unknown))} from {table} in {file}"
 
 
 def hashes(made: Scene) -> dict[str, str]:

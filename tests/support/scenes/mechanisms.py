@@ -19,7 +19,7 @@ from coscrew_codegen.scene.model import (
     Placement,
 )
 from coscrew_codegen.scene.scene import Applied, Run, Scene, Setting
-from tests.support.scenes.asking import with_jacobians
+from tests.support.scenes.selecting import with_jacobians
 
 CATALOGUE = {effect.name: effect for effect in EFFECTS}
 I = HERE.R

@@ -21,7 +21,7 @@ from coscrew_codegen.scene.model import WORLD, Joint, Kind
 from coscrew_codegen.scene.scene import Applied, Scene
 from coscrew_codegen.scene_files.urdf import read_urdf
 from coscrew_codegen.scene_functions import SceneFunctions
-from tests.support.scenes.asking import with_jacobians
+from tests.support.scenes.selecting import with_jacobians
 
 FOLDER = Path(sysconfig.get_path("purelib"), "cmeel.prefix/share/example-robot-data/robots")
 

@@ -11,7 +11,7 @@ from coscrew_codegen.simulate.plan import Trajectory, plan
 from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import system
 from tests.support.scenes import scene_texts as texts
-from tests.support.scenes.asking import STEPPED
+from tests.support.scenes.selecting import STEPPED
 
 
 def scene_file(folder: Path, text: str, name: str = "scene") -> Path:

@@ -1,7 +1,7 @@
 """Evaluates emitted text and kernels to 60 digits, with the emitted constants.
 
 In exact arithmetic the corrections of rounding errors vanish, and with them any mistake in them.
-So, where asked for, roots, quotients, multiples of GRID, sums with them, and squares of such sums,
+So, if selected, roots, quotients, multiples of GRID, sums with them, and squares of such sums,
 which are exact if they are right, are rounded as in the kernel's precision; all else never is.
 """
 

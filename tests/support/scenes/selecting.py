@@ -1,4 +1,4 @@
-"""Scenes and kernels with the functions that a test needs: more than by default, or fewer."""
+"""Scenes and kernels with the functions that a test needs: more than the default ones, or fewer."""
 
 from dataclasses import replace
 from pathlib import Path
