@@ -6,6 +6,8 @@ parameters a few are run.
 
 import gc
 import importlib
+import os
+import sys
 import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -54,8 +56,15 @@ def pytest_addoption(parser: pytest.Parser) -> None:
                           f"{FEW}, evenly spread")
 
 
+def _keep_bytecode() -> None:
+    """Workers and the hundreds of processes that tests start compile no module again."""
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    sys.dont_write_bytecode = False
+
+
 def pytest_configure(config: pytest.Config) -> None:
     """Report stale extensions once and stop, instead of failing in some test."""
+    _keep_bytecode()
     if config.getoption("--stale-extensions") or hasattr(config, "workerinput"):
         return
     from coscrew_codegen.build import extensions

@@ -4,7 +4,7 @@ In exact arithmetic rounding errors are zero, so a compensated kernel must reduc
 and when each result whose error it computes is off by some h, its own must be off by h² only.  A
 sum hi + lo, which makes up for its own error whatever it is, must have none to make up for besides.
 A certified bound must be C S, and C the number of roundings, except for the part that covers
-underflow. C is read here as the few forms it has: `const double a = …, b = …;`, `out->m0 = …;`,
+underflow.  C is read here as the few forms it has: `const double a = …, b = …;`, `out->m0 = …;`,
 `return …;`.
 """
 
