@@ -39,6 +39,7 @@ from tests.support.compiled.implementations import compiled, gufuncs
 from tests.support.truth.attack import (
     TIERED,
     Implementation,
+    Row,
     Worst,
     bounds,
     compare,
@@ -123,7 +124,7 @@ def _judge(operation: Operation, precision: Precision, tier: str, row: list[floa
         into.worst.ratio, into.worst.witness = exact, tuple(x.hex() for x in row)
     if tier != "certified" and exact <= 1 and np.isfinite(got).all():
         own = Worst()
-        compare(operation, precision, tier, row, got, own)
+        compare(precision, tier, Row(operation, row), got, own)
         if own.ulps > into.worst.ulps and own.ratio <= 1:
             into.worst.ulps, into.worst.ulps_witness = own.ulps, own.ulps_witness
 

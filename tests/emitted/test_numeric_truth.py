@@ -46,6 +46,9 @@ from tests.support.truth.multiprecision import (
 Row = tuple[list[mp.mpf], ...]  # components of every input
 Run = Callable[[Operation, Rules, Row], list[mp.mpf]]
 
+# That they suffice, branches taken and signs flipped show.
+ROWS = 36
+
 # The last row of L times its pivot enters only squared, so that its sign is free there.
 SIGNED = tuple(op for op in NUMERIC if op.name != "spatial_inertia_consistency")
 
@@ -129,9 +132,9 @@ def evaluator_of(operation: Operation, rules: Rules, row: Row) -> Evaluator:
 def rows(operation: Operation, precision: Precision) -> list[Row]:
     """Floats that take every branch: motions if the operation has them, arbitrary finite numbers,
     zeros, and among zeros a one or a small number."""
-    groups = [inputs_of(operation, precision, 60)]
+    groups = [inputs_of(operation, precision, ROWS)]
     if operation.name in TRUTHS:
-        motions = motions_of(operation, precision, 60)
+        motions = motions_of(operation, precision, ROWS)
         groups += [motions, tuple(4 * x[:10] for x in motions)]
         if operation.inputs[0].name in ("v", "s"):  # below the end of series, where all terms count
             turns = np.random.default_rng(1).uniform(-1, 1, (12, motions[0].shape[1])) / 2

@@ -23,7 +23,7 @@ from tests.support.each import each_compiler, each_precision
 from tests.support.sampling import inputs_of
 from tests.support.truth.attack import plain_program
 
-OUTPUTS = 200_000  # components compared, at least, per operation, precision and implementation
+OUTPUTS = 50_000  # components compared, at least, per operation, precision and implementation
 OPTIMISED = ("-O3", "-march=native")
 BUILDS = tuple((name, (*flags, EXACT)) for flags in (("-O0",), OPTIMISED) for name in COMPILERS)
 Arrays = tuple[np.ndarray, ...]

@@ -152,11 +152,10 @@ with_sums = pytest.mark.parametrize("operation", [
 
 
 @with_sums
-@each_precision
-def test_c_comparison_notices_any_flipped_sign(operation, precision):
-    name = c_name(operation.name, precision)
+def test_c_comparison_notices_any_flipped_sign(operation):
+    name = c_name(operation.name, DOUBLE)
     for wrong in header().flips(name):
-        assert is_wrong(run_c(wrong, operation, precision), operation), wrong.text(name)
+        assert is_wrong(run_c(wrong, operation, DOUBLE), operation), wrong.text(name)
 
 
 @pytest.mark.parametrize("wrong", [("1e-06f", "1e-06"), ("fabsf(", "fabs("), ("float", "double")])
@@ -292,11 +291,9 @@ def test_python_kernel_is_its_truth(operation, precision):
 
 
 @with_sums
-@each_precision
-def test_python_comparison_notices_any_flipped_sign(operation, precision):
-    function = twin(operation, precision)
-    module = getattr(coscrew, precision.name)
-    source = inspect.getsource(getattr(module, operation.name).__wrapped__)
+def test_python_comparison_notices_any_flipped_sign(operation):
+    function = twin(operation, SINGLE)
+    source = inspect.getsource(getattr(coscrew.single, operation.name).__wrapped__)
     tree = ast.parse(textwrap.dedent(source)).body[0]
     tree.decorator_list, tree.body = [], tree.body[1:]  # without its docstring
     flipped = list(sign_flips(ast.unparse(tree)))
@@ -304,7 +301,7 @@ def test_python_comparison_notices_any_flipped_sign(operation, precision):
     for text in flipped:
         scope = dict(function.__globals__)
         exec(text, scope)
-        found = run_python(scope[operation.name], operation, precision)
+        found = run_python(scope[operation.name], operation, SINGLE)
         assert is_wrong(found, operation), text
 
 

@@ -1,6 +1,6 @@
 """Exponentials, logarithms, Jacobians, quaternions: as accurate as stated, for every rotation."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -25,7 +25,7 @@ from tests.support.truth.motion_errors import (
 )
 from tests.support.truth.motions import DIGITS, TRUTHS, exponential_series, skew
 
-ROWS = 250
+ROWS = 120
 MOTIONS = tuple(op for op in OPERATIONS if op.name in TRUTHS)
 TABLE = {op.name: op for op in MOTIONS}
 Arrays = tuple[np.ndarray, ...]
@@ -73,16 +73,22 @@ def inputs_and_truths(operation: Operation,
 @each_motion
 def test_errors_are_within_the_stated_bounds(operation: Operation, precision: Precision,
                                              implementation: str, c_kernels: Evaluate):
+    """Rows with the gufunc's bits are judged once, as the gufunc's."""
     evaluate = {"gufunc": gufunc, "twin": twin, "C": c_kernels}[implementation]
     inputs, truths = inputs_and_truths(operation, precision)
     wider = TWIN_IN_SINGLE if (evaluate, precision) == (twin, SINGLE) else 0
     with np.errstate(all="ignore"):
         outputs = evaluate(operation, precision, inputs)
-    check(operation, precision, inputs, outputs, truths, lambda part, row: wider)
+        judged = gufunc(operation, precision, inputs)
+    own = [n for n in range(ROWS) if implementation == "gufunc" or any(
+        x[n].tobytes() != y[n].tobytes() for x, y in zip(outputs, judged, strict=True))]
+    check(operation, precision, [x[own] for x in inputs], [x[own] for x in outputs],
+          [truths[n] for n in own], lambda part, row: wider)
 
 
-def check(operation: Operation, precision: Precision, inputs: Arrays, outputs: Arrays,
-          truths: list[list[list[Objects]]], more: Callable[[str, int], float]) -> None:
+def check(operation: Operation, precision: Precision, inputs: Sequence[np.ndarray],
+          outputs: Sequence[np.ndarray], truths: list[list[list[Objects]]],
+          more: Callable[[str, int], float]) -> None:
     """Every part's error is within the stated bound plus `more`, in u."""
     bounds, u = {b.part: b for b in operation.normwise}, unit(precision)
     with mp.workdps(DIGITS):

@@ -69,8 +69,7 @@ def test_text_is_that_of_a_generator_without_the_effects(generator: Path,
                                                          names: tuple[str, ...]) -> None:
     folder = generator / "coscrew_codegen" / "effects"
     texts = {folder / f"{name}.py": (folder / f"{name}.py").read_bytes() for name in names}
-    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "",
-                   "PYTHONPATH": os.pathsep.join((str(generator), str(ROOT)))}
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join((str(generator), str(ROOT)))}
     try:
         for file in texts:
             file.unlink()
