@@ -1,4 +1,5 @@
-"""Calls operations in each tier as users do: gufuncs, or C of the tiers that Python has not."""
+"""Calls operations in each tier as users do: gufuncs, or C for the tiers that Python does not have.
+"""
 
 from importlib import import_module
 from pathlib import Path
