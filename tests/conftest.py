@@ -1,9 +1,9 @@
 """Before the first test: checks that the compiled extensions match the kernels in generated/.
 
-And `--quick`, for the working day: files that take long are left out, and of tests with many
-parameters a few are run.
+`--quick` leaves out slow files, and runs tests with many parameters for a few of them.
 """
 
+import gc
 import importlib
 import os
 import sys
@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-if TYPE_CHECKING:  # imported with the first test that needs it: with it come SymPy and operations
+if TYPE_CHECKING:  # imports SymPy and the operations: only the tests that need it import it
     from tests.support.truth.exact import Exact, Sample
 
 LONG = frozenset("""
@@ -77,6 +77,13 @@ def pytest_configure(config: pytest.Config) -> None:
         raise pytest.UsageError("\n".join((
             f"not compiled from the kernels in generated/: {', '.join(stale)}.  `make build` "
             "compiles them; --stale-extensions runs tests all the same.", *said)))
+
+
+def pytest_collection_finish() -> None:
+    """Python's garbage collector leaves alone what has been imported, and looks less often at what
+    tests make: as it is by default it takes a tenth of their time."""
+    gc.freeze()
+    gc.set_threshold(20_000)
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
