@@ -1,4 +1,4 @@
-"""What each emitted function computes, in C and in Python, is identically its operation's truth."""
+"""Each emitted function, in C and in Python, is identically its operation's formula."""
 
 import ast
 import inspect
@@ -39,8 +39,8 @@ def truth(operation: Operation) -> tuple[sp.Expr, ...]:
 
 
 def c_name(name: str, precision: Precision) -> str:
-    """Single names put an f behind the type they start with (ksl_screwf_copy), and behind one a
-    conversion names (ksl_mat4x4f_toSE3f), else last."""
+    """Single-precision names have an f after the type with which they start (ksl_screwf_copy), also
+    after the second type of a conversion (ksl_mat4x4f_toSE3f), else at the end."""
     joined = name.replace("spatial_inertia", "spatial~inertia")
     head, *tail = (x.replace("~", "_") for x in joined.split("_", 1))
     if name.startswith("quaternion_product") and precision is SINGLE:
@@ -53,7 +53,7 @@ def c_name(name: str, precision: Precision) -> str:
 
 
 def difference(found: tuple[sp.Expr, ...], operation: Operation) -> sp.Expr | None:
-    """By how much the first wrong component is wrong, under any conditions; None if none is."""
+    """The error of the first wrong component, under any conditions; None if all are right."""
     wanted = truth(operation)
     assert len(found) == len(wanted)
     differences = (sp.expand(branch[i] - branch[i + len(wanted)])

@@ -1,8 +1,9 @@
-"""What the emitted text of each tier computes is identically its operation's truth.
+"""The emitted text of each tier is identically its operation's formula.
 
 In exact arithmetic rounding errors are zero, so a compensated kernel must reduce to the formula;
-and when each result whose error it computes is off by some h, its own must be off by h² only.  A
-sum hi + lo, which makes up for its own error whatever it is, must have none to make up for besides.
+and if each result whose error it computes is off by some h, the kernel's result must be off only by
+order h². A sum hi + lo, which corrects its own error whatever that is, must have no other error to
+correct.
 A certified bound must be C S, and C the number of roundings, except for the part that covers
 underflow.  C is read here as the few forms it has: `const double a = …, b = …;`, `out->m0 = …;`,
 `return …;`.

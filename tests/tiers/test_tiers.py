@@ -1,4 +1,4 @@
-"""The tiers: bounds no rounding breaks, half an ulp where promised, the same bits everywhere."""
+"""The tiers: no error exceeds its bound, half an ulp where promised, the same bits everywhere."""
 
 from fractions import Fraction
 from pathlib import Path
@@ -63,7 +63,7 @@ def test_no_error_exceeds_its_bound(operation: Operation, precision: Precision, 
 
 
 def test_the_bounds_are_those_derived_by_hand():
-    """c1 and c2 of a few kernels, counted along the longest way from an input to the result."""
+    """c1 and c2 of a few kernels, counted along the longest path from an input to the result."""
     by_name = {op.name: op for op in TIERED}
 
     def constants(name: str, tier: str, which: str) -> list[Fraction]:
@@ -87,9 +87,9 @@ def test_one_ulp_is_proved_to_condition_1e14(operation: Operation):
 
 
 def test_shares_of_a_sum_are_exact():
-    """What the accurate tier takes for granted: s = a + b and t = s - a rounded, then u = s - t,
-    a - u and b - t are exact, and a - u + b - t is the error.  In half precision, in which numbers
-    of any sizes meet, against double, which holds all of it exactly."""
+    """The accurate tier relies on this: with s = a + b and t = s - a rounded, u = s - t, a - u and
+    b - t are exact, and a - u + b - t is the error.  Tried in half precision, for numbers of all
+    sizes, against double, in which everything is exact."""
     rng = np.random.default_rng(4)
     a, b = rng.integers(0, 2**16, (2, 4_000_000), np.uint16).view(np.float16)
     with np.errstate(all="ignore"):
@@ -107,7 +107,7 @@ def test_shares_of_a_sum_are_exact():
 @each_precision
 @operations
 def test_certified_bounds_hold_for_any_numbers(operation: Operation, precision: Precision):
-    """Also where products underflow; and the bound is finite unless something may overflow."""
+    """Also if products underflow; the bound is finite unless a term may overflow."""
     inputs = extreme_rows(operation, precision, EXTREMES, SEED)
     worst = attack(operation, precision, "certified", exact_rows(operation, inputs),
                    twin(coscrew.certified))
@@ -121,7 +121,7 @@ def test_certified_bounds_hold_for_any_numbers(operation: Operation, precision: 
 
 
 def _copies(operation: Operation) -> bool:
-    """Whether some components are inputs as they are, infinite or not, and their bounds zero."""
+    """Whether some components are copies of inputs, finite or not, with zero bounds."""
     symbols = {symbol for a in operation.inputs for symbol in a.symbols}
     return any(abs(x) in map(abs, symbols) or -x in symbols for x in operation.truth())
 
@@ -141,8 +141,8 @@ def same_bits(got: Arrays, want: Arrays) -> bool:
                          ids=lambda module: module.__name__)
 def test_c_gufunc_and_numpy_agree_in_bits(tier: ModuleType, operation: Operation,
                                           precision: Precision, folder: Path):
-    """With an fma instruction and, at -O0 and in the twins, without: both compute the same exact
-    errors, whatever the numbers."""
+    """With fma instructions, and without them at -O0 and in the twins: both compute the same exact
+    errors for all numbers."""
     name = tier.__name__.removeprefix("coscrew.")
     inputs = extreme_rows(operation, precision, EXTREMES, SEED)
     want = twin(tier)(operation, precision, inputs)
