@@ -77,20 +77,27 @@ def is_polynomial(operation: Operation) -> bool:
 def exact_functions(operation: Operation) -> tuple[tuple[Exact, Exact], ...]:
     """(x, S) of each result as functions of all input components, from the polynomial's terms."""
     symbols = _symbols(operation)
+    ring = sp.ring(symbols, sp.QQ)[0]
 
     def pair(expression: sp.Expr) -> tuple[Exact, Exact]:
-        expanded = sp.expand(expression)
-        terms = [term.as_coeff_Mul() for term in sp.Add.make_args(expanded)]
-        absolute = sp.Add(*(abs(coefficient) * rest for coefficient, rest in terms))
-        return over_one_denominator(expanded), over_one_denominator(absolute)
-
-    def over_one_denominator(polynomial: sp.Expr) -> Exact:
-        """Integer coefficients over one denominator: 1/2 would print as a float and be rounded."""
-        numerator, denominator = sp.fraction(sp.together(polynomial))
-        function = sp.lambdify(symbols, sp.expand(numerator), "math")
-        return lambda *values: function(*values) / int(denominator)
+        terms = ring.from_expr(expression).terms()
+        return _evaluating(terms), _evaluating([(powers, abs(x)) for powers, x in terms])
 
     return tuple(map(pair, formula(operation)))
+
+
+def _evaluating(terms: Sequence[tuple[tuple[int, ...], mpq]]) -> Exact:
+    """The sum of coefficients times powers of all variables, with integer coefficients over one
+    denominator: 1/2 would be a float, and be rounded."""
+    denominator = math.lcm(*(int(x.denominator) for _, x in terms))
+    products = [" * ".join([str(x.numerator * (denominator // x.denominator)),
+                            *(f"x{n}**{power}" if power > 1 else f"x{n}"
+                              for n, power in enumerate(powers) if power)]).removeprefix("1 * ")
+                for powers, x in terms]
+    names = ", ".join(f"x{n}" for n in range(len(terms[0][0]))) if terms else "*_"
+    divided = f" / {denominator}" if denominator > 1 else ""
+    function: Exact = eval(f"lambda {names}: ({' + '.join(products) or 0}){divided}")
+    return function
 
 
 def ulp(truth: mpq, precision: Precision) -> mpq:
@@ -187,8 +194,9 @@ def _constants(precision: Precision) -> list[mpmath.mpf]:
 
 
 def _multiprecise(operation: Operation) -> Callable[..., Sequence[mpmath.mpf]]:
-    return sp.lambdify([*_symbols(operation), *PER_PRECISION], formula(operation),
-                       [SPECIAL, "mpmath"], cse=True)
+    found: Callable[..., Sequence[mpmath.mpf]] = sp.lambdify(
+        [*_symbols(operation), *PER_PRECISION], formula(operation), [SPECIAL, "mpmath"], cse=True)
+    return found
 
 
 def _units(operation: Operation,

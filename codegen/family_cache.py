@@ -1,4 +1,4 @@
-"""Keeps what is derived from each family of operations, so that only changed families are derived
+"""Caches what is derived from each family of operations, so that only changed families are derived
 again.
 
 A family's key names the versions of the packages that derive, and all sources of the generator,
@@ -30,10 +30,10 @@ Bundle = dict[str, object]  # a family's results, by the names of the functions 
 
 
 class FamilyCache:
-    """Finds the results for a family or makes them; `save` caches those that were made.
+    """Returns cached results for a family, or derives them; `save` caches those that were derived.
 
-    `sources` are the generator's sources, read before this process imported the operations; without
-    them nothing is found and nothing is cached.  `command` selects what is generated."""
+    `sources` are the generator's sources, read before this process imported the operations; if they
+    are None, the cache is not used.  `command` selects what is generated."""
 
     def __init__(self, sources: Mapping[str, bytes] | None, command: str,
                  tell: Callable[[str], None]):
@@ -56,16 +56,16 @@ class FamilyCache:
 
     @property
     def derived(self) -> tuple[str, ...]:
-        """The families that were derived, not found."""
+        """The families that were not in the cache."""
         return tuple(self._made)
 
     def save(self) -> None:
-        """Keep what was made, unless the sources have changed since or the cache cannot be written
-        to."""
+        """Cache what was derived, unless the sources have changed since or the cache cannot be
+        written to."""
         if self._sources is None or cache.sources() != self._sources or not cache.lasts():
             return
         for family in self._made:
-            with suppress(OSError):  # a full disk: it is made again next time
+            with suppress(OSError):  # a full disk: it is derived again next time
                 cache.write(self._key(family, self._sources), _SUFFIX,
                             zlib.compress(pickle.dumps(self._bundles[family]), 1))
 

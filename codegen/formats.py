@@ -70,10 +70,7 @@ class Precision(Format):
 
     def limit(self, name: str) -> Fraction:
         """A limit by NumPy's name: max, smallest_normal, smallest_subnormal."""
-        largest = (2 - 2 * self.u) * Fraction(2)**(1 - self.least_exponent)
-        normal = Fraction(2)**self.least_exponent
-        return {"max": largest, "smallest_normal": normal,
-                "smallest_subnormal": normal * 2 * self.u}[name]
+        return _limits(self)[name]
 
     def literal(self, constant: Constant) -> str:
         """The shortest decimal that rounds to the constant in this precision.
@@ -91,6 +88,13 @@ class Precision(Format):
             around = [near, *(np.nextafter(near, number(x)) for x in (-np.inf, np.inf))]
         return min((x for x in around if np.isfinite(x)), key=lambda x: (
             abs(Fraction(float(x)) - value), int(x.view(f"u{self.bytes}")) & 1))
+
+
+@cache
+def _limits(precision: Precision) -> dict[str, Fraction]:
+    normal = precision.smallest_normal
+    return {"max": (2 - 2 * precision.u) * Fraction(2)**(1 - precision.least_exponent),
+            "smallest_normal": normal, "smallest_subnormal": normal * 2 * precision.u}
 
 
 @cache

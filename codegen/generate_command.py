@@ -1,6 +1,6 @@
 """`coscrew generate`: options; writes the library's kernels or a scene's dynamics, or checks them.
 
-Imports what derives only when it is asked to, so that other commands start at once."""
+Imports the modules that derive only when it runs, so that other commands start at once."""
 
 import argparse
 import sys

@@ -13,7 +13,8 @@ SYMBOLS: dict[tuple[str, ...], str] = {
     ("w",): "angular velocity",
     ("v",): "velocity of the origin",
     ("dw",): "angular acceleration",
-    ("U",): "acceleration tensor dw~ + w~ w~: a point x has the acceleration U x less the origin's",
+    ("U",): "acceleration tensor dw~ + w~ w~, where w~ x = w × x: U x is the acceleration of "
+             "a point x relative to the origin",
     ("a",): "acceleration of the origin, less that of gravity",
     ("B", "Bm", "Bh", "BI"): "inertia of the link, of all its bodies: mass; first and second "
                              "moments about the origin",
@@ -22,7 +23,7 @@ SYMBOLS: dict[tuple[str, ...], str] = {
     ("fj", "mj"): "force and moment about the origin that the joint transmits",
     ("fp", "mp"): "the same in the parent's frame, about its origin",
     ("fA", "mA"): "f and m, with fp and mp of the links beyond, whose joints move freely",
-    ("tau",): "force or torque along the joint's axis; behind an effect's name what that supplies",
+    ("tau",): "force or torque along the joint's axis; after an effect's name, the effect's",
     ("p", "L"): "momentum and angular momentum about the origin",
     ("T", "V"): "kinetic and potential energy",
     ("C", "Cm", "Ch", "CI"): "composite inertia of the link and all links beyond it",
@@ -30,12 +31,13 @@ SYMBOLS: dict[tuple[str, ...], str] = {
     ("F",): "force and moment for a unit acceleration of the joint",
     ("M",): "entries of the mass matrix",
     ("A", "Al", "Ac", "Aa"): "articulated inertia A = [[Al, Ac^T], [Ac, Aa]], linear part first",
-    ("Ap", "Apl", "Apc", "Apa"): "the same beyond the free joint, in the parent's frame",
+    ("Ap", "Apl", "Apc", "Apa"): "the part of it that acts on the parent through the joint, in the "
+                                 "parent's frame",
     ("S", "Sl", "Sa"): "articulated inertia times the joint's axes (linear; angular)",
-    ("D",): "inertia along the joint's axes, L D L^T of several",
+    ("D",): "inertia along the joint's axes; of several axes, L D L^T",
     ("Di",): "1 / D",
     ("K", "Kl", "Ka"): "S / D (linear; angular)",
-    ("u",): "torque that accelerates the joint: less the transmitted wrench along its axis",
+    ("u",): "torque that accelerates the joint: along its axis, less the transmitted wrench",
     ("qdd",): "acceleration of the joint",
     ("al", "aa"): "acceleration (linear, angular) due to the joints' accelerations",
     ("own",): "of the joint itself: inertia, torques of effects",
@@ -79,7 +81,7 @@ def _marks(marks: set[str]) -> Iterator[str]:
     yield ("Names consist of the symbol of a quantity, the number of its link, which headings name, "
            "and a component: w3x is w of link 3 along x.  Vectors are in the link's frame, about its origin, unless "
            "stated otherwise.")
-    words = {"sign": "w3xn is -w3x", "number": "w3xv2 a second value of it",
-             "step": "w3x_1 a step towards it, w3_1 one towards several"}
+    words = {"sign": "w3xn is -w3x", "number": "w3xv2 another value of it",
+             "step": "w3x_1 an intermediate result for it, w3_1 one for several components"}
     if said := [words[x] for x in words if x in marks]:
         yield "; ".join(said) + "."

@@ -1,1 +1,1 @@
-"""What was emitted, held against its definition; by folder, what a test is about."""
+"""Tests that compare emitted functions with their definitions, in folders by subject."""

@@ -1,29 +1,31 @@
 """Before the first test: checks that the compiled extensions match the kernels in generated/.
 
-And `--quick`, for the working day: files that take long are left out, and of tests with many
-parameters a few are run.
+`--quick` leaves out slow files, and runs tests with many parameters for a few of them.
 """
 
+import gc
 import importlib
+import os
+import sys
 import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 
-if TYPE_CHECKING:  # imported with the first test that needs it: with it come SymPy and operations
+if TYPE_CHECKING:  # imports SymPy and the operations: only the tests that need it import it
     from tests.support.truth.exact import Exact, Sample
 
 LONG = frozenset("""
-    test_absence test_check test_check_alarms test_check_bounces test_checkers test_climb
-    test_command_line test_cost test_cross test_documents test_examples test_family_cache
-    test_flags test_found test_generate test_generate_scene test_gufuncs test_hard_cases
-    test_hard_effects test_headers test_inverses test_load_scene test_motions test_mujoco
-    test_packaging test_parity test_pinocchio test_recording test_references
-    test_report_command test_report_files test_report_measure test_report_page test_sanitizers
-    test_scene_agreement test_scene_compilation test_scene_flags test_scene_names
-    test_scene_parts test_selfcheck test_simulate test_tiers test_true_motion test_typing
-    test_version test_view""".split())
+    test_absence test_cache test_check test_check_alarms test_check_bounces test_checkers
+    test_climb test_command_line test_cost test_cross test_documents test_examples
+    test_family_cache test_flags test_found test_generate test_generate_scene test_gufuncs
+    test_hard_cases test_hard_effects test_headers test_implausible test_inverses
+    test_load_scene test_motions test_mujoco test_packaging test_parity test_pinocchio
+    test_recording test_references test_report_command test_report_files test_report_measure
+    test_report_page test_sanitizers test_scene_agreement test_scene_compilation
+    test_scene_flags test_scene_names test_scene_parts test_selfcheck test_simulate test_tiers
+    test_true_motion test_typing test_version test_view""".split())
 """Files that take more than five seconds of processor time, even with few parameters."""
 FEW = 4
 
@@ -53,8 +55,15 @@ def pytest_addoption(parser: pytest.Parser) -> None:
                           f"{FEW}, evenly spread")
 
 
+def _keep_bytecode() -> None:
+    """Workers and the hundreds of processes that tests start compile no module again."""
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    sys.dont_write_bytecode = False
+
+
 def pytest_configure(config: pytest.Config) -> None:
     """Report stale extensions once and stop, instead of failing in some test."""
+    _keep_bytecode()
     if config.getoption("--stale-extensions") or hasattr(config, "workerinput"):
         return
     from coscrew_codegen.build import extensions
@@ -68,6 +77,13 @@ def pytest_configure(config: pytest.Config) -> None:
         raise pytest.UsageError("\n".join((
             f"not compiled from the kernels in generated/: {', '.join(stale)}.  `make build` "
             "compiles them; --stale-extensions runs tests all the same.", *said)))
+
+
+def pytest_collection_finish() -> None:
+    """Python's garbage collector leaves alone what has been imported, and looks less often at what
+    tests make: as it is by default it takes a tenth of their time."""
+    gc.freeze()
+    gc.set_threshold(20_000)
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:

@@ -1,15 +1,15 @@
-"""Attacks the proven bounds at length: a million outputs per operation, precision and tier.
+"""Tests the proven bounds at length: a million outputs per operation, precision and tier.
 
 `python -m tests.long_attack [--outputs N] [--operation NAME …] [--seed N] [--processes N]`, or
 `make attack`, tries the hard cases, random rows, rows in which a result nearly cancels, and rows
 next to those with the largest errors so far, and prints how close errors come to their bounds.
 
-That it is rigorous: for each row all tiers share one truth, enclosed in a radius that is proved
-(wide.py), and S from the same polynomial.  |result - truth| + radius is compared to the bound,
-each rounded to the unsafe side by more than their arithmetic's errors; where it is not smaller, the
-row counts only once exact rationals of the formula (judge.py) have spoken, and so for the worst
-row of each batch.  What is enclosed is the plain program; that it is identically the formula other
-tests show symbolically.
+The test is rigorous.  For each row all tiers share one truth, enclosed within a proved radius
+(wide.py), and S from the same polynomial. |result - truth| + radius is compared with the bound,
+each rounded to the unsafe side by more than the errors of this arithmetic. Rows for which it is not
+smaller, and the worst row of each batch, are judged by exact rationals of the formula (judge.py).
+The enclosed value is that of the plain program; other tests show symbolically that this is
+identically the formula.
 """
 
 import argparse
@@ -39,6 +39,7 @@ from tests.support.compiled.implementations import compiled, gufuncs
 from tests.support.truth.attack import (
     TIERED,
     Implementation,
+    Row,
     Worst,
     bounds,
     compare,
@@ -49,7 +50,7 @@ from tests.support.truth.judge import ratio
 from tests.support.truth.wide import IS_WIDE, WIDE, Enclosed, enclosed, linear
 
 BATCH = 12_000  # rows
-PARENTS = 8  # rows of each tier with the largest errors, from which new ones are varied
+PARENTS = 8  # rows of each tier with the largest errors, which are varied
 # Sizes of components: 2^±spread, varied ones half as far again.
 SPREAD = {"double": 40, "single": 8}
 UNSAFE = WIDE(1 - 2.0**-40)
@@ -69,7 +70,7 @@ class Attacked:
 
 def attack_at_length(operation: Operation, precision: Precision, ways: Ways, outputs: int,
                      seed: int, cases: np.ndarray | None = None) -> dict[str, Attacked]:
-    """Every tier's errors on at least so many outputs, and on the cases."""
+    """Every tier's errors on at least this many outputs, and on the cases."""
     rng = np.random.default_rng([seed, *operation.name.encode(), precision.bytes])
     found = {tier: Attacked() for tier in ways}
     if cases is not None and len(cases):
@@ -96,7 +97,7 @@ def attack_at_length(operation: Operation, precision: Precision, ways: Ways, out
 
 def _attack(operation: Operation, precision: Precision, tier: str, way: Implementation,
             rows: np.ndarray, truth: Enclosed, into: Attacked, climbing: bool = True) -> None:
-    """One batch, all of it against the enclosure, and exactly where that is not enough."""
+    """One batch: compared with the enclosure, and where that does not decide, exactly."""
     results = joined(way(operation, precision, split(operation, rows)))
     with np.errstate(all="ignore"):
         ratios = _ratios(operation, precision, tier, results, truth)
@@ -115,7 +116,7 @@ def _attack(operation: Operation, precision: Precision, tier: str, way: Implemen
 
 def _judge(operation: Operation, precision: Precision, tier: str, row: list[float],
            got: list[float], into: Attacked, counted: int = 1) -> None:
-    """Exactly; over- and underflow as judge.py allows for."""
+    """The exact comparison; overflow and underflow as in judge.py."""
     exact = ratio(operation, precision, tier, row, got)
     into.violations += exact > 1
     into.worst.outputs += counted * (len(got) // (2 if tier == "certified" else 1))
@@ -123,7 +124,7 @@ def _judge(operation: Operation, precision: Precision, tier: str, row: list[floa
         into.worst.ratio, into.worst.witness = exact, tuple(x.hex() for x in row)
     if tier != "certified" and exact <= 1 and np.isfinite(got).all():
         own = Worst()
-        compare(operation, precision, tier, row, got, own)
+        compare(precision, tier, Row(operation, row), got, own)
         if own.ulps > into.worst.ulps and own.ratio <= 1:
             into.worst.ulps, into.worst.ulps_witness = own.ulps, own.ulps_witness
 
@@ -162,7 +163,8 @@ def _ulps(precision: Precision, results: np.ndarray, truth: Enclosed) -> np.ndar
 
 def _rows(operation: Operation, precision: Precision, count: int, rng: np.random.Generator,
           found: list[Attacked]) -> np.ndarray:
-    """A third ordinary or of very different sizes, a third nearly cancelling, a third varied."""
+    """Rows: a third ordinary or of very different sizes, a third nearly cancelling, a third varied.
+    """
     dtype, spread = np.dtype(precision.numpy_type), SPREAD[precision.name]
     size = sum(a.quantity.size for a in operation.inputs)
     rows = rng.normal(size=(count, size))
@@ -179,8 +181,8 @@ def _rows(operation: Operation, precision: Precision, count: int, rng: np.random
 
 
 def _cancel(program: Program, rows: np.ndarray, rng: np.random.Generator) -> None:
-    """Change one input so that a result that is linear in it nearly vanishes, as far as the input's
-    last bits allow or less."""
+    """Change one input so that a result that is linear in it nearly vanishes, at most as far as the
+    input's last bits allow."""
     for part in np.array_split(np.arange(len(rows)), 24):
         component = int(rng.integers(len(program.results)))
         for place in rng.permutation(rows.shape[1])[:8].tolist():
@@ -245,14 +247,14 @@ def main() -> None:
 
 
 def _implementations(folder: Path) -> Ways:
-    """As users call them: gufuncs, and C of the fused tier."""
+    """The kernels as users call them: gufuncs, and C for the fused tier."""
     return {"plain": gufuncs(coscrew), "accurate": gufuncs(coscrew.accurate),
             "certified": gufuncs(coscrew.certified),
             "fused": compiled(folder, "fused", COMPILERS[0], FLAGS)}
 
 
 def _summary(table: list[tuple]) -> str:
-    """Outputs, violations, the worst ratio of each tier, the least of plain's."""
+    """Outputs, violations, the largest ratio of each tier, the smallest among plain's."""
     tiers = dict.fromkeys(line[2] for line in table)
     worst = ", ".join(f"{tier} {max(x[4] for x in table if x[2] == tier):.3f}" for tier in tiers)
     ulps = ", ".join(f"{p.name} {max(found):.3f}" for p in PRECISIONS if (

@@ -39,7 +39,7 @@ from tests.support.truth.extended import evaluate
 from tests.support.truth.judge import JUDGED, groups, ratio
 
 BATCH, PARENTS = 768, 24
-EXACT_EACH_ROUND = 2  # rows judged exactly, chosen by estimates; without these, 24 times as many
+EXACT_EACH_ROUND = 2  # rows judged exactly, chosen by estimates; without estimates 24 times as many
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class Found:
 
 def search(operation: Operation, precision: Precision, tier: str, implementation: Implementation,
            seed: int) -> Iterator[Found]:
-    """The worst found after each round, without end; the same for the same seed."""
+    """The worst inputs after each round, endlessly; the same for the same seed."""
     rng = np.random.default_rng([seed, *operation.name.encode(), precision.bytes])
     dtype = np.dtype(precision.numpy_type)
     score = _estimate if tier != "accurate" and operation.name not in BACKWARD else None
@@ -85,7 +85,7 @@ def search(operation: Operation, precision: Precision, tier: str, implementation
 
 
 def _drawn(operation: Operation, precision: Precision, rng: Generator, dtype: np.dtype) -> Rows:
-    """Parameters to start from; for polynomials also such that results nearly cancel."""
+    """Initial parameters; for polynomials also some for which results nearly cancel."""
     drawn = np.hstack([domain.draw(rng, BATCH, dtype) for domain in domains(operation)])
     if operation in TIERED:
         cancelling = attacking_rows(operation, precision, BATCH // 4, int(rng.integers(1 << 30)))
@@ -185,7 +185,7 @@ _CHANGES: tuple[Callable[[Rows, Rows, Generator], Rows], ...] = (
 
 
 def within(rounds: Iterator[Found], seconds: float) -> Found:
-    """The results of the rounds when the time is over, at least one."""
+    """The results of the rounds within this time, at least one."""
     end = time.monotonic() + seconds
     for found in rounds:
         if time.monotonic() >= end:
@@ -254,7 +254,7 @@ def main() -> None:
 
 
 def _in_u(operation: Operation, tier: str, ratio: float) -> float | None:
-    """The error in u where all of a result is promised the same."""
+    """The error in u, if the whole result has one bound."""
     promised = {} if operation in TIERED else {group.k for group in groups(operation, tier)}
     return ratio * promised.pop() if len(promised) == 1 else None
 

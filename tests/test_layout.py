@@ -1,4 +1,4 @@
-"""Tests are where one looks for them: test modules in folders by subject, what they share apart."""
+"""Test modules are in folders by subject, and what they share is in support/."""
 
 import ast
 import os
@@ -22,7 +22,7 @@ def is_test(path: Path) -> bool:
 
 
 def imported(tree: ast.Module) -> set[str]:
-    """The modules a module may mean by its imports, in functions too."""
+    """The modules that a module imports, also inside functions."""
     found = {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import)
              for alias in node.names}
     for node in ast.walk(tree):
@@ -67,7 +67,7 @@ def test_what_quick_leaves_out_is_there():
 
 
 def collected(site: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    """pytest, given a coscrew in `site`, asked to collect this file."""
+    """pytest, collecting this file with the coscrew in `site`."""
     return subprocess.run(
         [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "--collect-only", "-q", *words,
          str(Path(__file__))], cwd=TESTS.parent, env={**os.environ, "PYTHONPATH": str(site)},

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coscrew_codegen.cost.leaving_out import Part
+from coscrew_codegen.cost.leaving_out import WHOLE, Part
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.native.buffers import aligned
 from coscrew_codegen.native.timing import Loop, driver, pointers
@@ -75,7 +75,8 @@ def compiled(part: Part, functions: Sequence[Function], compiler: Compiler) -> C
     name, banner = part.functions.name, banner_of(part.functions.name)
     files = {**scene_c.files(part.functions, banner), **scene_calls.files(part.functions, banner),
              "loops.c": text(part, functions), "driver.c": driver()}
-    units = {"scene": (f"{name}_calls.c",), "loops": ("loops.c",), "driver": ("driver.c",)}
+    scene = f"{name}_calls.c" if part.words == WHOLE else f"{name}.c"  # only the whole scene runs
+    units = {"scene": (scene,), "loops": ("loops.c",), "driver": ("driver.c",)}
     return Compiled(part, library(units, files, compiler).opened)
 
 

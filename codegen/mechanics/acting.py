@@ -230,7 +230,8 @@ def gravity(scene: Scene, recorder: Recorder) -> Vector | None:
 
 
 def _owner(applied: Applied) -> str:
-    """What names of an effect's values begin with: elbow_viscous, also at an elbow_joint."""
+    """The prefix of the names of an effect's values: elbow_viscous, also for a joint called
+    elbow_joint."""
     return f"{(applied.label or applied.on).removesuffix('_joint')}_{applied.effect.name}"
 
 

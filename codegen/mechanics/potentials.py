@@ -30,7 +30,7 @@ BodyLaw = Callable[[BodyState, Values], Force]
 
 
 def body_force(law: BodyLaw, state: BodyOfLink, values: Mapping[str, Setting]) -> Force:
-    """The law's Force; with force and moment derived if it gives only an energy."""
+    """The law's Force, with force and moment derived from the energy if it gives only that."""
     force = law(state, settings(state.t.recorder, values, state.t))
     if force.force is not None or force.moment is not None:
         return force
@@ -63,7 +63,7 @@ def _slope(law: BodyLaw, state: BodyOfLink, values: Mapping[str, Setting]) -> tu
 
 @dataclass(frozen=True)
 class _Posed(BodyInWorld):
-    """A body with a pose only."""
+    """A body at a given pose, without velocities."""
 
     D: Displacement
     g: Vector
@@ -80,10 +80,10 @@ class _Posed(BodyInWorld):
 
     @property
     def angular_velocity(self) -> Vector:
-        """None that an energy may depend on."""
+        """Raises TypeError: an energy must not depend on it."""
         raise TypeError("an energy from which a force follows depends on the body's pose and on "
                         "time, not on velocities")
 
     def velocity(self, point: Vector) -> Vector:
-        """None that an energy may depend on."""
+        """Raises TypeError: an energy must not depend on it."""
         return self.angular_velocity

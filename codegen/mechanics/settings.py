@@ -1,4 +1,4 @@
-"""Values of effects' parameters, as an effect's law takes them."""
+"""The values of effects' parameters in the form that effects' laws expect."""
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction

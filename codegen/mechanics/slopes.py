@@ -6,9 +6,10 @@ Implicit steps use the damping d and the stiffness k of a torque u(q, v):
 
     d = -∂u/∂v,  k = -∂u/∂q
 
-if these do not depend on q and v.  Otherwise they are at least 0: a negative slope is left to the
-explicit part of the step.  And where u saturates, its slopes vanish, although a step may still jump
-over the point where u changes sign; there the slope of the line through that point is used:
+if these do not depend on q and v.  Otherwise negative values are replaced by 0; these slopes are
+left to the explicit part of the step.  Where u saturates, its slopes vanish, although a step may
+still jump over the point where u changes sign; there the slope of the secant through that point is
+used:
 
     dry friction (u is 0 at v = 0):       d = max(-∂u/∂v, |u|/|v|)
     a limit (sat u, |sat u| <= limit):    d and k of u, times limit/max(|u|, limit)
@@ -32,7 +33,7 @@ from coscrew_codegen.scene.scene import Setting
 Law = Callable[[CoordinateState, Values], Torque]
 
 _AT_REST = Fraction(1, 10**30)
-"""The least |v| in |u|/|v|, in rad/s or m/s, and the least limit: there is no 0/0."""
+"""Smallest divisor |v| in |u|/|v|, in rad/s or m/s, and smallest limit, so that there is no 0/0."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +46,7 @@ class Slopes:
 
 @dataclass(frozen=True)
 class Along:
-    """An effect's law at a coordinate; each value is evaluated once, as part of the effect."""
+    """An effect's law at a coordinate; its values are evaluated once, among those of the effect."""
 
     law: Law
     at: CoordinateState
@@ -54,7 +55,8 @@ class Along:
 
     @cached_property
     def torque(self) -> Torque:
-        """The law's Torque; the torque itself from the energy if necessary, within the limit."""
+        """The law's Torque, with the torque derived from the energy if it gives none, and limited.
+        """
         found = self._stated
         torque = found.torque
         if found.limit is not None and found.energy is not None:
@@ -94,7 +96,7 @@ class Along:
 
 
 def _recorded(law: Law, values: Mapping[str, Setting], outer: Recorder) -> "_Law":
-    """The law as a function of q, v, t and the parameters of another recording."""
+    """The law as a function of q, v, t and the run-time parameters of the outer recording."""
     recorder = Recorder([array("q", ()), array("v", ()), array("t", ()), *(
         a for a in outer.inputs if a.name == "p")])
     at = CoordinateState(*(recorder.argument(name)[0] for name in "qvt"))

@@ -1,8 +1,8 @@
 """Derivatives of a Program on any kind of numbers: tangents forward, adjoints backward.
 
 Both use the one interpreter, on numbers that carry derivatives, and the partial derivatives in the
-table of operations.  Derivatives are those of the exact operations; where a Program compares (|x|,
-a choice) they are one-sided, and at √0 and 0/0 there is none.
+table of operations.  Derivatives are those of the exact operations.  Where a Program compares (|x|,
+a choice) they are one-sided; at √0 and 0/0 there is none.
 """
 
 from collections.abc import Callable, Sequence
@@ -103,26 +103,26 @@ def adjoint(program: Program, arithmetic: Arithmetic[V], functions: Functions,
     results = interpreter(program, tape)(given)
     adjoints: dict[_Node[V], V] = {}
     for node, weight in zip(results, weights, strict=True):
-        _gain(adjoints, node, weight)
+        _accumulate(adjoints, node, weight)
     for step, node in reversed(made):
         if node in adjoints:
-            _hand_back(functions, adjoints, step.op, node)
+            _propagate(functions, adjoints, step.op, node)
     return [x.value for x in results], [[adjoints.get(x) for x in row] for row in given]
 
 
-def _hand_back(functions: Functions, adjoints: dict[_Node[V], V], op: Op, node: _Node[V]) -> None:
-    """Add a number's adjoint, times its partial derivatives, to those of its operands."""
+def _propagate(functions: Functions, adjoints: dict[_Node[V], V], op: Op, node: _Node[V]) -> None:
+    """Add a number's adjoint, times its partial derivatives, to the adjoints of its operands."""
     own, operands, derived = adjoints[node], node.operands, op.meaning.slopes
     if op is Op.SELECT:
         test, a, b = operands
-        _gain(adjoints, a, functions.where(test.value, own, 0))
-        _gain(adjoints, b, functions.where(test.value, 0, own))
+        _accumulate(adjoints, a, functions.where(test.value, own, 0))
+        _accumulate(adjoints, b, functions.where(test.value, 0, own))
     elif derived is not None:
         partials = derived(functions, *(x.value for x in operands), node.value)
         for partial, x in zip(partials, operands, strict=True):
             if not (isinstance(partial, int) and partial == 0):
-                _gain(adjoints, x, partial * own)
+                _accumulate(adjoints, x, partial * own)
 
 
-def _gain(adjoints: dict[_Node[V], Any], node: _Node[V], more: V) -> None:
+def _accumulate(adjoints: dict[_Node[V], Any], node: _Node[V], more: V) -> None:
     adjoints[node] = adjoints[node] + more if node in adjoints else more

@@ -1,17 +1,18 @@
-"""Programs cut into parts that are short enough to compile, those that several need issued once.
+"""Cuts Programs into parts that are short enough to compile; what several Programs compute is in
+parts that they share.
 
-Two programs have a value in common where it is the same operation on the same operands, whatever
-either calls it.  What exactly the same programs need is a group: its parts compute it in the order
-of the first of these programs.  What a value is computed from is needed by all programs that need
-the value, so the groups of more programs come first.
+Programs share a value if it is the same operation on the same operands, whatever its name.  The
+values that exactly the same programs use form a group: its parts compute them in the order of the
+first of these programs.  A program that uses a value also uses its operands, so the groups of more
+programs come first.
 
     program a:  x y z      group 1 (a, b): x z      a calls the parts of groups 1 and 2
     program b:  x z w      group 2 (a): y           b calls the parts of groups 1 and 3
                            group 3 (b): w
 
-A group that keeps nearly all it computes for others spares little text, and costs the time to store
-and to read it: it dissolves into its readers.  Comparisons are not kept: every part that decides by
-one compares again.  Knows no language and no mechanics.
+A group from which other groups read most values saves little text and costs the time to store and
+load them: it is merged into the groups that read it.  Comparisons are not stored: each part that
+needs one compares again.  Knows no language and no mechanics.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -33,15 +34,15 @@ from coscrew_codegen.program.program import (
 from coscrew_codegen.quantity import Argument, Quantity
 
 MOST_KEPT = Fraction(1, 4)
-"""Of a group's steps, those that are kept at most if several programs have it.  Without dissolving,
-clang's inverse dynamics of 35 joints took 20 % longer than whole ones, so 2 %."""
+"""Largest fraction of a group's values that other groups may read.  Without merging, inverse
+dynamics of 35 joints compiled by clang took 20 % longer than as one function, with it 2 %."""
 
 
 @dataclass(frozen=True)
 class Group:
-    """What just these programs need: parts, in order, and the names of the values kept of them: of
-    those that others read.  Parts read inputs of the programs, and of groups by these names, which
-    have an element for each value kept; their results are those that they add."""
+    """What exactly these programs compute: parts, in order, and the names of the values `kept` for
+    other parts. Parts read inputs of the programs, and groups as further inputs with an element for
+    each kept value; their results are the kept values that they add."""
 
     name: str
     users: tuple[str, ...]  # names of the programs
@@ -51,16 +52,16 @@ class Group:
 
 @dataclass(frozen=True)
 class Cut:
-    """A program in parts: those of its groups, in order, and then `last`, which has no steps: it
-    hands out what groups keep, inputs and constants."""
+    """A program in parts: those of its groups, in order, and then `last`, which has no steps: its
+    results are values of groups, inputs and constants."""
 
     groups: tuple[Group, ...]
     last: Program
 
 
 def cut(programs: Sequence[Program], longest: int, name: str = "shared") -> dict[str, Cut]:
-    """The programs in parts of at most `longest` steps (comparisons beside), by name.  A group is
-    called after its program, or if it has several, by the name and a number."""
+    """The programs in parts of at most `longest` steps (not counting comparisons), by name. A group
+    has the name of its program, or if it has several, `name` and a number."""
     values = _Values(programs)
     return _Cutting(programs, values, _groups(values), longest, name).cuts()
 
@@ -78,13 +79,13 @@ _Users = int
 
 
 class _Values:
-    """The values of programs, each once, numbered: what was computed from what."""
+    """The values of programs, numbered, each once, with their operations and operands."""
 
     def __init__(self, programs: Sequence[Program]):
         self.steps: list[tuple[Op, tuple[_Operand, ...]]] = []
         self.compares: list[bool] = []
         self.users: list[_Users] = []
-        self.names: list[dict[int, str]] = []  # by program: as it calls its values, in order
+        self.names: list[dict[int, str]] = []  # by program: the names of its values, in order
         self.components: list[str] = []
         self._numbers: dict[tuple[Op, tuple[_Operand, ...]], int] = {}
         self.results = [self._program(k, program) for k, program in enumerate(programs)]
@@ -124,11 +125,11 @@ class _Values:
         return found
 
     def called(self, users: _Users) -> dict[int, str]:
-        """Names of values, as the first of these programs calls them, in its order."""
+        """The names of values in the first of these programs, in its order."""
         return self.names[(users & -users).bit_length() - 1]
 
     def ordered(self, numbers: Sequence[int], users: _Users) -> list[int]:
-        """The values as the first of these programs orders them."""
+        """The values in the order of the first of these programs."""
         wanted = set(numbers)
         return [x for x in self.called(users) if x in wanted]
 
@@ -143,8 +144,8 @@ class _Values:
 
 
 def _groups(values: _Values) -> dict[_Users, list[int]]:
-    """The values that are no comparisons by the programs that need them, those of most programs
-    first; in several groups, of disjoint programs, where one has dissolved."""
+    """The values other than comparisons, by the programs that use them, those of most programs
+    first; values of a merged group are in several groups, of disjoint programs."""
     groups: dict[_Users, list[int]] = {}
     homes: list[list[_Users]] = [[] if values.compares[x] else [users]
                                  for x, users in enumerate(values.users)]
@@ -158,19 +159,19 @@ def _groups(values: _Values) -> dict[_Users, list[int]]:
         for users in sorted(x for x in groups if x.bit_count() == size):
             reading = [{home for reader in readers.get(x, ()) for home in homes[reader]
                         if home & users and home != users} for x in groups[users]]
-            apart = _apart(users, set().union(*reading))
-            if len(apart) > 1 and sum(map(bool, reading)) > MOST_KEPT * len(reading):
+            merged_into = _disjoint(users, set().union(*reading))
+            if len(merged_into) > 1 and sum(map(bool, reading)) > MOST_KEPT * len(reading):
                 members = groups.pop(users)
-                for home in apart:
+                for home in merged_into:
                     groups.setdefault(home, []).extend(members)
                 for x in members:
-                    homes[x] = [*(home for home in homes[x] if home != users), *apart]
+                    homes[x] = [*(home for home in homes[x] if home != users), *merged_into]
     order = sorted(groups, key=lambda users: (-users.bit_count(), min(groups[users])))
     return {users: values.ordered(groups[users], users) for users in order}
 
 
-def _apart(users: _Users, readers: Iterable[_Users]) -> list[_Users]:
-    """The programs, those together that a reader has in common."""
+def _disjoint(users: _Users, readers: Iterable[_Users]) -> list[_Users]:
+    """The programs in sets such that the programs of each reader are in one set."""
     found: list[_Users] = []
     for reader in (*sorted(readers), *(1 << k for k in range(users.bit_length()))):
         if reader & users:
@@ -216,7 +217,7 @@ class _Cutting:
         return Cut(groups, replace(last, inputs=(*last.inputs, *unread)))
 
     def _names(self, name: str) -> dict[_Users, str]:
-        """Of the groups; no program has a step or an input of these names."""
+        """Names of the groups that no program's steps, inputs and outputs have."""
         taken = {name for program in self.programs for name in (
             *(a.name for a in (*program.inputs, *program.outputs)),
             *(step.name for step in program.instructions))}
@@ -231,7 +232,8 @@ class _Cutting:
         return found
 
     def _pieces(self, numbers: Sequence[int]) -> Iterator[list[int]]:
-        """The values in parts, cut where headings change if that can be, or else components."""
+        """The values in parts, cut where headings change if possible, else where components change.
+        """
         piece: list[int] = []
         for block in self._blocks(numbers):
             if piece and len(piece) + len(block) > self.longest:
@@ -242,7 +244,7 @@ class _Cutting:
             yield piece
 
     def _blocks(self, numbers: Sequence[int]) -> Iterator[Sequence[int]]:
-        """The values in pieces that are not too long, and stay together."""
+        """The values in pieces that are not too long; a piece is not cut."""
         components, longest = self.values.components, self.longest
         for _, below in groupby(numbers, lambda x: components[x].rpartition(":")[0]):
             block = list(below)
@@ -280,7 +282,8 @@ class _Cutting:
 
 
 class _Reader:
-    """A part while it is written for some of the programs: of values whose names are given."""
+    """A part of some of the programs while it is built: it computes the values with the given
+    names."""
 
     def __init__(self, cutting: _Cutting, users: _Users, names: Mapping[int, str]):
         self.cutting, self.values, self.users = cutting, cutting.values, users

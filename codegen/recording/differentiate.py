@@ -9,34 +9,34 @@ from coscrew_codegen.recording.recorder import Recorder, array
 
 
 def tangent(program: Program) -> Program:
-    """From the inputs x and directions x' to the outputs y and their derivatives along x':
-    y' = ∂y/∂x x'; d_ stands before the names of x' and y'."""
-    recorder = Recorder((*program.inputs, *map(_along, program.inputs)))
+    """The Program from inputs x and directions x' to the outputs y and y' = ∂y/∂x x'. The names of
+    x' and y' are those of x and y with the prefix d_."""
+    recorder = Recorder((*program.inputs, *map(_derivative, program.inputs)))
     given = [[Dual(x, (slope,)) for x, slope in zip(
-        recorder.argument(a.name), recorder.argument(_along(a).name), strict=True)]
+        recorder.argument(a.name), recorder.argument(_derivative(a).name), strict=True)]
         for a in program.inputs]
     with recorder.part("tangent"):
         found = differentiate.tangent(program, recorder.arithmetic, numbers, given)
     values = [x.value for x in found]
     slopes = [recorder.number(0) if x.slopes[0] is None else x.slopes[0] for x in found]
     return recorder.program(f"{program.name}_tangent", [
-        *_of(program.outputs, values), *_of(tuple(map(_along, program.outputs)), slopes)])
+        *_of(program.outputs, values), *_of(tuple(map(_derivative, program.outputs)), slopes)])
 
 
 def adjoint(program: Program) -> Program:
-    """From the inputs x and weights w of the outputs y to y and the derivatives of w·y by x, which
-    are w ∂y/∂x; d_ stands before the names of weights and derivatives."""
-    recorder = Recorder((*program.inputs, *map(_along, program.outputs)))
+    """The Program from inputs x and weights w of the outputs y to y and the derivatives of w·y by
+    x, w ∂y/∂x.  The names of weights and derivatives are those of y and x with the prefix d_."""
+    recorder = Recorder((*program.inputs, *map(_derivative, program.outputs)))
     given = [recorder.argument(a.name) for a in program.inputs]
-    weights = [w for a in program.outputs for w in recorder.argument(_along(a).name)]
+    weights = [w for a in program.outputs for w in recorder.argument(_derivative(a).name)]
     with recorder.part("adjoint"):
         values, found = differentiate.adjoint(program, recorder.arithmetic, numbers, given, weights)
     slopes = [recorder.number(0) if x is None else x for row in found for x in row]
     return recorder.program(f"{program.name}_adjoint", [
-        *_of(program.outputs, values), *_of(tuple(map(_along, program.inputs)), slopes)])
+        *_of(program.outputs, values), *_of(tuple(map(_derivative, program.inputs)), slopes)])
 
 
-def _along(argument: Argument) -> Argument:
+def _derivative(argument: Argument) -> Argument:
     return array(f"d_{argument.name}", argument.quantity.shape)
 
 

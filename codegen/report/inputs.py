@@ -48,7 +48,7 @@ def hard(operation: Operation, precision: Precision, count: int, seed: int) -> n
     free = [holds_less(a) for a in operation.inputs]
     sizes = [a.quantity.size for a in operation.inputs]
     factors = np.repeat(np.where(free, scales, 1.0), sizes, axis=1)
-    return (rows * factors).astype(precision.numpy_type)
+    return np.asarray(rows * factors, precision.numpy_type)
 
 
 def cancel(operation: Operation, row: np.ndarray, chooser: random.Random) -> None:

@@ -79,7 +79,7 @@ def _changes(changes: tuple[Change, ...]) -> str:
 def _table(rows: Iterable[tuple[str | int, ...]], columns: tuple[str, ...]) -> str:
     first_number = min(map(columns.index, {"worst, benign", "steps", "before"} & set(columns)))
     sides = ["left"] * first_number + ["right"] * (len(columns) - first_number)
-    return tabulate(rows, columns, tablefmt="pipe", disable_numparse=True, colalign=sides)
+    return str(tabulate(rows, columns, tablefmt="pipe", disable_numparse=True, colalign=sides))
 
 
 def _escaped(text: str) -> str:

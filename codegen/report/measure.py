@@ -126,7 +126,7 @@ def _row_cost(operation: Operation) -> float:
     bindings, values = sp.cse(components)
     expressions = (*(x for _, x in bindings), *values)
     special = sum(f.func.__name__ in SPECIAL for x in expressions for f in x.atoms(sp.Function))
-    return len(components) + 0.25 * sum(map(sp.count_ops, expressions)) + 40 * special
+    return float(len(components) + 0.25 * sum(map(sp.count_ops, expressions)) + 40 * special)
 
 
 def _accuracies(plan: Plan, library: Library | None) -> dict[Key, Accuracy]:

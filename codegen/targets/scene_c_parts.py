@@ -1,8 +1,8 @@
-"""Long functions of a scene in C: in parts, each a function of its own, those that several of the
-functions need written once.
+"""Cuts long functions of a scene's C into parts, each a function of its own; parts that several
+functions use are written once.
 
-Compilers take time that grows faster than a function's length, so no part is long.  What parts hand
-on to each other stands in structures on the stack of the function that calls them.
+The time of compilers grows faster than a function's length, so no part is long.  Parts pass values
+to each other in structures on the stack of the function that calls them.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -21,14 +21,15 @@ from coscrew_codegen.targets.nesting import Assignment, Nesting, Plan, named_con
 from coscrew_codegen.targets.scene_text import VALUE_WIDTH, access, c_name, outputs, printable
 
 LONG = 4000
-"""Instructions of a scene's longest function up to which all are written whole: those of arms with
-seven joints are shorter, and would be slower in parts."""
+"""If a scene's longest function has at most so many instructions, its functions are not cut: those
+of arms with seven joints are shorter, and would be slower in parts."""
 LONGEST = 600
-"""Instructions of a part, at most: those of a few links."""
+"""Largest number of instructions of a part: those of a few links."""
 
 
 def _cuts(plans: Sequence[Plan]) -> dict[str, Cut]:
-    """Functions in parts, by name: if one of the scene's is long, those longer than a part."""
+    """The functions that are cut, by name: if one of the scene's is long, all that are longer than
+    a part."""
     programs = [plan.program for plan in plans]
     if max((len(x.instructions) for x in programs), default=0) <= LONG:
         return {}
@@ -36,7 +37,7 @@ def _cuts(plans: Sequence[Plan]) -> dict[str, Cut]:
 
 
 class Parts:
-    """The functions of a scene that are cut; its functions are planned so."""
+    """The functions of a scene that are cut into parts, as C."""
 
     def __init__(self, scene: SceneFunctions, plans: Sequence[Plan]):
         self.scene, self.cuts = scene, _cuts(plans)
@@ -50,13 +51,13 @@ class Parts:
         self._inputs = {a.name: a for f in scene.functions for a in f.program.inputs}
 
     def above(self, function: Function, precision: Precision) -> Iterator[CFunction]:
-        """The parts that no function before this one calls."""
+        """The parts that no earlier function calls."""
         for group in self.cuts[function.name].groups:
             if group.users[0] == function.name:
                 yield from self._parts(group, precision)
 
     def body(self, function: Function, precision: Precision) -> str:
-        """Calls of the function's parts, and the results."""
+        """The body of a function: calls of its parts, and its results."""
         found = self.cuts[function.name]
         declared = [f"{self._struct(group, precision)} {group.name};" for group in found.groups]
         calls = [self._call(group, part, precision)
@@ -70,7 +71,7 @@ class Parts:
         *others, last = group.users
         users = f"{', '.join(others)} and {last}" if others else last
         members = listed(f"{precision.c_type} ", group.kept, ";", WIDTH - 2)
-        struct = "\n".join((comment_of([f"What parts of {users} hand on."]),
+        struct = "\n".join((comment_of([f"The values that parts of {users} share."]),
                             f"{self._struct(group, precision)} {{", _indented([members]), "};"))
         for number, part in enumerate(group.parts):
             links = dict.fromkeys(printable(words) for _, words in headings(part))
@@ -83,8 +84,8 @@ class Parts:
                 _indented(self._lines(group, part, precision)), internal=True)
 
     def _lines(self, group: Group, part: Program, precision: Precision) -> Iterator[str]:
-        """Declarations, and stores of what is kept as soon as it is known: nothing else reads the
-        group yet, and what waits for the end takes registers."""
+        """Declarations; kept values are stored as soon as they are computed, since values that are
+        stored at the end occupy registers until then."""
         kept = {x.name for x in part.results if isinstance(x, Ref)}
         above = {place: self._words.get(words, printable(words)) for place, words in headings(part)}
         nesting = self._plans[part.name].printed(
@@ -97,7 +98,7 @@ class Parts:
             yield from (f"{group.name}->{x} = {x};" for x in names if x in kept)
 
     def _planned(self, part: Program, named: frozenset[str]) -> Plan:
-        """The part's plan: what functions have `named`, and what is kept, is assigned."""
+        """The part's plan: values that are `named` in the whole function, or kept, are assigned."""
         kept = named.union(x.name for x in part.results if isinstance(x, Ref))
         constants = named_constants(part)
         found = Nesting(part, language(part, DOUBLE), self._access(part, "->"), VALUE_WIDTH,
@@ -130,7 +131,7 @@ class Parts:
 
 
 def _taken(group: Group, part: Program) -> list[str]:
-    """Names of what a part takes: what it reads, and its group."""
+    """The names of a part's arguments: the inputs and groups that it reads, and its own group."""
     return [*(a.name for a in part.inputs if a.name != group.name), group.name]
 
 

@@ -24,7 +24,7 @@ z = 1
     "duration = 0.5", "duration = 0.095", "duration = 1e-3", "duration = 3e-3",
     "duration = 0.5\n[outputs]\nevery = 0.5", "duration = 0.9\nstep = 0.01"))
 def test_a_spring_that_turns_by_ten_radians_a_step_is_false(tmp_path, capsys, run):
-    """Its energy is kept to rounding. `check` compares steps with half steps, as `simulate` does;
+    """Its energy is kept to rounding.  `check` compares steps with half steps, as `simulate` does;
     both do so at least twice, however short the run is and however few its samples."""
     text = SPRING.replace("1e8", "1e6" if "step" in run else "1e8")
     for command in ("simulate", "check"):

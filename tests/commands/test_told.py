@@ -48,7 +48,7 @@ def on_a_terminal(words: list[str]) -> str:
 
 def test_terminals_are_told_what_goes_on(words: list[str]):
     """First that a scene is derived, then each function, then the compiler; the line is cleared at
-    the end. If the cache has everything, nothing is shown."""
+    the end.  If the cache has everything, nothing is shown."""
     said = on_a_terminal(words)
     parts = said.split(ERASED)
     assert parts[1] == "deriving swing …"

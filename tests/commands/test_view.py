@@ -11,12 +11,11 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import Select, WebDriverWait
 
-from coscrew_codegen import load_scene
 from coscrew_codegen.simulate.outcome import RunOverrides, simulated
 from coscrew_codegen.simulate.view import box_of, drawn, page, view
 from tests.support.browser import chromium, resize
 from tests.support.scenes import scene_texts as texts
-from tests.support.scenes.selecting import STEPPED
+from tests.support.scenes.selecting import checked
 
 AWKWARD = "</script><script>document.title='no'</script>"
 TEXTS = {"pendulum": texts.PENDULUM, "brick": texts.BRICK, "spring": texts.SPRING,
@@ -32,7 +31,7 @@ def runs(tmp_path_factory):
     for name, text in TEXTS.items():
         path = folder / f"{name}.toml"
         path.write_text(text)
-        kernels = load_scene(path, functions=STEPPED)
+        kernels = checked(path, None, others=("body_poses",), precisions=("double",))
         (found[name],) = simulated(kernels, RunOverrides(until=2.0, precision="double"))
         shown = found[name]
         view(shown.system, shown.trajectory, shown.recording.provenance, folder / f"{name}.html")
@@ -307,7 +306,8 @@ def test_awkward_names_are_text(browser, runs):
 def test_a_run_that_stopped_says_so(runs, tmp_path):
     path = tmp_path / "unstable.toml"
     path.write_text(texts.UNSTABLE)
-    (found,) = simulated(load_scene(path, functions=STEPPED), RunOverrides(precision="double"))
+    kernels = checked(path, None, others=("body_poses",), precisions=("double",))
+    (found,) = simulated(kernels, RunOverrides(precision="double"))
     text = page(found.system, found.trajectory, found.recording.provenance)
     assert f'role="status">{found.trajectory.stopped}' in text
 
@@ -315,7 +315,8 @@ def test_a_run_that_stopped_says_so(runs, tmp_path):
 def test_a_run_of_huge_numbers_is_shown_as_far_as_they_go(browser, runs, tmp_path):
     path = tmp_path / "unstable.toml"
     path.write_text(texts.UNSTABLE)
-    (found,) = simulated(load_scene(path, functions=STEPPED), RunOverrides(precision="double"))
+    kernels = checked(path, None, others=("body_poses",), precisions=("double",))
+    (found,) = simulated(kernels, RunOverrides(precision="double"))
     view(found.system, found.trajectory, found.recording.provenance, tmp_path / "unstable.html")
     shown = opened(browser, tmp_path, "unstable")
     assert shown.get_log("browser") == []

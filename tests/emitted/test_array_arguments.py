@@ -1,4 +1,5 @@
-"""Arguments other than arrays of double or single numbers or integers are named TypeErrors."""
+"""Arguments other than arrays of double or single precision or of integers raise a TypeError that
+names them."""
 
 import pickle
 import re
@@ -32,14 +33,14 @@ class Tracer:
 
 
 class Half:
-    """An array of another library, whose numbers NumPy does not have: bfloat16, float16."""
+    """An array of another library with numbers that NumPy lacks: bfloat16, float16."""
 
     def __array__(self, dtype=None, copy=None):
         return np.ones(6, np.float16)
 
 
 class Table:
-    """Like a pandas table, which would pass its columns for rows."""
+    """Like a pandas table, whose columns would be taken for rows."""
 
     __pandas_priority__ = 4000
 
@@ -51,7 +52,7 @@ class Table:
 
 
 def wrong(shape: tuple[int, ...]) -> dict[str, object]:
-    """Arguments of this shape that are refused, by what the error says."""
+    """Arguments of this shape that are refused, by the error's message."""
     ones = np.ones(shape)
     kinds = (np.longdouble, np.float16, np.bool_, np.complex128, np.clongdouble, "M8[s]", "m8[s]",
              "U3", "S3", [("x", float)])

@@ -1,7 +1,7 @@
 """Other processors: the same bits, from every function, with bare -O2, under qemu-user.
 
-What calls libm calls stand-ins, so that it is compared, too.
-And on a Cortex-M4F, whose double precision is software: single precision calls none of it.
+Functions that call libm are linked with substitutes, so that they are compared, too.  On a
+Cortex-M4F, whose double precision is software, single precision calls none of it.
 """
 
 import re
@@ -26,12 +26,12 @@ CORTEX_M4F = ("arm-none-eabi-gcc", "-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=ha
               "-mfpu=fpv4-sp-d16", "-O2", "-DKSL_NO_ALLOC")
 MARKS = tuple(tier.mark for tier in TIERS)
 
-# What computes in double: software's arithmetic, comparisons, conversions; <math.h> without f.
+# Functions that compute in double: software's arithmetic and conversions; <math.h> without f.
 DOUBLE = re.compile(r"__aeabi_(d\w+|f2d|[u]?i2d|[u]?l2d)|fma|sqrt|fabs|sin|cos|atan2|pow|exp|tanh")
 
 
 def needed(*commands: str) -> None:
-    """The test fails, and says what to install, where one of the commands is missing."""
+    """If one of the commands is missing, the test fails and says what to install."""
     if missing := [name for name in commands if shutil.which(name) is None]:
         pytest.fail(f"{', '.join(missing)} not installed; on Debian: apt-get install {PACKAGES}",
                     pytrace=False)
@@ -51,7 +51,7 @@ def built(folder: Path, command: tuple[str, ...]) -> list[Path]:
 @pytest.fixture(scope="module")
 def right(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
     """The twins' hashes; for the fused tier, which Python does not have, those of this machine's C,
-    whose libm rounds an fma once."""
+    where libm's fma rounds once."""
     fused = kernels("fused")
     folder = tmp_path_factory.mktemp("fused")
     (folder / "fused.c").write_text(text(fused, planes=False))
@@ -72,7 +72,7 @@ def test_every_function_has_the_same_bits(architecture: str, right: list[str], t
 
 @pytest.mark.parametrize("architecture", [x for x in COMPILERS if x != "arm"])
 def test_scenes_have_the_same_bits(architecture: str, tmp_path: Path):
-    """Where products are fused by default."""
+    """On processors where compilers fuse products by default."""
     needed(COMPILERS[architecture], f"qemu-{architecture}")
     run((COMPILERS[architecture], "-O2", "-static", scene_bits.source(tmp_path),
          "-o", tmp_path / "bits", "-lm"))
@@ -95,7 +95,8 @@ def test_floats_computed_in_double_are_refused(tmp_path: Path):
 @pytest.mark.parametrize("tier", ("", "fused", "certified"))
 def test_single_precision_needs_no_double_on_a_cortex_m4f(tier: str, tmp_path: Path,
                                                           capsys: pytest.CaptureFixture):
-    """Of 32-bit hardware: no call computes in double.  Prints how large the code is."""
+    """Its floating-point unit has 32 bits: no call computes in double. Prints the size of the code.
+    """
     needed(CORTEX_M4F[0])
     singles = [k for k in kernels(tier) if k.precision.name == "single"]
     calls, size = _called(singles, tmp_path)
@@ -112,8 +113,7 @@ def test_double_on_a_cortex_m4f_would_be_noticed(tmp_path: Path):
 
 
 def _called(chosen: list[Kernel], folder: Path) -> tuple[set[str], int]:
-    """Functions called, and bytes of code, of an object that holds each of these functions, through
-    a pointer."""
+    """The functions called by an object with all these functions, and its bytes of code."""
     header = f"ksl_{chosen[0].tier}" if chosen[0].tier else "ksl"
     pointers = [f"void (*const pointer_{n})(void) = (void (*)(void)){k.name};"
                 for n, k in enumerate(chosen)]

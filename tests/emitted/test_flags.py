@@ -15,7 +15,7 @@ from tests.support.compiled.c_harness import COMPILERS, INCLUDE, run
 from tests.support.compiled.flags import FMA, TUNED, UNHEEDED
 from tests.support.each import each_compiler
 
-# Of every shape there is: sums of two and three products, differences, chains, quotients, roots.
+# Kernels with all shapes: sums of two and three products, differences, chains, quotients, roots.
 CHOSEN = ("cross_vv", "dot_vv", "vec3_normalized", "product_drv", "mat3x3_determinant",
           "product_CoAdc", "product_CoAdtc", "cross_sc", "cross_ss", "axpy_cc", "dot_cs",
           "quaternion_product_qq", "hctx", "product_Bs", "mat3x3_orthonormalized")
@@ -76,7 +76,7 @@ PRAGMA = '#pragma GCC optimize("fp-contract=off", "no-associative-math")'
 @pytest.mark.skipif(not FMA, reason="nothing fuses here")
 @each_compiler
 def test_a_fused_product_would_be_noticed(compiler: str, tmp_path: Path):
-    """With products spelled a * b, and the pragma gone, the flags change bits."""
+    """With products written a * b, and without the pragma, the flags change bits."""
     include = tmp_path / "include"
     shutil.copytree(INCLUDE, include)
     header = include / "ksl" / "ksl_rounding.h"

@@ -51,8 +51,8 @@ def same_bits(a, b) -> bool:
 
 
 def close(a, b) -> bool:
-    """To 16 u of the largest component: with AVX-512, NumPy's own sine, cosine and arctangent have
-    other last bits where elements are adjacent than where they are not."""
+    """Within 16 u of the largest component: with AVX-512, the last bits of NumPy's own sine, cosine
+    and arctangent depend on whether elements are adjacent."""
     return all(x.dtype == y.dtype and x.shape == y.shape
                and np.abs(x - y).max() <= 8 * np.finfo(x.dtype).eps * np.abs(y).max()
                for x, y in zip(tuple_of(a), tuple_of(b), strict=True))
@@ -273,7 +273,7 @@ def test_constructors_and_angular_first_order():
 
 
 def test_the_loops_for_every_processor_give_the_same_bits():
-    """The extension takes AVX2 loops where it can; COSCREW_BASELINE asks for the others."""
+    """The extension uses AVX2 loops if it can; COSCREW_BASELINE selects the others."""
     program = """
 import hashlib, importlib, numpy as np
 from coscrew_codegen.operations import OPERATIONS
@@ -306,7 +306,7 @@ for op in OPERATIONS:
 
 @pytest.mark.skipif(platform.machine() not in ("x86_64", "AMD64"), reason="no choice elsewhere")
 def test_accurate_loops_take_fma_where_the_processor_has_it():
-    """And only those: in plain ones, gcc's vectoriser would fuse what is to be rounded."""
+    """Only those do: in plain loops, gcc's vectoriser would fuse products that must be rounded."""
     flags = Path("/proc/cpuinfo").read_text().partition("flags")[2].partition("\n")[0].split()
     program = ("from coscrew import _gufunc as plain; from coscrew.accurate import _gufunc as a; "
                "from coscrew.certified import _gufunc as c; print(plain.LOOPS, a.LOOPS, c.LOOPS, "

@@ -21,8 +21,8 @@ FUSING = {Op.FMA, Op.FMS, Op.FNMA, Op.PRODUCT_ERROR, Op.PRODUCT_REST}
 
 
 def negated(step: Instruction, product: Instruction | None) -> Iterator[Operand]:
-    """What C puts a minus before, or takes off a fused product; `product` is what this sum fuses in
-    C alone."""
+    """What C negates, or subtracts from a fused product; `product` is the one that this sum fuses
+    in C alone."""
     if step.op is Op.NEG:
         yield step.operands[0]
     if step.op is Op.FMS:
@@ -34,7 +34,7 @@ def negated(step: Instruction, product: Instruction | None) -> Iterator[Operand]
 
 
 def negated_fused_sums(program: Program) -> list[str]:
-    """The names of those there are."""
+    """The names of the negated sums with a fused product."""
     absorbed = Statements(program, DOUBLE, lambda _: "").absorbed
     fused = {step.name for step in program.instructions
              if step.op in FUSING or step.name in absorbed}

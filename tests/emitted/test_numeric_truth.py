@@ -1,4 +1,5 @@
-"""Emitted functions that cannot be compared symbolically, in C and Python: in 60 digits.
+"""Emitted functions that cannot be compared symbolically, in C and Python, are compared in 60
+digits.
 
 Their text equals their kernel, to the last of 50 digits; their text, with constants as emitted but
 nothing else rounded, is their truth except for a fraction of u.
@@ -44,6 +45,9 @@ from tests.support.truth.multiprecision import (
 
 Row = tuple[list[mp.mpf], ...]  # components of every input
 Run = Callable[[Operation, Rules, Row], list[mp.mpf]]
+
+# That they suffice, branches taken and signs flipped show.
+ROWS = 36
 
 # The last row of L times its pivot enters only squared, so that its sign is free there.
 SIGNED = tuple(op for op in NUMERIC if op.name != "spatial_inertia_consistency")
@@ -126,11 +130,11 @@ def evaluator_of(operation: Operation, rules: Rules, row: Row) -> Evaluator:
 
 @cache
 def rows(operation: Operation, precision: Precision) -> list[Row]:
-    """Floats in every branch: motions where the operation takes them, anything finite; zeros, and
-    among zeros a one or a small number."""
-    groups = [inputs_of(operation, precision, 60)]
+    """Floats that take every branch: motions if the operation has them, arbitrary finite numbers,
+    zeros, and among zeros a one or a small number."""
+    groups = [inputs_of(operation, precision, ROWS)]
     if operation.name in TRUTHS:
-        motions = motions_of(operation, precision, 60)
+        motions = motions_of(operation, precision, ROWS)
         groups += [motions, tuple(4 * x[:10] for x in motions)]
         if operation.inputs[0].name in ("v", "s"):  # below the end of series, where all terms count
             turns = np.random.default_rng(1).uniform(-1, 1, (12, motions[0].shape[1])) / 2
@@ -155,7 +159,7 @@ def rows(operation: Operation, precision: Precision) -> list[Row]:
     groups += [np.split(size * units, sizes[:-1], axis=1) for size in (1, 2.0**-70)]
     found = [tuple([mp.mpf(float(c)) for c in np.ravel(x)] for x in row)
              for group in groups for row in zip(*group, strict=True)]
-    # Of the sine of larger angles 60 digits do not hold enough.
+    # For the sine of larger angles 60 digits are not enough.
     largest = [mp.mpf(10)**6 if a.name in ("v", "s", "k", "angle") and Op.SIN in
                plain_program(operation).counts else mp.inf for a in operation.inputs]
     return [row for row in found
@@ -163,9 +167,9 @@ def rows(operation: Operation, precision: Precision) -> list[Row]:
 
 
 def singular_at(k: int, M: np.ndarray) -> np.ndarray:
-    """M without what couples its first k + 1 rows to the others, and with a pivot k that vanishes
-    except for the rounding of its diagonal entry: only the threshold for regular matrices refuses
-    it."""
+    """M without the entries that couple its first k + 1 rows to the others, and with a pivot k that
+    vanishes except for the rounding of its diagonal entry: only the threshold for regular matrices
+    refuses it."""
     found = M.copy()
     found[:k + 1, k + 1:] = found[k + 1:, :k + 1] = 0
     rest = [[Fraction(x) for x in row[:k + 1]] for row in found[:k + 1].tolist()]
@@ -263,7 +267,7 @@ def evaluated(operation: Operation, precision: Precision) -> tuple[list[list[mp.
 
 
 def fails(run: Run, operation: Operation, rules: Rules, row: Row, wanted: list[mp.mpf]) -> bool:
-    """Whether another result comes out, or a division by zero."""
+    """Whether the result differs, or there is a division by zero."""
     try:
         return differs(run(operation, rules, row), wanted)
     except ZeroDivisionError:
@@ -277,8 +281,8 @@ def fails(run: Run, operation: Operation, rules: Rules, row: Row, wanted: list[m
 @pytest.mark.parametrize("operation", [op for op in NUMERIC if op.name in TRUTHS],
                          ids=lambda op: op.name)
 def test_series_and_text_are_their_truth(operation, precision):
-    """Of rotations and axes exact to the last digit.  With constants as they should be, what series
-    leave out is below u / 2; rounded constants add less than a third of the stated bound."""
+    """For rotations and axes that are exact to the last digit. With exact constants, the truncation
+    error of series is below u / 2; rounded constants add less than a third of the stated bound."""
     u, bounds = unit(precision), {b.part: b.k for b in operation.normwise}
     runs = [(run_kernel, Rules(precision, exact=True), lambda part: u / 2),
             *((run, Rules(precision), lambda part: bounds[part] * u / 3) for run in RUNS.values())]
@@ -308,7 +312,7 @@ def orthonormal(name: str, x: mp.matrix | mp.mpf) -> mp.matrix | mp.mpf:
 @pytest.mark.parametrize("operation", [op for op in NUMERIC if op.name not in TRUTHS and
                                        all(map(can_evaluate, op.truth()))], ids=lambda op: op.name)
 def test_text_is_its_formula(operation, precision, language):
-    """Norms and angles: what scaling does is undone to the last digit."""
+    """Norms and angles: scaling is undone to the last digit."""
     rules = Rules(precision)
     for row in rows(operation, precision):
         evaluator = evaluator_of(operation, rules, row)

@@ -1,8 +1,8 @@
-"""In all emitted C compilers find no product that they could fuse into a sum.
+"""In all emitted C there is no product that compilers could fuse into a sum.
 
-In the library no product of two numbers that could round stands outside KSL_MUL, and between commas
-and semicolons there is one operation, since clang fuses within expressions by default.  In scenes,
-where a pragma forbids that, no product outside RN reaches a sum or a result.
+In the library every product that may be inexact is inside KSL_MUL, and between commas and
+semicolons there is one operation, since clang fuses within expressions by default. In scenes, where
+a pragma forbids that, no product outside RN reaches a sum or a result.
 """
 
 import re
@@ -46,7 +46,7 @@ def wrong(text: str) -> Iterator[str]:
 
 
 def _exact(expression: str) -> bool:
-    """Whether this is a product of two numbers of single precision, in double."""
+    """Whether this is a product, in double, of two numbers of single precision."""
     match = _EXACT.search(expression)
     return match is not None and all(float(np.float32(x)) == float(x) for x in match.groups() if x)
 
@@ -77,7 +77,8 @@ class Fused(c_ast.NodeVisitor):
             self.found.append(CGenerator().visit(node))
 
     def is_product(self, node: c_ast.Node) -> bool:
-        """Whether the value is a product, rounded by nothing but itself; notes sums of such."""
+        """Whether the value is a product that is not rounded separately; collects sums of such
+        products."""
         if isinstance(node, c_ast.ID):
             return node.name in self.products
         if isinstance(node, c_ast.Cast):

@@ -17,7 +17,7 @@ DEFINED = re.compile(r"^static inline [^(]*?\*?(ksl_\w+)\(", re.MULTILINE)
 
 TIER_NAMES = tuple(tier.mark for tier in TIERS)
 
-# Optimised without sanitizers as well: there a compiler acts on what it assumes of aliases.
+# Also optimised without sanitizers, where a compiler makes use of its assumptions about aliases.
 BUILDS = (*((name, SANITIZERS) for name in COMPILERS if has_sanitizers(name)),
           *((name, ("-O2",)) for name in COMPILERS))
 

@@ -30,13 +30,13 @@ EXEMPT = {
         "python/_kernel.py", "scene/arrays", "scene/arrays.py", "scene/out", "scene/buffers",
         "scene/calls.c")},
     "native/driver.c.jinja": MEASURES, "report/drift.c.jinja": MEASURES}
-"""Templates that compute, and why they may.  Pages are no kernels: they are left out."""
+"""Templates that compute, and why they may.  Pages are not kernels and are left out."""
 
 TEMPLATES = sorted(p.relative_to(ROOT).as_posix() for p in ROOT.rglob("*.jinja")
                    if not {".html", ".css", ".md"} & set(p.suffixes))
 
 def language_of(name: str) -> str:
-    """C or Python, by what the template's name says of the file it is for."""
+    """C or Python, by the template's name."""
     python = name.startswith("python/") or ".py" in name or name == "scene/out.jinja"
     return "python" if python else "c"
 
@@ -65,7 +65,7 @@ def test_holes_compute_nothing(name: str):
 
 @pytest.mark.parametrize("name", ("scene/step.c.jinja", "scene/step.py.jinja"))
 def test_templates_of_steps_call_nothing_back(name: str):
-    """They print what the steps' calls are; they ask no generator for them."""
+    """They print the calls of steps and do not call back into the generator."""
     tree = jinja2.Environment().parse((ROOT / name).read_text(encoding="utf-8"))
     assert not list(tree.find_all(nodes.Call))
 

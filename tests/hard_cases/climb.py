@@ -1,10 +1,10 @@
 """Searches at length for the largest errors of kernels whose bounds are not proved.
 
 `python -m tests.search --minutes M [KERNEL …]` climbs (climb.c) for M minutes of processor time for
-each kernel and precision. The result of each slice of that time is saved in build/search, so that
-an interrupted search can be continued. Errors are estimated in long double; each champion, the
+each kernel and precision.  The result of each slice of that time is saved in build/search, so that
+an interrupted search can be continued.  Errors are estimated in long double; each champion, the
 input with the largest error so far, is confirmed in 60 digits, as are inputs for which the estimate
-is not usable. If a kernel or its search has changed since, its champions stay and its time starts
+is not usable.  If a kernel or its search has changed since, its champions stay and its time starts
 anew. Right Jacobians are the left ones of -v, bit for bit except for signs, and functions that work
 in place are those that return: these are not searched again.
 """

@@ -268,7 +268,7 @@ def _of_range(operation: Operation, precision: Precision) -> Iterator[Case]:
 
 def _scaled(operation: Operation, precision: Precision, signs: Numbers) -> Iterator[Case]:
     """The first input is so large that splitting it into halves of 26 bits would overflow, and the
-    others are small; or the first is subnormal; and vice versa. Products are of ordinary size."""
+    others are small; or the first is subnormal; and vice versa.  Products are of ordinary size."""
     first = operation.inputs[0].quantity.size
     large, subnormal = (1000, -1060) if precision == DOUBLE else (120, -140)
     if first == len(signs):

@@ -165,7 +165,7 @@ def test_accurate_solutions_are_within_1_u(kind, n, precision):
 
 
 def solution(A: np.ndarray, b: np.ndarray) -> tuple[list[mp.mpf], float]:
-    """In 60 digits; and the condition of A."""
+    """The solution in 60 digits, and the condition of A."""
     with mp.workdps(60):
         x = mp.lu_solve(mp.matrix(A.astype(float).tolist()), mp.matrix(b.astype(float).tolist()))
     return list(x), float(np.linalg.cond(A.astype(float)))
@@ -173,8 +173,8 @@ def solution(A: np.ndarray, b: np.ndarray) -> tuple[list[mp.mpf], float]:
 
 @each_precision
 def test_angle_between_vectors(precision):
-    """Accurate: 4 u for every angle, 1e-30 to π, and vectors of every size; plain: 4 u of angles
-    from 1/4 to 3."""
+    """Accurate: within 4 u for angles from 1e-30 to π and vectors of every size; plain: within 4 u
+    for angles from 1/4 to 3."""
     real, u = np.dtype(precision.numpy_type), 2.0**-{"double": 53, "single": 24}[precision.name]
     numbers, top = np.random.default_rng(3), {"double": 300, "single": 30}[precision.name]
     for angle in (*10.0**numbers.uniform(-top / 2, 0, 60), *numbers.uniform(0, np.pi, 60)):

@@ -1,8 +1,8 @@
 """Tangents and adjoints of Programs are derivatives: exactly for polynomials, else to 24 digits.
 
-Truth is the function itself at points along a line: interpolated exactly, in rationals, where it
-is a polynomial of a degree below nine; else differences over 2e-16 at 50 digits, wrong by about
-1e-32 of the third derivative.
+Truth is the function at points along a line.  A polynomial of a degree below nine is interpolated
+exactly, in rationals; for others it is a difference over 2e-16 at 50 digits, whose error is about
+1e-32 times the third derivative.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -144,7 +144,7 @@ def test_partial_derivatives_of_every_operation(op: Op) -> None:
 
 @pytest.mark.parametrize("chosen", [True, False])
 def test_a_choice_has_the_slopes_of_what_it_chooses(chosen: bool) -> None:
-    """The other side's, infinite here, has no part in it."""
+    """The slopes of the other operand, infinite here, have no effect."""
     x = Input(0, 0)
     steps = (Instruction("root", Op.SQRT, (x,), ""), Instruction("twice", Op.ADD, (x, x), ""),
              Instruction("test", Op.LESS, (x, Input(1, 0)), ""),

@@ -1,4 +1,4 @@
-"""Every input has a domain, and the ordinary and hard numbers drawn for it are in that."""
+"""Every input has a domain, which contains the ordinary and hard numbers drawn for it."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -44,7 +44,7 @@ MOST = {"double": 2.0**450, "single": 2.0**45}
 
 
 def far(x: np.ndarray) -> np.ndarray:
-    """How far matrices are from rotations."""
+    """The distance of matrices from rotations."""
     R = x[..., :3]
     return np.maximum(np.abs(R.swapaxes(1, 2) @ R - np.eye(3)).max(axis=(1, 2)),
                       np.abs(np.linalg.det(R) - 1))
@@ -87,7 +87,7 @@ IS_IN: dict[Domain, Callable[[np.ndarray, float, str], np.ndarray]] = {
     POSITIVE_DEFINITE: lambda x, u, _: symmetric(x) & (np.linalg.eigvalsh(x)[:, 0] > 0),
     LDL_FACTOR: lambda x, u, _: (np.triu(x, 1) == 0).all(axis=(1, 2)) & (
         np.diagonal(x, axis1=1, axis2=2) > 0).all(axis=1)}
-"""Of rows, the precision's u and its name: domains that leave anything out."""
+"""Tests of rows, with the precision's u and name: for the domains that exclude anything."""
 
 
 def accepted(x: np.ndarray, argument: Argument, precision: Precision) -> np.ndarray:
@@ -134,7 +134,7 @@ def test_every_input_says_what_it_may_be():
 
 
 def test_an_input_that_says_no_domain_is_refused():
-    """Vectors, numbers and matrices may be many things: theirs must be said, if only as ANY."""
+    """The domain of vectors, numbers and matrices must be stated, at least as ANY."""
     def made(argument: Argument) -> Operation:
         return Operation("vec3", "halved", "vo = a / 2", (argument,), (Argument("vo", VEC3),),
                          lambda a: a / sp.Integer(2))
@@ -146,7 +146,7 @@ def test_an_input_that_says_no_domain_is_refused():
 
 
 def test_hard_rotations_turn_by_angles_of_all_sizes():
-    """Nothing at all, hardly, by nearly half a turn."""
+    """By zero, by tiny angles, by nearly half a turn."""
     (argument,) = next(op for op in OPERATIONS if op.name == "SO3_log").inputs
     domain, dtype = hard(argument), np.dtype(np.float64)
     R = domain.inputs(domain.draw(np.random.default_rng(3), 2000, dtype)).reshape(-1, 3, 3)

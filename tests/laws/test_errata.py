@@ -1,4 +1,5 @@
-"""The errata of the page `Coscrews`, and of KSL: theirs fails on an exact example, ours holds."""
+"""The errata of the page `Coscrews` and of KSL: on an exact example their formula fails, and ours
+holds."""
 
 import numpy as np
 import pytest

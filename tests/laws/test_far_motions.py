@@ -1,4 +1,5 @@
-"""Translations and velocities as far as comments say that nothing overflows, and beyond."""
+"""Translations and velocities up to the limits where comments say that nothing overflows, and
+beyond."""
 
 import mpmath as mp
 import numpy as np
@@ -21,7 +22,8 @@ each_name = pytest.mark.parametrize("name", NAMES)
 
 
 def far(name: str, precision: Precision) -> tuple[np.ndarray, ...]:
-    """Motions of every angle, their vectors as long as they may be: along an axis, or any way."""
+    """Motions by all sizes of angles, with the longest allowed vectors, along an axis or in any
+    direction."""
     rng, length = np.random.default_rng(9), float(FAR[PRECISIONS.index(precision)])
     inputs = motions_of(TABLE[name], precision, ROWS)
     for x in inputs:
@@ -66,7 +68,7 @@ def test_nothing_overflows_up_to_there(name, precision):
 
 
 def test_beyond_it_may():
-    """A finite result of which sums on the way are not."""
+    """A finite result whose intermediate sums are infinite."""
     D = np.array([[-1, 0, 0, 1e308], [0, -1, 0, 1], [0, 0, 1, 0]])
     with np.errstate(all="ignore"):
         assert not np.isfinite(coscrew.SE3_log(D)).all()

@@ -1,6 +1,7 @@
-"""Inverses of 3×3 matrices of every size: right where they are regular to rounding, else refused.
+"""Inverses of 3×3 matrices of every size: correct if the matrix is numerically regular, else
+refused.
 
-Truth is exact rationals, and so is what regular means.
+Truth is exact rationals, which also decide what is regular.
 """
 
 from fractions import Fraction
@@ -24,7 +25,7 @@ each_tier = pytest.mark.parametrize("tier", [coscrew, coscrew.accurate], ids=["p
 
 
 class Exact:
-    """Of a matrix: cofactors and determinant, and the sums of their terms' sizes."""
+    """Cofactors and determinant of a matrix, and the sums of the absolute values of their terms."""
 
     def __init__(self, R: np.ndarray) -> None:
         self.R = [[Fraction(float(x)) for x in row] for row in R]
@@ -40,7 +41,7 @@ class Exact:
         return a * d - b * c if sign < 0 else abs(a * d) + abs(b * c)
 
     def times(self, power: Fraction) -> "Exact":
-        """Of the matrix times this."""
+        """The same for the matrix times this factor."""
         new = object.__new__(Exact)
         new.R = [[x * power for x in row] for row in self.R]
         new.adjugate, new.sizes = ([[x * power**2 for x in row] for row in M]
@@ -50,7 +51,7 @@ class Exact:
         return new
 
     def regular(self, precision: Precision) -> bool:
-        """Whether it is to be told from a singular one."""
+        """Whether it can be distinguished from a singular matrix."""
         least = 8 * unit(precision) * self.permanent + SPOILED[precision.name] * self.largest**3
         return abs(self.det) > least
 
@@ -67,8 +68,8 @@ def of(tier, R: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def excess(found: np.floating, exact: Fraction, allowed: Fraction) -> float:
-    """The error as a multiple of what is allowed besides rounding among subnormal numbers; numbers
-    too large may be infinite."""
+    """The error as a multiple of the bound, after the rounding of subnormal numbers is subtracted;
+    results that overflow may be infinite."""
     info = np.finfo(found.dtype)
     if not np.isfinite(found):
         too_large = abs(exact) + allowed >= Fraction(float(info.max))
@@ -97,7 +98,7 @@ def worst(tier, precision: Precision, truth: Exact, det: np.floating, Ro: np.nda
 
 @cache
 def small_integers() -> np.ndarray:
-    """Regular ones, of few bits, so that they are numbers times any power of two."""
+    """Regular matrices with few bits, so that they can be scaled by any power of two."""
     rng = np.random.default_rng(11)
     R = rng.integers(-7, 8, (40, 3, 3)).astype(float)
     return np.array([*R[np.abs(np.linalg.det(R)) > 0.5][:4], np.eye(3), np.eye(3)[[1, 2, 0]]])
@@ -106,7 +107,7 @@ def small_integers() -> np.ndarray:
 @each_tier
 @each_precision
 def test_size_does_not_matter(precision, tier):
-    """Every power of two times matrices of small integers, as far as they are numbers."""
+    """Matrices of small integers times every power of two for which they are finite and exact."""
     info = np.finfo(precision.numpy_type)
     exponents = np.arange(info.minexp - info.nmant, info.maxexp - 3, info.nmant // 10)
     for base in small_integers():
@@ -131,7 +132,8 @@ def test_ordinary_small_and_large_matrices_are_regular():
 
 @cache
 def general(precision: Precision) -> np.ndarray:
-    """Of every size; rows, columns and single entries apart; nearly singular."""
+    """Matrices of every size; with rows, columns and single entries of different sizes; nearly
+    singular."""
     rng, info = np.random.default_rng(precision.bytes), np.finfo(precision.numpy_type)
     n, apart = 600, 8 if precision.name == "single" else 100
     R = rng.uniform(0.5, 1, (n, 3, 3)) * rng.choice((-1, 1), (n, 3, 3))
@@ -154,7 +156,7 @@ def test_errors_are_as_stated(precision, tier):
     for matrix, det, Ro in zip(R, *of(tier, R), strict=True):
         truth = Exact(matrix)
         if np.isnan(Ro).any():
-            least = 13 * unit(precision) * truth.permanent  # what det R is off by itself included
+            least = 13 * unit(precision) * truth.permanent  # including the error of det R itself
             assert abs(truth.det) <= least + 2 * SPOILED[precision.name] * truth.largest**3, matrix
             continue
         answered += 1
@@ -165,7 +167,7 @@ def test_errors_are_as_stated(precision, tier):
 @each_tier
 @each_precision
 def test_both_sides_of_the_threshold(precision, tier):
-    """Determinants -4 of products that are exact, in every place, with entries of either sign."""
+    """Determinants -4 from exact products, at every position, with entries of both signs."""
     info, rng = np.finfo(precision.numpy_type), np.random.default_rng(3)
     lowest = info.minexp - info.nmant
     for x, regular in zip(EDGE[precision.name], (True, False), strict=True):
@@ -188,7 +190,8 @@ def test_both_sides_of_the_threshold(precision, tier):
 @each_tier
 @each_precision
 def test_no_singular_matrix_gets_an_answer(precision, tier):
-    """Integer matrices of rank 0 to 2, times any power of two, and what is no finite number."""
+    """Integer matrices of rank 0 to 2 times any power of two, and matrices with entries that are
+    not finite."""
     info, rng = np.finfo(precision.numpy_type), np.random.default_rng(7)
     top = 2**10 if precision.name == "double" else 2**4
     rows = []
@@ -208,7 +211,8 @@ def test_no_singular_matrix_gets_an_answer(precision, tier):
 
 @each_precision
 def test_small_factors_beside_large_ones(precision):
-    """What is promised of entries apart: 2^-96 (2^-760) of the largest one's third power."""
+    """The bound for entries of different sizes: 2^-96 (2^-760) of the third power of the largest
+    one."""
     exponent = {"single": 48, "double": 380}[precision.name]
     for apart, regular in ((exponent - 1, True), (exponent + 1, False)):
         for whole in np.arange(-30, 60, 3):

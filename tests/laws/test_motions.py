@@ -1,6 +1,6 @@
 """Exponentials, logarithms, Jacobians, quaternions: as accurate as stated, for every rotation."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -25,7 +25,7 @@ from tests.support.truth.motion_errors import (
 )
 from tests.support.truth.motions import DIGITS, TRUTHS, exponential_series, skew
 
-ROWS = 250
+ROWS = 120
 MOTIONS = tuple(op for op in OPERATIONS if op.name in TRUTHS)
 TABLE = {op.name: op for op in MOTIONS}
 Arrays = tuple[np.ndarray, ...]
@@ -33,7 +33,7 @@ Evaluate = Callable[[Operation, Precision, Arrays], Arrays]
 
 # NumPy's sine, cosine and arctangent of float32 have errors of up to 4 ulp, the C library's of 1.
 TWIN_IN_SINGLE = 3  # u more than stated
-LARGEST_ANGLE = {"double": 1e13, "single": 1e5}  # of bounds of what turns by any angle
+LARGEST_ANGLE = {"double": 1e13, "single": 1e5}  # of bounds for rotations by any angle
 
 each_motion = pytest.mark.parametrize("operation", MOTIONS, ids=lambda op: op.name)
 
@@ -73,17 +73,23 @@ def inputs_and_truths(operation: Operation,
 @each_motion
 def test_errors_are_within_the_stated_bounds(operation: Operation, precision: Precision,
                                              implementation: str, c_kernels: Evaluate):
+    """Rows with the gufunc's bits are judged once, as the gufunc's."""
     evaluate = {"gufunc": gufunc, "twin": twin, "C": c_kernels}[implementation]
     inputs, truths = inputs_and_truths(operation, precision)
     wider = TWIN_IN_SINGLE if (evaluate, precision) == (twin, SINGLE) else 0
     with np.errstate(all="ignore"):
         outputs = evaluate(operation, precision, inputs)
-    check(operation, precision, inputs, outputs, truths, lambda part, row: wider)
+        judged = gufunc(operation, precision, inputs)
+    own = [n for n in range(ROWS) if implementation == "gufunc" or any(
+        x[n].tobytes() != y[n].tobytes() for x, y in zip(outputs, judged, strict=True))]
+    check(operation, precision, [x[own] for x in inputs], [x[own] for x in outputs],
+          [truths[n] for n in own], lambda part, row: wider)
 
 
-def check(operation: Operation, precision: Precision, inputs: Arrays, outputs: Arrays,
-          truths: list[list[list[Objects]]], more: Callable[[str, int], float]) -> None:
-    """Every part's error within the stated bound and this much more, in u."""
+def check(operation: Operation, precision: Precision, inputs: Sequence[np.ndarray],
+          outputs: Sequence[np.ndarray], truths: list[list[list[Objects]]],
+          more: Callable[[str, int], float]) -> None:
+    """Every part's error is within the stated bound plus `more`, in u."""
     bounds, u = {b.part: b for b in operation.normwise}, unit(precision)
     with mp.workdps(DIGITS):
         for number, truth in enumerate(truths):
@@ -101,8 +107,8 @@ def check(operation: Operation, precision: Precision, inputs: Arrays, outputs: A
                                   "quaternion_exp", "SE3_exp"])
 @each_precision
 def test_angles_beyond_pi(name: str, precision: Precision):
-    """The bound stands from π to the end of its domain; a half is next to multiples of π/2, where
-    J_l is next to singular and translations nearly vanish."""
+    """The bound holds from π to the end of its domain; half of the angles are next to multiples of
+    π/2, where J_l is nearly singular and translations nearly vanish."""
     operation, rng = TABLE[name], np.random.default_rng(1)
     (x,) = motions_of(operation, precision, 120)
     angles = np.exp(rng.uniform(np.log(np.pi), np.log(LARGEST_ANGLE[precision.name]), len(x)))
@@ -158,7 +164,8 @@ def draw(request: pytest.FixtureRequest) -> Callable[[Callable], np.ndarray]:
 
 
 def test_logarithm_undoes_the_exponential(draw):
-    """To the roundings of R: 5 u of its largest component, each off the angle by as much."""
+    """Up to the rounding errors of R: 5 u of its largest component, which change the angle by as
+    much."""
     v = draw(rotation_vectors)
     v = v[np.linalg.norm(v.astype(float), axis=1) < 3]
     R = coscrew.SO3_exp(v)
@@ -248,7 +255,7 @@ def test_interpolation_starts_ends_and_keeps_its_speed(draw):
 
 @each_precision
 def test_what_is_no_rotation_is_off_by_as_much(precision: Precision):
-    """The logarithm of R + E with |E| <= ε is that of the nearest rotation within 4 ε."""
+    """The logarithm of R + E with |E| <= ε is within 4 ε of that of the nearest rotation."""
     rng = np.random.default_rng(9)
     R = rotations(rng, 500).astype(float)
     R = R[np.trace(R, axis1=1, axis2=2) > -0.99]
@@ -263,7 +270,7 @@ def test_what_is_no_rotation_is_off_by_as_much(precision: Precision):
 @each_motion
 @each_precision
 def test_no_rotation_at_all_raises_no_flag(operation: Operation, precision: Precision):
-    """At zero and identity, and next to them, nothing is invalid, nothing over- or underflows."""
+    """At zero and identity, and next to them, no operation is invalid, overflows or underflows."""
     still = {(): 0.0, (3,): np.zeros(3), (3, 3): np.eye(3), (3, 4): np.eye(3, 4), (6,): np.zeros(6),
              (4,): np.eye(4)[0]}
     inputs = tuple(
@@ -286,7 +293,7 @@ def test_leading_axes_broadcast():
 @each_precision
 @pytest.mark.parametrize("implementation", [gufunc, twin], ids=["gufunc", "twin"])
 def test_an_axis_is_as_accurate_however_small_the_turn(implementation, precision: Precision):
-    """Down to vector parts of subnormal numbers, the direction is theirs to 3 u."""
+    """Down to subnormal vector parts, the direction is that of the vector part within 3 u."""
     info, u = np.finfo(precision.numpy_type), unit(precision)
     least = int(np.log2(info.smallest_subnormal))
     numbers = np.random.default_rng(8)

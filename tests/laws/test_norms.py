@@ -20,7 +20,8 @@ from tests.support.truth.attack import plain_program
 KINDS = {"vec3": (slice(0, 3), slice(0, 3)), "vec4": (slice(0, 4), slice(0, 4)),
          "quaternion": (slice(0, 4), slice(0, 4)),
          "screw": (slice(3, 6), slice(0, 3)), "coscrew": (slice(0, 3), slice(3, 6))}
-"""The part whose norm it is; the other, taken where all its components are below the threshold."""
+"""The part whose norm it is, and the other one, which is used if all components of the first are
+below the threshold."""
 NAMES = tuple(op.name for op in OPERATIONS
               if op.name.partition("_")[2] in ("norm", "l2norm", "normalized", "normalize")
               and op.name.partition("_")[0] in KINDS)
@@ -49,7 +50,7 @@ def rows(kind: str, precision: Precision) -> np.ndarray:
 
 
 def truth(name: str, row: list[float], precision: Precision) -> list[mp.mpf]:
-    """The norm, or the components over it, exactly."""
+    """The norm, or the components divided by it, exactly."""
     kind, _, result = name.partition("_")
     first, second = KINDS[kind]
     threshold = np.dtype(precision.numpy_type).type(1e-9 if precision == DOUBLE else 1e-6)
@@ -61,7 +62,7 @@ def truth(name: str, row: list[float], precision: Precision) -> list[mp.mpf]:
 
 
 def ulps(found: float, exact: mp.mpf, precision: Precision) -> mp.mpf:
-    """The error in ulps of the exact number, subnormal ones being as far apart as the smallest."""
+    """The error in ulps of the exact number; subnormal numbers have the ulp of the smallest one."""
     info = np.finfo(precision.numpy_type)
     if abs(exact) >= mp.mpf(2)**info.maxexp * (1 - mp.mpf(2)**(-info.nmant - 2)):
         return mp.mpf(0) if np.isinf(found) else mp.inf

@@ -15,14 +15,15 @@ from tests.support.each import each_precision
 
 ROWS = 4000
 WELL = {"double": 14, "single": 5}  # decimal digits of the condition up to which nothing is refused
-BITS = {"double": 11, "single": 4}  # of integers whose products' sums are exact
+BITS = {"double": 11, "single": 4}  # of integers, so that sums of products are exact
 
 each_kind = pytest.mark.parametrize("kind, n", [("mat3x3", 3), ("mat6x6", 6)])
 each_tier = pytest.mark.parametrize("tier", [coscrew, coscrew.accurate], ids=["plain", "accurate"])
 
 
 def singular(precision: Precision, n: int) -> np.ndarray:
-    """G G^T of integer G of lower rank than rows, half of them scaled by powers of two: exactly."""
+    """G G^T of integer matrices G whose rank is below the number of rows, half of them scaled by
+    powers of two: exact."""
     numbers, top = np.random.default_rng(n), 2**BITS[precision.name]
     rows = []
     for number in range(ROWS):
@@ -61,7 +62,7 @@ def test_no_singular_matrix_gets_an_answer(tier, kind, n, precision):
     assert np.isnan(x).all() and (pivot <= 0).all()
     with np.errstate(all="ignore"):
         pivot, _ = getattr(coscrew, f"{kind}_ldl")(A)
-    assert (pivot > 0).any()  # a factor alone does not tell
+    assert (pivot > 0).any()  # the factor alone does not show it
 
 
 @each_tier

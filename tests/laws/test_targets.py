@@ -1,8 +1,8 @@
-"""How accurate exponentials, logarithms and Jacobians are over all angles: errors in u, swept.
+"""The accuracy of exponentials, logarithms and Jacobians over all angles, in u.
 
-The angle runs from 1e-30 to π, logarithmically, evenly, and towards π; axes are random,
-aligned and nearly aligned.  Logarithms are given exponentials rounded once, and must
-find where those came from.
+Angles run from 1e-30 to π, spaced logarithmically, evenly, and logarithmically towards π; axes are
+random, along coordinate axes and nearly so.  Logarithms of exponentials that are rounded once must
+return their arguments.
 """
 
 from functools import cache

@@ -1,6 +1,6 @@
 """Every function of KSL (Kinematics Subroutine Library) is here, with its parameters, in its order.
 
-tests/references/ksl_prototypes.txt holds the prototypes of KSL's headers, shortened. C compilers
+tests/references/ksl_prototypes.txt holds the prototypes of KSL's headers, shortened.  C compilers
 compare them with ours; programs written for KSL include the headers as "ksl/X.h", in any order.
 """
 

@@ -1,9 +1,9 @@
 """MuJoCo simulates the same: arms and free bodies with gravity, springs, dampers and rotors.
 
 Both read the same decimals, as MJCF and as TOML. Dry friction and limits are left out: MuJoCo
-treats them as constraints, by another formula. Both integrate by Runge and Kutta's method with
-steps h and h/2. For hinges and slides the method is the same, so that runs may differ by amplified
-rounding errors (runs.py). Rotations of a free base are integrated by different formulas, so that
+treats them as constraints, by another formula.  Both integrate by Runge and Kutta's method with
+steps h and h/2.  For hinges and slides the method is the same, so that runs may differ by amplified
+rounding errors (runs.py).  Rotations of a free base are integrated by different formulas, so that
 the runs with h/2 may also differ by the sum of both programs' changes from h to h/2: at any order
 above 1, the error of each is less than its change.
 """

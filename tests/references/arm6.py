@@ -10,7 +10,7 @@ TIMES = (0.1, 0.5, 1.0, 1.5, 2.0)
 
 
 def figures(times: tuple[float, ...] = TIMES, tolerance: float = TOLERANCE) -> Iterator[Figure]:
-    """All joints, energy, and what the shoulder transmits."""
+    """All joints, energy, and the reaction of the shoulder."""
     robot = robots.Robot("arm6")
     yield from robots.figures(robot, tuple(robot.joints), "lift", times, tolerance)
 

@@ -1,4 +1,4 @@
-"""Figures as files hold them: lines `quantity,at,value`, quantities named as scenes name them."""
+"""The format of files of figures: lines `quantity,at,value`, quantities named as in scenes."""
 
 import csv
 from collections.abc import Iterable
@@ -9,7 +9,7 @@ import mpmath
 
 FOLDER = Path(__file__).parent
 DIGITS = 50
-NOTHING = mpmath.mpf(10)**-40  # what roundings leave of zero
+NOTHING = mpmath.mpf(10)**-40  # rounding errors of zero
 
 
 class Figure(NamedTuple):
@@ -21,7 +21,7 @@ class Figure(NamedTuple):
 
 
 def figure(quantity: str, at: object, value: object, digits: int = 30) -> Figure:
-    """The figure of these numbers, rounded to so many digits; floats hold no more than 17."""
+    """The figure of these numbers, rounded to this many digits; floats have no more than 17."""
     return Figure(quantity, _text(at, digits), _text(value, digits))
 
 

@@ -27,7 +27,7 @@ Series = list[mpf]
 
 
 def figures() -> Iterator[Figure]:
-    """Euler parameters and speeds of joint j0, place of the centre of mass, x in n."""
+    """Euler parameters and speeds of joint j0, position of the centre of mass, x in n."""
     mp.dps = DIGITS
     J = [mpf(x) for x in ABOUT_CENTRE]
     J1, J2, spin = J[0] + mpf(MASS) * mpf(LENGTH)**2, J[1], mpf(START[1])

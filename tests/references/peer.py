@@ -1,4 +1,4 @@
-"""SciPy's DOP853 as these references use it, and what bounds its error."""
+"""SciPy's DOP853 as these references use it, and a bound of its error."""
 
 from collections.abc import Callable, Sequence
 

@@ -1,4 +1,4 @@
-"""The pendulum let go level, by Jacobi's elliptic functions, to 50 digits.
+"""The pendulum released from the horizontal, by Jacobi's elliptic functions, to 50 digits.
 
 With θ from the lowest point, l θ'' = -g sin θ and θ(0) = -θ0 at rest:
 sin(θ/2) = -k cd(u), cos(θ/2) = k' nd(u), θ' = 2 ω k k' sd(u); k = sin(θ0/2), ω = √(g/l), u = ω t.
@@ -32,7 +32,7 @@ class Pendulum:
 
 
 def figures() -> Iterator[Figure]:
-    """Angle, speed, place of the mass, pull along the rod; at quarters of the period, too."""
+    """Angle, speed, position of the mass, force along the rod; also at quarters of the period."""
     mp.dps = DIGITS
     pendulum = Pendulum()
     quarters = [i * pendulum.period / 4 for i in (1, 2, 3, 4)]

@@ -61,7 +61,7 @@ def solution(moments: tuple[str, ...], start: tuple[str, ...]) -> Solution:
     C = mp.sqrt((L2 - T2 * a) / (c * (c - a)))
     m = (b - a) * (T2 * c - L2) / ((c - b) * (L2 - T2 * a))
     rate = mp.sqrt((c - b) * (L2 - T2 * a) / (a * b * c))
-    # of the signs of A, B, C and u', three are free; here it is B that follows from the equations
+    # three of the signs of A, B, C and u' are free; here B follows from the equations
     sign = mp.sign((c - a) * A * C / (b * B * rate)) * (-1 if swapped else 1)
     B *= sign
     turned = mp.atan2(wb / B, wa / A)

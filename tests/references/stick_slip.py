@@ -14,7 +14,7 @@ TIMES = (0.5, 1.0, 1.1, 1.2, 2.0, 3.0, 4.0, 5.0)
 
 
 def friction(speed: float) -> float:
-    """Of Stribeck's form, smooth where the block turns round."""
+    """Stribeck friction, smooth where the block changes direction."""
     level = SLIDING + (STICKING - SLIDING) * math.exp(-(speed / FALL)**2)
     return level * math.tanh(speed / REST)
 
@@ -25,7 +25,7 @@ def rates(t: float, y: np.ndarray) -> np.ndarray:
 
 
 def figures(times: tuple[float, ...] = TIMES, tolerance: float = TOLERANCE) -> Iterator[Figure]:
-    """Place and speed of the block."""
+    """Position and speed of the block."""
     for t, (x, speed) in zip(times, solved(rates, (0, 0), times, tolerance), strict=True):
         yield figure("q.table", t, float(x))
         yield figure("v.table", t, float(speed))

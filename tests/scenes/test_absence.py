@@ -1,4 +1,4 @@
-"""An effect that a scene does not have leaves not a byte in its text."""
+"""Effects that a scene does not have leave no byte in its text."""
 
 import json
 import os
@@ -60,8 +60,8 @@ ROW = 4
 LEFT_OUT = [tuple(x for n, x in enumerate(sorted(PLACES)) if place(n) == k)
             for place, count in ((lambda n: n // ROW, -(-len(PLACES) // ROW)),
                                  (lambda n: n % ROW, ROW)) for k in range(count)]
-"""The rows and the columns of a table of the effects: of any two, either is left out once while the
-other is there."""
+"""The rows and the columns of a table of the effects.  Of any two effects, each is left out once
+while the other is present."""
 
 
 @pytest.mark.parametrize("names", LEFT_OUT, ids="-".join)
@@ -69,8 +69,7 @@ def test_text_is_that_of_a_generator_without_the_effects(generator: Path,
                                                          names: tuple[str, ...]) -> None:
     folder = generator / "coscrew_codegen" / "effects"
     texts = {folder / f"{name}.py": (folder / f"{name}.py").read_bytes() for name in names}
-    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "",
-                   "PYTHONPATH": os.pathsep.join((str(generator), str(ROOT)))}
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join((str(generator), str(ROOT)))}
     try:
         for file in texts:
             file.unlink()
@@ -101,7 +100,7 @@ def test_every_effect_that_acts_can_be_switched_off() -> None:
 
 
 def zeroed(name: str, number: Fraction | Parameter) -> tuple[Applied, ...]:
-    """The effects of this name with `number` for what makes them act."""
+    """The effects of this name, with `number` for the parameters without which they do nothing."""
     def zero(parameter: str, value: Setting) -> Setting:
         if value is None or parameter not in ZEROS[name]:
             return value
@@ -119,7 +118,7 @@ def bare(*names: str) -> Evaluated:
 
 @cache
 def derived(*names: str) -> SceneFunctions:
-    """All of its functions."""
+    """All functions of a scene."""
     return derive(bare(*names).scene)
 
 
@@ -167,7 +166,7 @@ def test_mimic_changes_nothing_where_nothing_mimics() -> None:
 
 
 def test_bare_scenes_know_no_time_and_no_effects() -> None:
-    """The functions of a scene without effects are inertia's alone."""
+    """The functions of a scene without effects contain only the bodies' inertia."""
     made: Scene = scene(mechanism())
     functions = derive(made)
     assert not functions.timed

@@ -151,7 +151,8 @@ def test_field_pulls_and_turns_by_the_gravity_gradient() -> None:
 
 
 def test_field_is_newtons_on_six_points() -> None:
-    """Of 1 kg each, two on each axis at other distances: left out is (a/r)⁴ of the whole."""
+    """Six points of 1 kg, two on each axis, at different distances a: the series omits terms of
+    relative size (a/r)⁴."""
     arms, mu = [Fraction(n, 10**9) for n in (1, 2, 3)], 11
     squares = [2 * a**2 for a in arms]
     moments = (*(sum(squares) - x for x in squares), 0, 0, 0)

@@ -48,7 +48,7 @@ def path(tmp_path: Path) -> Path:
 
 @pytest.fixture(scope="module")
 def filled(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, np.ndarray]:
-    """A cache that has the scene, and what the scene's kernels gave."""
+    """A cache that contains the scene, and results of the scene's kernels."""
     base = tmp_path_factory.mktemp("filled")
     (base / "swing.toml").write_text(TEXT)
     with pytest.MonkeyPatch.context() as patch:
@@ -58,7 +58,7 @@ def filled(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, np.ndarray]:
 
 @pytest.fixture
 def derived(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """A word for each derivation."""
+    """A list that gets an entry for each derivation."""
     found, derive = [], mechanics.derive
     monkeypatch.setattr(mechanics, "derive", lambda scene, *others: (
         found.append(scene.name), derive(scene, *others))[1])
@@ -134,7 +134,7 @@ def test_the_generator_s_hash_is_part_of_every_key(path: Path, derived: list, mo
 
 
 def test_effects_of_one_s_own_are_never_found_by_name(path: Path, derived: list):
-    """Their names do not tell what they do."""
+    """Their names do not determine what they do."""
     scene = read_scene(path)
     gravity = scene.effects[0]
     own = replace(scene, effects=(replace(gravity, effect=replace(gravity.effect)),))
@@ -159,7 +159,8 @@ DAMAGES = {"truncated": lambda x: x[:len(x) // 2], "emptied": lambda x: b"",
 
 @pytest.mark.parametrize("suffix", (".scene", ".so"))
 def test_damaged_entries_are_made_again(path: Path, filled: tuple, tmp_path: Path, suffix: str):
-    """In another process, since what is mapped here stays what it was: a cache for each damage."""
+    """In another process, since a library that is loaded here stays unchanged; with a cache for
+    each damage."""
     whole, found = filled
     bad = {}
     for damage, damaged in DAMAGES.items():
@@ -187,17 +188,17 @@ def test_the_limit_holds_and_what_was_used_last_stays(folder: Path, tmp_path: Pa
     for number, key in enumerate("ab"):
         cache.write(cache.key_of(key), ".txt", bytes(1000))
         os.utime(cache.found(cache.key_of(key), ".txt"), (number, number))
-    assert cache.found(cache.key_of("a"), ".txt")  # counts as used now
+    assert cache.found(cache.key_of("a"), ".txt")  # is now the last one used
     cache.write(cache.key_of("c"), ".txt", bytes(1000))
     assert cache.found(cache.key_of("b"), ".txt") is None
     assert cache.found(cache.key_of("a"), ".txt") and cache.found(cache.key_of("c"), ".txt")
     cache.write(cache.key_of("d"), ".txt", bytes(9000))
-    assert [x.size for x in cache.entries()] == [9000]  # what was made just now stays
+    assert [x.size for x in cache.entries()] == [9000]  # the entry just made stays
     left = folder / ".building-left"
     left.mkdir()
-    assert len(cache.entries()) == 1  # somebody may be at it
+    assert len(cache.entries()) == 1  # another process may be making it
     os.utime(left, (0, 0))
-    assert len(cache.entries()) == 2  # a day later nobody is
+    assert len(cache.entries()) == 2  # a day later none is
 
 
 def test_the_limit_is_a_size(path: Path, monkeypatch, capsys: pytest.CaptureFixture[str]):

@@ -46,7 +46,7 @@ def test_rates_of_displacements_are_right_to_third_order(kind: Kind) -> None:
 
 @KINDS
 def test_norms_come_back_to_one(kind: Kind) -> None:
-    """As by a step of Newton's method: 1 + e becomes 1 - 1.5 e² and less."""
+    """By a step of Newton's method: 1 + e becomes 1 - 1.5 e² or a smaller error."""
     f = evaluated(kind)
     for e in (mpf(10)**-3, -mpf(10)**-5):
         q = turned(f)

@@ -1,7 +1,7 @@
 """Each effect on joints alone: its closed form at 50 digits, and its law along motions.
 
-Motions are integrated by Runge and Kutta's method; what is missing at 2n steps must then be what n
-and 2n steps differ by, so that no tolerance is chosen.
+Motions are integrated by Runge and Kutta's method; the error of 2n steps must be at most the
+difference between n and 2n steps, so that no tolerance is chosen.
 """
 
 from collections.abc import Iterator
@@ -47,7 +47,8 @@ def friction(state: mpf, *effects: Applied, q: object = 0) -> mpf:
 
 @pytest.mark.parametrize("amplitude, order", [("0.1", 4), ("1.5", 4), ("3.1", 5)])
 def test_period_of_the_pendulum_is_an_elliptic_integral(amplitude: str, order: int) -> None:
-    """Near upright what counts is the energy, which the method keeps to order 5."""
+    """Near the upright position the period depends on the energy, which the method keeps to order
+    5."""
     start, length = mpf(float(amplitude)), Fraction(7, 10)
     period = 4 * mpmath.ellipk(mpmath.sin(start / 2)**2) / mpmath.sqrt(mpf("9.81") / mpf("0.7"))
 
@@ -76,7 +77,7 @@ def test_viscous_friction_decays_exponentially() -> None:
 
 
 def test_joint_drag_slows_hyperbolically() -> None:
-    """J v' = -c v²: v = v0/(1 + c v0 t/J), the other way round alike."""
+    """J v' = -c v²: v = v0/(1 + c v0 t/J), in both directions."""
     effect = applied("joint_drag", "j0", c=Fraction(3, 4))
     exact = mpf(5) / (1 + mpf("0.75") * 15 / 2)
     for sign in (1, -1):
@@ -85,7 +86,8 @@ def test_joint_drag_slows_hyperbolically() -> None:
 
 
 def test_coulomb_friction_stops_in_time() -> None:
-    """sinh(v/ε) e^(t tau_c/(J ε)) stays the same, so that J ω0/tau_c is when 0.48 ε is left."""
+    """sinh(v/ε) e^(t tau_c/(J ε)) is constant, so that the speed is 0.48 ε at the time J ω0/tau_c.
+    """
     J, tau_c, eps, start = 2, Fraction(1, 2), Fraction(1, 10), 1
     stop = mpf(J * start) / mpf("0.5")
     left = mpf("0.1") * mpmath.asinh(mpmath.sinh(start / mpf("0.1")) * mpmath.exp(-10))
@@ -163,14 +165,15 @@ def test_torque_is_a_function_of_time() -> None:
 
 
 def test_pd_controller_reaches_its_target() -> None:
-    """Critically damped: e (1 + ω t) e^(-ω t) is left of the error."""
+    """Critically damped: the error is e (1 + ω t) e^(-ω t)."""
     drive = applied("actuator", "j0", kind="pd", kp=50, kd=20, target=2)
     left = 2 * (1 + 5) * mpmath.exp(-5)
     assert_reaches(2 - left, lambda n: moving(rotor(2), drive).rk4(1 / n, n).q[0], 200)
 
 
 def test_pd_controller_follows_a_moving_target() -> None:
-    """Started on it, it stays there, if the torque is what the target's acceleration takes."""
+    """It starts at the target and stays there if the torque is that of the target's acceleration.
+    """
     drive = applied("actuator", "j0", kind="pd", kp=5, kd=2, target=Formula("t**2"),
                     target_v=Formula("2*t"))
     feed = applied("actuator", "j0", kind="torque", torque=4)
@@ -208,14 +211,14 @@ def test_actuators_saturate(values: dict) -> None:
 
 
 def test_bang_bang_is_a_parabola() -> None:
-    """A stiff saturated controller drives with all it has: q = L t²/(2 J)."""
+    """A stiff controller is saturated and gives its limit L: q = L t²/(2 J)."""
     drive = applied("actuator", "j0", kind="pd", kp=10**6, kd=10, target=100, limit=4)
     state = moving(rotor(2), drive).rk4(0.125, 16)
     assert max(abs(state.q[0] - 4), abs(state.v[0] - 4)) <= 16 * 2**-50
 
 
 def outgoing(alpha: mpf, v: mpf) -> mpf:
-    """The speed after a bounce: v/c - ln(1 + c v)/c² is kept by a bounce, c = 1.5 alpha."""
+    """The speed after a bounce, which leaves v/c - ln(1 + c v)/c² unchanged, c = 1.5 alpha."""
     c = 3 * alpha / 2
 
     def kept(x: mpf) -> mpf:
@@ -226,7 +229,7 @@ def outgoing(alpha: mpf, v: mpf) -> mpf:
 
 @pytest.mark.parametrize("side", [-1, 1])
 def test_limits_bounce(side: int) -> None:
-    """With 1 - alpha v of the speed to first order; exactly, as the law's integral says."""
+    """With 1 - alpha v of the speed to first order; exactly, by the integral of the law."""
     alpha, speed = mpf("0.2"), mpf("0.5")
     truth = outgoing(alpha, speed)
     assert abs(truth / speed - (1 - alpha * speed)) <= (alpha * speed)**2
@@ -264,7 +267,8 @@ def test_catalogue_is_complete() -> None:
 
 
 def test_double_precision_is_the_same_program() -> None:
-    """The Program in double is near the one at 50 digits: no constant is a float by accident."""
+    """Results in double precision are near those with 50 digits: no constant is a float by mistake.
+    """
     third = Fraction(1, 3)
     effect = applied("stribeck", "j0", tau_c=third, tau_s=2 * third, v_s=third / 2, eps=third / 3)
     found = Evaluated(scene(rotor(), effect), DOUBLE)("bias_torques", q=[0], v=[0.1])[0]

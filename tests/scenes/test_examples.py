@@ -29,7 +29,7 @@ def test_there_are_scenes_from_trivial_to_rich():
 
 
 def test_scenes_use_every_number_of_their_own(scene):
-    """Of a model of their own; a URDF file may say more than a scene needs."""
+    """Of models in the scene file; a URDF file may contain more than a scene needs."""
     if "model" not in tomllib.loads(scene.read_text()):
         assert not read_scene(scene).unused
 
@@ -71,7 +71,7 @@ def test_scenes_are_generated_as_c_that_compiles_clean(scene, tmp_path):
 
 
 def test_a_payload_is_set_at_run_time(tmp_path, capsys):
-    """A heavier one pulls the elbow lower than its motor wants it."""
+    """A heavier payload pulls the elbow further below its motor's target."""
     angles = {}
     for mass in ("0.5", "1.5", "4"):
         path = tmp_path / f"{mass}.csv"

@@ -58,7 +58,7 @@ def test_formulas_in_fifty_digits(text, truth):
 
 
 def test_any_numbers_will_do():
-    """Numbers need just the operators that the formula holds."""
+    """Numbers need only the operators that the formula contains."""
 
     class Written:
         def __init__(self, text):
@@ -144,7 +144,7 @@ def test_nesting_up_to_the_bound():
 
 
 def test_powers_need_few_products():
-    """Powers are squared repeatedly: kernels hold what is computed here."""
+    """Powers are computed by repeated squaring, since kernels contain these products."""
     count = 0
 
     class Counted:

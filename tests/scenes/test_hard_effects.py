@@ -1,4 +1,5 @@
-"""Where effects are stiff, stick, vanish or are far away, the emitted kernels stay physical."""
+"""The emitted kernels stay physical where effects are stiff, stick, vanish or act far from the
+origin."""
 
 from collections.abc import Callable, Iterator
 from fractions import Fraction
@@ -66,12 +67,12 @@ IMPLICIT = "linear_implicit_euler"
 
 @both
 def test_stiff_viscous_joints_decay(load: Callable, precision: str) -> None:
-    """v/(1 + h d/J) a step; where explicit steps would multiply it by -9999."""
+    """Each step gives v/(1 + h d/J), where an explicit step would multiply v by -9999."""
     f = load(rotor(), applied("viscous", "j0", d=STIFF), precision=precision)
     u = UNIT[precision]
     _, v = run(f, IMPLICIT, H, 5, [0], [1])
     exact = (1 + H * STIFF) ** -np.arange(1.0, 6)
-    # v + h a cancels to 1e-4 of v: each step leaves an error of 1e4 units of what it leaves
+    # v + h a cancels to 1e-4 of v: the error of each step is 1e4 u of its result
     assert np.all(np.abs(v[:, 0] - exact) <= 4 * u * np.cumsum(np.r_[1, exact[:-1]]))
     with np.errstate(all="ignore"), pytest.raises(AssertionError):
         run(f, "semi_implicit_euler", H, 200, [0], [1])
@@ -86,12 +87,12 @@ def arm() -> Model:
 
 @both
 def test_stiff_controllers_hold_an_arm(load: Callable, precision: str) -> None:
-    """It settles where kp (target - q) is the weight's torque."""
+    """It comes to rest where kp (target - q) equals the torque of the weight."""
     effects = [applied("actuator", x, kind="pd", kp=STIFF, kd=STIFF, target=y)
                for x, y in (("j0", HALF), ("j1", -1))]
     f = load(arm(), gravity(), *effects, precision=precision)
     q, v = run(f, IMPLICIT, H, 3000, [0, 0], [0, 0])
-    still = 1e-9 + 2 * UNIT[precision] / H  # q takes up no slower motion
+    still = 1e-9 + 2 * UNIT[precision] / H  # slower motions do not change q
     assert np.max(np.abs(v[-1])) <= still
     sag = f.gravity_torques(q[-1]) / STIFF
     assert np.max(np.abs(q[-1] + sag - [0.5, -1])) <= still
@@ -105,7 +106,7 @@ def test_stiff_controllers_hold_an_arm(load: Callable, precision: str) -> None:
     applied("stribeck", "j1", tau_c=100, tau_s=200, v_s=HALF, eps=Fraction(1, 10**6))],
     ids=lambda x: x.effect.name)
 def test_stiff_joints_make_an_arm_one_pendulum(load: Callable, effect: Applied) -> None:
-    """The elbow hardly moves, the energy hardly grows: no step feeds in more than its error h."""
+    """The elbow hardly moves, and no step adds more energy than its error of order h."""
     f = load(arm(), gravity(), effect)
     q, v = run(f, IMPLICIT, 1e-3, 4000, [0, 0], [0, 0])
     assert np.max(np.abs(q[:, 1])) <= 0.01
@@ -116,7 +117,7 @@ def test_stiff_joints_make_an_arm_one_pendulum(load: Callable, effect: Applied) 
 
 
 def test_saturated_controllers_do_not_chatter(load: Callable) -> None:
-    """A stiff controller drives with all it has, then slides to its target without turning back."""
+    """A stiff controller gives its limit, then approaches its target without turning back."""
     effect = applied("actuator", "j0", kind="pd", kp=STIFF, kd=STIFF, target=1, limit=4)
     f = load(rotor(), effect)
     q, v = run(f, IMPLICIT, H, 2000, [0], [0])
@@ -131,7 +132,7 @@ CREEP = float(np.arctanh(0.75))  # in eps, where three quarters of the friction 
 
 
 def held(name: str, eps: Fraction) -> list[Applied]:
-    """A slope that pulls with 3 N, friction of 4 N."""
+    """A constant force of 3 N, as on a slope, against a friction of 4 N."""
     values = {"coulomb": {"tau_c": 4}, "stribeck": {"tau_c": 4, "tau_s": 4, "v_s": HALF}}[name]
     return [gravity(3, 0, -9), applied(name, "j0", eps=eps, **values)]
 
@@ -139,7 +140,8 @@ def held(name: str, eps: Fraction) -> list[Applied]:
 @both
 @pytest.mark.parametrize("name", ["coulomb", "stribeck"])
 def test_what_sticks_only_creeps(load: Callable, name: str, precision: str) -> None:
-    """1e5 steps: no faster than eps artanh(tau/tau_c), and no further than that takes it."""
+    """During 1e5 steps it is no faster than eps artanh(tau/tau_c), and goes no further than at that
+    speed."""
     f = load(slider(), *held(name, Fraction(1, 10**6)), precision=precision)
     u, steps = UNIT[precision], 10**5
     q, v = run(f, IMPLICIT, H, steps, [0], [0])
@@ -151,8 +153,8 @@ def test_what_sticks_only_creeps(load: Callable, name: str, precision: str) -> N
 
 @pytest.mark.parametrize("name", ["coulomb", "stribeck"])
 def test_what_slides_stops_once_and_for_all(load: Callable, name: str) -> None:
-    """Down a slope that would hold it: it slides for J v/(tau_c - tau), then loses tau_c - tau of
-    tau_c of its speed a step, until it creeps; it never turns back."""
+    """On a slope on which friction can hold it, it slides for the time J v/(tau_c - tau), then
+    loses (tau_c - tau)/tau_c of its speed in each step until it creeps; it never turns back."""
     f = load(slider(), *held(name, Fraction(1, 10**8)))
     _, v = run(f, IMPLICIT, H, 2000, [0], [1])
     stopped = int(1 / ((4 - 3) * H))
@@ -177,7 +179,8 @@ def test_an_arm_sticks_at_all_its_joints(load: Callable) -> None:
 
 @pytest.mark.parametrize("masses", [(1, 10**6), (10**6, 1)])
 def test_mass_ratios_of_a_million(load: Callable, masses: tuple) -> None:
-    """Energy stays, the better the shorter the steps; and torques give back what they came from."""
+    """Energy is kept, the better the shorter the steps; inverse dynamics returns the torques given
+    to forward dynamics."""
     links = [(Kind.REVOLUTE, Y, at(n, 0, 0), inertia(m, (1, 0, 0), (0, m, m, 0, 0, 0)))
              for n, m in enumerate(masses)]
     f = load(chain(*links), gravity())
@@ -196,8 +199,8 @@ def test_mass_ratios_of_a_million(load: Callable, masses: tuple) -> None:
 
 
 def test_spinning_top_at_150_rad_per_s(load: Callable) -> None:
-    """The heavy top of the reference problems: Euler parameters at 0.2 s to their five digits;
-    energy, the turning about its axis and about the vertical stay."""
+    """The heavy top of the reference problems: Euler parameters at 0.2 s agree to five digits;
+    energy and the angular momenta about its axis and about the vertical are constant."""
     top = chain((Kind.SPHERICAL, Z, HERE, inertia(
         15, (0, 1, 0), numbers("0.234375", "0.46875", "0.234375", 0, 0, 0))))
     f = load(top, gravity())
@@ -216,7 +219,7 @@ def test_spinning_top_at_150_rad_per_s(load: Callable) -> None:
 
 @both
 def test_gravity_far_from_the_origin(load: Callable, precision: str) -> None:
-    """A million metres away every bit of every torque is what it is here."""
+    """A million metres away all torques have the same bits as at the origin."""
     def hung(far: int) -> Model:
         I = (1, 1, 1, 0, 0, 0)
         links = chain((Kind.REVOLUTE, Y, at(far, far, -far), inertia(2, (1, 0, 1), I)),
@@ -244,7 +247,7 @@ def test_gravity_far_from_the_origin(load: Callable, precision: str) -> None:
 @both
 def test_bounces_without_end_come_to_rest(load: Callable, step: str, h: float,
                                           precision: str) -> None:
-    """Zeno: infinitely many bounces in a finite time; then it lies (m g/k)^(2/3) deep."""
+    """After infinitely many bounces in a finite time it rests at the depth (m g/k)^(2/3)."""
     effect = applied("limit", "j0", lower=0, k=10**5, alpha=HALF)
     f = load(slider(1, Z), gravity(), effect, precision=precision)
     q, v = run(f, step, h, int(12 / h), [1], [0])
@@ -257,7 +260,8 @@ def test_bounces_without_end_come_to_rest(load: Callable, step: str, h: float,
 
 @both
 def test_drag_stops_light_bodies(load: Callable, precision: str) -> None:
-    """h rho area v/m = 1e6: the speed falls to its terminal one and does not turn round."""
+    """With h rho area v/m = 1e6 the speed falls to the terminal speed and does not change its sign.
+    """
     light = free_body(Fraction(1, 10**6), moments=(Fraction(1, 10**9),) * 3 + (0,) * 3)
     f = load(light, gravity(), applied("drag", "b0", rho=1, area=1), precision=precision)
     _, v = run(f, IMPLICIT, H, 2000, [0, 0, 0, 0, 0, 0, 1], [100, 0, 0, 0, 0, 0])
@@ -271,8 +275,8 @@ def test_drag_stops_light_bodies(load: Callable, precision: str) -> None:
 
 @both
 def test_springs_pass_through_length_zero(load: Callable, precision: str) -> None:
-    """At rest without length it is linear: cos ωt through its centre.  With length it has no
-    direction where its ends meet, and no force; nowhere is it not a number."""
+    """With the rest length 0 the spring is linear: cos ωt, through its centre.  With another rest
+    length it has no direction and no force where its ends meet; it is never NaN."""
     ends = {"bodies": ("world", "b0"), "k": 100}
     body = free_body(1)
     f = load(body, applied("spring_damper", "s", **ends), precision=precision)
@@ -289,7 +293,7 @@ def test_springs_pass_through_length_zero(load: Callable, precision: str) -> Non
 
 
 def test_stiff_springs_between_bodies_leave_their_fall_alone(load: Callable) -> None:
-    """h d/m = h² k/m = 1e4 along the line: both fall as one, exactly with g."""
+    """With h d/m = h² k/m = 1e4 along the line, both bodies fall together, exactly with g."""
     joints = tuple(Joint(f"j{x}", Kind.FREE, "world", x, at(0, 0, n)) for n, x in enumerate("ab"))
     two = Model("two", tuple(Body(x, inertia(m, moments=(1, 1, 1, 0, 0, 0)))
                              for x, m in (("a", 1), ("b", 3))), joints)
@@ -298,12 +302,12 @@ def test_stiff_springs_between_bodies_leave_their_fall_alone(load: Callable) -> 
     q0 = [0, 0, 0, 0, 0, 0, 1] * 2
     q, v = run(f, IMPLICIT, H, 1000, q0, [0, 0, 1] + [0] * 9)
     fall = 0.25 - 9.81 * H * np.arange(1, 1001)
-    assert np.max(np.abs(v[50:, [2, 8]] - fall[50:, None])) <= 1e-9  # 2^-50 of the blow is left
+    assert np.max(np.abs(v[50:, [2, 8]] - fall[50:, None])) <= 1e-9  # 2^-50 of the impulse is left
     assert np.max(np.abs(q[50:, 9] - q[50:, 2])) <= 1e-9
 
 
 def test_balls_are_kept_from_turning_by_drag_at_their_rim(load: Callable) -> None:
-    """Drag at a point resists turning, too: h b r²/I = 1e4."""
+    """Drag at a point also resists rotation: h b r²/I = 1e4."""
     f = load(ball(moments=(1, 1, 1, 0, 0, 0)),
              applied("drag", "b0", kind="stokes", b=STIFF, point=(1, 0, 0)))
     _, v = run(f, IMPLICIT, H, 50, [0, 0, 0, 1], [2, 3, 4])

@@ -1,4 +1,4 @@
-"""Hostile and broken files end in one clear error, soon and in little memory."""
+"""Hostile and broken files cause one clear error, quickly and with little memory."""
 
 import contextlib
 import resource
@@ -86,7 +86,7 @@ TOML = {
 
 @pytest.fixture
 def refused(tmp_path):
-    """Reads a hostile file; returns the one line it is refused with."""
+    """Reads a hostile file; returns the line with which it is refused."""
 
     def refused(name, contents):
         path = tmp_path / name
@@ -126,7 +126,7 @@ def test_truncated_xml(refused, end):
 
 
 def test_truncated_toml(tmp_path):
-    """A TOML file that ends too early may still be one; it never does worse than an error."""
+    """A truncated TOML file may still be valid; otherwise it causes a SceneError."""
     text = MODEL + '[effects.viscous]\njoints = "all"\nd = "model"\n'
     path = tmp_path / "arm.toml"
     reads = 0

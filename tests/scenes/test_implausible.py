@@ -1,4 +1,4 @@
-"""Bodies that cannot exist are refused, or accepted and named: on joints and on the world."""
+"""Bodies that cannot exist are refused, or accepted and reported, on joints and on the world."""
 
 
 import numpy as np
@@ -71,7 +71,7 @@ def test_load_scene_accepts_them_and_warns(written):
 
 @pytest.mark.parametrize("body", BODIES)
 def test_implausible_bodies_that_are_accepted_move_as_pinocchio_says(written, body):
-    """Accelerations are finite and Pinocchio's, within 1e-12: it takes such bodies as they are."""
+    """Accelerations are finite and equal Pinocchio's, which accepts such bodies, within 1e-12."""
     pinocchio = pytest.importorskip("pinocchio")
     path = written(robot(body))
     scene = read_scene(path, overrides=WARN)

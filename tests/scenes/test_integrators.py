@@ -1,4 +1,4 @@
-"""Integrators: what they declare is true, and one more is one entry."""
+"""What integrators declare is true; a further integrator is one entry."""
 
 import re
 import shutil
@@ -37,7 +37,7 @@ OTHERS = (
                                                      "1/8 3/8 3/8 1/8")),
     Integrator("verlet", 1, "a test: of order 2 where forces do not depend on speeds",
                Composition((Drift(HALF), Kick(), Drift(HALF)))))
-"""Methods that are not shipped, each as a user would add it."""
+"""Methods that are not in the catalogue, as a user would add them."""
 
 TABLEAUS = {x.name: x for x in (*EMITTED, *OTHERS) if isinstance(x.scheme, Tableau)}
 
@@ -63,7 +63,7 @@ def test_names_of_integrators_stand_in_their_files_alone():
 # schemes
 
 def conditions(method: Tableau) -> list[tuple[int, Fraction, Fraction]]:
-    """Butcher's conditions to order 4, a rooted tree each: (order, what stands, what must)."""
+    """Butcher's conditions to order 4, one for each rooted tree: (order, value, required value)."""
     b, c = method.b, method.c
     n = range(len(b))
     a = [[row[j] if j < len(row) else Fraction(0) for j in n] for row in ((), *method.a)]
@@ -165,7 +165,7 @@ def test_calls_of_a_step_are_the_tableaus_method(name: str):
 
 
 def test_calls_of_a_composition_are_its_drifts_and_kicks():
-    """With a kick at half a step, when time has gone on by as much."""
+    """With a kick at half a step, where the time is t + h/2."""
     scene = stepped(replace(CASES["slider"](), steps=()), [OTHERS[-1]])
     t, h, p = Fraction(15, 16), Fraction(1, 2), [Fraction(3, 2), Fraction(0)]
     q, v = [Fraction(1), Fraction(1, 5)], [Fraction(-1, 2), Fraction(3, 4)]
@@ -209,7 +209,7 @@ def test_c_and_numpy_step_alike(all_steps, precision: str):
 @pytest.mark.parametrize("integrator", [x.name for x in (*EMITTED, *OTHERS)
                                         if x.name != integrators.DEFAULT])
 def test_errors_fall_with_the_declared_order(all_steps, integrator: str):
-    """Observed on the slider's spring and force, from where its friction is smooth."""
+    """Observed with the slider's spring and force, started where its friction is smooth."""
     scene, kernels, _ = all_steps
     order = {x.name: x.order for x in (*EMITTED, *OTHERS)}[integrator]
     step = getattr(kernels.double, f"step_{integrator.replace('-', '_')}").repeated
@@ -250,7 +250,7 @@ def spun(tmp_path_factory: pytest.TempPathFactory):
 
 @pytest.mark.parametrize("name", TABLEAUS)
 def test_orders_hold_on_quaternions(spun, name: str):
-    """In the chart around each step's start; with speeds about one radian a second."""
+    """In the chart at the start of each step, with speeds of about 1 rad/s."""
     def end(name: str, n: int) -> np.ndarray:
         take = getattr(spun, f"step_{name.replace('-', '_')}").repeated
         q, v = take(n, 0.0, 1 / n, np.zeros(0), np.array([0, 0, 0, 1.0]), np.array([1.0, 2, -0.5]))
@@ -275,8 +275,8 @@ def test_steps_call_and_compute_nothing(scene: str, all_steps):
 
 
 def test_long_scenes_print_their_dynamics_once():
-    """A step of rk4 of 35 joints is calls: with all that these compute, and with a second
-    integrator, less than a third of forward dynamics once more."""
+    """Steps of rk4 with 35 joints are calls: with their internal functions and a second integrator,
+    they add less than a third of the text of forward dynamics."""
     scene = robot(35, 4000)
     text = files(scene)["robot.c"]
     assert text.count("robot_forward_dynamics(const double") == 1

@@ -22,7 +22,7 @@ AXES = tuple(tuple(map(Fraction, a)) for a in (
 SHAPES = ("R", "P", "RR", "RP", "PR", "PP", "RRR", "RRP", "RPR", "PRR", "RPP", "PRP", "PPR", "PPP",
           "RRR branch", "PRR branch", "RR<", "RP<", "RRR armature", "PR armature",
           "RRR<", "RPR< armature", "RRP< branch")
-"""Joints in order; < : the one before it mimics the first."""
+"""Joints in order; < means that the joint before it mimics the first."""
 
 
 class Chosen:
@@ -59,7 +59,8 @@ class Chosen:
         return tuple(self._small() for _ in range(3))
 
     def _inertia(self, sample: Sample) -> Inertia:
-        """Turned principal moments 3, 4, 5 and others: possible ones, all six different from 0."""
+        """Rotated principal moments such as 3, 4, 5: physically possible, all six numbers different
+        from 0."""
         R = sample.rotation()
         I = R @ np.diag(array([Fraction(self.random.randint(6, 9)) for _ in range(3)])) @ R.T
         return Inertia(abs(self._small()), self._vector(),
@@ -184,7 +185,7 @@ def test_balls_obey_euler(seed: int) -> None:
 
 
 def _mixed() -> Model:
-    """A free body, a ball on it, an arm on that, a slider on that."""
+    """A free body with a ball joint, an arm on that, and a slider on that."""
     sample, joints, bodies = Sample(9), [], []
     for n, kind in enumerate((Kind.FREE, Kind.SPHERICAL, Kind.REVOLUTE, Kind.PRISMATIC)):
         placement = Placement(tuple(np.ravel(sample.rotation())), tuple(sample.vector()))

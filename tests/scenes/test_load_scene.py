@@ -124,7 +124,7 @@ for base in sys.argv[1:]:
 
 
 def test_damaged_libraries_are_made_again(counted, filled, tmp_path: Path, monkeypatch):
-    """In a process of its own, since to open a truncated library may end it: a cache for each
+    """In a process of its own, since opening a truncated library may end it; with a cache for each
     damage."""
     whole, kernels = filled
     library, = whole.glob("*.so")
@@ -203,7 +203,7 @@ NUMBERS = "float64, float32 or integers up to 64 bits"
 
 
 class Tracer:
-    """As a tracer of JAX, which is no array and no number."""
+    """Like a tracer of JAX, which is neither an array nor a number."""
 
     def __array__(self, dtype=None, copy=None):
         raise TypeError("a traced array")
@@ -236,7 +236,8 @@ def test_what_are_no_numbers_of_these_precisions_is_a_type_error(
 
 
 def refused(kernels: Kernels, name: str, value: object, error: type[Exception], message: str):
-    """Functions and steps of both precisions raise this; `message` comes behind the name."""
+    """Functions and steps of both precisions raise this error; `message` follows the function's
+    name."""
     message = message if message.startswith(name) else f"{name}: {message}"
     given = (x if isinstance(x, float) else np.array(x) for x in ARGUMENTS)
     arguments = dict(zip(("t", "p", "q", "v", "tau"), given, strict=True)) | {name: value}

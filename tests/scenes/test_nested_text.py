@@ -20,7 +20,8 @@ ARITHMETIC = {Op.ADD: 2, Op.SUB: 2, Op.MUL: 2, Op.DIV: 2, Op.NEG: 1}
 
 @dataclass(frozen=True)
 class Made:
-    """What was done to get a number, in which order, as a hash: nothing associates."""
+    """The history of a number as a hash: the operations in their order, which are not associative.
+    """
 
     n: int
 
@@ -32,7 +33,7 @@ class Made:
 
 
 def constant(x: Constant) -> Made:
-    """A sign belongs to the literal in the program, in the text it stands before it."""
+    """In the program the sign is part of the constant; in the text it precedes the literal."""
     return Made(int(x.double)) if x.double >= 0 else -Made(-int(x.double))
 
 
@@ -93,7 +94,8 @@ def test_lines_are_short_and_numbers_have_no_gaps(seed: int) -> None:
     ((Op.ADD, "y"), True), ((Op.SUB, "y"), True), ((Op.NEG,), True), ((Op.MUL, 2), True),
     ((Op.MUL, "y"), False), ((Op.DIV, "y"), False), ((Op.SIN,), False), ((Op.ABS,), False)))
 def test_products_that_a_sum_sees_are_rounded(user: tuple, rounded: bool) -> None:
-    """Directly, through a sign, or as what compilers make of a product with two; and results."""
+    """Directly, through a sign, or as the sum that compilers make of a product with 2; and results.
+    """
     w = Writer(argument("x", 2))
     product = w.do("product", Op.MUL, w.at("x", 0), w.at("x", 1))
     op, *others = user

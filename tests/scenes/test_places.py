@@ -16,7 +16,7 @@ WRITTEN = {"vector": "[1, 2, 3]", "formulas": "[1, 2, 't']", "formula": "'2*t'"}
 
 
 def value(parameter: ParameterOf, number: int = 2) -> str:
-    """What a file may give for the parameter."""
+    """A value that a file may give for the parameter."""
     if parameter.kind == "choice":
         return f'"{parameter.choices[-1]}"'
     return WRITTEN.get(parameter.kind, str(number))

@@ -1,5 +1,5 @@
-"""Motions against figures that share no code with the generator: closed forms, published figures,
-Taylor series, peers.  How far a run may be off is derived in support/scenes/runs.py."""
+"""Motions against values that share no code with the generator: closed forms, published figures,
+Taylor series, other programs.  The allowed errors of runs are derived in support/scenes/runs.py."""
 
 from fractions import Fraction
 from functools import cache
@@ -32,11 +32,12 @@ PERIOD = "2.36784194757623745"
 MOTIONS = ("pendulum", "wingnut", "euler_top", "heavy_top", "stick_slip", "arm6", "quadruped")
 SMOOTH = MOTIONS[:4]
 DIGITS = {"double": 1e-7, "single": 0.2}
-"""How much of a quantity's size its bound may be, for a comparison to say anything."""
+"""Largest ratio of a bound to the size of its quantity, so that comparisons are meaningful."""
 
 
 def coarse(name: str, precision: str) -> float:
-    """The longer of the two steps; in single precision, where roundings reign, they are few."""
+    """The longer of the two steps; in single precision, where rounding errors dominate, runs have
+    few steps."""
     return kernels(name).scene.run.step * {"double": 1, "single": 4}[precision]
 
 
@@ -51,7 +52,7 @@ def last_place(x: Figure) -> float:
 
 @cache
 def kernels(name: str) -> Kernels:
-    """Of an example scene, or of one of the tops."""
+    """The kernels of an example scene, or of one of the tops."""
     tops = {"euler_top": _euler_top, "heavy_top": _heavy_top}
     return checked(tops[name]() if name in tops else SCENES / f"{name}.toml", "rk4", "dop853",
                    others=("energy", "momentum", "body_poses"))
@@ -93,7 +94,8 @@ def test_committed_figures_are_what_their_command_prints(module):
 
 @pytest.mark.parametrize("name, count", (("stick_slip", 2), ("arm6", 1), ("quadruped", 1)))
 def test_the_peers_figures_are_found_again(name, count):
-    """Their beginning, also with other tolerances; off by no more than these make of it."""
+    """The beginning of their runs, also with other tolerances; differences are no larger than these
+    cause."""
     if name != "stick_slip":
         pytest.importorskip("pinocchio", reason="no wheel for this platform")
     module = __import__(f"tests.references.{name}", fromlist=[name])
@@ -191,7 +193,8 @@ def test_motions_have_the_published_figures(name):
 
 
 def test_the_period_is_the_published_one():
-    """The pendulum is back where it was let go, as slow as the period is precise: v = v' δt."""
+    """The pendulum is back where it was released, with a speed of at most v' δt, δt the error of
+    the period."""
     back = (Figure("v.pivot", PERIOD, "0"),)
     (v,), _ = runs.values(system(kernels("pendulum"), "double"), back, "rk4", 5e-4)
     assert abs(v) <= 9.81 * 1e-12
@@ -212,7 +215,8 @@ def test_free_bodies_keep_energy_and_angular_momentum(name, precision):
 
 
 def test_a_leaping_quadruped_flies_like_a_stone():
-    """Whatever its motors do, p(t) = p(0) + m g t, and momentum about the centre of mass stays."""
+    """Whatever its motors do, p(t) = p(0) + m g t, and the angular momentum about the centre of
+    mass is constant."""
     its = system(kernels("quadruped"), "double")
     times = (0.0, 0.125, 0.25, 0.5)
     asked = [Figure(f"momentum.{i}", str(t), "0") for t in times for i in range(6)]

@@ -98,7 +98,7 @@ def test_only_what_is_within_the_tolerance_snaps():
 
 
 def test_entries_near_one_stay_where_others_stand_beside_them():
-    """A turn by 1e-6 has a cosine within 1e-12 of 1, and is a turn."""
+    """The cosine of 1e-6 is within 1e-12 of 1, but this is a rotation."""
     small = F(1, 10**6)
     cosine = 1 - small**2 / 2
     turn = (cosine, -small, F(0), small, cosine, F(0), F(0), SNAP, 1 - SNAP)

@@ -1,8 +1,8 @@
 """A scene's C and NumPy compute the same numbers, and the right ones.
 
-Where functions round alike the bits are the same; sines, exponentials and the like differ by what
-the libraries do: 4 ulp in NumPy (its worst, in float32), 1 ulp in libm, so that a sum of such terms
-differs by at most (5 + its roundings) ulp of the sum of their absolute values.
+Bits are the same except for elementary functions, whose errors are those of the libraries: 4 ulp in
+NumPy (its worst, in float32) and 1 ulp in libm.  So a sum of such terms differs by at most (5 + the
+number of its roundings) ulp of the sum of their absolute values.
 """
 
 import inspect
@@ -149,7 +149,8 @@ def test_signatures_and_words_are_the_same_in_both(scenes):
 
 
 def test_slider_is_right_in_rationals(scenes):
-    """a = (τ + f) / m with exact numbers; each of at most 5 roundings is of a partial sum."""
+    """a = (τ + f) / m with exact numbers; each of at most 5 rounding errors is one of a partial
+    sum."""
     kernels, _ = scenes["slider"]
     draw = np.random.default_rng(2)
     for _ in range(200):
@@ -192,7 +193,8 @@ def test_errors_of_steps_fall_with_their_order(scenes, step: str, order: int):
 
 
 def test_a_step_of_rk4_on_quaternions_has_order_four(scenes):
-    """Angular momentum of a free body stays put in space; its drift falls as h^4 or faster."""
+    """The angular momentum of a free body is constant in space; its drift falls as h^4 or faster.
+    """
     kernels, _ = scenes["spinner"]
     inertia = np.array([1.0, 2.0, 3.0])
 

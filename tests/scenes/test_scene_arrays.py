@@ -62,7 +62,7 @@ def given_to(outs: tuple[np.ndarray, ...]) -> object:
 
 
 def spread(x: np.ndarray) -> np.ndarray:
-    """The numbers again, backwards and with gaps in memory."""
+    """The same numbers, in reverse order and with gaps in memory."""
     wide = np.zeros([2 * n for n in x.shape], x.dtype)
     view = wide[(..., *(slice(None, None, -2) for _ in x.shape))]
     view[...] = x
@@ -103,7 +103,7 @@ def test_out_may_overlap_inputs(kernels: Kernels, precision: Precision, lead):
             for place, (name, taken) in enumerate(described.inputs):
                 if taken != shape or not shape:
                     continue
-                for shift in (0, 1, -1):  # in numbers: the same place, and half over another
+                for shift in (0, 1, -1):  # in numbers: the same array, or overlapping
                     room = np.zeros(arguments[place].size + 2, precision.numpy_type)
                     put, read = (room[1 + k:len(room) - 1 + k].reshape(arguments[place].shape)
                                  for k in (0, shift))
@@ -158,7 +158,7 @@ def test_wrong_outs_of_steps_are_named(kernels: Kernels):
 
 
 def test_out_is_given_by_name(kernels: Kernels):
-    """An argument too many never becomes the place of a result."""
+    """A surplus argument never becomes the output."""
     with pytest.raises(TypeError, match="positional argument"):
         kernels.double.forward_dynamics(*ARGUMENTS, np.zeros(2))
 
@@ -175,7 +175,7 @@ def test_the_other_precision_and_any_strides_are_read(kernels: Kernels, precisio
 
 
 def test_one_state_in_the_other_precision_needs_no_checks(monkeypatch):
-    """Compiled code converts it, and reads any strides: no Python between."""
+    """Compiled code converts it and reads any strides, without Python code."""
     kernels = kernels_of(slider())
     states = np.arange(40.0).reshape(2, 20)[::-1, ::5]
 

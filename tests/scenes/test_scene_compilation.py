@@ -98,7 +98,7 @@ def _object(case, compiler: str, precision: Precision, folder: Path) -> Path:
 
 
 def _without_others(case, precision: Precision) -> list[str]:
-    """What leaves out the other precision."""
+    """The definition that leaves out the other precision."""
     return [f"-D{case.name.upper()}_NO_{p.name.upper()}" for p in PRECISIONS if p != precision]
 
 
@@ -115,7 +115,7 @@ BUILDS = (*((name, SANITIZERS) for name in COMPILERS if has_sanitizers(name)),
 @pytest.mark.parametrize("compiler, flags", BUILDS, ids=lambda x: x if isinstance(x, str) else x[0])
 def test_outputs_may_overlap_inputs(case, compiler: str, flags: tuple[str, ...],
                                     precision: Precision, tmp_path: Path):
-    """Wherever an output begins in an input the results are those of arrays apart."""
+    """Wherever in an input an output begins, the results are those of separate arrays."""
     written(case, tmp_path)
     source, binary = tmp_path / "overlaps.c", tmp_path / "overlaps"
     source.write_text(_overlaps(case, precision))
@@ -162,7 +162,8 @@ def _calls(case, function: Signature, precision: Precision) -> str:
 
 
 def _overlap(name: str, function: Signature, into: int, output: int, shift: int) -> str:
-    """One call with arrays apart, one with an output `shift` numbers behind an input's start."""
+    """One call with separate arrays, and one with an output that begins `shift` numbers after an
+    input."""
     inputs, outputs = function.inputs, function.outputs
     n, m = count(inputs[into][1]), count(outputs[output][1])
     room, start = max(n, m) + 1, max(0, -shift)

@@ -28,7 +28,7 @@ def right(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
 
 
 def printed(folder: Path, *command: str) -> list[str]:
-    """What the program prints that this command compiles."""
+    """The output of the program that this command compiles."""
     run((*command, scene_bits.source(folder), "-o", folder / "bits", "-lm"))
     return run([folder / "bits"]).splitlines()
 
@@ -47,7 +47,7 @@ def test_bits_are_those_of_the_package(compiler: str, flags: tuple[str, ...], ri
     assert [a for a, b in zip(found, right, strict=True) if a != b] == []
 
 
-# What keeps products from being fused, each with the flags under which nothing else does.
+# The means against fused products, each with flags under which no other means is effective.
 KEEPERS = {
     "gcc's pragma": ("gcc", "#pragma GCC optimize(", "-DKSL_RN(x)=(x)", "-DKSL_RNF(x)=(x)"),
     "clang's pragma": ("clang", "#pragma STDC FP_CONTRACT OFF", "-DKSL_CONTRACT_OFF"),
@@ -58,7 +58,7 @@ KEEPERS = {
 @pytest.mark.skipif(not FMA, reason="nothing fuses here")
 @pytest.mark.parametrize("keeper", [x for x, (name, *_) in KEEPERS.items() if name in COMPILERS])
 def test_a_fused_product_would_be_noticed(keeper: str, right: list[str], tmp_path: Path):
-    """Without what keeps the product from it."""
+    """Without the means against it."""
     compiler, pragma, *flags = KEEPERS[keeper]
     source = scene_bits.source(tmp_path)
     scene = tmp_path / f"{scene_bits.functions().name}.c"

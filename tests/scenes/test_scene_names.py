@@ -25,7 +25,7 @@ SCENES: dict[str, Scene] = {
     "all effects": scene(mechanism(), *effects(*PLACES)), "arm": scene(arm(), *effects(*PLACES))}
 FREE = re.compile(r"(total|solution|speeds|parts|pair_[0-9]+|later|part|[a-z0-9_]+_"
                   rf"({'|'.join(PLACES)}))_[0-9]+")
-"""What belongs to no link: solutions, pairs, effects where they act."""
+"""Names that belong to no link: solutions, pairs, effects."""
 
 
 @pytest.fixture(scope="module", params=SCENES)

@@ -1,4 +1,4 @@
-"""Long functions of scenes in parts: the same bits, no part long, what is common written once."""
+"""Long functions of scenes in parts: the same bits, no long part, shared parts written once."""
 
 import os
 import re
@@ -33,7 +33,7 @@ LENGTHS = (1, 25, 600)
 
 @pytest.fixture
 def in_parts(monkeypatch: pytest.MonkeyPatch):
-    """Makes the targets cut into parts of this length whatever is longer."""
+    """Makes targets cut functions that are longer than this into parts of this length."""
     def short(longest: int) -> None:
         monkeypatch.setattr(scene_c_parts, "LONG", 0)
         monkeypatch.setattr(scene_c_parts, "LONGEST", longest)
@@ -42,7 +42,8 @@ def in_parts(monkeypatch: pytest.MonkeyPatch):
 
 @cache
 def _functions(kind: str) -> SceneFunctions:
-    """Of all kinds of joints and all effects but mimic, or of all effects on an arm."""
+    """The functions of a scene with all kinds of joints and all effects except mimic, or of an arm
+    with all effects."""
     if kind == "mechanism":
         return derive(scene(mechanism(), *effects(*(x for x in PLACES if x != "mimic"))))
     return derive(scene(arm(), *effects(*PLACES)))
@@ -91,8 +92,8 @@ def test_no_part_is_longer_than_asked(longest: int):
 
 
 def test_long_chains_are_linear_in_length():
-    """Each part is as short in a longer chain, and parts, what they hold and what they keep grow
-    with its joints."""
+    """In longer chains parts are as short, and their number, their steps and their kept values grow
+    linearly."""
     found = []
     for joints in (8, 16, 32):
         link = Kind.REVOLUTE, Y, at(0, 0, 1), inertia(1, (0, 1, 2), (3, 4, 5, 0, 0, 0))
@@ -126,7 +127,7 @@ def test_what_programs_share_is_issued_once(monkeypatch: pytest.MonkeyPatch):
 
 
 def test_a_group_that_only_keeps_dissolves():
-    """What is common is one product, and each program goes on from it by itself."""
+    """The programs share one product, and each uses it separately."""
     def program(name: str, op: Op) -> Program:
         steps = (Instruction("x", Op.MUL, (Input(0, 0), Input(0, 1)), "one:x"),
                  Instruction("y", op, (Ref("x"), Input(0, 0)), "one:y"))
@@ -153,7 +154,7 @@ def test_bits_in_c_are_those_of_whole_functions(compiler: str, in_parts, right: 
 
 
 def test_long_scenes_have_no_long_function():
-    """Declarations of each function: those of a part, or as many calls and results as there are."""
+    """Each function has at most the declarations of a part, or else its calls and results."""
     text = scene_c.files(robot(35, 2 * scene_c_parts.LONG), BANNER)["robot.c"]
     bodies = re.findall(r"^(?:ROBOT_PART |static )?void \w+\([^{]*\{\n(.*?)^\}", text, re.S | re.M)
     assert len(bodies) > 2 * 2 * 2 * scene_c_parts.LONG / scene_c_parts.LONGEST

@@ -1,8 +1,8 @@
-"""The proof of the certified tier's bounds, step by step: in toy formats for all numbers there are,
-and its constants in the real formats against the numbers that are worst for them.
+"""The proof of the certified tier's bounds, step by step: for all numbers of toy formats, and its
+constants in the real formats for the worst numbers.
 
-A toy format has so few digits that terms of second order count, and so few exponents that
-everything underflows; all its numbers, and all results on them, are exact in double precision.
+A toy format has so few digits that terms of second order matter, and so few exponents that
+everything underflows; its numbers, and the exact results on them, are doubles.
 """
 
 from collections.abc import Iterator
@@ -31,7 +31,7 @@ def rounded(x: np.ndarray, toy: Format) -> np.ndarray:
 
 
 def numbers(toy: Format) -> np.ndarray:
-    """Zero, all subnormals, all normal numbers of a dozen binades, and their opposites."""
+    """Zero, all subnormal numbers, all normal numbers of a dozen binades, and their negatives."""
     least = 2.0**(toy.least_exponent - toy.digits + 1)
     few = np.arange(2**(toy.digits - 1), 2**toy.digits)
     normal = np.concatenate([np.ldexp(few * 1.0, toy.least_exponent - toy.digits + 1 + binade)
@@ -99,8 +99,8 @@ def test_bounds_hold_for_all_numbers_of_a_toy_format(formula: str, toy: Format):
 
 
 def sizes(C: Fraction, number: Format) -> Iterator[Fraction]:
-    """Significands s of a product with C that is rounded down by nearly half an ulp, the smallest
-    ones, where that is most of it: C s = q 2^n + (2^(n-1) - 1 - few), in integers."""
+    """The smallest significands s whose product with C is rounded down by nearly half an ulp, where
+    its relative error is largest: C s = q 2^n + (2^(n-1) - 1 - few), in integers."""
     c = int(C / _ulp(C, number))
     p = number.digits
     while c % 2 == 0:
@@ -127,7 +127,7 @@ CHAINS, TOY_DIGITS = ("x + a", "x * a", "x * a + b", "(x + a) * (x + b)"), 11
 
 
 def chain(step: str, length: int = 12) -> Program:
-    """x = step of x, again and again from c; each x is a result."""
+    """x = step(x), repeated from c; each x is a result."""
     arguments, steps = tuple(Argument(name, SCALAR) for name in "abc"), []
     a, b, x = (_Recorder(steps, Input(n, 0)) for n in range(3))
     results = []
@@ -140,8 +140,8 @@ def chain(step: str, length: int = 12) -> Program:
 
 @cache
 def constants(number: Format) -> dict[Fraction, Fraction]:
-    """g → C of every result of every certified kernel, g from the roundings as the proof says; in
-    toy formats also of longer and longer sums and products, so that many a g is next to a C."""
+    """g → C of every result of every certified kernel, with g from the roundings by the proof; in
+    toy formats also of longer and longer sums and products, so that g is often next to C."""
     found = {}
     chains = tuple(map(chain, CHAINS)) if number.digits <= TOY_DIGITS else ()
     for plain in (*map(plain_program, TIERED), *chains):

@@ -1,5 +1,4 @@
-"""Every bound that is said to be searched is searched, against what it promises; and the search
-finds what breaks one."""
+"""Every bound that is called searched is searched, and the search finds violations."""
 
 from pathlib import Path
 
@@ -45,7 +44,7 @@ def test_what_is_not_searched_again_has_the_same_bits(name: str, precision: Prec
     ("quaternion_from_mat3x3", SINGLE), ("SE3_exp", DOUBLE), ("euler_xyx_from_mat3x3", SINGLE),
     ("mat3x3_jacobi", DOUBLE)])
 def test_estimates_are_what_is_judged(name: str, precision: Precision, tmp_path: Path):
-    """... and come near the bound in half a second."""
+    """Estimates agree with the judged errors, which come near the bound in half a second."""
     operation = TABLE[name]
     found = after(operation, precision, Found(), 0.5, compiled(operation, precision, tmp_path))
     stated = [error / part.k for error, part in zip(found.errors, parts(operation), strict=True)]
@@ -56,12 +55,12 @@ def test_estimates_are_what_is_judged(name: str, precision: Precision, tmp_path:
 OPPOSITE = """-0x1.6a08d20fa2e5ap-1 0x1.c8791874dfbc1p-8 -0x1.92e2bp-5 -0x1.6a08984955b22p+0
 -0x1.c1008cp-1 -0x1.155afde98c436p-13 0x1.02e1ff60763e1p-15 0x1.c1006016c1d79p-2
 0x1.3e279bf933013p-16"""
-"""Two quaternions at right angles, where either way is as short as the other, to rounding."""
+"""Two quaternions at right angles, where both ways are equally short, except for rounding."""
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_no_estimate_is_larger_than_what_is_judged(name: str, tmp_path: Path):
-    """Or the search would climb to errors that are none, and find no others."""
+    """Otherwise the search would climb to errors that do not exist, and find no others."""
     operation = TABLE[name]
     before = Found(parameters=[OPPOSITE.split()] if name == "quaternion_interpolated" else [])
     found = after(operation, SINGLE, before, 0.5, compiled(operation, SINGLE, tmp_path))

@@ -1,4 +1,5 @@
-"""No error exceeds its bound in any hard case; the search that finds them finds what is broken."""
+"""No error exceeds its bound in any hard case; the search that finds these cases finds broken
+kernels."""
 
 from collections import defaultdict
 from itertools import islice
@@ -109,7 +110,7 @@ def test_a_wrong_line_is_named(tmp_path: Path, old: str, new: str, message: str)
 
 
 def _broken(operation: Operation, precision: Precision, inputs: Arrays) -> Arrays:
-    """dot_vv, but the last product, where it is the largest, loses its last two bits."""
+    """dot_vv whose last product loses its last two bits if it is the largest."""
     a, b = inputs
     with np.errstate(all="ignore"):
         return _blunt(a, b)
@@ -150,7 +151,7 @@ def test_search_finds_the_same_for_the_same_seed(name: str, tmp_path: Path):
 
 
 def test_search_climbs(tmp_path: Path):
-    """Half as far again as where it starts, and nearly to the bound."""
+    """To 1.5 times the error at the start, and nearly to the bound."""
     rounds = search(TABLE["dot_cs"], PRECISIONS[0], "plain", of_tier(tmp_path, "plain", ()), 1)
     found = [f.ratio for f in islice(rounds, 60)]
     assert found == sorted(found) and 0.85 < found[-1] <= 1 and found[0] < found[-1]

@@ -1,4 +1,4 @@
-"""The long attack: what it takes for truth is true, and what is broken does not pass."""
+"""The long attack: its truth is correct, and broken kernels do not pass."""
 
 
 import numpy as np
@@ -44,7 +44,7 @@ def exactly(x: np.longdouble) -> mpq:
 @each_precision
 @operations
 def test_truth_is_enclosed(operation: Operation, precision: Precision):
-    """In a radius far below any bound; S to 2^-50."""
+    """Within a radius far below any bound; S within 2^-50."""
     given = np.concatenate([joined(draw(operation, precision, count, 5)) for draw, count in
                             ((rows, 12), (extreme_rows, 4))])
     given = given[np.isfinite(given).all(axis=1)]
@@ -63,7 +63,7 @@ def test_truth_is_enclosed(operation: Operation, precision: Precision):
 
 
 def nudged(way: Implementation, by: int) -> Implementation:
-    """One result in a thousand off by so many spacings."""
+    """One result in a thousand is off by this many spacings."""
 
     def evaluate(operation: Operation, precision: Precision, inputs: Arrays) -> Arrays:
         results, *rest = way(operation, precision, inputs)

@@ -1,4 +1,4 @@
-"""What the kernels promise in double and single precision: error bounds, exact zeros, norms."""
+"""The kernels' promises in double and single precision: error bounds, exact zeros, norms."""
 
 from fractions import Fraction
 from functools import cache
@@ -90,7 +90,7 @@ def test_error_is_within_bound(operation, precision):
 @each_precision
 @pytest.mark.parametrize("name", ["cross_vv", "cross_ss"])
 def test_bracket_of_equal_arguments_is_positive_zero(name, precision):
-    """… as long as the products of components are finite."""
+    """This holds as long as the products of components are finite."""
     a = finite_squares(inputs_of(TABLE[name], precision, 20_000)[0])
     result = getattr(coscrew, name)(a, a)
     assert len(a) > 5000 and not result.view(f"u{precision.bytes}").any()

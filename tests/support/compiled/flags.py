@@ -19,7 +19,7 @@ def _can(*instructions: str) -> bool:
 FMA = ("-mfma", "-mavx2") if _can("fma", "avx2") else ()
 """Flags that x86 needs for fused instructions; other processors always have them."""
 HASWELL = ("-march=haswell",) if _can("fma", "avx2", "bmi2", "movbe") else ()
-UNHEEDED = "-fassociative-math"  # alone, gcc says so; a pragma may put it in force
+UNHEEDED = "-fassociative-math"  # gcc ignores it alone and says so; a pragma may put it in force
 TUNED = ("-march=sapphirerapids",) if _can("avx512_fp16", "amx_tile") else (
     (*FMA, "-mtune=sapphirerapids") if FMA else ())
 

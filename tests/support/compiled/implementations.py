@@ -50,4 +50,4 @@ def implementations(folder: Path, in_python: Callable[[ModuleType], Implementati
                     ) -> dict[str, Implementation]:
     """One implementation per tier: Python's, or C of those that Python has not."""
     return {tier.name: in_python(import_module(tier.package)) if tier.in_python else
-            compiled(folder, tier.name, COMPILERS[0], ("-O3", "-march=native")) for tier in TIERS}
+            compiled(folder, tier.name, COMPILERS[0], ("-O2", "-march=native")) for tier in TIERS}

@@ -19,10 +19,14 @@ from coscrew_codegen.effects import EFFECTS
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene.model import WORLD, Joint, Kind
 from coscrew_codegen.scene.scene import Applied, Scene
+from coscrew_codegen.scene.selected import jacobians
 from coscrew_codegen.scene_files.urdf import read_urdf
 from coscrew_codegen.scene_functions import SceneFunctions
 from tests.support.scenes.selecting import with_jacobians
 
+COMPARED = ("inverse_dynamics", "forward_dynamics", "mass_matrix", "bias_torques", "energy",
+            "body_poses", "body_twists")
+"""The functions, besides Jacobians, that Pinocchio has as well."""
 FOLDER = Path(sysconfig.get_path("purelib"), "cmeel.prefix/share/example-robot-data/robots")
 
 
@@ -118,9 +122,9 @@ def scene_of(file: str, free: bool = False, mimics: bool = False) -> Scene:
 
 @cache
 def robot(file: str, free: bool, mimics: bool) -> Robot:
-    """The robot in both libraries."""
+    """The robot in both libraries, ours with the functions that Pinocchio has as well."""
     scene = scene_of(file, free, mimics)
-    functions = derive(scene)
+    functions = derive(scene, (*COMPARED, *jacobians(scene)))
     arguments = (_in_full(path_of(file).read_text()),
                  *([pin.JointModelFreeFlyer()] if free else []))
     theirs = pin.buildModelFromXML(*arguments)

@@ -93,57 +93,85 @@ class Worst:
     outputs: int = 0
 
 
-def attack(operation: Operation, precision: Precision, tier: str, inputs: Arrays,
+@dataclass(frozen=True)
+class Row:
+    """All input components of one call, and the exact results, each computed when first needed."""
+
+    operation: Operation
+    given: list[float]
+
+    @functools.cached_property
+    def exact(self) -> list[mpq]:
+        """x of every result."""
+        values = [mpq(x) for x in self.given]
+        return [exact(*values) for exact, _ in exact_functions(self.operation)]
+
+    @functools.cached_property
+    def terms(self) -> list[mpq]:
+        """S of every result."""
+        magnitudes = [abs(mpq(x)) for x in self.given]
+        return [absolute(*magnitudes) for _, absolute in exact_functions(self.operation)]
+
+
+def exact_rows(operation: Operation, inputs: Arrays) -> list[Row]:
+    """The rows of these inputs whose components are all finite; tiers may share them."""
+    flat = np.concatenate([a.reshape(len(a), -1) for a in inputs], axis=1)
+    return [Row(operation, given) for given in flat[np.isfinite(flat).all(axis=1)].tolist()]
+
+
+def attack(operation: Operation, precision: Precision, tier: str, known: Sequence[Row],
            implementation: Implementation) -> Worst:
     """Compare what the implementation returns with the truth, row by row."""
+    flat = np.array([row.given for row in known], precision.numpy_type)
+    edges = np.cumsum([a.quantity.size for a in operation.inputs])[:-1]
+    inputs = tuple(part.reshape(len(known), *a.quantity.shape) for part, a in
+                   zip(np.split(flat, edges, axis=1), operation.inputs, strict=True))
     outputs = implementation(operation, precision, inputs)
-    flat_in, flat_out = (np.concatenate([a.reshape(len(inputs[0]), -1) for a in arrays], axis=1)
-                         for arrays in (inputs, outputs))
+    results = np.concatenate([a.reshape(len(known), -1) for a in outputs], axis=1).tolist()
     worst = Worst()
-    for given, got in zip(flat_in.tolist(), flat_out.tolist(), strict=True):
+    for row, got in zip(known, results, strict=True):
         if tier == "certified":
-            _compare_certified(operation, given, got, worst)
-            continue
-        compare(operation, precision, tier, given, got, worst)
+            _compare_certified(row, got, worst)
+        else:
+            compare(precision, tier, row, got, worst)
     return worst
 
 
-def compare(operation: Operation, precision: Precision, tier: str, given: Sequence[float],
-            got: Sequence[float], worst: Worst) -> None:
-    """One row with the truth, exactly."""
+@functools.cache
+def _factors(operation: Operation, precision: Precision, tier: str) -> list[tuple[mpq, mpq]]:
+    """What |x̂| and S of each result are multiplied by in its bound."""
     u = UNIT[precision.name]
-    values = [mpq(x) for x in given]
-    magnitudes = [abs(x) for x in values]
-    for bound, (exact, absolute), result in zip(bounds(operation, precision, tier),
-                                                exact_functions(operation), got, strict=True):
-        truth = exact(*values)
-        error = abs(mpq(result) - truth)
-        worst.outputs += 1
+    return [(u if bound.rounded else mpq(0),
+             (mpq(bound.c1) * u + mpq(bound.c2) * u * u) * (1 + 1024 * u))
+            for bound in bounds(operation, precision, tier)]
+
+
+def compare(precision: Precision, tier: str, row: Row, got: Sequence[float], worst: Worst) -> None:
+    """One row with the truth, exactly."""
+    worst.outputs += len(got)
+    for number, ((of_result, of_terms), truth, result) in enumerate(zip(
+            _factors(row.operation, precision, tier), row.exact, map(mpq, got), strict=True)):
+        error = abs(result - truth)
         if not error:
             continue
-        terms = absolute(*magnitudes)
-        allowed = ((u * abs(mpq(result)) if bound.rounded else 0)
-                   + (mpq(bound.c1) * u + mpq(bound.c2) * u * u) * terms * (1 + 1024 * u))
+        terms = row.terms[number]
+        allowed = of_result * abs(result) + of_terms * terms
         ratio = float(error / allowed) if allowed else float("inf")
         if ratio > worst.ratio:
-            worst.ratio, worst.witness = ratio, tuple(x.hex() for x in given)
+            worst.ratio, worst.witness = ratio, tuple(x.hex() for x in row.given)
         if terms < CONDITION[precision.name] * abs(truth):
             ulps = float(error / ulp(truth, precision))
             if ulps > worst.ulps:
-                worst.ulps, worst.ulps_witness = ulps, tuple(x.hex() for x in given)
+                worst.ulps, worst.ulps_witness = ulps, tuple(x.hex() for x in row.given)
 
 
-def _compare_certified(operation: Operation, given: Sequence[float], got: Sequence[float],
-                       worst: Worst) -> None:
+def _compare_certified(row: Row, got: Sequence[float], worst: Worst) -> None:
     """`got` holds the results, then their bounds; a bound that is not finite makes no statement."""
-    if not all(map(math.isfinite, given)):
-        return
-    values, half = [mpq(x) for x in given], len(got) // 2
-    for (exact, _), result, bound in zip(exact_functions(operation), got[:half], got[half:],
-                                         strict=True):
+    half = len(got) // 2
+    for truth, result, bound in zip(row.exact, got[:half], got[half:], strict=True):
         if math.isfinite(bound):
             worst.outputs += 1
-            error = abs(mpq(result) - exact(*values))
+            error = abs(mpq(result) - truth)
             ratio = float(error / mpq(bound)) if bound else float("inf") if error else 0.0
             if ratio > worst.ratio:
-                worst.ratio, worst.witness = ratio, tuple(x.hex() for x in given)
+                worst.ratio, worst.witness = ratio, tuple(x.hex() for x in row.given)

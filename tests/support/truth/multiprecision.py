@@ -41,7 +41,7 @@ class Rules:
 
     def literal(self, text: str) -> "Number":
         """The number in this precision that the text denotes."""
-        return self.number(float(np.dtype(self.precision.numpy_type).type(text)))
+        return self.number(_literal(self.precision, text))
 
     def constant(self, value: sp.Rational) -> "Number":
         if self.exact:
@@ -80,6 +80,11 @@ class Rules:
 
     def root(self, x: mp.mpf) -> mp.mpf:
         return self.rounded(mp.sqrt, x) if x >= 0 else mp.nan
+
+
+@cache
+def _literal(precision: Precision, text: str) -> mp.mpf:
+    return mp.mpf(float(np.dtype(precision.numpy_type).type(text)))
 
 
 @cache
