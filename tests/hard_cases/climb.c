@@ -195,12 +195,15 @@ static void climb(int group) {
 
 int main(int count, char **words) {
   const double seconds = atof(words[2]);
+  const int rounds = atoi(words[3]) > GROUPS ? atoi(words[3]) : GROUPS;
   state = strtoull(words[1], NULL, 10);
-  for (int g = 0, w = 3; g < GROUPS && w + PARAMETERS <= count; g++, w += PARAMETERS) {
+  for (int g = 0, w = 4; g < GROUPS && w + PARAMETERS <= count; g++, w += PARAMETERS) {
     for (int i = 0; i < PARAMETERS; i++) { champion[g][i] = strtod(words[w + i], NULL); }
     best[g] = error_of(champion[g], g);
   }
-  for (int n = 0; n < GROUPS || (double)clock() / CLOCKS_PER_SEC < seconds; n++) { climb(n % GROUPS); }
+  for (int n = 0; n < rounds || (double)clock() / CLOCKS_PER_SEC < seconds; n++) {
+    climb(n % GROUPS);
+  }
   for (int g = 0; g < GROUPS; g++) {
     printf("%.6f", error_of(champion[g], g));
     for (int i = 0; i < PARAMETERS; i++) { printf(" %a", champion[g][i]); }

@@ -82,11 +82,11 @@ def climb(operation: Operation, precision: Precision, seconds: float) -> Iterato
 
 
 def after(operation: Operation, precision: Precision, before: Found, length: float,
-          program: Path) -> Found:
-    """The results after this many more seconds."""
+          program: Path, rounds: int = 0) -> Found:
+    """The results after this many more seconds, and at least so many climbs."""
     earlier = [x for row in before.parameters for x in row]
-    text = subprocess.run([program, str(before.slices + 1), str(length), *earlier], check=True,
-                          capture_output=True, text=True).stdout
+    text = subprocess.run([program, str(before.slices + 1), str(length), str(rounds), *earlier],
+                          check=True, capture_output=True, text=True).stdout
     found = Found(before.kernel, before.seconds + length, before.slices + 1,
                   broken=before.broken)
     given, free = sum(a.quantity.size for a in operation.inputs), parameters(operation)

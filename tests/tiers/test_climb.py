@@ -15,6 +15,8 @@ from tests.search import split
 from tests.support.domains import domains
 from tests.support.each import each_precision
 
+ROUNDS = 20
+"""Climbs of a search: as many on every machine."""
 EVALUATE = "static void evaluate(const REAL *x, REAL *y) {"
 
 
@@ -44,9 +46,9 @@ def test_what_is_not_searched_again_has_the_same_bits(name: str, precision: Prec
     ("quaternion_from_mat3x3", SINGLE), ("SE3_exp", DOUBLE), ("euler_xyx_from_mat3x3", SINGLE),
     ("mat3x3_jacobi", DOUBLE)])
 def test_estimates_are_what_is_judged(name: str, precision: Precision, tmp_path: Path):
-    """Estimates agree with the judged errors, which come near the bound in half a second."""
+    """Estimates agree with the judged errors, which come near the bound in a few climbs."""
     operation = TABLE[name]
-    found = after(operation, precision, Found(), 0.5, compiled(operation, precision, tmp_path))
+    found = after(operation, precision, Found(), 0, compiled(operation, precision, tmp_path), ROUNDS)
     stated = [error / part.k for error, part in zip(found.errors, parts(operation), strict=True)]
     assert found.of_bound == pytest.approx(stated, rel=0.02)
     assert all(0.4 < ratio <= 1 for ratio in found.of_bound) and not found.broken
@@ -60,12 +62,13 @@ OPPOSITE = """-0x1.6a08d20fa2e5ap-1 0x1.c8791874dfbc1p-8 -0x1.92e2bp-5 -0x1.6a08
 
 @pytest.mark.parametrize("name", NAMES)
 def test_no_estimate_is_larger_than_what_is_judged(name: str, tmp_path: Path):
-    """Otherwise the search would climb to errors that do not exist, and find no others."""
+    """Otherwise the search would climb to errors that do not exist, and find no others.  By one u it
+    may be: what is judged allows for the errors of given rotations."""
     operation = TABLE[name]
     before = Found(parameters=[OPPOSITE.split()] if name == "quaternion_interpolated" else [])
-    found = after(operation, SINGLE, before, 0.5, compiled(operation, SINGLE, tmp_path))
+    found = after(operation, SINGLE, before, 0, compiled(operation, SINGLE, tmp_path), ROUNDS)
     for error, part, ratio in zip(found.errors, parts(operation), found.of_bound, strict=True):
-        assert error / part.k <= 1.02 * ratio
+        assert error <= 1.02 * ratio * part.k + 1
 
 
 @pytest.mark.parametrize("spoil, is_seen", [
@@ -83,7 +86,7 @@ def test_what_is_broken_is_found(spoil: str, is_seen, tmp_path: Path,
         return f"{before}{mark}{body}\n  {spoil}{end}{rest}"
 
     monkeypatch.setattr(climb, "text_of", spoiled)
-    found = after(operation, SINGLE, Found(), 0.2, compiled(operation, SINGLE, tmp_path))
+    found = after(operation, SINGLE, Found(), 0, compiled(operation, SINGLE, tmp_path), ROUNDS)
     assert is_seen(found) and found.worst > 1
 
 
