@@ -1,6 +1,7 @@
 """The version, which is defined in pyproject.toml only; read from the installed metadata."""
 
 import re
+from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 from shutil import which
@@ -22,6 +23,7 @@ def number() -> int:
     return 10000 * major + 100 * minor + patch
 
 
+@cache
 def described() -> str:
     """The distribution's version and, in a git working tree, the commit."""
     told = run(["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty"],

@@ -185,9 +185,14 @@ def generator() -> str:
 def sources() -> dict[str, bytes]:
     """The generator's current sources and templates, by path."""
     roots = {"codegen": Path(__file__).resolve().parents[1], "templates": _templates()}
-    return {f"{name}/{path.relative_to(root).as_posix()}": path.read_bytes()
-            for name, root in roots.items() for path in sorted(root.rglob("*"))
-            if path.suffix in (".py", ".jinja")}
+    found = {}
+    for name, root in roots.items():
+        for folder, _, files in os.walk(root):
+            inner = folder[len(str(root)):].replace(os.sep, "/")
+            for file in files:
+                if file.endswith((".py", ".jinja")):
+                    found[f"{name}{inner}/{file}"] = Path(folder, file).read_bytes()
+    return found
 
 
 def digest(contents: Mapping[str, bytes]) -> str:

@@ -24,6 +24,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 def run(options: argparse.Namespace) -> int:
     """Check the scene; returns the exit status: 0, or 1 if an expectation is not met, a run stops
     early, or energy or momentum is not kept (with --strict, within narrower limits)."""
+    from coscrew_codegen.simulate import native
+
+    native.ask()
     from coscrew_codegen.simulate import check, needs, outcome, verdict
     from coscrew_codegen.simulate.load import kernels_for
 

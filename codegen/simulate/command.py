@@ -99,6 +99,9 @@ def _setting(text: str) -> tuple[str, float]:
 def run(options: argparse.Namespace) -> int:
     """Simulate the scene; returns the exit status: 0, 1 if a run stopped early, 130 if it was
     interrupted."""
+    from coscrew_codegen.simulate import native
+
+    native.ask()
     from coscrew_codegen.simulate import needs, outcome, write
     from coscrew_codegen.simulate.load import BOTH, kernels_for
 

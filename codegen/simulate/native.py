@@ -3,6 +3,7 @@
 Knows nothing of scenes.
 """
 
+import atexit
 import ctypes
 import functools
 import os
@@ -45,28 +46,53 @@ class Compiler:
 def compiler() -> Compiler:
     """$CC, or else clang, gcc or cc: clang compiles long straight-line functions in a third of
     gcc's time.  Raises CompilationError."""
-    wanted = os.environ.get("CC", "").strip()
-    names = [wanted] if wanted else ["clang", "gcc", "cc"]
-    for name in names:
+    for name in _names():
         if found := _compiler(tuple(shlex.split(name)), os.environ.get("PATH", "")):
             return found
-    raise CompilationError(f"no C compiler: {', '.join(names)} cannot be run")
+    raise CompilationError(f"no C compiler: {', '.join(_names())} cannot be run")
+
+
+def ask() -> None:
+    """Start asking a compiler for its version, for which `compiler` waits: until then a command
+    imports what it needs."""
+    for name in _names():
+        if _asked(tuple(shlex.split(name)), os.environ.get("PATH", "")):
+            return
+
+
+def _names() -> list[str]:
+    wanted = os.environ.get("CC", "").strip()
+    return [wanted] if wanted else ["clang", "gcc", "cc"]
+
+
+@functools.cache
+def _asked(command: tuple[str, ...], path: str) -> "subprocess.Popen[str] | None":
+    if which(command[0], path=path) is None:
+        return None
+    try:
+        process = subprocess.Popen([*command, "--version"], stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+                                   errors="replace")
+    except OSError:
+        return None
+    atexit.register(process.__exit__, None, None, None)  # also if nobody reads the answer
+    return process
 
 
 @functools.cache
 def _compiler(command: tuple[str, ...], path: str) -> Compiler | None:
-    if which(command[0], path=path) is None:
+    process = _asked(command, path)
+    if not process:
         return None
     try:
-        done = subprocess.run([*command, "--version"], capture_output=True, text=True,
-                              errors="replace", timeout=60)
-    except (OSError, subprocess.SubprocessError):
+        told, _ = process.communicate(timeout=60)
+    except subprocess.SubprocessError:
+        process.kill()
         return None
-    if done.returncode or not done.stdout.strip():
+    if process.returncode or not told.strip():
         return None
-    version = done.stdout.partition("\n")[0].strip()
-    level = next(flags for words, flags in _LEVELS.items() if words in done.stdout)
-    return Compiler(command, version, (*level, *_FLAGS))
+    level = next(flags for words, flags in _LEVELS.items() if words in told)
+    return Compiler(command, told.partition("\n")[0].strip(), (*level, *_FLAGS))
 
 
 @dataclass(frozen=True)
