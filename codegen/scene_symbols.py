@@ -21,10 +21,13 @@ SYMBOLS: dict[tuple[str, ...], str] = {
     ("I",): "inertia of the joint alone, such as gear^2 rotor of an armature",
     ("f", "m"): "net force and moment about the origin, less those of effects",
     ("fj", "mj"): "force and moment about the origin that the joint transmits",
-    ("fp", "mp"): "the same in the parent's frame, about its origin",
+    ("fp", "mp"): "fj and mj, fB and mB, or pj and Lj, in the parent's frame, about its origin",
     ("fA", "mA"): "f and m, with fp and mp of the links beyond, whose joints move freely",
+    ("fB", "mB"): "fA and mA with the part of u: what the joint transmits less A times the link's "
+                  "acceleration",
     ("tau",): "force or torque along the joint's axis; after an effect's name, the effect's",
     ("p", "L"): "momentum and angular momentum about the origin",
+    ("pj", "Lj"): "the same of the link and all links beyond it",
     ("T", "V"): "kinetic and potential energy",
     ("C", "Cm", "Ch", "CI"): "composite inertia of the link and all links beyond it",
     ("Cp", "Cpm", "Cph", "CpI"): "the same in the parent's frame",
@@ -78,10 +81,10 @@ def reading(name: str) -> tuple[str, str, str, str]:
 
 
 def _marks(marks: set[str]) -> Iterator[str]:
-    yield ("Names consist of the symbol of a quantity, the number of its link, which headings name, "
-           "and a component: w3x is w of link 3 along x.  Vectors are in the link's frame, about its origin, unless "
-           "stated otherwise.")
-    words = {"sign": "w3xn is -w3x", "number": "w3xv2 another value of it",
+    yield ("Names consist of the symbol of a quantity, the number of its link, which headings "
+           "name, and a component: w3x is w of link 3 along x.  Vectors are in the link's frame, "
+           "about its origin, unless stated otherwise; intermediate results are in any frame.")
+    words = {"sign": "w3xn is -w3x", "number": "w3xv2 another value of it, such as a longer sum",
              "step": "w3x_1 an intermediate result for it, w3_1 one for several components"}
     if said := [words[x] for x in words if x in marks]:
         yield "; ".join(said) + "."

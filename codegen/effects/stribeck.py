@@ -16,7 +16,7 @@ EFFECT = Effect(
     "stribeck", "dry friction that falls from tau_s near rest to tau_c; creeps at rest as coulomb",
     "tau = -[tau_c + (tau_s - tau_c) exp(-(v/v_s)^2)] tanh(v/eps)", Place.JOINT,
     (ParameterOf("tau_c", "N m or N", "friction at high speed", model="friction", nonnegative=True),
-     ParameterOf("tau_s", "N m or N", "friction at break-away, at least tau_c", nonnegative=True),
+     ParameterOf("tau_s", "N m or N", "friction at break-away", nonnegative=True),
      ParameterOf("v_s", "rad/s or m/s", "speed over which friction falls", positive=True),
      ParameterOf("eps", "rad/s or m/s", "speed at which friction has 76 % of its value; well below "
                  "v_s", positive=True)),

@@ -167,11 +167,11 @@ def _add_to_parent(motion: Motion, number: int, joint: Freed, rest: Sequence[Num
     with motion.part(parent, "A"):
         body[parent] = body[parent].plus(beyond)
         body[parent].label(motion, "A")
-    with motion.part(number, "fj"):
+    with motion.part(number, "fB"):
         transmitted = wrench[number]
         for w, r in zip(joint.W, rest, strict=True):
             transmitted = tuple(x + y * r for x, y in zip(transmitted, w, strict=True))
-        inverse.label(motion, "fj", "mj", transmitted)
+        inverse.label(motion, "fB", "mB", transmitted)
     in_parent = to_parent(motion, number, transmitted)
     with motion.part(parent, "fA"):
         wrench[parent] = add(wrench[parent], in_parent)

@@ -42,7 +42,7 @@ def momenta(x: Recording, motion: Motion) -> list[inverse.Wrench]:
             own = x.recorder.call("product_Bs", rigid.numbers, motion.twist(number))
             inverse.label(motion, "p", "L", own)
             found.append(own)
-    return inverse.transmitted(motion, found)
+    return inverse.transmitted(motion, found, ("pj", "Lj"))
 
 
 def momentum(x: Recording, motion: Motion) -> tuple[Number, ...]:

@@ -40,16 +40,17 @@ def label(motion: Motion, force: str, moment: str, wrench: Wrench) -> None:
     motion.recorder.label(moment, angular(wrench))
 
 
-def transmitted(motion: Motion, wrenches: Sequence[Wrench]) -> list[Wrench]:
+def transmitted(motion: Motion, wrenches: Sequence[Wrench],
+                symbols: tuple[str, str] = ("fj", "mj")) -> list[Wrench]:
     """The wrench that each joint transmits: the sum for its link and all beyond, in its frame."""
     total = list(wrenches)
     for number in reversed(range(len(total))):
         parent = motion.tree.links[number].parent
         if parent >= 0:
             in_parent = to_parent(motion, number, total[number])
-            with motion.part(parent, "fj"):
+            with motion.part(parent, symbols[0]):
                 total[parent] = add(total[parent], in_parent)
-                label(motion, "fj", "mj", total[parent])
+                label(motion, *symbols, total[parent])
     return total
 
 

@@ -96,7 +96,7 @@ def found(key: str, suffix: str) -> Path | None:
             if hashed(path.read_bytes()) == path.name.removesuffix(suffix).rpartition("-")[2]:
                 os.utime(path)
                 return path
-        _remove(path)
+        _removed(path)
     return None
 
 
@@ -149,25 +149,26 @@ def entries() -> list[Entry]:
 
 def evict(most: int, kept: Path | None = None) -> list[Entry]:
     """Remove the least recently used entries, except `kept`, until the rest takes at most `most`
-    bytes; returns the removed ones."""
+    bytes; returns the removed ones.  Entries that cannot be removed stay."""
     all_of_them = entries()
     total, gone = sum(x.size for x in all_of_them), []
     for entry in all_of_them:
         if total <= most:
             break
-        if entry.path != kept:
-            _remove(entry.path)
+        if entry.path != kept and _removed(entry.path):
             total -= entry.size
             gone.append(entry)
     return gone
 
 
-def _remove(path: Path) -> None:
+def _removed(path: Path) -> bool:
+    """Whether nothing is left of the path."""
     if path.is_dir():
         shutil.rmtree(path, ignore_errors=True)
     else:
         with suppress(OSError):
             path.unlink()
+    return not path.exists()
 
 
 def _size(path: Path) -> int:

@@ -1,6 +1,7 @@
 """`coscrew cache`: shows the cache of scenes and of the library, or empties it."""
 
 import argparse
+import sys
 
 from coscrew_codegen.native import cache
 
@@ -23,7 +24,10 @@ def run(options: argparse.Namespace) -> int:
     if options.clear:
         gone = cache.evict(-1)
         print(f"{len(gone)} entries, {shown(sum(x.size for x in gone))}, are gone")
-        return 0
+        if left := len(cache.entries()):
+            print(f"coscrew: {left} entries of {cache.wanted_folder()} cannot be removed",
+                  file=sys.stderr)
+        return 1 if left else 0
     entries = cache.entries()
     print(f"folder   {cache.wanted_folder()}\n"
           f"entries  {len(entries)}\n"

@@ -115,15 +115,20 @@ def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
     target, index = ("", "") if text == quantity else _target(text, rest, "joint", names)
     if target in follow:
         raise QuantityError(f"{text!r}: joint {target!r} follows another; it has no coordinates")
-    places, columns, units = [], [], []
+    places, columns, units, owners = [], [], [], dict[str, str]()
     for joint, q, v in joints:
+        all_units = _UNITS[quantity][joint.kind.value]
+        all_columns = [f"{quantity}.{joint.name}" + ("" if len(all_units) == 1 else f".{i}")
+                       for i in range(len(all_units))]
+        for column in all_columns:
+            if owners.setdefault(column, joint.name) != joint.name:
+                raise QuantityError(f"{column!r} is a component of the joint {owners[column]!r} or "
+                                    f"of the joint {joint.name!r}; rename one")
         if target in ("", joint.name):
-            all_units = _UNITS[quantity][joint.kind.value]
             picked = _picked(text, index, len(all_units), ())
             places += [(q if quantity == "q" else v)[i] for i in picked]
             units += [all_units[i] for i in picked]
-            single = len(all_units) == 1
-            columns += [f"{quantity}.{joint.name}" + ("" if single else f".{i}") for i in picked]
+            columns += [all_columns[i] for i in picked]
     return Recorded(text, quantity, target, tuple(places), tuple(columns), tuple(units))
 
 

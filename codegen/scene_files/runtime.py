@@ -35,6 +35,10 @@ def with_parameters(file: Table, model: Model, effects: tuple[Applied, ...],
     for name in names:
         called = _by_letter(name)
         found = [key for key in numbers if key in (name, called) or _vector(key) == name]
+        if name in found and len(found) > 1:
+            component = next(key for key in found if key != name)
+            file.refuse("runtime", f"{name!r} is a number, and the vector of {component!r}, too; "
+                        "rename one")
         if not found:
             if name in others:
                 file.refuse("runtime", f"{name!r} is {others[name]}; wanted a number")

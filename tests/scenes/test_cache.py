@@ -237,6 +237,20 @@ def test_the_command_shows_and_empties(path: Path, folder: Path, capsys):
     assert list(folder.iterdir()) == []
 
 
+def test_entries_that_cannot_be_removed_are_told(path: Path, folder: Path, capsys,
+                                                 monkeypatch: pytest.MonkeyPatch):
+    def refused(path: Path) -> None:
+        raise PermissionError(13, "Permission denied", str(path))
+
+    calls._checks.cache_clear()
+    energy(path)
+    monkeypatch.setattr(Path, "unlink", refused)
+    assert main(["cache", "--clear"]) == 1
+    out, err = capsys.readouterr()
+    assert "0 entries, 0 bytes, are gone" in out
+    assert err == f"coscrew: 3 entries of {folder} cannot be removed\n"
+
+
 def test_what_is_found_imports_neither_sympy_nor_scipy(path: Path):
     """Nor what derives, prints and plots: that takes longer than most runs."""
     program = ("import sys\nfrom coscrew_codegen.__main__ import main\n"

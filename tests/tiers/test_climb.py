@@ -48,7 +48,8 @@ def test_what_is_not_searched_again_has_the_same_bits(name: str, precision: Prec
 def test_estimates_are_what_is_judged(name: str, precision: Precision, tmp_path: Path):
     """Estimates agree with the judged errors, which come near the bound in a few climbs."""
     operation = TABLE[name]
-    found = after(operation, precision, Found(), 0, compiled(operation, precision, tmp_path), ROUNDS)
+    program = compiled(operation, precision, tmp_path)
+    found = after(operation, precision, Found(), 0, program, ROUNDS)
     stated = [error / part.k for error, part in zip(found.errors, parts(operation), strict=True)]
     assert found.of_bound == pytest.approx(stated, rel=0.02)
     assert all(0.4 < ratio <= 1 for ratio in found.of_bound) and not found.broken
@@ -62,8 +63,8 @@ OPPOSITE = """-0x1.6a08d20fa2e5ap-1 0x1.c8791874dfbc1p-8 -0x1.92e2bp-5 -0x1.6a08
 
 @pytest.mark.parametrize("name", NAMES)
 def test_no_estimate_is_larger_than_what_is_judged(name: str, tmp_path: Path):
-    """Otherwise the search would climb to errors that do not exist, and find no others.  By one u it
-    may be: what is judged allows for the errors of given rotations."""
+    """Otherwise the search would climb to errors that do not exist, and find no others.  By one u
+    it may be: what is judged allows for the errors of given rotations."""
     operation = TABLE[name]
     before = Found(parameters=[OPPOSITE.split()] if name == "quaternion_interpolated" else [])
     found = after(operation, SINGLE, before, 0, compiled(operation, SINGLE, tmp_path), ROUNDS)

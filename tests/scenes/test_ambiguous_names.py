@@ -1,0 +1,57 @@
+"""Names that can be read in two ways are refused, with both readings."""
+
+from pathlib import Path
+
+import pytest
+
+from coscrew_codegen.scene.recorded import QuantityError, recorded
+from coscrew_codegen.scene_files.errors import SceneError
+from coscrew_codegen.scene_files.toml_scene import read_scene
+
+BESIDE = """
+[bodies]
+a = { mass = 1, inertia = [1, 1, 1] }
+b = { mass = 1, inertia = [1, 1, 1] }
+[joints]
+j = { type = "spherical", child = "a" }
+"j.0" = { type = "continuous", parent = "a", child = "b", axis = [0, 0, 1] }
+"""
+"""A joint that is called as a component of another."""
+
+ARMATURE = """
+runtime = ["armature.j.inertia"]
+[bodies]
+"armature.j" = { mass = 1, inertia = [1, 1, 1] }
+[joints]
+j = { type = "continuous", child = "armature.j", axis = [0, 0, 1] }
+[effects.armature.j]
+inertia = 0.1
+"""
+"""A body's moments of inertia that are called as a number of an effect."""
+
+
+def refused(tmp_path: Path, text: str) -> str:
+    path = tmp_path / "scene.toml"
+    path.write_text(text)
+    with pytest.raises(SceneError) as caught:
+        read_scene(path)
+    return str(caught.value)
+
+
+@pytest.mark.parametrize("quantity", ("q", "v", "a"))
+def test_columns_of_two_joints_have_different_names(tmp_path: Path, quantity: str):
+    both = f"'{quantity}.j.0' is a component of the joint 'j' or of the joint 'j.0'; rename one"
+    for text in (quantity, f"{quantity}.j", f"{quantity}.j.0"):
+        assert both in refused(tmp_path, f'{BESIDE}[outputs]\nrecord = ["{text}"]\n')
+
+
+def test_scenes_that_record_nothing_of_them_are_read(tmp_path: Path):
+    path = tmp_path / "scene.toml"
+    path.write_text(f'{BESIDE}[outputs]\nrecord = ["energy"]\n')
+    with pytest.raises(QuantityError):
+        recorded("q", read_scene(path))
+
+
+def test_numbers_of_bodies_and_effects_have_different_names(tmp_path: Path):
+    assert ("'armature.j.inertia' is a number, and the vector of 'armature.j.inertia.xx', too; "
+            "rename one") in refused(tmp_path, ARMATURE)
