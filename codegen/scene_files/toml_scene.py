@@ -59,9 +59,10 @@ def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
         from coscrew_codegen.scene_files.urdf import read_urdf
         model = read_urdf(path, implausible=implausible)
         _refuse_unmoved(path, model, Scene(path.stem, model))
-        return _selecting(Scene(identifier(path.stem), model, unused=unused(model, set(), effects),
-                             implausible=implausible, precision=overrides.precision or "double",
-                             precisions=_emitted(overrides.precision)), overrides.functions or ())
+        scene = Scene(identifier(path.stem), model, unused=unused(model, set(), effects),
+                      implausible=implausible, precision=overrides.precision or "double",
+                      precisions=_emitted(overrides.precision))
+        return _selecting(scene, overrides.functions or ())
     if suffix != ".toml":
         raise SceneError(path, "", f"suffix {shown(path.suffix)}; wanted a .toml or .urdf file")
     return _scene(read_toml(path), effects, overrides)
