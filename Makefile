@@ -68,11 +68,11 @@ $(VENV)/test-ready: $(VENV)/ready
 
 # The tests use generated/ as it is; so `check` fails first if that is not up to date.
 test: $(VENV)/test-ready check build
-	$(PYTHON) -m pytest -n auto --dist loadfile
+	$(PYTHON) -m pytest -n auto --dist loadfile --no-loadscope-reorder
 
 # For the working day, in a minute and a half: without slow tests, and with samples of large ones.
 test-quick: $(VENV)/test-ready
-	$(PYTHON) -m pytest -n auto --dist loadfile --quick
+	$(PYTHON) -m pytest -n auto --dist loadfile --no-loadscope-reorder --quick
 
 bench: $(VENV)/test-ready build
 	$(PYTHON) -m tests.benchmarks

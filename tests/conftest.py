@@ -93,6 +93,8 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Slow files first, so that at the end no processor waits for another; a few parameters."""
+    items.sort(key=lambda item: item.path.stem not in LONG)
     if not config.getoption("--quick"):
         return
     each: dict[str, list[pytest.Item]] = {}

@@ -17,12 +17,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen import load_scene
 from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.system import system
 from tests.references.figures import Figure
 from tests.support.scenes import runs
-from tests.support.scenes.selecting import STEPPED
+from tests.support.scenes.selecting import checked
 
 mujoco = pytest.importorskip("mujoco", reason="no wheel for this platform")
 
@@ -136,7 +135,7 @@ def folder(tmp_path_factory) -> Path:
 def ours(name: str, folder: Path) -> Kernels:
     path = folder / f"{name}.toml"
     path.write_text(toml(links(name), name))
-    return load_scene(path, functions=STEPPED)
+    return checked(path, "rk4", others=("bias_torques",), precisions=("double",))
 
 
 @cache
