@@ -39,7 +39,7 @@ SYMBOLS: dict[tuple[str, ...], str] = {
     ("S", "Sl", "Sa"): "articulated inertia times the joint's axes (linear; angular)",
     ("D",): "inertia along the joint's axes; of several axes, L D L^T",
     ("Di",): "1 / D",
-    ("K", "Kl", "Ka"): "S / D (linear; angular)",
+    ("K", "Kl", "Ka"): "articulated inertia times the joint's axes, over D (linear; angular)",
     ("u",): "torque that accelerates the joint: along its axis, less the transmitted wrench",
     ("qdd",): "acceleration of the joint",
     ("al", "aa"): "acceleration (linear, angular) due to the joints' accelerations",
@@ -83,7 +83,8 @@ def reading(name: str) -> tuple[str, str, str, str]:
 def _marks(marks: set[str]) -> Iterator[str]:
     yield ("Names consist of the symbol of a quantity, the number of its link, which headings "
            "name, and a component: w3x is w of link 3 along x.  Vectors are in the link's frame, "
-           "about its origin, unless stated otherwise; intermediate results are in any frame.")
+           "about its origin, unless stated otherwise; intermediate results are in any frame.  "
+           "Equal values have one name.  Names without a link's number, as in a[0], are arguments.")
     words = {"sign": "w3xn is -w3x", "number": "w3xv2 another value of it, such as a longer sum",
              "step": "w3x_1 an intermediate result for it, w3_1 one for several components"}
     if said := [words[x] for x in words if x in marks]:

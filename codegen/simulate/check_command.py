@@ -35,5 +35,5 @@ def run(options: argparse.Namespace) -> int:
     findings = check.check(kernels, outcome.RunOverrides(
         options.until, options.step, options.integrator, options.precision,
         tuple(options.settings)))
-    print(verdict.table(findings))
+    print(verdict.table(findings, options.strict))
     return 0 if (findings.strictly_passed if options.strict else findings.passed) else 1

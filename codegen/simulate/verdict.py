@@ -5,14 +5,22 @@ import math
 from tabulate import tabulate
 
 from coscrew_codegen.integrators import DEFAULT
-from coscrew_codegen.simulate.findings import ALLOWED, FINER, FINEST, Along, Findings, Met
+from coscrew_codegen.simulate.findings import (
+    ALLOWED,
+    FINER,
+    FINEST,
+    STRICTLY,
+    Along,
+    Findings,
+    Met,
+)
 from coscrew_codegen.simulate.outcome import gaps
 
 _LEAST = 0.5  # least order on which a proposed step is based
 
 
-def table(findings: Findings) -> str:
-    """The findings as text."""
+def table(findings: Findings, strict: bool = False) -> str:
+    """The findings as text; with what fails `strict` alone, if that is given."""
     parts = [_expectations(findings.met)] if findings.met else []
     parts += [_checks(findings.along)]
     parts += [gaps(findings.apart)] if findings.apart else []
@@ -20,7 +28,15 @@ def table(findings: Findings) -> str:
     parts += [f"{x.precision}: {x.stopped}" for x in findings.along if x.stopped]
     parts += [f"FALSE: {x.precision}: {_false(x)}" for x in findings.along
               if not (x.true or x.stopped)]
+    parts += [f"FALSE with --strict: {x.precision}: {_strictly_false(x)}" for x in findings.along
+              if strict and x.true and not (x.strictly_true or x.stopped)]
     return "\n\n".join(parts)
+
+
+def _strictly_false(along: Along) -> str:
+    if along.doubtful:
+        return "smaller steps do not reduce the error of energy; it is not rounding"
+    return f"energy is off by {along.coarse.relative:.2g}, allowed is {STRICTLY:g} if not rounding"
 
 
 def _expectations(met: tuple[Met, ...]) -> str:

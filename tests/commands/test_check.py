@@ -313,7 +313,8 @@ def test_single_precision_is_not_excused_as_rounding(tmp_path, capsys):
     assert said.count("the integrator's, of order") == 2 and "rounding" not in said
     for precision in ("both", "single"):
         which = () if precision == "both" else ("--precision", precision)
-        assert told(path, capsys, "check", NUT, *words, *which, "--strict")[0] == 1
+        status, said = told(path, capsys, "check", NUT, *words, *which, "--strict")
+        assert status == 1 and "FALSE with --strict: single: energy is off by" in said
 
 
 def test_work_within_steps_counts(tmp_path, capsys):

@@ -96,6 +96,7 @@ def test_the_scene_of_the_readme_runs_as_it_stands(tmp_path, capsys):
     (tmp_path / "arm.toml").write_text(scene, encoding="utf-8")
     assert main(["simulate", str(tmp_path / "arm.toml")]) == 0
     assert "q.elbow" in capsys.readouterr().out
+    assert main(["check", str(tmp_path / "arm.toml")]) == 0
 
 
 def test_shell_snippets_run(tmp_path, monkeypatch, capsys):
