@@ -84,7 +84,7 @@ def _marks(marks: set[str]) -> Iterator[str]:
     yield ("Names consist of the symbol of a quantity, the number of its link, which headings "
            "name, and a component: w3x is w of link 3 along x.  Vectors are in the link's frame, "
            "about its origin, unless stated otherwise; intermediate results are in any frame.  "
-           "Equal values have one name.  Names without a link's number, as in a[0], are arguments.")
+           "Equal values have one name.  a[0] is an element of the argument a.")
     words = {"sign": "w3xn is -w3x", "number": "w3xv2 another value of it, such as a longer sum",
              "step": "w3x_1 an intermediate result for it, w3_1 one for several components"}
     if said := [words[x] for x in words if x in marks]:

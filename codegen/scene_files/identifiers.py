@@ -37,6 +37,8 @@ def refused(name: str) -> str | None:
         return f"is longer than {_LONGEST} characters"
     if name in _TAKEN or name.lower() in _HEADERS:
         return "is a word of C or Python, or one of their headers or modules"
+    if re.match("(ksl|coscrew)(_|$)", name.lower()):
+        return "begins as the names of the library's headers and macros do"
     return None
 
 

@@ -101,9 +101,6 @@ def check_names(scene: SceneFunctions) -> None:
     name = scene.name
     if not (name.isascii() and name.isidentifier()) or keyword.iskeyword(name):
         raise ValueError(f"scene {name!r}: a name that C and Python can import is wanted")
-    if re.match("(ksl|coscrew)(_|$)", name):
-        raise ValueError(f"scene {name!r}: names of the library's headers begin so; another name "
-                         "is wanted")
     for function in scene.functions:
         _check(function)
 

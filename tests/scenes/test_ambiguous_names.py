@@ -55,3 +55,12 @@ def test_scenes_that_record_nothing_of_them_are_read(tmp_path: Path):
 def test_numbers_of_bodies_and_effects_have_different_names(tmp_path: Path):
     assert ("'armature.j.inertia' is a number, and the vector of 'armature.j.inertia.xx', too; "
             "rename one") in refused(tmp_path, ARMATURE)
+
+
+@pytest.mark.parametrize("name", ("ksl", "KSL_exact", "coscrew_arm"))
+def test_scenes_are_not_called_as_the_librarys_headers(tmp_path: Path, name: str):
+    assert f"{name!r} begins as the names of the library's headers and macros do; wanted" in \
+        refused(tmp_path, f'name = "{name}"\n{BESIDE}')
+    path = tmp_path / f"{name}.toml"
+    path.write_text(f'{BESIDE}[outputs]\nrecord = ["energy"]\n')
+    assert read_scene(path).name == f"scene_{name}"

@@ -163,12 +163,6 @@ def test_names_no_file_can_have_are_refused(name: str):
         files(replace(CASES["pendulum"](), name=name))
 
 
-@pytest.mark.parametrize("name", ("ksl", "ksl_exact", "coscrew"))
-def test_names_of_the_librarys_headers_are_refused(name: str):
-    with pytest.raises(ValueError, match="names of the library's headers begin so"):
-        files(replace(CASES["pendulum"](), name=name))
-
-
 @pytest.mark.parametrize("name", ("int", "lambda", "template", "sin", "sqrtf", "where", "_x", "x y",
                                   "nan", "NAN", "float64"))
 def test_instructions_cannot_have_keywords_as_names(name: str):
