@@ -3,9 +3,11 @@
 An Arithmetic says how a kind of numbers represents constants and computes each operation.
 """
 
+import math
 import operator
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any, Generic, TypeVar
 
 from coscrew_codegen.program.ops import Op
@@ -87,6 +89,8 @@ _FUNCTIONS = (Op.SQRT, Op.SIN, Op.COS, Op.ATAN2, Op.EXP, Op.TANH)
 _OPERATORS: Mapping[Op, Callable[..., Any]] = {
     Op.ADD: operator.add, Op.SUB: operator.sub, Op.MUL: operator.mul, Op.DIV: operator.truediv,
     Op.NEG: operator.neg, Op.ABS: abs, Op.SCALE: operator.mul,
+    Op.COPYSIGN: lambda a, b: abs(a) if math.copysign(1, b) > 0 else -abs(a),
+    Op.POWER: lambda a, b: Fraction(2)**int(a - b),
     Op.FMA: lambda a, b, c: a * b + c, Op.FMS: lambda a, b, c: a * b - c,
     Op.FNMA: lambda a, b, c: c - a * b,
     Op.EXACT_ADD: operator.add, Op.EXACT_SUB: operator.sub,

@@ -38,6 +38,7 @@ _SPELLING = {
     Op.PRODUCT_REST: "ksl_product_rest({}, {}, {}, {})",
     Op.ABS: "fabs{f}({})", Op.SQRT: "sqrt{f}({})", Op.SIN: "sin{f}({})", Op.COS: "cos{f}({})",
     Op.ATAN2: "atan2{f}({}, {})", Op.EXP: "exp{f}({})", Op.TANH: "tanh{f}({})",
+    Op.COPYSIGN: "copysign{f}({}, {})", Op.POWER: "ksl_power{f}({})",
     Op.LESS: "{} < {}", Op.EQUAL: "{} == {}", Op.SELECT: "{} ? {} : {}",
 }
 

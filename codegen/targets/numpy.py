@@ -42,14 +42,17 @@ SPELLING = {
     Op.ABS: ("absolute({})", CALL), Op.SQRT: ("sqrt({})", CALL),
     Op.SIN: ("sin({})", CALL), Op.COS: ("cos({})", CALL), Op.ATAN2: ("arctan2({}, {})", CALL),
     Op.EXP: ("exp({})", CALL), Op.TANH: ("tanh({})", CALL), Op.SCALE: ("{} * {}", PRODUCT),
+    Op.COPYSIGN: ("copysign({}, {})", CALL), Op.POWER: ("power_of_two({})", CALL),
     Op.LESS: ("{} < {}", COMPARISON), Op.EQUAL: ("{} == {}", COMPARISON),
     Op.SELECT: ("where({}, {}, {})", CALL),
 }
 
 NUMPY_NAMES: dict[Op | str, str] = {
     Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos", Op.ATAN2: "arctan2",
-    Op.EXP: "exp", Op.TANH: "tanh", Op.SELECT: "where"}
-_EXACT: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
+    Op.EXP: "exp", Op.TANH: "tanh", Op.SELECT: "where",
+    Op.COPYSIGN: "copysign"}
+_EXACT: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest",
+                               Op.POWER: "power_of_two"}
 
 
 @dataclass(frozen=True)
