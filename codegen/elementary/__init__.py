@@ -1,4 +1,12 @@
 """Elementary functions as Programs: the same bits on every machine, in every language.
 
-A function is stated in a format (`formats.py`), since its degrees and splits depend on it.  The
-coefficients are derived here, the approximations and the roundings proved."""
+A function is stated in a format (`formats.py`), since its degrees and splits depend on it.  Its
+coefficients and errors are data beside the derivations and proofs that tests repeat."""
+
+from coscrew_codegen.elementary.function import Elementary
+from coscrew_codegen.found import found
+
+__all__ = ["ELEMENTARY", "Elementary"]
+
+ELEMENTARY: tuple[Elementary, ...] = found(__name__, __path__, "FUNCTION", Elementary)
+"""All elementary functions, in the order of their names."""
