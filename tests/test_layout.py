@@ -13,7 +13,7 @@ import coscrew
 from tests.conftest import LONG
 
 TESTS = Path(__file__).parent
-SUBJECTS = ("laws", "emitted", "tiers", "scenes", "commands", "peers")
+SUBJECTS = ("laws", "emitted", "tiers", "elementary", "scenes", "commands", "peers")
 MODULES = {path: ast.parse(path.read_text(encoding="utf-8")) for path in TESTS.rglob("*.py")}
 
 

@@ -1,0 +1,1 @@
+"""Elementary functions as Programs: their derivations, proofs, errors and special values."""

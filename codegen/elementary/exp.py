@@ -1,0 +1,129 @@
+"""exp(x) = 2^k e^r, x = k ln 2 + r, 3/4 <= e^r <= 3/2.
+
+e^r = 1 + (r_high + (r² q(r) - r_low)): within these limits the sum in brackets is rounded by at
+most 1/8 ulp of the result.  The least results are scaled twice and rounded once more only."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+
+from coscrew_codegen.elementary.function import Elementary
+from coscrew_codegen.elementary.polynomial import estrin, integer_shift, numbers
+from coscrew_codegen.elementary.steps import Steps, Value
+from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
+from coscrew_codegen.program import Op, Program
+from coscrew_codegen.quantity import ANY, SCALAR, Argument
+
+INPUTS, OUTPUTS = (Argument("x", SCALAR, ANY),), (Argument("y", SCALAR),)
+INTERVAL = Fraction(-2877, 10000), Fraction(4055, 10000)
+"""Of r: from ln 3/4 to ln 3/2, and the rounding of x / ln 2."""
+_BELOW = Fraction(87, 1024)  # log2(3/2) - 1/2
+_SMALL = 64  # the exponent that is scaled by at last if the result may be subnormal
+
+
+@dataclass(frozen=True)
+class Data:
+    """What differs between the formats."""
+
+    q: tuple[Fraction, ...]
+    to_binary: Fraction  # 1 / ln 2
+    ln2: tuple[Fraction, ...]  # its leading bits: times k exact; the rest
+    limits: tuple[int, int]  # results underflow to 0 below, overflow above
+    small: int  # results below its exponential are scaled twice
+    approximation: Fraction  # proved: log2 of the relative error, roundings apart
+    error: Fraction  # proved, with the roundings, in ulps of the result
+
+
+DATA = {
+    DOUBLE: Data(numbers("""
+        0x1.0000000000000p-1 0x1.55555555556c1p-3 0x1.5555555555beap-5 0x1.1111111095a7dp-7
+        0x1.6c16c16b0df84p-10 0x1.a01a052947d85p-13 0x1.a019f4bc4ba95p-16 0x1.71d3637492597p-19
+        0x1.283f495fafe04p-22 0x1.c68632b788f8bp-26"""),
+        numbers("0x1.71547652b82fep+0")[0],
+        numbers("0x1.62e42fefa3800p-1 0x1.ef35793c76730p-45"), (-746, 710), -700,
+        Fraction("-57.6"), Fraction("0.85")),
+    SINGLE: Data(numbers("""
+        0x1.0000000000000p-1 0x1.5554da0000000p-3 0x1.554b580000000p-5 0x1.11ed920000000p-7
+        0x1.7c1e1c0000000p-10"""),
+        numbers("0x1.7154760000000p+0")[0],
+        numbers("0x1.62e4000000000p-1 0x1.7f7d1c0000000p-20"), (-104, 89), -80,
+        Fraction("-27.6"), Fraction("0.88"))}
+
+
+@dataclass(frozen=True)
+class Reduced:
+    """e^x = 2^k (1 + s), s = high + low rounded; shifted is k plus the integers' shift."""
+
+    shifted: Value
+    high: Value
+    low: Value
+    s: Value
+
+
+def reduced(x: Value, precision: Precision) -> Reduced:
+    """The steps that the exponential's functions share, for x within its limits."""
+    data, shift = DATA[precision], integer_shift(precision)
+    steps = x.steps
+    shifted = steps.named("shifted", (x * data.to_binary - _BELOW) + shift)
+    k = steps.named("k", shifted - shift)
+    high = steps.named("high", x - k * data.ln2[0])
+    rest = steps.named("rest", k * data.ln2[1])
+    r = steps.named("r", high - rest)
+    low = steps.named("low", (r * r) * estrin(data.q, r) - rest)
+    return Reduced(shifted, high, low, steps.named("s", high + low))
+
+
+@cache
+def kernel(precision: Precision) -> Program:
+    """x -> exp(x)"""
+    data, shift = DATA[precision], integer_shift(precision)
+    steps = Steps(*INPUTS)
+    x, = steps.inputs()
+    least, largest = data.limits
+    x = (x > largest).where(largest, x)
+    x = steps.named("within", (x < least).where(least, x))
+    parts = reduced(x, precision)
+    small = steps.named("small", x < data.small)
+    power = steps.do(Op.POWER, parts.shifted + small.where(_SMALL, -1), shift)
+    scaled = steps.named("scaled", steps.do(Op.SCALE, parts.s + 1, power))
+    last = small.where(Fraction(1, 2**_SMALL), 2)
+    return steps.program("exp", OUTPUTS, [
+        steps.named("y", steps.do(Op.SCALE, scaled, last))])
+
+
+def derived(precision: Precision) -> tuple[Fraction, ...]:
+    """q, fitted so that the relative error of 1 + r + r² q is least."""
+    import mpmath
+
+    from coscrew_codegen.elementary.minimax import fitted
+
+    return fitted(lambda r: (mpmath.expm1(r) - r) / r**2, lambda r: r**2 / mpmath.exp(r), INTERVAL,
+                  len(DATA[precision].q) - 1, precision.digits, (Fraction(1, 2),))
+
+
+def approximation(precision: Precision) -> Fraction:
+    """A bound, proved, of the relative error of 2^k (1 + r + r² q(r)) without roundings."""
+    from coscrew_codegen.elementary.minimax import difference, ln2, supremum
+
+    data = DATA[precision]
+    taylor = [Fraction(1)]
+    for i in range(1, 24):
+        taylor.append(taylor[-1] / i)
+    rest = 2 * INTERVAL[1]**24 * taylor[-1] / 24  # of the series, INTERVAL[1] being larger
+    error = difference([Fraction(1), Fraction(1), *data.q], taylor)
+    polynomial = supremum(error, taylor[:4], INTERVAL)
+    largest_k = 2 - 2 * min(data.limits)
+    split = largest_k * max(abs(x - sum(data.ln2)) for x in ln2())
+    return polynomial + 2 * rest + 2 * split
+
+
+def comment(precision: Precision) -> str:
+    data = DATA[precision]
+    return ("x = k ln 2 + r, 3/4 <= e^r <= 3/2, ln 2 as a sum of two numbers; e^r = 1 + r + "
+            f"r^2 q(r), q of degree {len(data.q) - 1}, to 2^{float(data.approximation):g}; with "
+            f"all roundings within {float(data.error):g} ulp (both proved).")
+
+
+FUNCTION = Elementary(
+    "exp", "y = exp x", INPUTS, OUTPUTS, kernel, lambda precision: DATA[precision].error, comment,
+    subnormal="Results below the normal range are rounded once more, to the least subnormal.")

@@ -1,0 +1,111 @@
+"""Elementary functions' Programs on NumPy's arrays, and their errors against MPFR."""
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import gmpy2
+import numpy as np
+from numpy.typing import NDArray
+
+from coscrew_codegen.formats import Precision
+from coscrew_codegen.program import Constant, Op, Program
+from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly, interpreter
+
+Array = NDArray[Any]
+BITS = 240  # of the truth
+_CASES = Path(__file__).parents[2] / "elementary" / "worst_cases.txt"
+
+
+def arithmetic(precision: Precision) -> Arithmetic[Any]:
+    """NumPy's, every operation rounded to the precision."""
+    number = getattr(np, precision.numpy_type)
+
+    def constant(x: Constant) -> Any:
+        value = precision.value(x)
+        rounded = number(value.numerator / value.denominator)
+        assert value == 0 or float(rounded).as_integer_ratio() == value.as_integer_ratio(), value
+        return rounded
+
+    table: Mapping[Op, Callable[..., Any]] = {
+        **exactly(np), Op.COPYSIGN: np.copysign, Op.SELECT: np.where,
+        Op.POWER: lambda a, b: _power(a, precision),
+        Op.PRODUCT_ERROR: lambda a, b, p: _product_error(a, b, p, precision)}
+    return by_operation(constant, table, number(np.nan))
+
+
+def _power(a: Array, precision: Precision) -> Array:
+    """2^(a - b) by bits: those of b end in zeros, which the shift leaves."""
+    kind = np.dtype(f"u{precision.bytes}").type
+    bits = np.asarray(a).view(kind) << kind(precision.digits - 1)
+    one = np.ones((), precision.numpy_type).view(kind)
+    return (bits + one).view(precision.numpy_type)
+
+
+def _product_error(a: Array, b: Array, p: Array, precision: Precision) -> Array:
+    """a b - p by Veltkamp's splitting, as the NumPy kernels compute it."""
+    factor = getattr(np, precision.numpy_type)(2**((precision.digits + 1) // 2) + 1)
+
+    def split(x: Array) -> tuple[Array, Array]:
+        c = factor * x
+        high = c - (c - x)
+        return high, x - high
+
+    (ah, al), (bh, bl) = split(a), split(b)
+    return al * bl - (((p - ah * bh) - al * bh) - ah * bl)
+
+
+@cache
+def _interpreted(program: Program, precision: Precision) -> Callable[..., list[Any]]:
+    return interpreter(program, arithmetic(precision))
+
+
+def values(program: Program, precision: Precision, *inputs: Array) -> list[Array]:
+    """The results of a Program of scalars, one array each."""
+    with np.errstate(all="ignore"):
+        results = _interpreted(program, precision)([[x] for x in inputs])
+    for x in results:
+        assert x.dtype == precision.numpy_type
+    return results
+
+
+def truth(name: str, inputs: Sequence[float]) -> Any:
+    """The true value to BITS bits."""
+    return getattr(gmpy2, name)(*(gmpy2.mpfr(float(x)) for x in inputs))
+
+
+def errors(name: str, precision: Precision, got: Array, *inputs: Array) -> Array:
+    """|got - true| in ulps of the true value, below the normal range in the least subnormals.
+
+    Where the true value rounds to no finite number, infinity alone has error 0."""
+    with gmpy2.context(precision=BITS, emax=10**6, emin=-10**6):
+        least = precision.least_exponent
+        far = gmpy2.mpfr(2)**(2 - least) - gmpy2.mpfr(2)**(1 - least - precision.digits)
+        found = np.empty(len(got))
+        for i, (value, *given) in enumerate(zip(got.tolist(), *(x.tolist() for x in inputs),
+                                                strict=True)):
+            true = truth(name, given)
+            if abs(true) >= far:
+                found[i] = 0 if value == gmpy2.sign(true) * np.inf else np.inf
+                continue
+            exponent = max(gmpy2.get_exp(true) - 1 if true else least, least)
+            ulp = gmpy2.mpfr(2)**(exponent + 1 - precision.digits)
+            error = float(abs(gmpy2.mpfr(value) - true) / ulp)
+            found[i] = error if error == error else np.inf
+    return found
+
+
+def same(got: Array, want: Array) -> bool:
+    """Whether all bits agree, but for the sign and the payload of NaN."""
+    kind = f"u{want.dtype.itemsize}"
+    agree = (got.view(kind) == want.view(kind)) | (np.isnan(got) & np.isnan(want))
+    return got.dtype == want.dtype and bool(agree.all())
+
+
+def worst_cases(name: str, precision: Precision) -> list[Array]:
+    """The committed worst cases of a function, an array for each argument."""
+    rows = [line.split() for line in _CASES.read_text().splitlines() if not line.startswith("#")]
+    found = [[float.fromhex(x) for x in row[2:]] for row in rows
+             if row[:2] == [name, precision.name]]
+    return [np.array(column, precision.numpy_type) for column in zip(*found, strict=True)]
