@@ -7,30 +7,27 @@ from fractions import Fraction
 
 from coscrew_codegen.elementary import reduction
 from coscrew_codegen.elementary.function import Elementary
+from coscrew_codegen.elementary.polynomial import numbers
 from coscrew_codegen.elementary.reduction import REDUCED, X, to_integer
 from coscrew_codegen.elementary.steps import Steps, Value
-from coscrew_codegen.formats import DOUBLE, SINGLE, Format, Precision
+from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
 from coscrew_codegen.program import Program
 from coscrew_codegen.quantity import SCALAR, Argument
 
 SIN_COS = (Argument("s", SCALAR), Argument("c", SCALAR))
 
 SINE = {
-    DOUBLE.digits: ("0x1.5555555555548p-3", "-0x1.111111110f730p-7", "0x1.a01a019be9211p-13",
-                    "-0x1.71de35552ab65p-19", "0x1.ae5e4b833b99dp-26", "-0x1.5d8b5558a0a8cp-33"),
-    SINGLE.digits: ("0x1.555546p-3", "-0x1.110776p-7", "0x1.9952fap-13")}
-"""sin r = r - r^3 (S1 + S2 r^2 + …), minimax in the relative error, each rounded before the next is
-fitted."""
+    DOUBLE: numbers("""
+        0x1.5555555555548p-3 -0x1.111111110f730p-7 0x1.a01a019be9211p-13 -0x1.71de35552ab65p-19
+        0x1.ae5e4b833b99dp-26 -0x1.5d8b5558a0a8cp-33"""),
+    SINGLE: numbers("0x1.555546p-3 -0x1.110776p-7 0x1.9952fap-13")}
+"""sin r = r - r^3 (S0 + S1 r^2 + …)"""
 COSINE = {
-    DOUBLE.digits: ("0x1.555555555554bp-5", "-0x1.6c16c16c1500dp-10", "0x1.a01a019c8dd22p-16",
-                    "-0x1.27e4f7f0508e6p-22", "0x1.1ee9dacbfea79p-29", "-0x1.8fa5ecd75ed7cp-37"),
-    SINGLE.digits: ("0x1.55554ap-5", "-0x1.6c0c28p-10", "0x1.99e80cp-16")}
-"""cos r = 1 - r^2/2 + r^4 (C1 + C2 r^2 + …), likewise."""
-
-
-def coefficients(table: dict[int, tuple[str, ...]], form: Format) -> tuple[Fraction, ...]:
-    """A polynomial's coefficients in a format."""
-    return tuple(Fraction(float.fromhex(x)) for x in table[form.digits])
+    DOUBLE: numbers("""
+        0x1.555555555554bp-5 -0x1.6c16c16c1500dp-10 0x1.a01a019c8dd22p-16 -0x1.27e4f7f0508e6p-22
+        0x1.1ee9dacbfea79p-29 -0x1.8fa5ecd75ed7cp-37"""),
+    SINGLE: numbers("0x1.55554ap-5 -0x1.6c0c28p-10 0x1.99e80cp-16")}
+"""cos r = 1 - r^2/2 + r^4 (C0 + C1 r^2 + …)"""
 
 
 def polynomial(a: tuple[Fraction, ...], z: Value, z2: Value) -> Value:
@@ -52,9 +49,9 @@ def kernel(precision: Precision) -> Program:
     z2 = steps.named("z2", z * z)
     w = steps.named("w", 1 - z * Fraction(1, 2))
     sine = steps.named("sin_r", r - (z * r * polynomial(
-        coefficients(SINE, precision), z, z2) + excess * w))
+        SINE[precision], z, z2) + excess * w))
     cosine = steps.named("cos_r", w + (((1 - w) - z * Fraction(1, 2)) + (z2 * polynomial(
-        coefficients(COSINE, precision), z, z2) + r * excess)))
+        COSINE[precision], z, z2) + r * excess)))
     q = steps.named("q", to_integer(steps, k, precision, 4) - k)
     a = steps.named("cos_k", 1 - abs(q))
     b = steps.named("minus_sin_k", q * (1 + a))  # +0, not -0, for k = 0
@@ -70,11 +67,12 @@ def error(precision: Precision) -> Fraction:
 
 def comment(precision: Precision) -> str:
     """What is said above the function."""
-    terms = len(SINE[precision.digits])
+    terms = len(SINE[precision])
     bits = ", ".join(map(str, reduction.split(precision).last_bits))
-    return (f"x = k pi/2 + r - r_excess, |r| <= pi/4 and a little, with pi/2 in parts to 2^-({bits}) "
-            f"and a rest; odd and even polynomials of degrees {2 * terms + 1} and {2 * terms + 2}.")
+    return (f"x = k pi/2 + r - r_excess, |r| <= pi/4 and a little, pi/2 in parts to 2^-({bits}) and "
+            f"a rest; polynomials of degrees {2 * terms + 1} and {2 * terms + 2}.")
 
 
 FUNCTION = Elementary("sincos", "(s, c) = (sin x, cos x)", (X,), SIN_COS, kernel, error, comment,
-                      near=reduction.near, limit=reduction.limit)
+                      near=reduction.near, far=reduction.far,
+                      limit=reduction.limit)

@@ -18,6 +18,7 @@ from coscrew_codegen.program.program import (
     Program,
     Ref,
 )
+from coscrew_codegen.program.two_over_pi import chunk
 
 V = TypeVar("V")
 
@@ -91,6 +92,7 @@ _OPERATORS: Mapping[Op, Callable[..., Any]] = {
     Op.NEG: operator.neg, Op.ABS: abs, Op.SCALE: operator.mul,
     Op.COPYSIGN: lambda a, b: abs(a) if math.copysign(1, b) > 0 else -abs(a),
     Op.POWER: lambda a, b: Fraction(2)**int(a - b),
+    Op.TWO_OVER_PI: chunk,
     Op.FMA: lambda a, b, c: a * b + c, Op.FMS: lambda a, b, c: a * b - c,
     Op.FNMA: lambda a, b, c: c - a * b,
     Op.EXACT_ADD: operator.add, Op.EXACT_SUB: operator.sub,

@@ -61,6 +61,7 @@ class Op(Enum):
     TANH = "tanh"
     COPYSIGN = "copysign"  # abs(a) with the sign of b, even where b is zero
     POWER = "power of two"  # 2^(a - b) by its bits; b = 1.5 · 2^(digits - 1), a - b an integer
+    TWO_OVER_PI = "digits of 2/π"  # the chunk (two_over_pi.py) b after a's first; c digits of a
     SCALE = "scale"  # a b, b a power of two: exact unless the result over- or underflows
     FMA = "fma"  # a b + c, rounded once
     FMS = "fms"  # a b - c, rounded once
@@ -115,6 +116,7 @@ _MEANINGS = {
     Op.TANH: Meaning(1, _LIBRARY, lambda f, x, y: (1 - y * y,)),
     Op.COPYSIGN: Meaning(2, _EXACT, None),
     Op.POWER: Meaning(2, _EXACT, None),
+    Op.TWO_OVER_PI: Meaning(3, _EXACT, None),
     Op.SCALE: Meaning(2, _EXACT, _product(1)),
     Op.FMA: Meaning(3, _ONCE, _product(1, 1)),
     Op.FMS: Meaning(3, _ONCE, _product(1, -1)),

@@ -143,7 +143,7 @@ def counts_in_words(program: Program) -> str:
     for op in (Op.EXACT_ADD, Op.EXACT_SUB):
         counts[Op.ADD] += counts.pop(op, 0)
     order = (Op.MUL, Op.ADD, Op.FMA, Op.PRODUCT_ERROR, Op.PRODUCT_REST, Op.DIV, Op.SQRT, Op.SIN,
-             Op.COS, Op.ATAN2, Op.EXP, Op.TANH, Op.POWER, Op.NEG, Op.ABS, Op.COPYSIGN, Op.LESS,
-             Op.EQUAL, Op.SELECT)
+             Op.COS, Op.ATAN2, Op.EXP, Op.TANH, Op.POWER, Op.TWO_OVER_PI, Op.NEG, Op.ABS,
+             Op.COPYSIGN, Op.LESS, Op.EQUAL, Op.SELECT)
     words = [f"{counts[op]} {op.value}" for op in order if counts[op]]
     return ", ".join(words) if words else "no arithmetic"

@@ -1,67 +1,78 @@
-"""Sine and cosine: within their proved error of the true values, with the right signs of zero."""
+"""Sine and cosine against MPFR: special values, every binade, what is nearest to k π/2."""
 
-import mpmath
 import numpy as np
-import pytest
 
 from coscrew_codegen.elementary import reduction
 from coscrew_codegen.elementary.sincos import FUNCTION
-from coscrew_codegen.formats import PRECISIONS, Precision
-from tests.support.elementary import Array, on_arrays, ulps
-
-DIGITS = 420  # decimal: those of the largest number before the point, and 60 after it
-
-
-@pytest.fixture(params=PRECISIONS, ids=lambda x: x.name)
-def precision(request: pytest.FixtureRequest) -> Precision:
-    return request.param
+from coscrew_codegen.formats import DOUBLE, Precision
+from tests.support.each import each_precision
+from tests.support.truth.elementary import Array, errors, results, same, worst_cases
 
 
-def near(x: Array, precision: Precision) -> tuple[Array, ...]:
-    """Sine and cosine up to the limit."""
-    assert FUNCTION.near is not None
-    kernel = on_arrays(FUNCTION.kernel(precision), precision)
-    return kernel(*on_arrays(FUNCTION.near(precision), precision)(x))
+def holds(precision: Precision, x: Array) -> None:
+    """Sines and cosines are within their error, those of -x the same but for the sign."""
+    s, c = results(FUNCTION, precision, x)
+    for name, got in (("sin", s), ("cos", c)):
+        found = errors(name, precision, got, x)
+        worst = int(np.argmax(found))
+        assert found[worst] <= FUNCTION.error(precision), f"{name} {float(x[worst]).hex()}"
+    below = results(FUNCTION, precision, -x)
+    assert same(below[0], -s) and same(below[1], c)
 
 
-def holds(x: Array, results: tuple[Array, ...], precision: Precision) -> None:
-    """Sines and cosines are within their error."""
-    with mpmath.workdps(DIGITS):
-        for got, function in zip(results, (mpmath.sin, mpmath.cos), strict=True):
-            errors = ulps(got.tolist(), [function(mpmath.mpf(float(y))) for y in x], precision)
-            worst = int(np.argmax(errors))
-            assert errors[worst] <= FUNCTION.error(precision), (
-                f"{function.__name__} {float(x[worst]).hex()}: {errors[worst]} ulp")
+def around(x: list[float], precision: Precision) -> Array:
+    """Numbers and their neighbours."""
+    middle = np.array(x, precision.numpy_type)
+    return np.concatenate([middle, *(np.nextafter(middle, middle.dtype.type(end))
+                                     for end in (0, np.inf))])
 
 
-def array(values: object, precision: Precision) -> Array:
-    return np.asarray(values, getattr(np, precision.numpy_type))
+@each_precision
+def test_special_values(precision: Precision):
+    """Signed zeros, subnormal numbers and what is next are their own sines to the bit."""
+    tiny = [float(precision.limit(name)) * n for n in (1, 3) for name in (
+        "smallest_subnormal", "smallest_normal")]
+    x = np.array([0.0, *tiny], precision.numpy_type)
+    for given in (x, -x):
+        s, c = results(FUNCTION, precision, given)
+        assert same(s, given) and same(c, np.ones_like(x))
+    for got in results(FUNCTION, precision, np.array([np.inf, -np.inf, np.nan, -np.nan],
+                                                     precision.numpy_type)):
+        assert np.isnan(got).all()
 
 
-def test_near_multiples_of_a_right_angle(precision: Precision) -> None:
-    """The numbers nearest to k π/2, and their neighbours, evenly spread over k."""
-    last = 2**reduction.split(precision).k_bits - 1
-    k = sorted({*range(200), *np.geomspace(200, last, 500).astype(int).tolist(), last})
-    x = array([float(n * reduction.HALF_PI) for n in k], precision)
-    up, down = (np.nextafter(x, array(y, precision)) for y in (np.inf, -np.inf))
-    points = np.concatenate([x, up, down, -x])
-    holds(points, near(points, precision), precision)
-
-
-def test_up_to_the_limit(precision: Precision) -> None:
+@each_precision
+def test_up_to_the_limit(precision: Precision):
     rng = np.random.default_rng(1)
-    assert FUNCTION.limit is not None
-    limit = float(FUNCTION.limit(precision))
-    x = array(np.concatenate([rng.uniform(-1, 1, 700), rng.uniform(-9, 9, 700),
-                              rng.uniform(-limit, limit, 700), [limit, -limit],
-                              np.exp2(rng.uniform(precision.least_exponent, 0, 300))]), precision)
-    holds(x, near(x, precision), precision)
+    limit = float(reduction.limit(precision))
+    holds(precision, np.concatenate([
+        *(rng.uniform(0, end, 8000) for end in (1, 9, limit)), around([limit], precision),
+        np.exp2(rng.uniform(precision.least_exponent, 0, 2000))]).astype(precision.numpy_type))
 
 
-def test_tiny_arguments_are_their_own_sines(precision: Precision) -> None:
-    """Zeros of both signs and subnormal numbers among them, to the bit."""
-    x = array([0.0, -0.0, *(float(precision.limit(name)) * n for n in (-3, -1, 1, 3) for name in (
-        "smallest_subnormal", "smallest_normal"))], precision)
-    s, c = near(x, precision)
-    assert s.tobytes() == x.tobytes()
-    assert (c == 1).all()
+@each_precision
+def test_beyond_the_limit(precision: Precision):
+    """In every binade up to the largest number."""
+    first = int(np.log2(float(reduction.limit(precision))))
+    exponents = np.arange(first, 1 - precision.least_exponent)[:, None]
+    mantissas = np.random.default_rng(2).uniform(1, 2, (1, 40 if precision is DOUBLE else 400))
+    x = (mantissas * 2.0**exponents).ravel()
+    holds(precision, np.concatenate([
+        x[x > float(reduction.limit(precision))], [float(precision.limit("max"))],
+        2.0**exponents.ravel()[1:]]).astype(precision.numpy_type))
+
+
+@each_precision
+def test_next_to_multiples_of_a_right_angle(precision: Precision):
+    """Up to the limit and beyond, in double precision to 2^1000."""
+    last = 2**reduction.split(precision).k_bits
+    k = [*range(1, 400), *np.geomspace(400, 20 * last, 4000).astype(int).tolist()]
+    huge = [m * 2**n for n in range(30, 997, 7) for m in (1, 3, 5)] if precision is DOUBLE else [
+        m * 2**n for n in range(14, 124) for m in (1, 3, 5)]
+    holds(precision, around([float(n * reduction.HALF_PI) for n in (*k, *huge)], precision))
+
+
+@each_precision
+def test_worst_cases(precision: Precision):
+    x, = worst_cases("sincos", precision)
+    holds(precision, np.abs(x))

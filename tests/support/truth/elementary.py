@@ -9,9 +9,11 @@ import gmpy2
 import numpy as np
 from numpy.typing import NDArray
 
+from coscrew_codegen.elementary import Elementary
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, Op, Program
 from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly, interpreter
+from coscrew_codegen.program.two_over_pi import chunks
 
 Array = NDArray[Any]
 BITS = 240  # of the truth
@@ -31,6 +33,7 @@ def arithmetic(precision: Precision) -> Arithmetic[Any]:
     table: Mapping[Op, Callable[..., Any]] = {
         **exactly(np), Op.COPYSIGN: np.copysign, Op.SELECT: np.where,
         Op.POWER: lambda a, b: _power(a, precision),
+        Op.TWO_OVER_PI: lambda x, n, digits: _chunk(x, int(n), precision),
         Op.PRODUCT_ERROR: lambda a, b, p: _product_error(a, b, p, precision)}
     return by_operation(constant, table, number(np.nan))
 
@@ -41,6 +44,16 @@ def _power(a: Array, precision: Precision) -> Array:
     bits = np.asarray(a).view(kind) << kind(precision.digits - 1)
     one = np.ones((), precision.numpy_type).view(kind)
     return (bits + one).view(precision.numpy_type)
+
+
+def _chunk(x: Array, n: int, precision: Precision) -> Array:
+    """The chunk of 2/π that is n after that with which x begins."""
+    some = chunks(precision.digits)
+    table = np.array([float(value) for value in some.values], precision.numpy_type)
+    kind = np.dtype(f"u{precision.bytes}").type
+    biased = np.asarray(x).view(kind) << kind(1) >> kind(precision.digits)
+    return table[(biased - kind(1 - precision.least_exponent + some.offset)) // kind(some.bits)
+                 + kind(n)]
 
 
 def _product_error(a: Array, b: Array, p: Array, precision: Precision) -> Array:
@@ -68,6 +81,19 @@ def values(program: Program, precision: Precision, *inputs: Array) -> list[Array
     for x in results:
         assert x.dtype == precision.numpy_type
     return results
+
+
+def results(function: Elementary, precision: Precision, *inputs: Array) -> list[Array]:
+    """The function's results: its kernel's, after the reduction that each input takes."""
+    kernel = function.kernel(precision)
+    if function.near is None or function.far is None or function.limit is None:
+        return values(kernel, precision, *inputs)
+    reduced = values(function.near(precision), precision, *inputs)
+    beyond = ~(np.abs(inputs[0]) <= float(function.limit(precision)))
+    far = values(function.far(precision), precision, *(x[beyond] for x in inputs))
+    for some, those in zip(reduced, far, strict=True):
+        some[beyond] = those
+    return values(kernel, precision, *reduced)
 
 
 def truth(name: str, inputs: Sequence[float]) -> Any:
