@@ -123,7 +123,8 @@ def levels(steps: Steps, x: Value, precision: Precision) -> list[Value]:
     turns and what is beyond the last."""
     scaled = x * Fraction(1, 2**chunks(precision.digits).scale)
     high, low = halves(scaled, precision.digits)
-    at = [steps.do(Op.TWO_OVER_PI, x, n, precision.digits) for n in range(LEVELS[precision.digits] + 1)]
+    at = [steps.do(Op.TWO_OVER_PI, x, n, precision.digits)
+          for n in range(LEVELS[precision.digits] + 1)]
     return [steps.named(f"t{n}", low * here + high * beyond)
             for n, (here, beyond) in enumerate(pairwise(at))]
 

@@ -69,8 +69,8 @@ def comment(precision: Precision) -> str:
     """What is said above the function."""
     terms = len(SINE[precision])
     bits = ", ".join(map(str, reduction.split(precision).last_bits))
-    return (f"x = k pi/2 + r - r_excess, |r| <= pi/4 and a little, pi/2 in parts to 2^-({bits}) and "
-            f"a rest; polynomials of degrees {2 * terms + 1} and {2 * terms + 2}.")
+    return (f"x = k pi/2 + r - r_excess, |r| <= pi/4 and a little, pi/2 in parts to 2^-({bits}) "
+            f"and a rest; polynomials of degrees {2 * terms + 1} and {2 * terms + 2}.")
 
 
 FUNCTION = Elementary("sincos", "(s, c) = (sin x, cos x)", (X,), SIN_COS, kernel, error, comment,

@@ -39,6 +39,7 @@ _SPELLING = {
     Op.ABS: "fabs{f}({})", Op.SQRT: "sqrt{f}({})", Op.SIN: "sin{f}({})", Op.COS: "cos{f}({})",
     Op.ATAN2: "atan2{f}({}, {})", Op.EXP: "exp{f}({})", Op.TANH: "tanh{f}({})",
     Op.COPYSIGN: "copysign{f}({}, {})", Op.POWER: "ksl_power{f}({})",
+    Op.TWO_OVER_PI: "ksl_two_over_pi{f}({}, {})",
     Op.LESS: "{} < {}", Op.EQUAL: "{} == {}", Op.SELECT: "{} ? {} : {}",
 }
 
@@ -135,6 +136,8 @@ class Statements:
         operands = [self.operand(x) for x in step.operands]
         if step.op is Op.NEG and operands[0].startswith("-"):
             operands = [f"({operands[0]})"]  # C reads -- as one operator
+        if step.op is Op.TWO_OVER_PI:
+            operands[1] = operands[1].partition(".")[0]  # an index
         spelling = "{} * {}" if self._exact(step) else _SPELLING[step.op]
         suffix = self.working.suffix
         return spelling.format(*operands, f=suffix, F=suffix.upper())

@@ -43,6 +43,7 @@ SPELLING = {
     Op.SIN: ("sin({})", CALL), Op.COS: ("cos({})", CALL), Op.ATAN2: ("arctan2({}, {})", CALL),
     Op.EXP: ("exp({})", CALL), Op.TANH: ("tanh({})", CALL), Op.SCALE: ("{} * {}", PRODUCT),
     Op.COPYSIGN: ("copysign({}, {})", CALL), Op.POWER: ("power_of_two({})", CALL),
+    Op.TWO_OVER_PI: ("two_over_pi({}, {})", CALL),
     Op.LESS: ("{} < {}", COMPARISON), Op.EQUAL: ("{} == {}", COMPARISON),
     Op.SELECT: ("where({}, {}, {})", CALL),
 }
@@ -52,7 +53,7 @@ NUMPY_NAMES: dict[Op | str, str] = {
     Op.EXP: "exp", Op.TANH: "tanh", Op.SELECT: "where",
     Op.COPYSIGN: "copysign"}
 _EXACT: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest",
-                               Op.POWER: "power_of_two"}
+                               Op.POWER: "power_of_two", Op.TWO_OVER_PI: "two_over_pi"}
 
 
 @dataclass(frozen=True)
