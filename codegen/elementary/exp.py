@@ -47,7 +47,7 @@ DATA = {
         0x1.7c1e1c0000000p-10"""),
         numbers("0x1.7154760000000p+0")[0],
         numbers("0x1.62e4000000000p-1 0x1.7f7d1c0000000p-20"), (-104, 89), -80,
-        Fraction("-27.6"), Fraction("0.88"))}
+        Fraction("-27.7"), Fraction("0.88"))}
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from fractions import Fraction
 import mpmath
 import pytest
 
-from coscrew_codegen.elementary import exp
+from coscrew_codegen.elementary import atan2, exp, tanh
 from coscrew_codegen.elementary.minimax import (
     bernstein,
     difference,
@@ -27,12 +27,14 @@ HALF = (Fraction(-1, 2), Fraction(1, 2))
 @each_precision
 def test_coefficients_are_those_derived(precision: Precision):
     assert exp.derived(precision) == exp.DATA[precision].q
+    assert tanh.derived(precision) == (tanh.DATA[precision].p, tanh.DATA[precision].q)
+    assert atan2.derived(precision) == atan2.DATA[precision].p
 
 
 @each_precision
 def test_approximations_are_within_what_is_stated(precision: Precision):
     """Stated as a logarithm to one decimal, so that tenth powers compare."""
-    for function in (exp,):
+    for function in (exp, tanh, atan2):
         stated = Fraction(2)**int(10 * function.DATA[precision].approximation)
         assert stated / 2 < function.approximation(precision)**10 <= stated, function.__name__
 
