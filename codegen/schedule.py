@@ -239,7 +239,8 @@ class _Scheduler:
         return result
 
 
-_FUNCTIONS = {sp.Abs: Op.ABS, sp.sin: Op.SIN, sp.cos: Op.COS, sp.atan2: Op.ATAN2,
+_FUNCTIONS = {sp.Abs: Op.ABS, sp.sin: Op.SIN, sp.cos: Op.COS, sp.atan2: Op.ATAN2, sp.exp: Op.EXP,
+              sp.tanh: Op.TANH,
               sp.Equality: Op.EQUAL, scaled: Op.SCALE}
 
 

@@ -13,8 +13,10 @@ from coscrew_codegen.program.program import (
     counts_in_words,
     renamed,
     scales,
+    sine_cosine_pairs,
     without_dead_steps,
 )
 
 __all__ = ["Constant", "Input", "Instruction", "NotANumber", "Op", "Operand", "Program", "Ref",
-           "by_component", "counts_in_words", "renamed", "scales", "without_dead_steps"]
+           "by_component", "counts_in_words", "renamed", "scales", "sine_cosine_pairs",
+           "without_dead_steps"]

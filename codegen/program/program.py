@@ -128,6 +128,16 @@ def renamed(program: Program, names: Mapping[str, str]) -> Program:
     return replace(program, instructions=steps, results=tuple(map(other, program.results)))
 
 
+def sine_cosine_pairs(program: Program) -> dict[str, tuple[Instruction, Instruction]]:
+    """Sine and cosine of the same operand, which languages compute together, by the names of both.
+    """
+    found = {(step.op, step.operands): step for step in program.instructions
+             if step.op in (Op.SIN, Op.COS)}
+    pairs = [(sine, found[Op.COS, x]) for (op, x), sine in found.items()
+             if op is Op.SIN and (Op.COS, x) in found]
+    return {step.name: pair for pair in pairs for step in pair}
+
+
 def by_component(program: Program) -> Iterator[tuple[Instruction, ...]]:
     """Consecutive instructions of the same component, as groups: one line of text each."""
     for _, steps in groupby(program.instructions, key=lambda step: step.component):

@@ -1,13 +1,14 @@
 """The C headers: one per family and tier, and those that they share."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 
-from coscrew_codegen.formats import DOUBLE
+from coscrew_codegen.elementary import ELEMENTARY
+from coscrew_codegen.formats import DOUBLE, PRECISIONS
 from coscrew_codegen.library import FamilyKernels, Library
 from coscrew_codegen.operations import FAMILIES, family_named
 from coscrew_codegen.render import render
-from coscrew_codegen.targets import c, c_ksl, c_storage
+from coscrew_codegen.targets import c, c_elementary, c_ksl, c_storage
 from coscrew_codegen.targets.c_function import CFunction
 from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.tiers import MARKED, PLAIN, TIERS, Tier
@@ -42,6 +43,9 @@ def _plain_headers(library: Library) -> Headers:
             "ksl_types": _types(library)}
     titles, kernels = _titles(library.families), library.made(_functions)
     for name, title in titles.items():
+        if name == c_elementary.HEADER:
+            made[name] = _elementary(library, title)
+            continue
         functions = [function for precision in library.precisions for function in (
             *c_storage.storage_functions(name, precision),
             *(kernels[name][PLAIN.name, precision.name] if name in kernels else ()))]
@@ -49,7 +53,8 @@ def _plain_headers(library: Library) -> Headers:
         made[name] = render(
             "c/family.h", banner=library.banner, title=title,
             guard=f"KSL_{name.upper()}_H", functions=functions,
-            includes=("ksl_types", *_included(name, titles)), system=c_ksl.SYSTEM.get(name, ()),
+            includes=("ksl_types", *_elementary_included(functions), *_included(name, titles)),
+            system=c_ksl.SYSTEM.get(name, ()),
             by_hand=c_ksl.text(name, tuple(titles), library.precisions),
             allocations=[function for function in allocations if function])
     made["ksl_selfcheck"] = render(
@@ -63,7 +68,8 @@ def _plain_headers(library: Library) -> Headers:
 
 def _titles(families: tuple[str, ...]) -> dict[str, str]:
     """Name → title of the headers with KSL's names, each after those it includes."""
-    titles: dict[str, str] = {}
+    first = c_elementary.HEADER
+    titles = {first: family_named(first).title}  # always: other families call its functions
     for family in families:
         titles[family] = family_named(family).title
         titles |= {name: title for name, (after, title) in c_ksl.HEADERS.items() if after == family}
@@ -116,11 +122,24 @@ def _marked_headers(library: Library, tier: Tier) -> Headers:
                 "c/family.h", banner=library.banner,
                 title=f"{family_named(family).title}\n   {tier.title}",
                 guard=f"KSL_{family.upper()}_{tier.mark.upper()}_H", functions=functions,
-                includes=(tier.header,), system=(), by_hand="", allocations=[])
+                includes=(tier.header, *_elementary_included(functions)), system=(), by_hand="",
+                allocations=[])
     umbrella = render(
         "c/ksl.h", banner=library.banner, includes=tuple(families),
         title=f"All kernels of the {tier.name} tier.", guard=f"{tier.umbrella.upper()}_H")
     return (_exact(library) if tier.exact else {}) | families | {tier.umbrella: umbrella}
+
+
+def _elementary(library: Library, title: str) -> str:
+    """The header of elementary functions, in both precisions: wide kernels call them in double."""
+    made = [(p, c_elementary.written(p, [x.name for x in ELEMENTARY])) for p in PRECISIONS]
+    return render("c/elementary.h", banner=library.banner, title=title, elementary=made,
+                  precisions=PRECISIONS)
+
+
+def _elementary_included(functions: Sequence[CFunction]) -> tuple[str, ...]:
+    """The header of elementary functions, if one of these calls one."""
+    return (c_elementary.HEADER,) * any(c_elementary.CALL.search(x.body) for x in functions)
 
 
 def _exact(library: Library) -> dict[str, str]:

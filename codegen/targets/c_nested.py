@@ -11,6 +11,7 @@ from itertools import groupby
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, Instruction, Op, Program, Ref
 from coscrew_codegen.program.ops import COMPARISONS
+from coscrew_codegen.targets.c_statements import ELEMENTARY, sine_and_cosine
 from coscrew_codegen.targets.nesting import (
     CALL,
     CHOICE,
@@ -26,10 +27,10 @@ from coscrew_codegen.targets.nesting import (
 _SPELLING = {
     Op.ADD: ("{} + {}", SUM), Op.SUB: ("{} - {}", SUM), Op.MUL: ("{} * {}", PRODUCT),
     Op.DIV: ("{} / {}", PRODUCT), Op.NEG: ("-{}", SIGN), Op.ABS: ("fabs%s({})", CALL),
-    Op.SQRT: ("sqrt%s({})", CALL), Op.SIN: ("sin%s({})", CALL), Op.COS: ("cos%s({})", CALL),
-    Op.ATAN2: ("atan2%s({}, {})", CALL), Op.EXP: ("exp%s({})", CALL),
-    Op.TANH: ("tanh%s({})", CALL), Op.LESS: ("{} < {}", COMPARISON),
-    Op.EQUAL: ("{} == {}", COMPARISON), Op.SELECT: ("{} ? {} : {}", CHOICE),
+    Op.SQRT: ("sqrt%s({})", CALL), Op.COPYSIGN: ("copysign%s({}, {})", CALL),
+    Op.LESS: ("{} < {}", COMPARISON), Op.EQUAL: ("{} == {}", COMPARISON),
+    Op.SELECT: ("{} ? {} : {}", CHOICE),
+    **{op: (pattern.replace("{f}", "%s"), CALL) for op, pattern in ELEMENTARY.items()},
 }
 _ROUNDED = "RN({} * {})", CALL
 _SUMS = frozenset({Op.ADD, Op.SUB})
@@ -50,7 +51,7 @@ def language(program: Program, precision: Precision) -> Language:
     def constant(x: Constant) -> str:
         return precision.literal(x) + suffix
 
-    return Language(spelling, constant, f"({precision.c_type})NAN", "")
+    return Language(spelling, constant, f"({precision.c_type})NAN", "", "{}")
 
 
 def summed_products(program: Program) -> frozenset[str]:
@@ -76,12 +77,14 @@ def declarations(assigned: Sequence[Assignment | str], precision: Precision,
     """Declarations and headings; declarations of the same component are one statement."""
     def kind(x: Assignment | str) -> tuple[str, str]:
         if isinstance(x, str):
-            return "", x
+            return "", f"/* {x} */"
+        if x.cosine:
+            return "", sine_and_cosine(x.step.name, x.cosine.name, x.expression, precision)
         return ("int" if x.step.op in COMPARISONS else precision.c_type), x.step.component
 
     for (c_type, words), group in groupby(assigned, kind):
         if not c_type:
-            yield f"/* {words} */"
+            yield words
         else:
             items = [f"{x.step.name} = {x.expression}" for x in group if isinstance(x, Assignment)]
             yield _declared(f"const {c_type} ", items, width)

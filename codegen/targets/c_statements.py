@@ -13,6 +13,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import groupby
 
 from coscrew_codegen.formats import SINGLE, Precision
 from coscrew_codegen.program import (
@@ -24,10 +25,17 @@ from coscrew_codegen.program import (
     Operand,
     Program,
     Ref,
+    sine_cosine_pairs,
 )
 from coscrew_codegen.program.ops import COMPARISONS
 
 WIDTH = 100
+
+ELEMENTARY = {
+    Op.SIN: "ksl_sin{f}({})", Op.COS: "ksl_cos{f}({})", Op.ATAN2: "ksl_atan2{f}({}, {})",
+    Op.EXP: "ksl_exp{f}({})", Op.TANH: "ksl_tanh{f}({})", Op.POWER: "ksl_power{f}({})",
+    Op.TWO_OVER_PI: "ksl_two_over_pi{f}({}, {})"}
+"""Calls of functions of our own, which are the same in all C."""
 
 _SPELLING = {
     Op.ADD: "{} + {}", Op.SUB: "{} - {}", Op.DIV: "{} / {}", Op.NEG: "-{}",
@@ -36,17 +44,20 @@ _SPELLING = {
     Op.EXACT_ADD: "{} + {}", Op.EXACT_SUB: "{} - {}",
     Op.PRODUCT_ERROR: "ksl_product_error({}, {}, {})",
     Op.PRODUCT_REST: "ksl_product_rest({}, {}, {}, {})",
-    Op.ABS: "fabs{f}({})", Op.SQRT: "sqrt{f}({})", Op.SIN: "sin{f}({})", Op.COS: "cos{f}({})",
-    Op.ATAN2: "atan2{f}({}, {})", Op.EXP: "exp{f}({})", Op.TANH: "tanh{f}({})",
-    Op.COPYSIGN: "copysign{f}({}, {})", Op.POWER: "ksl_power{f}({})",
-    Op.TWO_OVER_PI: "ksl_two_over_pi{f}({}, {})",
-    Op.LESS: "{} < {}", Op.EQUAL: "{} == {}", Op.SELECT: "{} ? {} : {}",
+    Op.ABS: "fabs{f}({})", Op.SQRT: "sqrt{f}({})", Op.COPYSIGN: "copysign{f}({}, {})",
+    Op.LESS: "{} < {}", Op.EQUAL: "{} == {}", Op.SELECT: "{} ? {} : {}", **ELEMENTARY,
 }
 
 
 def product(precision: Precision, a: str, b: str) -> str:
     """a b in text that is not made from a Program: rounded on its own, never fused into a sum."""
     return _SPELLING[Op.MUL].format(a, b, F=precision.suffix.upper())
+
+
+def sine_and_cosine(sine: str, cosine: str, angle: str, precision: Precision) -> str:
+    """The statement that declares and computes both."""
+    return (f"{precision.c_type} {sine}, {cosine}; "
+            f"ksl_sincos{precision.suffix}({angle}, &{sine}, &{cosine});")
 
 
 def comment_of(lines: Sequence[str]) -> str:
@@ -102,6 +113,20 @@ class Statements:
                 if step.op in COMPARISONS}
 
     @cached_property
+    def pairs(self) -> dict[str, tuple[Instruction, Instruction]]:
+        """Sines and cosines that are computed together, by the names of both."""
+        return sine_cosine_pairs(self.program)
+
+    @cached_property
+    def first_of_pairs(self) -> set[str]:
+        """The names of those that come first in their pair."""
+        met = {}
+        for step in self.program.instructions:
+            if step.name in self.pairs:
+                met.setdefault(step.operands, step.name)
+        return set(met.values())
+
+    @cached_property
     def absorbed(self) -> dict[str, Instruction]:
         """The products that are written inside a sum, by the name of the sum: exact products that
         are used once, at most one per sum."""
@@ -124,10 +149,19 @@ class Statements:
                 if step.name not in absent]
 
     def declared(self, steps: Sequence[Instruction], width: int) -> str:
-        """const double x = …, y = …; for the instructions of a component; empty if there are none.
+        """const double x = …, y = …; for the instructions of a component, empty if there are none.
+        A sine and a cosine of the same operand are computed together, by a statement of their own.
         """
-        items = self.declarators(steps)
-        return listed(f"const {self.working.c_type} ", items, ";", width) if items else ""
+        texts = []
+        for pair, group in groupby(steps, key=lambda step: self.pairs.get(step.name)):
+            if pair is None:
+                items = self.declarators(list(group))
+                texts += [listed(f"const {self.working.c_type} ", items, ";", width)] * bool(items)
+            elif next(group).name in self.first_of_pairs:
+                sine, cosine = pair
+                texts.append(sine_and_cosine(sine.name, cosine.name, self.operand(sine.operands[0]),
+                                             self.working))
+        return "\n".join(texts)
 
     def expression(self, step: Instruction) -> str:
         """The right-hand side of an instruction."""
@@ -136,8 +170,6 @@ class Statements:
         operands = [self.operand(x) for x in step.operands]
         if step.op is Op.NEG and operands[0].startswith("-"):
             operands = [f"({operands[0]})"]  # C reads -- as one operator
-        if step.op is Op.TWO_OVER_PI:
-            operands[1] = operands[1].partition(".")[0]  # an index
         spelling = "{} * {}" if self._exact(step) else _SPELLING[step.op]
         suffix = self.working.suffix
         return spelling.format(*operands, f=suffix, F=suffix.upper())

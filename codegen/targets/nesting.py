@@ -19,6 +19,7 @@ from coscrew_codegen.program import (
     Program,
     Ref,
     renamed,
+    sine_cosine_pairs,
 )
 
 CHOICE, COMPARISON, SUM, PRODUCT, SIGN, CALL = range(6)
@@ -28,20 +29,27 @@ CHOICE, COMPARISON, SUM, PRODUCT, SIGN, CALL = range(6)
 @dataclass(frozen=True)
 class Language:
     """How a language writes an instruction, a pattern and its precedence; a constant; NaN; a
-    comment."""
+    comment; sine and cosine of the same operand, computed together."""
 
     spelling: Callable[[Instruction], tuple[str, int]]
     constant: Callable[[Constant], str]
     not_a_number: str
     comment: str
+    sine_and_cosine: str
 
 
 @dataclass(frozen=True)
 class Assignment:
-    """An instruction that is not nested, and its expression."""
+    """An instruction that is not nested, and its expression; or a sine with its cosine."""
 
     step: Instruction
     expression: str
+    cosine: Instruction | None = None
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What is assigned: one name, or those of a sine and its cosine."""
+        return (self.step.name, *([self.cosine.name] if self.cosine else []))
 
 
 @dataclass
@@ -64,18 +72,23 @@ class Nesting:
         self._waiting: dict[str, tuple[Instruction, str, int]] = {}  # name → expression, precedence
         self._unassigned = dict(self.constants)
         self._section = 0  # where the section below the last heading begins
+        pairs = sine_cosine_pairs(self.program)
+        self._taken: set[str] = set()  # of pairs
         self._uses = Counter(x.name for x in self._operands() if isinstance(x, Ref))
         for number, step in enumerate(self.program.instructions):
             if number in self.headings:
                 self._heading(self.headings[number])
-            self._take(step)
+            if step.name in pairs:
+                self._take_pair(*pairs[step.name])
+            else:
+                self._take(step)
         self.results = [self._result(x) for x in self.program.results]
 
     @property
     def lines(self) -> list[str]:
         """Assignments and comments."""
         return [f"{self.language.comment}{x}" if isinstance(x, str) else
-                f"{x.step.name} = {x.expression}" for x in self.assigned]
+                f"{', '.join(x.names)} = {x.expression}" for x in self.assigned]
 
     def _operands(self) -> Iterator[Operand]:
         for step in self.program.instructions:
@@ -99,6 +112,14 @@ class Nesting:
             self._waiting[step.name] = step, expression, precedence
         else:
             self._assign(step, expression)
+
+    def _take_pair(self, sine: Instruction, cosine: Instruction) -> None:
+        """Assign both, where the first of them is; their operand has two uses or is an input."""
+        if cosine.name not in self._taken:
+            self._taken |= {sine.name, cosine.name}
+            expression = self.language.sine_and_cosine.format(
+                self._operand(sine.operands[0], CHOICE))
+            self.assigned.append(Assignment(sine, expression, cosine))
 
     def _heading(self, words: str) -> None:
         """A comment; it replaces one with nothing below it."""
@@ -183,7 +204,7 @@ def planned(program: Program, language: Language, access: Callable[[Input], str]
     constants = named_constants(program)
     found = Nesting(program, language, access, width, constants=constants, named=lambda step: (
         step.name in named or not _NUMBERED.fullmatch(step.name)))
-    chosen = {x.step.name for x in found.assigned if isinstance(x, Assignment)}
+    chosen = {name for x in found.assigned if isinstance(x, Assignment) for name in x.names}
     assigned = [step.name for step in program.instructions if step.name in chosen]
     names = _numbered(program, assigned)
     return Plan(renamed(program, names), frozenset(names[x] for x in assigned), constants)

@@ -40,20 +40,19 @@ SPELLING = {
     Op.NEG: ("-{}", SIGN), Op.PRODUCT_ERROR: ("product_error({}, {}, {})", CALL),
     Op.PRODUCT_REST: ("product_rest({}, {}, {}, {})", CALL),
     Op.ABS: ("absolute({})", CALL), Op.SQRT: ("sqrt({})", CALL),
-    Op.SIN: ("sin({})", CALL), Op.COS: ("cos({})", CALL), Op.ATAN2: ("arctan2({}, {})", CALL),
-    Op.EXP: ("exp({})", CALL), Op.TANH: ("tanh({})", CALL), Op.SCALE: ("{} * {}", PRODUCT),
-    Op.COPYSIGN: ("copysign({}, {})", CALL), Op.POWER: ("power_of_two({})", CALL),
-    Op.TWO_OVER_PI: ("two_over_pi({}, {})", CALL),
+    Op.POWER: ("power_of_two({})", CALL), Op.SCALE: ("{} * {}", PRODUCT),
+    Op.COPYSIGN: ("copysign({}, {})", CALL), Op.TWO_OVER_PI: ("two_over_pi({}, {})", CALL),
     Op.LESS: ("{} < {}", COMPARISON), Op.EQUAL: ("{} == {}", COMPARISON),
     Op.SELECT: ("where({}, {}, {})", CALL),
 }
 
 NUMPY_NAMES: dict[Op | str, str] = {
-    Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos", Op.ATAN2: "arctan2",
-    Op.EXP: "exp", Op.TANH: "tanh", Op.SELECT: "where",
+    Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SELECT: "where",
     Op.COPYSIGN: "copysign"}
-_EXACT: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest",
-                               Op.POWER: "power_of_two", Op.TWO_OVER_PI: "two_over_pi"}
+_EXACT: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
+ELEMENTARY = {Op.SIN: ("sin", "({})"), Op.COS: ("cos", "({})"), Op.ATAN2: ("atan2", "({}, {})"),
+              Op.EXP: ("exp", "({})"), Op.TANH: ("tanh", "({})")}
+"""Functions of our own: name, arguments."""
 
 
 @dataclass(frozen=True)
@@ -131,10 +130,13 @@ def imports(programs: tuple[Program, ...], precision: Precision) -> tuple[tuple[
     """(module, names) of the functions these programs call."""
     called: set[Op | str] = {op for program in programs for op in program.counts}
     called |= {kind for program in programs for kind in _types(program, precision)}
-    found = [("numpy", NUMPY_NAMES | {kind: kind for kind in ("float32", "float64", "nan")}),
+    working = DOUBLE if any(program.wide for program in programs) else precision
+    module = f"_elementary_{working.name} as elementary"
+    found = [("coscrew", dict.fromkeys(ELEMENTARY, module)),
+             ("numpy", NUMPY_NAMES | {kind: kind for kind in ("float32", "float64", "nan")}),
              ("coscrew._exact", _EXACT)]
-    return tuple((module, ", ".join(sorted(names[op] for op in called & set(names))))
-                 for module, names in found if called & set(names))
+    return tuple((place, ", ".join(sorted({names[op] for op in called & set(names)})))
+                 for place, names in found if called & set(names))
 
 
 def _types(program: Program, precision: Precision) -> set[str]:
@@ -156,17 +158,20 @@ def _indented(docstring: str) -> str:
     return "\n".join([first, *(f"    {line}" if line else "" for line in rest)])
 
 
-def language(precision: Precision, constant: Callable[[Constant], str]) -> Language:
-    """Python with NumPy in a precision.  A `where` of two constants needs a type: NumPy takes it
-    from the operands, and Python's numbers have none."""
+def language(precision: Precision, constant: Callable[[Constant], str], module: str = ""
+             ) -> Language:
+    """Python with NumPy in a precision; elementary functions are in a module.  A `where` of two
+    constants needs a type: NumPy takes it from the operands, and Python's numbers have none."""
     kind = precision.numpy_type
 
     def spelling(step: Instruction) -> tuple[str, int]:
         if _is_choice_of_constants(step):
             return f"where({{}}, {kind}({{}}), {kind}({{}}))", CALL
+        if step.op in ELEMENTARY:
+            return module + "".join(ELEMENTARY[step.op]), CALL
         return SPELLING[step.op]
 
-    return Language(spelling, constant, "nan", "# ")
+    return Language(spelling, constant, "nan", "# ", f"{module}sincos({{}})")
 
 
 def _is_choice_of_constants(step: Instruction) -> bool:
@@ -189,7 +194,8 @@ class _Writer:
         used = {x.argument for x in self.program.used_inputs()}
         lines = [self._unpacked(a) for n, a in enumerate(self.program.inputs)
                  if n in used and a.quantity.shape]
-        text = Nesting(self.program, language(self.working, self._constant), self._component,
+        text = Nesting(self.program, language(self.working, self._constant, "elementary."),
+                       self._component,
                        WIDTH - 4, named=lambda step: step.name == step.component)
         lines += text.lines
         lines.append(f"return {text.results[0]}" if len(text.results) == 1

@@ -3,11 +3,12 @@ choice between them and the extension."""
 
 from collections.abc import Iterable
 
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.elementary import ELEMENTARY
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.library import Library
 from coscrew_codegen.operations import family_named
 from coscrew_codegen.render import render
-from coscrew_codegen.targets import numpy
+from coscrew_codegen.targets import numpy, numpy_elementary
 from coscrew_codegen.targets.extension import provenance
 from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.tiers import TIERS, Tier
@@ -44,6 +45,9 @@ def _package(library: Library, tier: Tier) -> Files:
                "__init__.py": render("python/tier.py", **shared)} if tier.mark else {
         name: render(f"python/{name}", **shared)
         for name in (*_PLAIN, *(["_selfcheck.py"] if selfcheck else []))}
+    if not tier.mark:
+        package |= {f"_elementary_{p.name}.py": numpy_elementary.module(
+            p, [x.name for x in ELEMENTARY], library.banner) for p in PRECISIONS}
     first, *_ = library.precisions
     package["__init__.pyi"] = _stubs(library, tier, first, shared, "np.floating", top=True)
     if not tier.mark:

@@ -9,12 +9,13 @@ from functools import partial
 
 from coscrew_codegen import version
 from coscrew_codegen.collection import uncollected
+from coscrew_codegen.elementary.calls import called
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, SceneFunctions, Step
 from coscrew_codegen.targets import scene_c_arguments as arguments
-from coscrew_codegen.targets import scene_text
+from coscrew_codegen.targets import c_elementary, scene_text
 from coscrew_codegen.targets.c_function import Body, CFunction, Stored
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
 from coscrew_codegen.targets.nesting import Plan
@@ -35,7 +36,10 @@ def files(scene: SceneFunctions, banner: str) -> Files:
     plans = scene_text.plans(scene)
     parts = Parts(scene, plans)
     made = [(p, list(_functions(scene, plans, parts, p))) for p in named(scene.precisions)]
-    sections = [{"precision": p, "functions": functions} for p, functions in made]
+    elementary = called([f.program for f in scene.functions])
+    sections = [{"precision": p, "functions": functions,
+                 "elementary": c_elementary.written(p, elementary, nested=True)}
+                for p, functions in made]
     macros = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
               ("GENERATOR_VERSION_STRING", f'"{version.VERSION}"'),
               ("NQ", str(scene.nq)), ("NV", str(scene.nv))]

@@ -94,7 +94,7 @@ class Parts:
                               else x.step.component):
             assigned = list(run)
             yield from declarations(assigned, precision, WIDTH - 2)
-            names = [x.step.name for x in assigned if isinstance(x, Assignment)]
+            names = [name for x in assigned if isinstance(x, Assignment) for name in x.names]
             yield from (f"{group.name}->{x} = {x};" for x in names if x in kept)
 
     def _planned(self, part: Program, named: frozenset[str]) -> Plan:
@@ -103,7 +103,8 @@ class Parts:
         constants = named_constants(part)
         found = Nesting(part, language(part, DOUBLE), self._access(part, "->"), VALUE_WIDTH,
                         named=lambda step: step.name in kept, constants=constants)
-        assigned = frozenset(x.step.name for x in found.assigned if isinstance(x, Assignment))
+        assigned = frozenset(name for x in found.assigned if isinstance(x, Assignment)
+                             for name in x.names)
         return Plan(part, assigned - constants.keys(), constants)
 
     def _parameter(self, name: str, own: Group, precision: Precision) -> str:

@@ -4,22 +4,26 @@ Components are read from the last axis as q[0], q[1], as in C; what is written i
 other.
 """
 
+import re
 from collections.abc import Iterator, Sequence
 from textwrap import wrap
 
 from coscrew_codegen.collection import uncollected
+from coscrew_codegen.elementary.calls import called
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, SceneFunctions, Split, Step
-from coscrew_codegen.targets import scene_text
+from coscrew_codegen.targets import numpy_elementary, scene_text
 from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.nesting import Assignment, Plan, wrapped
 from coscrew_codegen.targets.numpy import NUMPY_NAMES, language
 from coscrew_codegen.targets.scene_python_steps import python_name, step_lines
 from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.version import VERSION
+
+_ELEMENTARY = re.compile(r"\b(sincos|sin|cos|exp|tanh|atan2)\(")
 
 
 @uncollected()
@@ -35,8 +39,12 @@ def files(scene: SceneFunctions, banner: str) -> Files:
                 _tuple("BODIES", scene.bodies), _dictionary("PARAMETERS", scene.parameters),
                 _tuple("NEUTRAL_Q", scene.neutral)])
     plans = scene_text.plans(scene)
+    elementary = called([f.program for f in scene.functions])
     modules = {"__init__": head, "_arrays": render("scene/arrays.py", banner=banner),
                **{p.name: _module(scene, plans, banner, p) for p in named(scene.precisions)}}
+    if elementary:
+        modules |= {f"_elementary_{p.name}": numpy_elementary.module(p, elementary, banner)
+                    for p in named(scene.precisions)}
     return {f"{scene.name}/{name}.py": text for name, text in modules.items()}
 
 
@@ -51,8 +59,9 @@ def _dictionary(name: str, entries: Sequence[tuple[str, float]]) -> str:
 def _module(scene: SceneFunctions, plans: Sequence[Plan], banner: str, precision: Precision
             ) -> str:
     functions = scene.functions
-    called = {op for f in functions for op in f.program.counts} & set(NUMPY_NAMES)
-    names = {NUMPY_NAMES[op] for op in called} | {"errstate", precision.numpy_type}
+    counted = {op for f in functions for op in f.program.counts}
+    names = {NUMPY_NAMES[op] for op in counted & set(NUMPY_NAMES)}
+    names |= {"errstate", precision.numpy_type}
     if any(NotANumber() in x.operands for f in functions for x in f.program.instructions):
         names.add("nan")
     names |= {"zeros_like"} if any(step.zeros for step in scene.steps) else set()
@@ -63,12 +72,13 @@ def _module(scene: SceneFunctions, plans: Sequence[Plan], banner: str, precision
                *(["rounds", "merged"] if split else [])]
     made = [*(_function(f, plan, precision) for f, plan in zip(functions, plans, strict=True)),
             *(_step(scene, step, precision) for step in scene.steps)]
+    elementary = sorted({name for x in made for name in _ELEMENTARY.findall(x["body"])})
     legend = scene_text.legend(plans, [x["body"] for x in made])
     return render("scene/precision.py", banner=banner, name=scene.name, precision=precision,
                   names=[row for words in legend
                          for row in wrap(words, WIDTH, subsequent_indent="    ")],
                   imports=listed("from numpy import (", sorted(names), ")"),
-                  helpers=", ".join(helpers),
+                  helpers=", ".join(helpers), elementary=", ".join(elementary),
                   functions=made)
 
 
@@ -112,10 +122,11 @@ def _assigned(x: Assignment | str) -> str:
     """A statement, in parentheses if it takes several lines; or a comment."""
     if isinstance(x, str):
         return f"# {x}"
-    plain = f"{x.step.name} = {x.expression}"
+    names = ", ".join(x.names)
+    plain = f"{names} = {x.expression}"
     if len(plain) <= WIDTH - 4:
         return plain
-    return "\n    ".join(wrapped(f"{x.step.name} = ({x.expression})", WIDTH - 4, 4))
+    return "\n    ".join(wrapped(f"{names} = ({x.expression})", WIDTH - 4, 4))
 
 
 def _assembled(outputs: Sequence[Argument], results: Sequence[str],

@@ -1,0 +1,15 @@
+"""Which elementary functions Programs call."""
+
+from collections.abc import Collection
+
+from coscrew_codegen.program import Op, Program
+
+FUNCTION_OF = {Op.SIN: "sincos", Op.COS: "sincos", Op.EXP: "exp", Op.TANH: "tanh",
+               Op.ATAN2: "atan2"}
+"""The name of the function that computes an operation."""
+
+
+def called(programs: Collection[Program]) -> tuple[str, ...]:
+    """The names of the elementary functions that these Programs call, in alphabetical order."""
+    return tuple(sorted({FUNCTION_OF[op] for program in programs for op in program.counts
+                         if op in FUNCTION_OF}))

@@ -1,0 +1,56 @@
+"""The elementary functions in Python, on components: arrays or numbers."""
+
+import textwrap
+from collections.abc import Collection, Mapping
+from typing import Any
+
+from coscrew_codegen.elementary import ELEMENTARY, Elementary
+from coscrew_codegen.formats import Precision
+from coscrew_codegen.program import Constant, Program, counts_in_words
+from coscrew_codegen.render import render
+from coscrew_codegen.targets import numpy
+from coscrew_codegen.targets.c_statements import WIDTH, listed
+from coscrew_codegen.targets.nesting import Nesting
+
+
+def module(precision: Precision, names: Collection[str], banner: str) -> str:
+    """The module that holds the functions of these names."""
+    wanted = [function for function in ELEMENTARY if function.name in names]
+    programs = [p for function in wanted for p in _programs(function, precision).values()]
+    used = {numpy.NUMPY_NAMES[op] for p in programs for op in p.counts if op in numpy.NUMPY_NAMES}
+    bits = f"uint{8 * precision.bytes}"
+    used |= {"asarray", "errstate", bits, precision.numpy_type}
+    if any(function.near for function in wanted):
+        used |= {"absolute", "where"}
+    return render("python/_elementary.py", banner=banner, precision=precision, bits=bits,
+                  imports=listed("from numpy import (", sorted(used), ")"),
+                  functions=[_function(x, precision) for x in wanted])
+
+
+def _programs(function: Elementary, precision: Precision) -> Mapping[str, Program]:
+    made = {"near": function.near, "far": function.far, "body": function.kernel}
+    return {name: make(precision) for name, make in made.items() if make}
+
+
+def _function(function: Elementary, precision: Precision) -> dict[str, Any]:
+    programs = _programs(function, precision)
+    kernel = programs["body"]
+    holes: dict[str, Any] = {name: _body(program, precision) for name, program in programs.items()}
+    if "near" in programs and function.limit:
+        limit = function.limit(precision)
+        holes["limit"] = precision.literal(Constant(limit, limit))
+        outputs = [a.name for a in programs["near"].outputs]
+        holes |= {"reduced": ", ".join(outputs), "count": len(outputs)}
+    words = f"{function.statement}.  {function.comment(precision)}  " \
+            f"{counts_in_words(kernel).capitalize()}."
+    return {"near": "", "name": function.name, **holes,
+            "taken": ", ".join(a.name for a in kernel.inputs),
+            "docstring": "\n    ".join(textwrap.wrap(words, WIDTH - 8))}
+
+
+def _body(program: Program, precision: Precision) -> str:
+    text = Nesting(program, numpy.language(precision, precision.literal),
+                   lambda x: program.inputs[x.argument].name, WIDTH - 4,
+                   named=lambda step: step.name == step.component)
+    lines = [*text.lines, f"return {', '.join(text.results)}"]
+    return "\n".join(f"    {row}" for line in lines for row in line.split("\n"))
