@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from coscrew_codegen.elementary import ELEMENTARY, Elementary
 from coscrew_codegen.elementary.calls import FUNCTION_OF
 from coscrew_codegen.formats import DOUBLE, Precision
-from coscrew_codegen.program import Constant, Input, Program, counts_in_words
+from coscrew_codegen.program import Constant, Input, Program, counts_in_words, renamed
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.targets.c_function import Body, Stored
 from coscrew_codegen.targets.c_nested import language
@@ -62,18 +62,19 @@ def _written(function: Elementary, precision: Precision, nested: bool) -> Writte
 
 def _function(name: str, inputs: Sequence[Argument], outputs: Sequence[Argument], program: Program,
               precision: Precision, nested: bool) -> tuple[str, str]:
-    """Head and body; a single output is returned."""
-    alone = len(outputs) == 1
-    parameters = [*(f"const {precision.c_type} {a.name}" for a in inputs),
-                  *([] if alone else (f"{precision.c_type} *{a.name}" for a in outputs))]
-    head = listed(f"{precision.c_type if alone else 'void'} {name}{precision.suffix}(",
-                  parameters, ")", WIDTH - 16)
+    """Head and body; the first output is returned, others are pointers."""
+    first, *others = outputs
+    taken = {a.name for a in outputs}
+    program = renamed(program, {step.name: f"{step.name}_value" if step.name in taken
+                                else step.name for step in program.instructions})
+    head = listed(f"{precision.c_type} {name}{precision.suffix}(",
+                  [*(f"const {precision.c_type} {a.name}" for a in inputs),
+                   *(f"{precision.c_type} *{a.name}" for a in others)], ")", WIDTH - 16)
 
     def access(x: Input) -> str:
         return program.inputs[x.argument].name
 
-    stored = Stored(access, [a.name if alone else f"*{a.name}" for a in outputs],
-                    {a.name for a in outputs}, outputs[0].name if alone else "")
+    stored = Stored(access, [first.name, *(f"*{a.name}" for a in others)], taken, first.name)
     plan = planned(program, language(program, DOUBLE), access, _VALUE_WIDTH) if nested else None
     used = plan.program if plan else program
     return head, Body(used, precision, stored, plan).text()

@@ -56,8 +56,8 @@ def product(precision: Precision, a: str, b: str) -> str:
 
 def sine_and_cosine(sine: str, cosine: str, angle: str, precision: Precision) -> str:
     """The statement that declares and computes both."""
-    return (f"{precision.c_type} {sine}, {cosine}; "
-            f"ksl_sincos{precision.suffix}({angle}, &{sine}, &{cosine});")
+    real, f = precision.c_type, precision.suffix
+    return f"{real} {cosine}; const {real} {sine} = ksl_sincos{f}({angle}, &{cosine});"
 
 
 def comment_of(lines: Sequence[str]) -> str:

@@ -14,8 +14,8 @@ from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, SceneFunctions, Step
-from coscrew_codegen.targets import scene_c_arguments as arguments
 from coscrew_codegen.targets import c_elementary, scene_text
+from coscrew_codegen.targets import scene_c_arguments as arguments
 from coscrew_codegen.targets.c_function import Body, CFunction, Stored
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
 from coscrew_codegen.targets.nesting import Plan

@@ -15,7 +15,6 @@ products of two errors remain.
 
 from dataclasses import replace
 from fractions import Fraction
-from functools import partial
 
 from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
 from coscrew_codegen.program import (
@@ -70,6 +69,12 @@ def widened(program: Program) -> Program:
 
 def _made(program: Program, precision: Precision) -> Program:
     return accurate(program) if precision == DOUBLE else widened(program)
+
+
+def _has(program: Program) -> bool:
+    """Whether all is compensated; the rounding of an arctangent alone cannot be."""
+    return rounds_by(COMPENSATED, program) and any(op.rounds for op in program.counts.keys()
+                                                   - {Op.ATAN2})
 
 
 def _compensated(program: Program, compensator: "_Accurate") -> Program:
@@ -232,7 +237,7 @@ class _Accurate(Compensator):
 
 TIER = Tier(
     "accurate", 2, "Accurate tier: double compensated, single computed in double.",
-    ("#c2570c", "#f5a04d"), _made, has=partial(rounds_by, COMPENSATED), header="ksl_exact",
+    ("#c2570c", "#f5a04d"), _made, has=_has, header="ksl_exact",
     in_words="""\
 The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed in
 float64 and rounded once.  The same bits as the C kernels, with fma or without.""")
