@@ -27,7 +27,7 @@ from coscrew_codegen.targets.nesting import (
 _SPELLING = {
     Op.ADD: ("{} + {}", SUM), Op.SUB: ("{} - {}", SUM), Op.MUL: ("{} * {}", PRODUCT),
     Op.DIV: ("{} / {}", PRODUCT), Op.NEG: ("-{}", SIGN), Op.ABS: ("fabs%s({})", CALL),
-    Op.SQRT: ("sqrt%s({})", CALL), Op.COPYSIGN: ("copysign%s({}, {})", CALL),
+    Op.SCALE: ("{} * {}", PRODUCT), Op.SQRT: ("sqrt%s({})", CALL), Op.COPYSIGN: ("copysign%s({}, {})", CALL),
     Op.LESS: ("{} < {}", COMPARISON), Op.EQUAL: ("{} == {}", COMPARISON),
     Op.SELECT: ("{} ? {} : {}", CHOICE),
     **{op: (pattern.replace("{f}", "%s"), CALL) for op, pattern in ELEMENTARY.items()},
@@ -62,7 +62,7 @@ def summed_products(program: Program) -> frozenset[str]:
     for step in reversed(program.instructions):
         if step.op in _SUMS or _doubles(step) or step.op in _TRANSPARENT and step.name in seen:
             seen |= {x.name for x in step.operands if isinstance(x, Ref)}
-        if step.op is Op.MUL and step.name in seen:
+        if step.op in (Op.MUL, Op.SCALE) and step.name in seen:
             found.append(step.name)
     return frozenset(found)
 

@@ -168,7 +168,7 @@ class Nesting:
 
 def _needed(step: Instruction, precedence: int) -> Sequence[int]:
     """The precedence that each operand of an instruction of this precedence needs."""
-    if step.op is Op.MUL:
+    if step.op in (Op.MUL, Op.SCALE):
         return PRODUCT, PRODUCT + 1  # also within a call
     if precedence == CALL:
         return [CHOICE] * 4
