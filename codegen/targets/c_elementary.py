@@ -10,6 +10,7 @@ from coscrew_codegen.elementary.calls import FUNCTION_OF
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.program import Constant, Input, Program, counts_in_words, renamed
 from coscrew_codegen.quantity import Argument
+from coscrew_codegen.targets import two_over_pi
 from coscrew_codegen.targets.c_function import Body, Stored
 from coscrew_codegen.targets.c_nested import language
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
@@ -34,6 +35,7 @@ class Written:
     far: Sequence[str] = ()
     reduced: Sequence[str] = ()  # the names of what they return
     limit: str = ""
+    table: str = ""  # what `far` reads
 
 
 def written(precision: Precision, names: Collection[str], nested: bool = False) -> list[Written]:
@@ -57,7 +59,8 @@ def _written(function: Elementary, precision: Precision, nested: bool) -> Writte
                   for place, program in (("near", near), ("far", far)))
     return Written(function.name, comment, head, body, *reductions,
                    [a.name for a in near.outputs],
-                   precision.literal(Constant(limit, limit)) + precision.suffix)
+                   precision.literal(Constant(limit, limit)) + precision.suffix,
+                   two_over_pi.in_c(precision))
 
 
 def _function(name: str, inputs: Sequence[Argument], outputs: Sequence[Argument], program: Program,

@@ -8,7 +8,7 @@ from coscrew_codegen.elementary import ELEMENTARY, Elementary
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, Program, counts_in_words
 from coscrew_codegen.render import render
-from coscrew_codegen.targets import numpy
+from coscrew_codegen.targets import numpy, two_over_pi
 from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.nesting import Nesting
 
@@ -21,8 +21,9 @@ def module(precision: Precision, names: Collection[str], banner: str) -> str:
     bits = f"uint{8 * precision.bytes}"
     used |= {"asarray", "errstate", bits, precision.numpy_type}
     if any(function.near for function in wanted):
-        used |= {"absolute", "where"}
+        used |= {"absolute", "array", "int64", "where"}
     return render("python/_elementary.py", banner=banner, precision=precision, bits=bits,
+                  two_over_pi=two_over_pi.holes(precision),
                   imports=listed("from numpy import (", sorted(used), ")"),
                   functions=[_function(x, precision) for x in wanted])
 

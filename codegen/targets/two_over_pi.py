@@ -1,4 +1,6 @@
-"""The table of the digits of 2/π and what reads it, in C."""
+"""The table of the digits of 2/π and what reads it."""
+
+from collections.abc import Mapping
 
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant
@@ -9,10 +11,15 @@ from coscrew_codegen.targets.c_statements import WIDTH, listed
 
 def in_c(precision: Precision) -> str:
     """The function ksl_two_over_pi, for a header that includes math.h, stdint.h and string.h."""
+    return render("c/two_over_pi", **holes(precision, precision.suffix))
+
+
+def holes(precision: Precision, suffix: str = "") -> Mapping[str, object]:
+    """What the templates need; literals end in the suffix."""
     some = chunks(precision.digits)
-    literals = [precision.literal(Constant(x, x)) + precision.suffix for x in some.values]
-    return render(
-        "c/two_over_pi", precision=precision, bits=some.bits, scale=some.scale, extra=EXTRA,
-        count=len(literals), values=listed("    ", literals, "", WIDTH), least=2**(some.offset),
-        width=8 * precision.bytes, mask=hex(2**(8 * precision.bytes - precision.digits) - 1),
-        offset=some.offset + 1 - precision.least_exponent, shift=precision.digits - 1)
+    literals = [precision.literal(Constant(x, x)) + suffix for x in some.values]
+    return {"precision": precision, "bits": some.bits, "scale": some.scale, "extra": EXTRA,
+            "count": len(literals), "values": listed("    ", literals, "", WIDTH),
+            "least": 2**some.offset, "width": 8 * precision.bytes,
+            "mask": hex(2**(8 * precision.bytes - precision.digits) - 1),
+            "offset": some.offset + 1 - precision.least_exponent, "shift": precision.digits - 1}
