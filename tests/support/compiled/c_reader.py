@@ -21,10 +21,14 @@ from coscrew_codegen.targets.c_ksl import MARK, REFUSED
 
 INCLUDE = Path(__file__).parents[3] / "generated" / "c" / "include" / "ksl"
 FAMILIES = tuple(sorted(path.stem for path in INCLUDE.glob("*.h")
-                        if not re.match(r"ksl|.*_(fused|accurate|certified)$", path.stem)
-                        and path.stem not in REFUSED))  # plain
+                        if not re.match(r"ksl|elementary|.*_(fused|accurate|certified)$", path.stem)
+                        and path.stem not in REFUSED))
+"""The plain headers, but for elementary functions, whose text is no formula of what they compute."""
 
-_MATH = {"fabs": sp.Abs, "sqrt": sp.sqrt, "sin": sp.sin, "cos": sp.cos, "atan2": sp.atan2}
+_MATH = {"fabs": sp.Abs, "sqrt": sp.sqrt, "ksl_sin": sp.sin, "ksl_cos": sp.cos,
+         "ksl_atan2": sp.atan2}
+_PAIR = "ksl_sincos"
+"""Returns the sine and stores the cosine."""
 _BINARY = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
            "<": operator.lt, ">=": operator.ge, "==": sp.Eq, "&&": sp.And}
 _PRODUCTS = {"KSL_MUL": "double", "KSL_MULF": "float"}
@@ -36,7 +40,7 @@ _SIGNS = re.compile(r"(?<=\s)[+-](?=\s)|(?<=[=,(] )-(?=[\w(])|(?<=[(])-(?=[\w(])
 
 @dataclass(frozen=True)
 class Arithmetic:
-    """The meaning of literals (without f), operators and functions of <math.h>."""
+    """The meaning of literals (without f), operators and elementary functions."""
 
     literal: Callable[[str], object]
     functions: Mapping[str, Callable[..., sp.Expr]]
@@ -256,7 +260,8 @@ class Header:
             yield from {s for s in _scalars(_layout(node, self.types)) if s in ("double", "float")}
         elif isinstance(node, c_ast.Constant) and node.type != "int":
             yield node.type
-        elif isinstance(node, c_ast.FuncCall) and node.name.name.removesuffix("f") in _MATH:
+        elif isinstance(node, c_ast.FuncCall) and node.name.name.removesuffix("f") in {
+                *_MATH, _PAIR}:
             yield "float" if node.name.name.endswith("f") else "double"
         elif isinstance(node, c_ast.FuncCall) and node.name.name in _PRODUCTS:
             yield _PRODUCTS[node.name.name]
@@ -296,7 +301,10 @@ class Header:
             case c_ast.ID(name="NAN"):
                 return sp.nan
             case c_ast.ID():
-                return scope[node.name]
+                found = scope[node.name]
+                return found.read() if _is_scalar(found) else found
+            case c_ast.UnaryOp(op="&"):
+                return self._place(node.expr, scope)
             case c_ast.Cast():
                 return self._value(node.expr, scope)
             case c_ast.UnaryOp(op="-"):
@@ -311,11 +319,17 @@ class Header:
             case c_ast.FuncCall():
                 name, arguments = node.name.name, [self._value(a, scope) for a in node.args.exprs]
                 operation = "*" if name in _PRODUCTS else name.removesuffix("f")
+                if operation == _PAIR:
+                    return self._sine_and_cosine(*arguments)
                 known = self.arithmetic.functions.get(operation)
                 return known(*arguments) if known else self.call(name, *arguments)
             case _:
                 place = self._place(node, scope)
                 return place.read() if isinstance(place.type, Scalar) else place
+
+    def _sine_and_cosine(self, angle: Value, cosine: Place) -> Value:
+        cosine.write(self.arithmetic.functions["ksl_cos"](angle))
+        return self.arithmetic.functions["ksl_sin"](angle)
 
     def _number(self, node: c_ast.Node, scope: dict[str, Value]) -> sp.Expr | int:
         value = self._value(node, scope)
@@ -367,6 +381,11 @@ def _record(node: c_ast.Struct | c_ast.Union, types: dict[str, Type]) -> Record:
         size = max(size, offset + kind.size)
         offset = size if isinstance(node, c_ast.Struct) else 0
     return Record(size, members)
+
+
+def _is_scalar(value: Value) -> bool:
+    """Whether this is a variable of one cell."""
+    return isinstance(value, Place) and isinstance(value.type, Scalar)
 
 
 def _scalars(kind: Type) -> Iterator[str]:

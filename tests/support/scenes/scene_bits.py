@@ -19,7 +19,6 @@ from coscrew_codegen.scene.model import HERE, Kind
 from coscrew_codegen.scene_functions import SceneFunctions, Signature
 from coscrew_codegen.targets import scene_c, scene_calls
 from coscrew_codegen.targets.scene_text import c_name, count
-from tests.support.compiled import stand_ins
 from tests.support.compiled.bits_program import HEAD, ROWS, hashed, numbers, numbers_and_hashes
 from tests.support.scenes.generated_scenes import BANNER, imported
 from tests.support.scenes.mechanisms import Formula, Y, Z, applied, at, chain, inertia, scene
@@ -106,7 +105,7 @@ def wanted(folder: Path) -> list[str]:
     """The lines that it must print."""
     package = imported(functions(), folder)
     modules = {p: getattr(package, p.name) for p in PRECISIONS}
-    with np.errstate(all="ignore"), stand_ins.in_numpy(package.__name__):
+    with np.errstate(all="ignore"):
         return [f"{c_name(functions(), f.name, p)} {_hash(modules[p], f, p):016x}"
                 for p in PRECISIONS for f in scene_calls.callables(functions())]
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property, partial, reduce
-from types import FunctionType
+from types import FunctionType, SimpleNamespace
 from typing import TypeAlias
 
 import mpmath as mp
@@ -132,6 +132,8 @@ _FUNCTIONS: dict[str, Callable[..., Number]] = {
     "abs": lambda x: x._with(abs), "sqrt": Number.sqrt, "sin": lambda x: x._with(mp.sin),
     "cos": lambda x: x._with(mp.cos), "atan2": lambda y, x: y._with(mp.atan2, x)}
 
+_ELEMENTARY = ("sin", "cos", "atan2")
+
 _SYMPY: dict[type[sp.Basic], Callable[..., Number | bool]] = {
     sp.Equality: operator.eq, scaled: operator.mul, sp.Abs: _FUNCTIONS["abs"],
     sp.sin: _FUNCTIONS["sin"], sp.cos: _FUNCTIONS["cos"], sp.atan2: _FUNCTIONS["atan2"]}
@@ -146,13 +148,16 @@ def c_arithmetic(rules: Rules) -> Arithmetic:
     """C's operators and functions under these rules."""
     return Arithmetic(rules.literal, {
         "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
-        "<": operator.lt, "==": operator.eq, "fabs": _FUNCTIONS["abs"], **_FUNCTIONS})
+        "<": operator.lt, "==": operator.eq, "fabs": _FUNCTIONS["abs"],
+        "sqrt": Number.sqrt, **{f"ksl_{name}": _FUNCTIONS[name] for name in _ELEMENTARY}})
 
 
 def python_function(function: FunctionType, rules: Rules) -> FunctionType:
     """A kernel's Python function under these rules."""
-    names = {"absolute": _FUNCTIONS["abs"], "sqrt": Number.sqrt, "sin": _FUNCTIONS["sin"],
-             "cos": _FUNCTIONS["cos"], "arctan2": _FUNCTIONS["atan2"],
+    elementary = SimpleNamespace(
+        **{name: _FUNCTIONS[name] for name in _ELEMENTARY},
+        sincos=lambda x: (_FUNCTIONS["sin"](x), _FUNCTIONS["cos"](x)))
+    names = {"absolute": _FUNCTIONS["abs"], "sqrt": Number.sqrt, "elementary": elementary,
              "where": lambda test, x, y: rules.number(x if test else y),
              "float64": rules.number, "float32": rules.number, "nan": rules.number(mp.nan)}
     constants = tuple(rules.literal(repr(x)) if isinstance(x, float) else x
