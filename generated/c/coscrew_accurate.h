@@ -1118,7 +1118,7 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
       angle_of_dot__left_rest = dot_ - angle_of_dot__left,
       angle_of_dot__right_rest = dot__lo - angle_of_dot__right,
       angle_of_dot__lo = angle_of_dot__left_rest + angle_of_dot__right_rest,
-      angle = atan2(angle_of_cross, angle_of_dot_), angle_size0 = fabs(angle_of_cross),
+      angle = ksl_atan2(angle_of_cross, angle_of_dot_), angle_size0 = fabs(angle_of_cross),
       angle_size1 = fabs(angle_of_dot_),
       angle_most = angle_size0 < angle_size1 ? angle_size1 : angle_size0,
       angle_divisor = angle_most == 0.0 ? 1.0 : angle_most,
@@ -1611,7 +1611,7 @@ static inline float ksl_angle_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3
   const double dot__a = KSL_MUL(scaled_s1_0, scaled_s2_0),
       dot__b = KSL_MUL(scaled_s1_1, scaled_s2_1), dot__c = dot__a + dot__b,
       dot__d = KSL_MUL(scaled_s1_2, scaled_s2_2), dot_ = dot__c + dot__d;
-  const double angle = atan2(cross, dot_);
+  const double angle = ksl_atan2(cross, dot_);
   return (float)angle;
 }
 
@@ -4305,7 +4305,7 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       sine_rest = sine_a - sine_product, sine_exact = sine_rest - sine_product_error,
       sine_cross = KSL_MUL(sine, cosine_a_of_divisor_lo), sine_residual = sine_exact - sine_cross,
       sine_lo = sine_residual / cosine_a_of_divisor;
-  const double polar = atan2(sine_a, R->m00);
+  const double polar = ksl_atan2(sine_a, R->m00);
   const double third = divisor_a_of_n == 0.0 ? 0.0 : polar;
   const double left_1a = KSL_MUL(R->m10, sine), left_1a_cross2 = KSL_MUL(R->m10, sine_lo),
       left_1b = KSL_MUL(R->m11, cosine), left_1b_cross2 = KSL_MUL(R->m11, cosine_lo),
@@ -4335,7 +4335,7 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_of_left_1_left_rest = left_1 - angles_0_of_left_1_left,
       angles_0_of_left_1_right_rest = left_1_lo - angles_0_of_left_1_right,
       angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + angles_0_of_left_1_right_rest,
-      angles_0 = atan2(angles_0_of_left_2, angles_0_of_left_1),
+      angles_0 = ksl_atan2(angles_0_of_left_2, angles_0_of_left_1),
       angles_0_size0 = fabs(angles_0_of_left_2), angles_0_size1 = fabs(angles_0_of_left_1),
       angles_0_most = angles_0_size0 < angles_0_size1 ? angles_0_size1 : angles_0_size0,
       angles_0_divisor = angles_0_most == 0.0 ? 1.0 : angles_0_most,
@@ -4350,7 +4350,7 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_divisor2 = KSL_MUL(angles_0_divisor, angles_0_square),
       angles_0_safe = angles_0_most == 0.0 ? 1.0 : angles_0_divisor2,
       angles_0_lo = angles_0_cross / angles_0_safe;
-  const double angles_1 = atan2(R->m02, divisor_a_of_n), angles_1_size0 = fabs(R->m02),
+  const double angles_1 = ksl_atan2(R->m02, divisor_a_of_n), angles_1_size0 = fabs(R->m02),
       angles_1_size1 = fabs(divisor_a_of_n),
       angles_1_most = angles_1_size0 < angles_1_size1 ? angles_1_size1 : angles_1_size0,
       angles_1_divisor = angles_1_most == 0.0 ? 1.0 : angles_1_most,
@@ -4423,7 +4423,7 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       sine_rest = R->m01 - sine_product, sine_exact = sine_rest - sine_product_error,
       sine_cross = KSL_MUL(sine, cosine_a_of_divisor_lo), sine_residual = sine_exact - sine_cross,
       sine_lo = sine_residual / cosine_a_of_divisor;
-  const double polar = atan2(R->m01, R->m02);
+  const double polar = ksl_atan2(R->m01, R->m02);
   const double third = divisor_a_of_n == 0.0 ? 0.0 : polar;
   const double left_1a = KSL_MUL(R->m11, cosine), left_1a_cross2 = KSL_MUL(R->m11, cosine_lo),
       left_1b = KSL_MUL(R->m12, sine), left_1b_cross2 = KSL_MUL(R->m12, sine_lo),
@@ -4453,7 +4453,7 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_of_left_1_left_rest = left_1 - angles_0_of_left_1_left,
       angles_0_of_left_1_right_rest = left_1_lo - angles_0_of_left_1_right,
       angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + angles_0_of_left_1_right_rest,
-      angles_0 = atan2(angles_0_of_left_2, angles_0_of_left_1),
+      angles_0 = ksl_atan2(angles_0_of_left_2, angles_0_of_left_1),
       angles_0_size0 = fabs(angles_0_of_left_2), angles_0_size1 = fabs(angles_0_of_left_1),
       angles_0_most = angles_0_size0 < angles_0_size1 ? angles_0_size1 : angles_0_size0,
       angles_0_divisor = angles_0_most == 0.0 ? 1.0 : angles_0_most,
@@ -4468,7 +4468,7 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_divisor2 = KSL_MUL(angles_0_divisor, angles_0_square),
       angles_0_safe = angles_0_most == 0.0 ? 1.0 : angles_0_divisor2,
       angles_0_lo = angles_0_cross / angles_0_safe;
-  const double angles_1 = atan2(divisor_a_of_n, R->m00), angles_1_size0 = fabs(divisor_a_of_n),
+  const double angles_1 = ksl_atan2(divisor_a_of_n, R->m00), angles_1_size0 = fabs(divisor_a_of_n),
       angles_1_size1 = fabs(R->m00),
       angles_1_most = angles_1_size0 < angles_1_size1 ? angles_1_size1 : angles_1_size0,
       angles_1_divisor = angles_1_most == 0.0 ? 1.0 : angles_1_most,
@@ -4918,7 +4918,7 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       half_of_upper_3_left_rest = upper_3 - half_of_upper_3_left,
       half_of_upper_3_right_rest = upper_3_lo - half_of_upper_3_right,
       half_of_upper_3_lo = half_of_upper_3_left_rest + half_of_upper_3_right_rest,
-      half = atan2(half_of_n, half_of_upper_3), half_size0 = fabs(half_of_n),
+      half = ksl_atan2(half_of_n, half_of_upper_3), half_size0 = fabs(half_of_n),
       half_size1 = fabs(half_of_upper_3),
       half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
@@ -5495,14 +5495,14 @@ static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double divisor = n == 0.0 ? 1.0 : n;
   const double cosine_a = (double)R->m00 / divisor, cosine = n == 0.0 ? 1.0 : cosine_a;
   const double sine_a = -(double)R->m01, sine = sine_a / divisor;
-  const double polar = atan2(sine_a, (double)R->m00);
+  const double polar = ksl_atan2(sine_a, (double)R->m00);
   const double third = n == 0.0 ? 0.0 : polar;
   const double left_1a = KSL_MUL((double)R->m10, sine), left_1b = KSL_MUL((double)R->m11, cosine),
       left_1 = left_1a + left_1b;
   const double left_2a = KSL_MUL((double)R->m20, sine), left_2b = KSL_MUL((double)R->m21, cosine),
       left_2 = left_2a + left_2b;
-  const double angles_0 = atan2(left_2, left_1);
-  const double angles_1 = atan2((double)R->m02, n);
+  const double angles_0 = ksl_atan2(left_2, left_1);
+  const double angles_1 = ksl_atan2((double)R->m02, n);
   angles->x = (float)angles_0;
   angles->y = (float)angles_1;
   angles->z = (float)third;
@@ -5521,14 +5521,14 @@ static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double divisor = n == 0.0 ? 1.0 : n;
   const double cosine_a = (double)R->m02 / divisor, cosine = n == 0.0 ? 1.0 : cosine_a;
   const double sine = (double)R->m01 / divisor;
-  const double polar = atan2((double)R->m01, (double)R->m02);
+  const double polar = ksl_atan2((double)R->m01, (double)R->m02);
   const double third = n == 0.0 ? 0.0 : polar;
   const double left_1a = KSL_MUL((double)R->m11, cosine), left_1b = KSL_MUL((double)R->m12, sine),
       left_1 = left_1a - left_1b;
   const double left_2a = KSL_MUL((double)R->m21, cosine), left_2b = KSL_MUL((double)R->m22, sine),
       left_2 = left_2a - left_2b;
-  const double angles_0 = atan2(left_2, left_1);
-  const double angles_1 = atan2(n, (double)R->m00);
+  const double angles_0 = ksl_atan2(left_2, left_1);
+  const double angles_1 = ksl_atan2(n, (double)R->m00);
   angles->x = (float)angles_0;
   angles->y = (float)angles_1;
   angles->z = (float)third;
@@ -5650,7 +5650,7 @@ static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
       v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
       v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
   const double n = KSL_MUL(v_n, v_r);
-  const double half = atan2(n, upper_3);
+  const double half = ksl_atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;
@@ -20872,9 +20872,9 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
   const double half_of_n = n + n_lo, half_of_n_right = half_of_n - n,
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
-      half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest, half = atan2(half_of_n, upper_3),
-      half_size0 = fabs(half_of_n), half_size1 = fabs(upper_3),
-      half_most = half_size0 < half_size1 ? half_size1 : half_size0,
+      half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest,
+      half = ksl_atan2(half_of_n, upper_3), half_size0 = fabs(half_of_n),
+      half_size1 = fabs(upper_3), half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
       half_part1 = upper_3 / half_divisor, half_cross1 = KSL_MUL(half_part1, half_of_n_lo),
       half_cross2 = KSL_MUL(half_part0, 0.0), half_square1 = KSL_MUL(half_part1, half_part1),
@@ -20990,9 +20990,9 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
   const double half_of_n = n + n_lo, half_of_n_right = half_of_n - n,
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
-      half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest, half = atan2(half_of_n, upper_3),
-      half_size0 = fabs(half_of_n), half_size1 = fabs(upper_3),
-      half_most = half_size0 < half_size1 ? half_size1 : half_size0,
+      half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest,
+      half = ksl_atan2(half_of_n, upper_3), half_size0 = fabs(half_of_n),
+      half_size1 = fabs(upper_3), half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
       half_part1 = upper_3 / half_divisor, half_cross1 = KSL_MUL(half_part1, half_of_n_lo),
       half_cross2 = KSL_MUL(half_part0, 0.0), half_square1 = KSL_MUL(half_part1, half_part1),
@@ -22207,7 +22207,7 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
   const double v_r_b = 1.0 < v_s ? 5.551115123125783e-17 : 1.0,
       v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_b;
   const double n = KSL_MUL(v_n, v_r);
-  const double half = atan2(n, upper_3);
+  const double half = ksl_atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;
@@ -22258,7 +22258,7 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
   const double v_r_b = 1.0 < v_s ? 5.551115123125783e-17 : 1.0,
       v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_b;
   const double n = KSL_MUL(v_n, v_r);
-  const double half = atan2(n, upper_3);
+  const double half = ksl_atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
@@ -22495,7 +22495,7 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       half_of_upper_3_left_rest = upper_3 - half_of_upper_3_left,
       half_of_upper_3_right_rest = upper_3_lo - half_of_upper_3_right,
       half_of_upper_3_lo = half_of_upper_3_left_rest + half_of_upper_3_right_rest,
-      half = atan2(half_of_n, half_of_upper_3), half_size0 = fabs(half_of_n),
+      half = ksl_atan2(half_of_n, half_of_upper_3), half_size0 = fabs(half_of_n),
       half_size1 = fabs(half_of_upper_3),
       half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
@@ -23325,7 +23325,7 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
       v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
       v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
   const double n = KSL_MUL(v_n, v_r);
-  const double half = atan2(n, upper_3);
+  const double half = ksl_atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;

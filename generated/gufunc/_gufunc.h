@@ -61,6 +61,7 @@ typedef struct {
 
 int coscrew_add_promoter(PyObject *ufunc);
 
+extern const coscrew_gufunc coscrew_elementary_gufuncs[], coscrew_elementary_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_vec3_gufuncs[], coscrew_vec3_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_vec4_gufuncs[], coscrew_vec4_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_mat3x3_gufuncs[], coscrew_mat3x3_gufuncs_avx2[];

@@ -14,10 +14,16 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "071e208ff9e386eb")
+COMPILED: bool = is_compiled("coscrew._gufunc", "f87313e881242fab")
 
 if COMPILED:
     from coscrew._gufunc import (
+        sincos,
+        sin,
+        cos,
+        exp,
+        tanh,
+        atan2,
         vec3_copy,
         vec3_scale,
         vec3_inverted,
@@ -337,6 +343,12 @@ if COMPILED:
     )
 else:
     from coscrew._dispatch import (
+        sincos,
+        sin,
+        cos,
+        exp,
+        tanh,
+        atan2,
         vec3_copy,
         vec3_scale,
         vec3_inverted,
@@ -671,6 +683,12 @@ __version__ = "0.2.0"
 
 __all__ = [
     "COMPILED", "__version__", "get_include", "selfcheck", "double", "single", "SE3", "screw", "coscrew",
+    "sincos",
+    "sin",
+    "cos",
+    "exp",
+    "tanh",
+    "atan2",
     "vec3_copy",
     "vec3_scale",
     "vec3_inverted",

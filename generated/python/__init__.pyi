@@ -13,6 +13,48 @@ def selfcheck() -> list[str]: ...
 
 def get_include() -> str: ...
 
+def sincos(x: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+    """s = sin x, c = cos x, x in rad.
+
+    ()->(),().  x, s, c: number.
+    1 sin, 1 cos.
+    """
+
+def sin(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """s = sin x, x in rad.
+
+    ()->().  x, s: number.
+    1 sin.
+    """
+
+def cos(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """c = cos x, x in rad.
+
+    ()->().  x, c: number.
+    1 cos.
+    """
+
+def exp(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """y = e^x.
+
+    ()->().  x, y: number.
+    1 exp.
+    """
+
+def tanh(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """y = tanh x.
+
+    ()->().  x, y: number.
+    1 tanh.
+    """
+
+def atan2(y: ArrayLike, x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+    """angle of the vector (x, y) to the x axis, in rad, from -π to π.
+
+    (),()->().  y, x, angle: number.
+    1 atan2.
+    """
+
 def vec3_copy(vi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo = vi.
 

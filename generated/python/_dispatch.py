@@ -10,6 +10,12 @@ arrays.
 from coscrew import double, single
 from coscrew._kernel import dispatch
 
+sincos = dispatch(__name__, double.sincos, single.sincos)
+sin = dispatch(__name__, double.sin, single.sin)
+cos = dispatch(__name__, double.cos, single.cos)
+exp = dispatch(__name__, double.exp, single.exp)
+tanh = dispatch(__name__, double.tanh, single.tanh)
+atan2 = dispatch(__name__, double.atan2, single.atan2)
 vec3_copy = dispatch(__name__, double.vec3_copy, single.vec3_copy)
 vec3_scale = dispatch(__name__, double.vec3_scale, single.vec3_scale)
 vec3_inverted = dispatch(__name__, double.vec3_inverted, single.vec3_inverted)

@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "9717816c641815dd")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "3cf87e4a0e165004")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

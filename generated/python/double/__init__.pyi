@@ -4,6 +4,48 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+def sincos(x: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """s = sin x, c = cos x, x in rad.
+
+    ()->(),().  x, s, c: number.
+    1 sin, 1 cos.
+    """
+
+def sin(x: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """s = sin x, x in rad.
+
+    ()->().  x, s: number.
+    1 sin.
+    """
+
+def cos(x: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """c = cos x, x in rad.
+
+    ()->().  x, c: number.
+    1 cos.
+    """
+
+def exp(x: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """y = e^x.
+
+    ()->().  x, y: number.
+    1 exp.
+    """
+
+def tanh(x: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """y = tanh x.
+
+    ()->().  x, y: number.
+    1 tanh.
+    """
+
+def atan2(y: ArrayLike, x: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """angle of the vector (x, y) to the x axis, in rad, from -π to π.
+
+    (),()->().  y, x, angle: number.
+    1 atan2.
+    """
+
 def vec3_copy(vi: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo = vi.
 

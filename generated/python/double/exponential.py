@@ -6,7 +6,8 @@
 In double precision, plain tier.
 """
 
-from numpy import absolute, arctan2, cos, float64, sin, sqrt, where
+from coscrew import _elementary_double as elementary
+from numpy import absolute, float64, sqrt, where
 from coscrew._kernel import double_kernel as kernel
 
 
@@ -51,8 +52,9 @@ def SO3_exp(v):
     residual = cross_rest + exact
     small = 0.5 * residual / theta
     delta = where(absolute(small) < 0.0078125, small, 0)
-    far_sine = where(theta_b, 1, sin(theta))
-    far_cosine = where(theta_b, 0, cos(theta))
+    far_sine_a, far_cosine_a = elementary.sincos(theta)
+    far_sine = where(theta_b, 1, far_sine_a)
+    far_cosine = where(theta_b, 0, far_cosine_a)
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     far_x = where(theta_b, 1, x)
@@ -157,7 +159,7 @@ def SO3_log(R):
     v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
     v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     n = v_n * v_r
-    half = arctan2(n, upper_3)
+    half = elementary.atan2(n, upper_3)
     divisor = where(n == 0, 1, n)
     theta = 2 * half
     k = theta / divisor
@@ -208,8 +210,9 @@ def SO3_leftJacobian(v):
     residual = cross_rest + exact
     small = 0.5 * residual / theta
     delta = where(absolute(small) < 0.0078125, small, 0)
-    far_sine = where(theta_b, 1, sin(theta))
-    far_cosine = where(theta_b, 0, cos(theta))
+    far_sine_a, far_cosine_a = elementary.sincos(theta)
+    far_sine = where(theta_b, 1, far_sine_a)
+    far_cosine = where(theta_b, 0, far_cosine_a)
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     far_x = where(theta_b, 1, x)
@@ -303,8 +306,9 @@ def SO3_rightJacobian(v):
     residual = cross_rest + exact
     small = 0.5 * residual / theta
     delta = where(absolute(small) < 0.0078125, small, 0)
-    far_sine = where(theta_b, 1, sin(theta))
-    far_cosine = where(theta_b, 0, cos(theta))
+    far_sine_a, far_cosine_a = elementary.sincos(theta)
+    far_sine = where(theta_b, 1, far_sine_a)
+    far_cosine = where(theta_b, 0, far_cosine_a)
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     far_x = where(theta_b, 1, x)
@@ -398,8 +402,9 @@ def SO3_leftJacobianInverse(v):
     residual = cross_rest + exact
     small = 0.5 * residual / theta
     delta = where(absolute(small) < 0.0078125, small, 0)
-    far_sine = where(theta_b, 1, sin(theta))
-    far_cosine = where(theta_b, 0, cos(theta))
+    far_sine_a, far_cosine_a = elementary.sincos(theta)
+    far_sine = where(theta_b, 1, far_sine_a)
+    far_cosine = where(theta_b, 0, far_cosine_a)
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     above_b = cosine < 0
@@ -487,8 +492,9 @@ def SO3_rightJacobianInverse(v):
     residual = cross_rest + exact
     small = 0.5 * residual / theta
     delta = where(absolute(small) < 0.0078125, small, 0)
-    far_sine = where(theta_b, 1, sin(theta))
-    far_cosine = where(theta_b, 0, cos(theta))
+    far_sine_a, far_cosine_a = elementary.sincos(theta)
+    far_sine = where(theta_b, 1, far_sine_a)
+    far_cosine = where(theta_b, 0, far_cosine_a)
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     above_b = cosine < 0
@@ -647,8 +653,9 @@ def SE3_exp(s):
     residual = cross_rest + exact
     small = 0.5 * residual / theta
     delta = where(absolute(small) < 0.0078125, small, 0)
-    far_sine = where(theta_b, 1, sin(theta))
-    far_cosine = where(theta_b, 0, cos(theta))
+    far_sine_a, far_cosine_a = elementary.sincos(theta)
+    far_sine = where(theta_b, 1, far_sine_a)
+    far_cosine = where(theta_b, 0, far_cosine_a)
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     far_x = where(theta_b, 1, x)
@@ -780,7 +787,7 @@ def SE3_log(D):
     v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
     v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     n = v_n * v_r
-    half = arctan2(n, upper_3)
+    half = elementary.atan2(n, upper_3)
     divisor = where(n == 0, 1, n)
     theta = 2 * half
     k = theta / divisor
@@ -864,8 +871,9 @@ def SE3_leftJacobian(s):
     residual = cross_rest + exact
     small = 0.5 * residual / theta
     delta = where(absolute(small) < 0.0078125, small, 0)
-    far_sine = where(theta_b, 1, sin(theta))
-    far_cosine = where(theta_b, 0, cos(theta))
+    far_sine_a, far_cosine_a = elementary.sincos(theta)
+    far_sine = where(theta_b, 1, far_sine_a)
+    far_cosine = where(theta_b, 0, far_cosine_a)
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     far_x = where(theta_b, 1, x)
@@ -1010,8 +1018,9 @@ def SE3_rightJacobian(s):
     residual = cross_rest + exact
     small = 0.5 * residual / theta
     delta = where(absolute(small) < 0.0078125, small, 0)
-    far_sine = where(theta_b, 1, sin(theta))
-    far_cosine = where(theta_b, 0, cos(theta))
+    far_sine_a, far_cosine_a = elementary.sincos(theta)
+    far_sine = where(theta_b, 1, far_sine_a)
+    far_cosine = where(theta_b, 0, far_cosine_a)
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     far_x = where(theta_b, 1, x)
@@ -1156,8 +1165,9 @@ def SE3_leftJacobianInverse(s):
     residual = cross_rest + exact
     small = 0.5 * residual / theta
     delta = where(absolute(small) < 0.0078125, small, 0)
-    far_sine = where(theta_b, 1, sin(theta))
-    far_cosine = where(theta_b, 0, cos(theta))
+    far_sine_a, far_cosine_a = elementary.sincos(theta)
+    far_sine = where(theta_b, 1, far_sine_a)
+    far_cosine = where(theta_b, 0, far_cosine_a)
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     above_b = cosine < 0
@@ -1289,8 +1299,9 @@ def SE3_rightJacobianInverse(s):
     residual = cross_rest + exact
     small = 0.5 * residual / theta
     delta = where(absolute(small) < 0.0078125, small, 0)
-    far_sine = where(theta_b, 1, sin(theta))
-    far_cosine = where(theta_b, 0, cos(theta))
+    far_sine_a, far_cosine_a = elementary.sincos(theta)
+    far_sine = where(theta_b, 1, far_sine_a)
+    far_cosine = where(theta_b, 0, far_cosine_a)
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     above_b = cosine < 0
@@ -1460,7 +1471,7 @@ def SE3_interpolated(D1, D2, k):
     log_v_r_d = where(1 < log_v_s, 7.637340908749012e-152, log_v_r_b)
     log_v_r = where(1.3093562431584567e+151 < log_v_s, 9.332636185032189e-302, log_v_r_d)
     log_n = log_v_n * log_v_r
-    log_half = arctan2(log_n, log_upper_3)
+    log_half = elementary.atan2(log_n, log_upper_3)
     log_divisor = where(log_n == 0, 1, log_n)
     log_theta = 2 * log_half
     log_k = log_theta / log_divisor
@@ -1539,8 +1550,9 @@ def SE3_interpolated(D1, D2, k):
     exp_residual = exp_cross_rest + exp_exact
     exp_small = 0.5 * exp_residual / exp_theta
     exp_delta = where(absolute(exp_small) < 0.0078125, exp_small, 0)
-    exp_far_sine = where(exp_theta_b, 1, sin(exp_theta))
-    exp_far_cosine = where(exp_theta_b, 0, cos(exp_theta))
+    exp_far_sine_a, exp_far_cosine_a = elementary.sincos(exp_theta)
+    exp_far_sine = where(exp_theta_b, 1, exp_far_sine_a)
+    exp_far_cosine = where(exp_theta_b, 0, exp_far_cosine_a)
     exp_sine = exp_delta * exp_far_cosine + exp_far_sine
     exp_cosine = exp_far_cosine - exp_delta * exp_far_sine
     exp_far_x = where(exp_theta_b, 1, exp_x)

@@ -6,7 +6,8 @@
 In double precision, plain tier.
 """
 
-from numpy import absolute, arctan2, cos, float64, nan, sin, sqrt, where
+from coscrew import _elementary_double as elementary
+from numpy import absolute, float64, nan, sqrt, where
 from coscrew._kernel import double_kernel as kernel
 
 
@@ -529,12 +530,9 @@ def mat3x3_from_euler_xyz(angles):
     14 mul, 4 add, 3 sin, 3 cos, 3 neg.
     """
     angles_0, angles_1, angles_2 = angles
-    s_0 = sin(angles_0)
-    s_1 = sin(angles_1)
-    s_2 = sin(angles_2)
-    c_0 = cos(angles_0)
-    c_1 = cos(angles_1)
-    c_2 = cos(angles_2)
+    s_0, c_0 = elementary.sincos(angles_0)
+    s_1, c_1 = elementary.sincos(angles_1)
+    s_2, c_2 = elementary.sincos(angles_2)
     first_0 = c_1 * c_2
     first_1 = -(s_2 * c_1)
     first_6 = -(s_1 * c_2)
@@ -565,12 +563,12 @@ def euler_xyz_from_mat3x3(R):
     cosine = where(divisor_a, 1, R_00 / divisor)
     sine_a = -R_01
     sine = sine_a / divisor
-    polar = arctan2(sine_a, R_00)
+    polar = elementary.atan2(sine_a, R_00)
     third = where(divisor_a, 0, polar)
     left_1 = R_10 * sine + R_11 * cosine
     left_2 = R_20 * sine + R_21 * cosine
-    angles_0 = arctan2(left_2, left_1)
-    angles_1 = arctan2(R_02, n)
+    angles_0 = elementary.atan2(left_2, left_1)
+    angles_1 = elementary.atan2(R_02, n)
     return (angles_0, angles_1, third)
 
 
@@ -582,12 +580,9 @@ def mat3x3_from_euler_xyx(angles):
     14 mul, 4 add, 3 sin, 3 cos, 2 neg.
     """
     angles_0, angles_1, angles_2 = angles
-    s_0 = sin(angles_0)
-    s_1 = sin(angles_1)
-    s_2 = sin(angles_2)
-    c_0 = cos(angles_0)
-    c_1 = cos(angles_1)
-    c_2 = cos(angles_2)
+    s_0, c_0 = elementary.sincos(angles_0)
+    s_1, c_1 = elementary.sincos(angles_1)
+    s_2, c_2 = elementary.sincos(angles_2)
     first_1 = s_1 * s_2
     first_2 = s_1 * c_2
     first_7 = s_2 * c_1
@@ -616,12 +611,12 @@ def euler_xyx_from_mat3x3(R):
     divisor = where(divisor_a, 1, n)
     cosine = where(divisor_a, 1, R_02 / divisor)
     sine = R_01 / divisor
-    polar = arctan2(R_01, R_02)
+    polar = elementary.atan2(R_01, R_02)
     third = where(divisor_a, 0, polar)
     left_1 = R_11 * cosine - R_12 * sine
     left_2 = R_21 * cosine - R_22 * sine
-    angles_0 = arctan2(left_2, left_1)
-    angles_1 = arctan2(n, R_00)
+    angles_0 = elementary.atan2(left_2, left_1)
+    angles_1 = elementary.atan2(n, R_00)
     return (angles_0, angles_1, third)
 
 
@@ -675,10 +670,9 @@ def mat3x3_from_axis_angle(axis, angle):
     """
     axis_0, axis_1, axis_2 = axis
     half = 0.5 * angle
-    h = sin(half)
-    cosine = cos(angle)
+    h = elementary.sin(half)
+    sine, cosine = elementary.sincos(angle)
     versine = where(cosine < 0, 1 - cosine, 2 * (h * h))
-    sine = sin(angle)
     beta_v_0 = axis_0 * versine
     beta_v_1 = axis_1 * versine
     beta_v_2 = axis_2 * versine
@@ -766,7 +760,7 @@ def axis_angle_from_mat3x3(R):
     v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
     v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     n = v_n * v_r
-    half = arctan2(n, upper_3)
+    half = elementary.atan2(n, upper_3)
     divisor_a = v_n == 0
     divisor = where(divisor_a, 1, v_n)
     unit_0 = v_y_0 / divisor

@@ -6,7 +6,8 @@
 In double precision, plain tier.
 """
 
-from numpy import absolute, arctan2, float64, sqrt, where
+from coscrew import _elementary_double as elementary
+from numpy import absolute, float64, sqrt, where
 from coscrew._kernel import double_kernel as kernel
 
 
@@ -327,7 +328,7 @@ def angle_vv(v1, v2):
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     cross = n * r
     dot_ = scaled_s1_0 * scaled_s2_0 + scaled_s1_1 * scaled_s2_1 + scaled_s1_2 * scaled_s2_2
-    angle = arctan2(cross, dot_)
+    angle = elementary.atan2(cross, dot_)
     return angle
 
 

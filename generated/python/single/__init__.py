@@ -6,6 +6,14 @@
 Every function broadcasts over leading axes and takes `out=`.
 """
 
+from coscrew.single.elementary import (
+    sincos,
+    sin,
+    cos,
+    exp,
+    tanh,
+    atan2,
+)
 from coscrew.single.vec3 import (
     vec3_copy,
     vec3_scale,

@@ -4,6 +4,48 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+def sincos(x: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """s = sin x, c = cos x, x in rad.
+
+    ()->(),().  x, s, c: number.
+    1 sin, 1 cos.
+    """
+
+def sin(x: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """s = sin x, x in rad.
+
+    ()->().  x, s: number.
+    1 sin.
+    """
+
+def cos(x: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """c = cos x, x in rad.
+
+    ()->().  x, c: number.
+    1 cos.
+    """
+
+def exp(x: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """y = e^x.
+
+    ()->().  x, y: number.
+    1 exp.
+    """
+
+def tanh(x: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """y = tanh x.
+
+    ()->().  x, y: number.
+    1 tanh.
+    """
+
+def atan2(y: ArrayLike, x: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """angle of the vector (x, y) to the x axis, in rad, from -π to π.
+
+    (),()->().  y, x, angle: number.
+    1 atan2.
+    """
+
 def vec3_copy(vi: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo = vi.
 

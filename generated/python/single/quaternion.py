@@ -6,7 +6,8 @@
 In single precision, plain tier.
 """
 
-from numpy import absolute, arctan2, cos, float32, sin, sqrt, where
+from coscrew import _elementary_single as elementary
+from numpy import absolute, float32, sqrt, where
 from coscrew._kernel import single_kernel as kernel
 
 
@@ -971,11 +972,10 @@ def quaternion_from_axis_angle(axis, angle):
     """
     axis_0, axis_1, axis_2 = axis
     half = 0.5 * angle
-    sine = sin(half)
+    sine, qo_3 = elementary.sincos(half)
     qo_0 = axis_0 * sine
     qo_1 = axis_1 * sine
     qo_2 = axis_2 * sine
-    qo_3 = cos(half)
     return (qo_0, qo_1, qo_2, qo_3)
 
 
@@ -1022,7 +1022,7 @@ def axis_angle_from_quaternion(q):
     v_r_b = where(1 < v_s, float32(5.551115123125783e-17), float32(1))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_b)
     n = v_n * v_r
-    half = arctan2(n, upper_3)
+    half = elementary.atan2(n, upper_3)
     divisor_a = v_n == 0
     divisor = where(divisor_a, 1, v_n)
     unit_0 = v_y_0 / divisor
@@ -1077,8 +1077,9 @@ def quaternion_exp(v):
     residual = cross_rest + exact
     small = 0.5 * residual / theta
     delta = where(absolute(small) < 0.0078125, small, 0)
-    far_sine = where(theta_b, 1, sin(theta))
-    far_cosine = where(theta_b, 0, cos(theta))
+    far_sine_a, far_cosine_a = elementary.sincos(theta)
+    far_sine = where(theta_b, 1, far_sine_a)
+    far_cosine = where(theta_b, 0, far_cosine_a)
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     far_k = sine / theta
@@ -1141,7 +1142,7 @@ def quaternion_log(q):
     v_r_b = where(1 < v_s, float32(5.551115123125783e-17), float32(1))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_b)
     n = v_n * v_r
-    half = arctan2(n, upper_3)
+    half = elementary.atan2(n, upper_3)
     divisor = where(n == 0, 1, n)
     theta = 2 * half
     k = theta / divisor
@@ -1187,7 +1188,7 @@ def quaternion_interpolated(q1, q2, k):
     v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
-    half = arctan2(n, upper_3)
+    half = elementary.atan2(n, upper_3)
     divisor = where(n == 0, 1, n)
     rate = half / divisor
     kv_0 = k * upper_0
@@ -1227,8 +1228,9 @@ def quaternion_interpolated(q1, q2, k):
     exp_residual = exp_cross_rest + exp_exact
     exp_small = 0.5 * exp_residual / exp_theta
     exp_delta = where(absolute(exp_small) < 0.0078125, exp_small, 0)
-    exp_far_sine = where(exp_theta_b, 1, sin(exp_theta))
-    exp_far_cosine = where(exp_theta_b, 0, cos(exp_theta))
+    exp_far_sine_a, exp_far_cosine_a = elementary.sincos(exp_theta)
+    exp_far_sine = where(exp_theta_b, 1, exp_far_sine_a)
+    exp_far_cosine = where(exp_theta_b, 0, exp_far_cosine_a)
     exp_sine = exp_delta * exp_far_cosine + exp_far_sine
     exp_cosine = exp_far_cosine - exp_delta * exp_far_sine
     exp_far_k = exp_sine / exp_theta

@@ -6,7 +6,7 @@
 In single precision, plain tier.
 """
 
-from numpy import cos, sin
+from coscrew import _elementary_single as elementary
 from coscrew._kernel import single_kernel as kernel
 
 
@@ -17,6 +17,5 @@ def dc(theta):
     ()->(2).  theta: number; dc: (sin θ, cos θ).
     1 sin, 1 cos.
     """
-    dc_0 = sin(theta)
-    dc_1 = cos(theta)
+    dc_0, dc_1 = elementary.sincos(theta)
     return (dc_0, dc_1)

@@ -6,7 +6,8 @@
 In single precision, plain tier.
 """
 
-from numpy import absolute, arctan2, float32, sqrt, where
+from coscrew import _elementary_single as elementary
+from numpy import absolute, float32, sqrt, where
 from coscrew._kernel import single_kernel as kernel
 
 
@@ -327,7 +328,7 @@ def angle_vv(v1, v2):
     r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     cross = n * r
     dot_ = scaled_s1_0 * scaled_s2_0 + scaled_s1_1 * scaled_s2_1 + scaled_s1_2 * scaled_s2_2
-    angle = arctan2(cross, dot_)
+    angle = elementary.atan2(cross, dot_)
     return angle
 
 

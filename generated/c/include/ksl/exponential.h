@@ -6,6 +6,7 @@
 #define KSL_EXPONENTIAL_H
 
 #include "ksl_types.h"
+#include "elementary.h"
 #include "quaternion.h"
 #include "SE3.h"
 #include "screw.h"
@@ -49,8 +50,9 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double residual = cross_rest + exact;
   const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
   const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
+  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
+  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
   const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double far_x = x < 1.0 ? 1.0 : x;
@@ -166,7 +168,7 @@ static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = KSL_MUL(v_n, v_r);
-  const double half = atan2(n, upper_3);
+  const double half = ksl_atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
@@ -217,8 +219,9 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double residual = cross_rest + exact;
   const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
   const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
+  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
+  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
   const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double far_x = x < 1.0 ? 1.0 : x;
@@ -332,8 +335,9 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double residual = cross_rest + exact;
   const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
   const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
+  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
+  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
   const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double far_x = x < 1.0 ? 1.0 : x;
@@ -447,8 +451,9 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
   const double residual = cross_rest + exact;
   const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
   const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
+  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
+  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
   const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
@@ -550,8 +555,9 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
   const double residual = cross_rest + exact;
   const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
   const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
+  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
+  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
   const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
@@ -808,8 +814,9 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double residual = cross_rest + exact;
   const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
   const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
+  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
+  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
   const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double far_x = x < 1.0 ? 1.0 : x;
@@ -959,7 +966,7 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
       v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = KSL_MUL(v_n, v_r);
-  const double half = atan2(n, upper_3);
+  const double half = ksl_atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
@@ -1056,8 +1063,9 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double residual = cross_rest + exact;
   const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
   const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
+  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
+  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
   const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double far_x = x < 1.0 ? 1.0 : x;
@@ -1285,8 +1293,9 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
   const double residual = cross_rest + exact;
   const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
   const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
+  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
+  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
   const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double far_x = x < 1.0 ? 1.0 : x;
@@ -1514,8 +1523,9 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
   const double residual = cross_rest + exact;
   const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
   const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
+  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
+  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
   const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
@@ -1719,8 +1729,9 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
   const double residual = cross_rest + exact;
   const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
   const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
+  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
+  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
   const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
@@ -1988,7 +1999,7 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
       log_v_r_d = 1.0 < log_v_s ? 7.637340908749012e-152 : log_v_r_b,
       log_v_r = 1.3093562431584567e+151 < log_v_s ? 9.332636185032189e-302 : log_v_r_d;
   const double log_n = KSL_MUL(log_v_n, log_v_r);
-  const double log_half = atan2(log_n, log_upper_3);
+  const double log_half = ksl_atan2(log_n, log_upper_3);
   const double log_divisor = log_n == 0.0 ? 1.0 : log_n;
   const double log_theta = KSL_MUL(2.0, log_half);
   const double log_k = log_theta / log_divisor;
@@ -2087,9 +2098,9 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double exp_residual = exp_cross_rest + exp_exact;
   const double exp_small_a = KSL_MUL(0.5, exp_residual), exp_small = exp_small_a / exp_theta;
   const double exp_delta_a = fabs(exp_small), exp_delta = exp_delta_a < 0.0078125 ? exp_small : 0.0;
-  const double exp_far_sine_a = sin(exp_theta), exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
-  const double exp_far_cosine_a = cos(exp_theta),
-      exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
+  double exp_far_cosine_a; const double exp_far_sine_a = ksl_sincos(exp_theta, &exp_far_cosine_a);
+  const double exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
+  const double exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
   const double exp_sine_a = KSL_MUL(exp_delta, exp_far_cosine),
       exp_sine = exp_sine_a + exp_far_sine;
   const double exp_cosine_a = KSL_MUL(exp_delta, exp_far_sine),
@@ -2271,8 +2282,9 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
   const float residual = cross_rest + exact;
   const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
   const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
-  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
+  float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
+  const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
   const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float far_x = x < 1.0f ? 1.0f : x;
@@ -2387,7 +2399,7 @@ static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = KSL_MULF(v_n, v_r);
-  const float half = atan2f(n, upper_3);
+  const float half = ksl_atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
   const float theta = KSL_MULF(2.0f, half);
   const float k = theta / divisor;
@@ -2438,8 +2450,9 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
   const float residual = cross_rest + exact;
   const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
   const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
-  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
+  float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
+  const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
   const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float far_x = x < 1.0f ? 1.0f : x;
@@ -2553,8 +2566,9 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
   const float residual = cross_rest + exact;
   const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
   const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
-  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
+  float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
+  const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
   const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float far_x = x < 1.0f ? 1.0f : x;
@@ -2668,8 +2682,9 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
   const float residual = cross_rest + exact;
   const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
   const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
-  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
+  float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
+  const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
   const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
@@ -2770,8 +2785,9 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
   const float residual = cross_rest + exact;
   const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
   const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
-  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
+  float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
+  const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
   const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
@@ -3030,8 +3046,9 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
   const float residual = cross_rest + exact;
   const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
   const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
-  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
+  float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
+  const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
   const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float far_x = x < 1.0f ? 1.0f : x;
@@ -3180,7 +3197,7 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = KSL_MULF(v_n, v_r);
-  const float half = atan2f(n, upper_3);
+  const float half = ksl_atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
   const float theta = KSL_MULF(2.0f, half);
   const float k = theta / divisor;
@@ -3276,8 +3293,9 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
   const float residual = cross_rest + exact;
   const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
   const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
-  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
+  float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
+  const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
   const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float far_x = x < 1.0f ? 1.0f : x;
@@ -3502,8 +3520,9 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
   const float residual = cross_rest + exact;
   const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
   const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
-  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
+  float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
+  const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
   const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float far_x = x < 1.0f ? 1.0f : x;
@@ -3728,8 +3747,9 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
   const float residual = cross_rest + exact;
   const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
   const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
-  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
+  float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
+  const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
   const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
@@ -3932,8 +3952,9 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
   const float residual = cross_rest + exact;
   const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
   const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
-  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
+  float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
+  const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
   const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
@@ -4200,7 +4221,7 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
       log_v_r_d = 1.0f < log_v_s ? 5.551115e-17f : log_v_r_b,
       log_v_r = 1.8014399e+16f < log_v_s ? 3.081488e-33f : log_v_r_d;
   const float log_n = KSL_MULF(log_v_n, log_v_r);
-  const float log_half = atan2f(log_n, log_upper_3);
+  const float log_half = ksl_atan2f(log_n, log_upper_3);
   const float log_divisor = log_n == 0.0f ? 1.0f : log_n;
   const float log_theta = KSL_MULF(2.0f, log_half);
   const float log_k = log_theta / log_divisor;
@@ -4300,9 +4321,9 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float exp_small_a = KSL_MULF(0.5f, exp_residual), exp_small = exp_small_a / exp_theta;
   const float exp_delta_a = fabsf(exp_small),
       exp_delta = exp_delta_a < 0.0078125f ? exp_small : 0.0f;
-  const float exp_far_sine_a = sinf(exp_theta), exp_far_sine = exp_x < 1.0f ? 1.0f : exp_far_sine_a;
-  const float exp_far_cosine_a = cosf(exp_theta),
-      exp_far_cosine = exp_x < 1.0f ? 0.0f : exp_far_cosine_a;
+  float exp_far_cosine_a; const float exp_far_sine_a = ksl_sincosf(exp_theta, &exp_far_cosine_a);
+  const float exp_far_sine = exp_x < 1.0f ? 1.0f : exp_far_sine_a;
+  const float exp_far_cosine = exp_x < 1.0f ? 0.0f : exp_far_cosine_a;
   const float exp_sine_a = KSL_MULF(exp_delta, exp_far_cosine),
       exp_sine = exp_sine_a + exp_far_sine;
   const float exp_cosine_a = KSL_MULF(exp_delta, exp_far_sine),

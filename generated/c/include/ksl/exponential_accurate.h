@@ -7,6 +7,7 @@
 #define KSL_EXPONENTIAL_ACCURATE_H
 
 #include "ksl_exact.h"
+#include "elementary.h"
 
 /* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
    R: rotation or other 3×3 matrix; vo: vector.
@@ -225,7 +226,7 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       half_of_upper_3_left_rest = upper_3 - half_of_upper_3_left,
       half_of_upper_3_right_rest = upper_3_lo - half_of_upper_3_right,
       half_of_upper_3_lo = half_of_upper_3_left_rest + half_of_upper_3_right_rest,
-      half = atan2(half_of_n, half_of_upper_3), half_size0 = fabs(half_of_n),
+      half = ksl_atan2(half_of_n, half_of_upper_3), half_size0 = fabs(half_of_n),
       half_size1 = fabs(half_of_upper_3),
       half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
@@ -1055,7 +1056,7 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
       v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
       v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
   const double n = KSL_MUL(v_n, v_r);
-  const double half = atan2(n, upper_3);
+  const double half = ksl_atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;

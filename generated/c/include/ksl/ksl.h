@@ -5,6 +5,7 @@
 #ifndef KSL_H
 #define KSL_H
 
+#include "elementary.h"
 #include "vec3.h"
 #include "axis.h"
 #include "array.h"

@@ -7,6 +7,7 @@
 
 #include <stdarg.h>
 #include "ksl_types.h"
+#include "elementary.h"
 #include "vec3.h"
 #include "axis.h"
 
@@ -679,12 +680,9 @@ static inline void ksl_mat3x3_setFromAxisDC(ksl_mat3x3_t *R, const ksl_vec3_t *a
    angles: vector; R: rotation or other 3×3 matrix.
    14 mul, 4 add, 3 sin, 3 cos, 3 neg. */
 static inline void ksl_mat3x3_from_euler_xyz(const ksl_vec3_t *angles, ksl_mat3x3_t *R) {
-  const double s_0 = sin(angles->x);
-  const double s_1 = sin(angles->y);
-  const double s_2 = sin(angles->z);
-  const double c_0 = cos(angles->x);
-  const double c_1 = cos(angles->y);
-  const double c_2 = cos(angles->z);
+  double c_0; const double s_0 = ksl_sincos(angles->x, &c_0);
+  double c_1; const double s_1 = ksl_sincos(angles->y, &c_1);
+  double c_2; const double s_2 = ksl_sincos(angles->z, &c_2);
   const double first_0 = KSL_MUL(c_1, c_2);
   const double first_1a = KSL_MUL(s_2, c_1), first_1 = -first_1a;
   const double first_6a = KSL_MUL(s_1, c_2), first_6 = -first_6a;
@@ -722,14 +720,14 @@ static inline void ksl_euler_xyz_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *
   const double divisor = n == 0.0 ? 1.0 : n;
   const double cosine_a = R->m00 / divisor, cosine = n == 0.0 ? 1.0 : cosine_a;
   const double sine_a = -R->m01, sine = sine_a / divisor;
-  const double polar = atan2(sine_a, R->m00);
+  const double polar = ksl_atan2(sine_a, R->m00);
   const double third = n == 0.0 ? 0.0 : polar;
   const double left_1a = KSL_MUL(R->m10, sine), left_1b = KSL_MUL(R->m11, cosine),
       left_1 = left_1a + left_1b;
   const double left_2a = KSL_MUL(R->m20, sine), left_2b = KSL_MUL(R->m21, cosine),
       left_2 = left_2a + left_2b;
-  const double angles_0 = atan2(left_2, left_1);
-  const double angles_1 = atan2(R->m02, n);
+  const double angles_0 = ksl_atan2(left_2, left_1);
+  const double angles_1 = ksl_atan2(R->m02, n);
   angles->x = angles_0;
   angles->y = angles_1;
   angles->z = third;
@@ -739,12 +737,9 @@ static inline void ksl_euler_xyz_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *
    angles: vector; R: rotation or other 3×3 matrix.
    14 mul, 4 add, 3 sin, 3 cos, 2 neg. */
 static inline void ksl_mat3x3_from_euler_xyx(const ksl_vec3_t *angles, ksl_mat3x3_t *R) {
-  const double s_0 = sin(angles->x);
-  const double s_1 = sin(angles->y);
-  const double s_2 = sin(angles->z);
-  const double c_0 = cos(angles->x);
-  const double c_1 = cos(angles->y);
-  const double c_2 = cos(angles->z);
+  double c_0; const double s_0 = ksl_sincos(angles->x, &c_0);
+  double c_1; const double s_1 = ksl_sincos(angles->y, &c_1);
+  double c_2; const double s_2 = ksl_sincos(angles->z, &c_2);
   const double first_1 = KSL_MUL(s_1, s_2);
   const double first_2 = KSL_MUL(s_1, c_2);
   const double first_7 = KSL_MUL(s_2, c_1);
@@ -782,14 +777,14 @@ static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *
   const double divisor = n == 0.0 ? 1.0 : n;
   const double cosine_a = R->m02 / divisor, cosine = n == 0.0 ? 1.0 : cosine_a;
   const double sine = R->m01 / divisor;
-  const double polar = atan2(R->m01, R->m02);
+  const double polar = ksl_atan2(R->m01, R->m02);
   const double third = n == 0.0 ? 0.0 : polar;
   const double left_1a = KSL_MUL(R->m11, cosine), left_1b = KSL_MUL(R->m12, sine),
       left_1 = left_1a - left_1b;
   const double left_2a = KSL_MUL(R->m21, cosine), left_2b = KSL_MUL(R->m22, sine),
       left_2 = left_2a - left_2b;
-  const double angles_0 = atan2(left_2, left_1);
-  const double angles_1 = atan2(n, R->m00);
+  const double angles_0 = ksl_atan2(left_2, left_1);
+  const double angles_1 = ksl_atan2(n, R->m00);
   angles->x = angles_0;
   angles->y = angles_1;
   angles->z = third;
@@ -857,11 +852,10 @@ static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
 static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const double angle,
     ksl_mat3x3_t *R) {
   const double half = KSL_MUL(0.5, angle);
-  const double h = sin(half);
-  const double cosine = cos(angle);
+  const double h = ksl_sin(half);
+  double cosine; const double sine = ksl_sincos(angle, &cosine);
   const double versine_a = KSL_MUL(h, h), versine_b = KSL_MUL(2.0, versine_a),
       versine_c = 1.0 - cosine, versine = cosine < 0.0 ? versine_c : versine_b;
-  const double sine = sin(angle);
   const double beta_v_0 = KSL_MUL(axis->x, versine);
   const double beta_v_1 = KSL_MUL(axis->y, versine);
   const double beta_v_2 = KSL_MUL(axis->z, versine);
@@ -950,7 +944,7 @@ static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_
       v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = KSL_MUL(v_n, v_r);
-  const double half = atan2(n, upper_3);
+  const double half = ksl_atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;
@@ -1630,12 +1624,9 @@ static inline void ksl_mat3x3f_setFromAxisDC(ksl_mat3x3f_t *R, const ksl_vec3f_t
    angles: vector; R: rotation or other 3×3 matrix.
    14 mul, 4 add, 3 sin, 3 cos, 3 neg. */
 static inline void ksl_mat3x3f_from_euler_xyz(const ksl_vec3f_t *angles, ksl_mat3x3f_t *R) {
-  const float s_0 = sinf(angles->x);
-  const float s_1 = sinf(angles->y);
-  const float s_2 = sinf(angles->z);
-  const float c_0 = cosf(angles->x);
-  const float c_1 = cosf(angles->y);
-  const float c_2 = cosf(angles->z);
+  float c_0; const float s_0 = ksl_sincosf(angles->x, &c_0);
+  float c_1; const float s_1 = ksl_sincosf(angles->y, &c_1);
+  float c_2; const float s_2 = ksl_sincosf(angles->z, &c_2);
   const float first_0 = KSL_MULF(c_1, c_2);
   const float first_1a = KSL_MULF(s_2, c_1), first_1 = -first_1a;
   const float first_6a = KSL_MULF(s_1, c_2), first_6 = -first_6a;
@@ -1673,14 +1664,14 @@ static inline void ksl_euler_xyz_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_
   const float divisor = n == 0.0f ? 1.0f : n;
   const float cosine_a = R->m00 / divisor, cosine = n == 0.0f ? 1.0f : cosine_a;
   const float sine_a = -R->m01, sine = sine_a / divisor;
-  const float polar = atan2f(sine_a, R->m00);
+  const float polar = ksl_atan2f(sine_a, R->m00);
   const float third = n == 0.0f ? 0.0f : polar;
   const float left_1a = KSL_MULF(R->m10, sine), left_1b = KSL_MULF(R->m11, cosine),
       left_1 = left_1a + left_1b;
   const float left_2a = KSL_MULF(R->m20, sine), left_2b = KSL_MULF(R->m21, cosine),
       left_2 = left_2a + left_2b;
-  const float angles_0 = atan2f(left_2, left_1);
-  const float angles_1 = atan2f(R->m02, n);
+  const float angles_0 = ksl_atan2f(left_2, left_1);
+  const float angles_1 = ksl_atan2f(R->m02, n);
   angles->x = angles_0;
   angles->y = angles_1;
   angles->z = third;
@@ -1690,12 +1681,9 @@ static inline void ksl_euler_xyz_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_
    angles: vector; R: rotation or other 3×3 matrix.
    14 mul, 4 add, 3 sin, 3 cos, 2 neg. */
 static inline void ksl_mat3x3f_from_euler_xyx(const ksl_vec3f_t *angles, ksl_mat3x3f_t *R) {
-  const float s_0 = sinf(angles->x);
-  const float s_1 = sinf(angles->y);
-  const float s_2 = sinf(angles->z);
-  const float c_0 = cosf(angles->x);
-  const float c_1 = cosf(angles->y);
-  const float c_2 = cosf(angles->z);
+  float c_0; const float s_0 = ksl_sincosf(angles->x, &c_0);
+  float c_1; const float s_1 = ksl_sincosf(angles->y, &c_1);
+  float c_2; const float s_2 = ksl_sincosf(angles->z, &c_2);
   const float first_1 = KSL_MULF(s_1, s_2);
   const float first_2 = KSL_MULF(s_1, c_2);
   const float first_7 = KSL_MULF(s_2, c_1);
@@ -1733,14 +1721,14 @@ static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_
   const float divisor = n == 0.0f ? 1.0f : n;
   const float cosine_a = R->m02 / divisor, cosine = n == 0.0f ? 1.0f : cosine_a;
   const float sine = R->m01 / divisor;
-  const float polar = atan2f(R->m01, R->m02);
+  const float polar = ksl_atan2f(R->m01, R->m02);
   const float third = n == 0.0f ? 0.0f : polar;
   const float left_1a = KSL_MULF(R->m11, cosine), left_1b = KSL_MULF(R->m12, sine),
       left_1 = left_1a - left_1b;
   const float left_2a = KSL_MULF(R->m21, cosine), left_2b = KSL_MULF(R->m22, sine),
       left_2 = left_2a - left_2b;
-  const float angles_0 = atan2f(left_2, left_1);
-  const float angles_1 = atan2f(n, R->m00);
+  const float angles_0 = ksl_atan2f(left_2, left_1);
+  const float angles_1 = ksl_atan2f(n, R->m00);
   angles->x = angles_0;
   angles->y = angles_1;
   angles->z = third;
@@ -1808,11 +1796,10 @@ static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
 static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
     ksl_mat3x3f_t *R) {
   const float half = KSL_MULF(0.5f, angle);
-  const float h = sinf(half);
-  const float cosine = cosf(angle);
+  const float h = ksl_sinf(half);
+  float cosine; const float sine = ksl_sincosf(angle, &cosine);
   const float versine_a = KSL_MULF(h, h), versine_b = KSL_MULF(2.0f, versine_a),
       versine_c = 1.0f - cosine, versine = cosine < 0.0f ? versine_c : versine_b;
-  const float sine = sinf(angle);
   const float beta_v_0 = KSL_MULF(axis->x, versine);
   const float beta_v_1 = KSL_MULF(axis->y, versine);
   const float beta_v_2 = KSL_MULF(axis->z, versine);
@@ -1900,7 +1887,7 @@ static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = KSL_MULF(v_n, v_r);
-  const float half = atan2f(n, upper_3);
+  const float half = ksl_atan2f(n, upper_3);
   const float divisor = v_n == 0.0f ? 1.0f : v_n;
   const float unit_0 = v_y_0 / divisor;
   const float unit_1 = v_y_1 / divisor;

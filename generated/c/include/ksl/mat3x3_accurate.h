@@ -7,6 +7,7 @@
 #define KSL_MAT3X3_ACCURATE_H
 
 #include "ksl_exact.h"
+#include "elementary.h"
 
 /* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
      acceleration of its point x, less that of its origin, is Ro x.
@@ -1983,7 +1984,7 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       sine_rest = sine_a - sine_product, sine_exact = sine_rest - sine_product_error,
       sine_cross = KSL_MUL(sine, cosine_a_of_divisor_lo), sine_residual = sine_exact - sine_cross,
       sine_lo = sine_residual / cosine_a_of_divisor;
-  const double polar = atan2(sine_a, R->m00);
+  const double polar = ksl_atan2(sine_a, R->m00);
   const double third = divisor_a_of_n == 0.0 ? 0.0 : polar;
   const double left_1a = KSL_MUL(R->m10, sine), left_1a_cross2 = KSL_MUL(R->m10, sine_lo),
       left_1b = KSL_MUL(R->m11, cosine), left_1b_cross2 = KSL_MUL(R->m11, cosine_lo),
@@ -2013,7 +2014,7 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_of_left_1_left_rest = left_1 - angles_0_of_left_1_left,
       angles_0_of_left_1_right_rest = left_1_lo - angles_0_of_left_1_right,
       angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + angles_0_of_left_1_right_rest,
-      angles_0 = atan2(angles_0_of_left_2, angles_0_of_left_1),
+      angles_0 = ksl_atan2(angles_0_of_left_2, angles_0_of_left_1),
       angles_0_size0 = fabs(angles_0_of_left_2), angles_0_size1 = fabs(angles_0_of_left_1),
       angles_0_most = angles_0_size0 < angles_0_size1 ? angles_0_size1 : angles_0_size0,
       angles_0_divisor = angles_0_most == 0.0 ? 1.0 : angles_0_most,
@@ -2028,7 +2029,7 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_divisor2 = KSL_MUL(angles_0_divisor, angles_0_square),
       angles_0_safe = angles_0_most == 0.0 ? 1.0 : angles_0_divisor2,
       angles_0_lo = angles_0_cross / angles_0_safe;
-  const double angles_1 = atan2(R->m02, divisor_a_of_n), angles_1_size0 = fabs(R->m02),
+  const double angles_1 = ksl_atan2(R->m02, divisor_a_of_n), angles_1_size0 = fabs(R->m02),
       angles_1_size1 = fabs(divisor_a_of_n),
       angles_1_most = angles_1_size0 < angles_1_size1 ? angles_1_size1 : angles_1_size0,
       angles_1_divisor = angles_1_most == 0.0 ? 1.0 : angles_1_most,
@@ -2101,7 +2102,7 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       sine_rest = R->m01 - sine_product, sine_exact = sine_rest - sine_product_error,
       sine_cross = KSL_MUL(sine, cosine_a_of_divisor_lo), sine_residual = sine_exact - sine_cross,
       sine_lo = sine_residual / cosine_a_of_divisor;
-  const double polar = atan2(R->m01, R->m02);
+  const double polar = ksl_atan2(R->m01, R->m02);
   const double third = divisor_a_of_n == 0.0 ? 0.0 : polar;
   const double left_1a = KSL_MUL(R->m11, cosine), left_1a_cross2 = KSL_MUL(R->m11, cosine_lo),
       left_1b = KSL_MUL(R->m12, sine), left_1b_cross2 = KSL_MUL(R->m12, sine_lo),
@@ -2131,7 +2132,7 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_of_left_1_left_rest = left_1 - angles_0_of_left_1_left,
       angles_0_of_left_1_right_rest = left_1_lo - angles_0_of_left_1_right,
       angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + angles_0_of_left_1_right_rest,
-      angles_0 = atan2(angles_0_of_left_2, angles_0_of_left_1),
+      angles_0 = ksl_atan2(angles_0_of_left_2, angles_0_of_left_1),
       angles_0_size0 = fabs(angles_0_of_left_2), angles_0_size1 = fabs(angles_0_of_left_1),
       angles_0_most = angles_0_size0 < angles_0_size1 ? angles_0_size1 : angles_0_size0,
       angles_0_divisor = angles_0_most == 0.0 ? 1.0 : angles_0_most,
@@ -2146,7 +2147,7 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_divisor2 = KSL_MUL(angles_0_divisor, angles_0_square),
       angles_0_safe = angles_0_most == 0.0 ? 1.0 : angles_0_divisor2,
       angles_0_lo = angles_0_cross / angles_0_safe;
-  const double angles_1 = atan2(divisor_a_of_n, R->m00), angles_1_size0 = fabs(divisor_a_of_n),
+  const double angles_1 = ksl_atan2(divisor_a_of_n, R->m00), angles_1_size0 = fabs(divisor_a_of_n),
       angles_1_size1 = fabs(R->m00),
       angles_1_most = angles_1_size0 < angles_1_size1 ? angles_1_size1 : angles_1_size0,
       angles_1_divisor = angles_1_most == 0.0 ? 1.0 : angles_1_most,
@@ -2596,7 +2597,7 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       half_of_upper_3_left_rest = upper_3 - half_of_upper_3_left,
       half_of_upper_3_right_rest = upper_3_lo - half_of_upper_3_right,
       half_of_upper_3_lo = half_of_upper_3_left_rest + half_of_upper_3_right_rest,
-      half = atan2(half_of_n, half_of_upper_3), half_size0 = fabs(half_of_n),
+      half = ksl_atan2(half_of_n, half_of_upper_3), half_size0 = fabs(half_of_n),
       half_size1 = fabs(half_of_upper_3),
       half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
@@ -3173,14 +3174,14 @@ static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double divisor = n == 0.0 ? 1.0 : n;
   const double cosine_a = (double)R->m00 / divisor, cosine = n == 0.0 ? 1.0 : cosine_a;
   const double sine_a = -(double)R->m01, sine = sine_a / divisor;
-  const double polar = atan2(sine_a, (double)R->m00);
+  const double polar = ksl_atan2(sine_a, (double)R->m00);
   const double third = n == 0.0 ? 0.0 : polar;
   const double left_1a = KSL_MUL((double)R->m10, sine), left_1b = KSL_MUL((double)R->m11, cosine),
       left_1 = left_1a + left_1b;
   const double left_2a = KSL_MUL((double)R->m20, sine), left_2b = KSL_MUL((double)R->m21, cosine),
       left_2 = left_2a + left_2b;
-  const double angles_0 = atan2(left_2, left_1);
-  const double angles_1 = atan2((double)R->m02, n);
+  const double angles_0 = ksl_atan2(left_2, left_1);
+  const double angles_1 = ksl_atan2((double)R->m02, n);
   angles->x = (float)angles_0;
   angles->y = (float)angles_1;
   angles->z = (float)third;
@@ -3199,14 +3200,14 @@ static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   const double divisor = n == 0.0 ? 1.0 : n;
   const double cosine_a = (double)R->m02 / divisor, cosine = n == 0.0 ? 1.0 : cosine_a;
   const double sine = (double)R->m01 / divisor;
-  const double polar = atan2((double)R->m01, (double)R->m02);
+  const double polar = ksl_atan2((double)R->m01, (double)R->m02);
   const double third = n == 0.0 ? 0.0 : polar;
   const double left_1a = KSL_MUL((double)R->m11, cosine), left_1b = KSL_MUL((double)R->m12, sine),
       left_1 = left_1a - left_1b;
   const double left_2a = KSL_MUL((double)R->m21, cosine), left_2b = KSL_MUL((double)R->m22, sine),
       left_2 = left_2a - left_2b;
-  const double angles_0 = atan2(left_2, left_1);
-  const double angles_1 = atan2(n, (double)R->m00);
+  const double angles_0 = ksl_atan2(left_2, left_1);
+  const double angles_1 = ksl_atan2(n, (double)R->m00);
   angles->x = (float)angles_0;
   angles->y = (float)angles_1;
   angles->z = (float)third;
@@ -3328,7 +3329,7 @@ static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
       v_r_d = 1.0 < v_s ? 5.551115123125783e-17 : v_r_b,
       v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_d;
   const double n = KSL_MUL(v_n, v_r);
-  const double half = atan2(n, upper_3);
+  const double half = ksl_atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;

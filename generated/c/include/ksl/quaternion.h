@@ -6,6 +6,7 @@
 #define KSL_QUATERNION_H
 
 #include "ksl_types.h"
+#include "elementary.h"
 #include "mat3x3.h"
 
 /* The quaternion of these entries, in order. */
@@ -1066,11 +1067,10 @@ static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quatern
 static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const double angle,
     ksl_quaternion_t *qo) {
   const double half = KSL_MUL(0.5, angle);
-  const double sine = sin(half);
+  double qo_3; const double sine = ksl_sincos(half, &qo_3);
   const double qo_0 = KSL_MUL(axis->x, sine);
   const double qo_1 = KSL_MUL(axis->y, sine);
   const double qo_2 = KSL_MUL(axis->z, sine);
-  const double qo_3 = cos(half);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1116,7 +1116,7 @@ static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, k
   const double v_r_b = 1.0 < v_s ? 7.637340908749012e-152 : 1.0,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_b;
   const double n = KSL_MUL(v_n, v_r);
-  const double half = atan2(n, upper_3);
+  const double half = ksl_atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;
@@ -1171,8 +1171,9 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
   const double residual = cross_rest + exact;
   const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
   const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  const double far_sine_a = sin(theta), far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine_a = cos(theta), far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
+  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
+  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
   const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
   const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
   const double far_k = sine / theta;
@@ -1243,7 +1244,7 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
   const double v_r_b = 1.0 < v_s ? 7.637340908749012e-152 : 1.0,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_b;
   const double n = KSL_MUL(v_n, v_r);
-  const double half = atan2(n, upper_3);
+  const double half = ksl_atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
@@ -1300,7 +1301,7 @@ static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
       v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
   const double n = KSL_MUL(v_n, v_r);
-  const double half = atan2(n, upper_3);
+  const double half = ksl_atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double rate = half / divisor;
   const double kv_0 = KSL_MUL(k, upper_0);
@@ -1346,9 +1347,9 @@ static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
   const double exp_residual = exp_cross_rest + exp_exact;
   const double exp_small_a = KSL_MUL(0.5, exp_residual), exp_small = exp_small_a / exp_theta;
   const double exp_delta_a = fabs(exp_small), exp_delta = exp_delta_a < 0.0078125 ? exp_small : 0.0;
-  const double exp_far_sine_a = sin(exp_theta), exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
-  const double exp_far_cosine_a = cos(exp_theta),
-      exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
+  double exp_far_cosine_a; const double exp_far_sine_a = ksl_sincos(exp_theta, &exp_far_cosine_a);
+  const double exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
+  const double exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
   const double exp_sine_a = KSL_MUL(exp_delta, exp_far_cosine),
       exp_sine = exp_sine_a + exp_far_sine;
   const double exp_cosine_a = KSL_MUL(exp_delta, exp_far_sine),
@@ -2539,11 +2540,10 @@ static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quate
 static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
     ksl_quaternionf_t *qo) {
   const float half = KSL_MULF(0.5f, angle);
-  const float sine = sinf(half);
+  float qo_3; const float sine = ksl_sincosf(half, &qo_3);
   const float qo_0 = KSL_MULF(axis->x, sine);
   const float qo_1 = KSL_MULF(axis->y, sine);
   const float qo_2 = KSL_MULF(axis->z, sine);
-  const float qo_3 = cosf(half);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2589,7 +2589,7 @@ static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, 
   const float v_r_b = 1.0f < v_s ? 5.551115e-17f : 1.0f,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_b;
   const float n = KSL_MULF(v_n, v_r);
-  const float half = atan2f(n, upper_3);
+  const float half = ksl_atan2f(n, upper_3);
   const float divisor = v_n == 0.0f ? 1.0f : v_n;
   const float unit_0 = v_y_0 / divisor;
   const float unit_1 = v_y_1 / divisor;
@@ -2644,8 +2644,9 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
   const float residual = cross_rest + exact;
   const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
   const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
-  const float far_sine_a = sinf(theta), far_sine = x < 1.0f ? 1.0f : far_sine_a;
-  const float far_cosine_a = cosf(theta), far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
+  float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
+  const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
   const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
   const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
   const float far_k = sine / theta;
@@ -2714,7 +2715,7 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
   const float v_r_b = 1.0f < v_s ? 5.551115e-17f : 1.0f,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_b;
   const float n = KSL_MULF(v_n, v_r);
-  const float half = atan2f(n, upper_3);
+  const float half = ksl_atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
   const float theta = KSL_MULF(2.0f, half);
   const float k = theta / divisor;
@@ -2770,7 +2771,7 @@ static inline void ksl_quaternionf_interpolated(const ksl_quaternionf_t *q1,
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = KSL_MULF(v_n, v_r);
-  const float half = atan2f(n, upper_3);
+  const float half = ksl_atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
   const float rate = half / divisor;
   const float kv_0 = KSL_MULF(k, upper_0);
@@ -2817,9 +2818,9 @@ static inline void ksl_quaternionf_interpolated(const ksl_quaternionf_t *q1,
   const float exp_small_a = KSL_MULF(0.5f, exp_residual), exp_small = exp_small_a / exp_theta;
   const float exp_delta_a = fabsf(exp_small),
       exp_delta = exp_delta_a < 0.0078125f ? exp_small : 0.0f;
-  const float exp_far_sine_a = sinf(exp_theta), exp_far_sine = exp_x < 1.0f ? 1.0f : exp_far_sine_a;
-  const float exp_far_cosine_a = cosf(exp_theta),
-      exp_far_cosine = exp_x < 1.0f ? 0.0f : exp_far_cosine_a;
+  float exp_far_cosine_a; const float exp_far_sine_a = ksl_sincosf(exp_theta, &exp_far_cosine_a);
+  const float exp_far_sine = exp_x < 1.0f ? 1.0f : exp_far_sine_a;
+  const float exp_far_cosine = exp_x < 1.0f ? 0.0f : exp_far_cosine_a;
   const float exp_sine_a = KSL_MULF(exp_delta, exp_far_cosine),
       exp_sine = exp_sine_a + exp_far_sine;
   const float exp_cosine_a = KSL_MULF(exp_delta, exp_far_sine),

@@ -7,6 +7,7 @@
 #define KSL_QUATERNION_ACCURATE_H
 
 #include "ksl_exact.h"
+#include "elementary.h"
 
 /* self = a self.
    self: quaternion (x, y, z, w), the scalar last; a: number.
@@ -2689,9 +2690,9 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
   const double half_of_n = n + n_lo, half_of_n_right = half_of_n - n,
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
-      half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest, half = atan2(half_of_n, upper_3),
-      half_size0 = fabs(half_of_n), half_size1 = fabs(upper_3),
-      half_most = half_size0 < half_size1 ? half_size1 : half_size0,
+      half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest,
+      half = ksl_atan2(half_of_n, upper_3), half_size0 = fabs(half_of_n),
+      half_size1 = fabs(upper_3), half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
       half_part1 = upper_3 / half_divisor, half_cross1 = KSL_MUL(half_part1, half_of_n_lo),
       half_cross2 = KSL_MUL(half_part0, 0.0), half_square1 = KSL_MUL(half_part1, half_part1),
@@ -2807,9 +2808,9 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
   const double half_of_n = n + n_lo, half_of_n_right = half_of_n - n,
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
-      half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest, half = atan2(half_of_n, upper_3),
-      half_size0 = fabs(half_of_n), half_size1 = fabs(upper_3),
-      half_most = half_size0 < half_size1 ? half_size1 : half_size0,
+      half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest,
+      half = ksl_atan2(half_of_n, upper_3), half_size0 = fabs(half_of_n),
+      half_size1 = fabs(upper_3), half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
       half_part1 = upper_3 / half_divisor, half_cross1 = KSL_MUL(half_part1, half_of_n_lo),
       half_cross2 = KSL_MUL(half_part0, 0.0), half_square1 = KSL_MUL(half_part1, half_part1),
@@ -4024,7 +4025,7 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
   const double v_r_b = 1.0 < v_s ? 5.551115123125783e-17 : 1.0,
       v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_b;
   const double n = KSL_MUL(v_n, v_r);
-  const double half = atan2(n, upper_3);
+  const double half = ksl_atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
   const double unit_0 = v_y_0 / divisor;
   const double unit_1 = v_y_1 / divisor;
@@ -4075,7 +4076,7 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
   const double v_r_b = 1.0 < v_s ? 5.551115123125783e-17 : 1.0,
       v_r = 1.8014398509481984e+16 < v_s ? 3.0814879110195774e-33 : v_r_b;
   const double n = KSL_MUL(v_n, v_r);
-  const double half = atan2(n, upper_3);
+  const double half = ksl_atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;

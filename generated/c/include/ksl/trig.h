@@ -6,13 +6,13 @@
 #define KSL_TRIG_H
 
 #include "ksl_types.h"
+#include "elementary.h"
 
 /* dc = (sin θ, cos θ), θ in rad; accurate as the platform's sin and cos.
    theta: number; dc: (sin θ, cos θ).
    1 sin, 1 cos. */
 static inline void ksl_dc(const double theta, double dc[2]) {
-  const double dc_0 = sin(theta);
-  const double dc_1 = cos(theta);
+  double dc_1; const double dc_0 = ksl_sincos(theta, &dc_1);
   dc[0] = dc_0;
   dc[1] = dc_1;
 }
@@ -21,8 +21,7 @@ static inline void ksl_dc(const double theta, double dc[2]) {
    theta: number; dc: (sin θ, cos θ).
    1 sin, 1 cos. */
 static inline void ksl_dcf(const float theta, float dc[2]) {
-  const float dc_0 = sinf(theta);
-  const float dc_1 = cosf(theta);
+  float dc_1; const float dc_0 = ksl_sincosf(theta, &dc_1);
   dc[0] = dc_0;
   dc[1] = dc_1;
 }

@@ -7,6 +7,7 @@
 
 #include <stdbool.h>
 #include "ksl_types.h"
+#include "elementary.h"
 
 /* The vec3 of these entries, in order. */
 static inline ksl_vec3_t ksl_vec3(const double x, const double y, const double z) {
@@ -324,7 +325,7 @@ static inline double ksl_angle_vv(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double dot__a = KSL_MUL(scaled_s1_0, scaled_s2_0),
       dot__b = KSL_MUL(scaled_s1_1, scaled_s2_1), dot__c = dot__a + dot__b,
       dot__d = KSL_MUL(scaled_s1_2, scaled_s2_2), dot_ = dot__c + dot__d;
-  const double angle = atan2(cross, dot_);
+  const double angle = ksl_atan2(cross, dot_);
   return angle;
 }
 
@@ -784,7 +785,7 @@ static inline float ksl_angle_vvf(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) 
   const float dot__a = KSL_MULF(scaled_s1_0, scaled_s2_0),
       dot__b = KSL_MULF(scaled_s1_1, scaled_s2_1), dot__c = dot__a + dot__b,
       dot__d = KSL_MULF(scaled_s1_2, scaled_s2_2), dot_ = dot__c + dot__d;
-  const float angle = atan2f(cross, dot_);
+  const float angle = ksl_atan2f(cross, dot_);
   return angle;
 }
 

@@ -7,6 +7,7 @@
 #define KSL_VEC3_ACCURATE_H
 
 #include "ksl_exact.h"
+#include "elementary.h"
 
 /* self = a self.
    self: vector; a: number.
@@ -633,7 +634,7 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
       angle_of_dot__left_rest = dot_ - angle_of_dot__left,
       angle_of_dot__right_rest = dot__lo - angle_of_dot__right,
       angle_of_dot__lo = angle_of_dot__left_rest + angle_of_dot__right_rest,
-      angle = atan2(angle_of_cross, angle_of_dot_), angle_size0 = fabs(angle_of_cross),
+      angle = ksl_atan2(angle_of_cross, angle_of_dot_), angle_size0 = fabs(angle_of_cross),
       angle_size1 = fabs(angle_of_dot_),
       angle_most = angle_size0 < angle_size1 ? angle_size1 : angle_size0,
       angle_divisor = angle_most == 0.0 ? 1.0 : angle_most,
@@ -1126,7 +1127,7 @@ static inline float ksl_angle_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3
   const double dot__a = KSL_MUL(scaled_s1_0, scaled_s2_0),
       dot__b = KSL_MUL(scaled_s1_1, scaled_s2_1), dot__c = dot__a + dot__b,
       dot__d = KSL_MUL(scaled_s1_2, scaled_s2_2), dot_ = dot__c + dot__d;
-  const double angle = atan2(cross, dot_);
+  const double angle = ksl_atan2(cross, dot_);
   return (float)angle;
 }
 

@@ -6,7 +6,8 @@
 In double precision, accurate tier.
 """
 
-from numpy import absolute, arctan2, float64, sqrt, where
+from coscrew import _elementary_double as elementary
+from numpy import absolute, float64, sqrt, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
@@ -202,7 +203,7 @@ def SO3_log(R):
     half_of_upper_3 = upper_3 + upper_3_lo
     half_of_upper_3_right = half_of_upper_3 - upper_3
     half_of_upper_3_left_rest = upper_3 - (half_of_upper_3 - half_of_upper_3_right)
-    half = arctan2(half_of_n, half_of_upper_3)
+    half = elementary.atan2(half_of_n, half_of_upper_3)
     half_size0 = absolute(half_of_n)
     half_size1 = absolute(half_of_upper_3)
     half_most = where(half_size0 < half_size1, half_size1, half_size0)

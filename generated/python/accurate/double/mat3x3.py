@@ -6,7 +6,8 @@
 In double precision, accurate tier.
 """
 
-from numpy import absolute, arctan2, float64, nan, sqrt, where
+from coscrew import _elementary_double as elementary
+from numpy import absolute, float64, nan, sqrt, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
@@ -1666,7 +1667,7 @@ def euler_xyz_from_mat3x3(R):
     sine_product = sine * cosine_a_of_divisor
     sine_exact = sine_a - sine_product - product_error(sine, cosine_a_of_divisor, sine_product)
     sine_lo = (sine_exact - sine * cosine_a_of_divisor_lo) / cosine_a_of_divisor
-    polar = arctan2(sine_a, R_00)
+    polar = elementary.atan2(sine_a, R_00)
     third = where(divisor_a, 0, polar)
     left_1a = R_10 * sine
     left_1b = R_11 * cosine
@@ -1688,7 +1689,7 @@ def euler_xyz_from_mat3x3(R):
     angles_0_of_left_1 = left_1 + left_1_lo
     angles_0_of_left_1_right = angles_0_of_left_1 - left_1
     angles_0_of_left_1_left_rest = left_1 - (angles_0_of_left_1 - angles_0_of_left_1_right)
-    angles_0 = arctan2(angles_0_of_left_2, angles_0_of_left_1)
+    angles_0 = elementary.atan2(angles_0_of_left_2, angles_0_of_left_1)
     angles_0_size0 = absolute(angles_0_of_left_2)
     angles_0_size1 = absolute(angles_0_of_left_1)
     angles_0_most = where(angles_0_size0 < angles_0_size1, angles_0_size1, angles_0_size0)
@@ -1700,7 +1701,7 @@ def euler_xyz_from_mat3x3(R):
     angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + (left_1_lo - angles_0_of_left_1_right)
     angles_0_square = angles_0_part1 * angles_0_part1 + angles_0_part0 * angles_0_part0
     angles_0_cross = angles_0_part1 * angles_0_of_left_2_lo - angles_0_part0 * angles_0_of_left_1_lo
-    angles_1 = arctan2(R_02, divisor_a_of_n)
+    angles_1 = elementary.atan2(R_02, divisor_a_of_n)
     angles_1_size0 = absolute(R_02)
     angles_1_size1 = absolute(divisor_a_of_n)
     angles_1_most = where(angles_1_size0 < angles_1_size1, angles_1_size1, angles_1_size0)
@@ -1765,7 +1766,7 @@ def euler_xyx_from_mat3x3(R):
     sine_product = sine * cosine_a_of_divisor
     sine_exact = R_01 - sine_product - product_error(sine, cosine_a_of_divisor, sine_product)
     sine_lo = (sine_exact - sine * cosine_a_of_divisor_lo) / cosine_a_of_divisor
-    polar = arctan2(R_01, R_02)
+    polar = elementary.atan2(R_01, R_02)
     third = where(divisor_a, 0, polar)
     left_1a = R_11 * cosine
     left_1b = R_12 * sine
@@ -1787,7 +1788,7 @@ def euler_xyx_from_mat3x3(R):
     angles_0_of_left_1 = left_1 + left_1_lo
     angles_0_of_left_1_right = angles_0_of_left_1 - left_1
     angles_0_of_left_1_left_rest = left_1 - (angles_0_of_left_1 - angles_0_of_left_1_right)
-    angles_0 = arctan2(angles_0_of_left_2, angles_0_of_left_1)
+    angles_0 = elementary.atan2(angles_0_of_left_2, angles_0_of_left_1)
     angles_0_size0 = absolute(angles_0_of_left_2)
     angles_0_size1 = absolute(angles_0_of_left_1)
     angles_0_most = where(angles_0_size0 < angles_0_size1, angles_0_size1, angles_0_size0)
@@ -1799,7 +1800,7 @@ def euler_xyx_from_mat3x3(R):
     angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + (left_1_lo - angles_0_of_left_1_right)
     angles_0_square = angles_0_part1 * angles_0_part1 + angles_0_part0 * angles_0_part0
     angles_0_cross = angles_0_part1 * angles_0_of_left_2_lo - angles_0_part0 * angles_0_of_left_1_lo
-    angles_1 = arctan2(divisor_a_of_n, R_00)
+    angles_1 = elementary.atan2(divisor_a_of_n, R_00)
     angles_1_size0 = absolute(divisor_a_of_n)
     angles_1_size1 = absolute(R_00)
     angles_1_most = where(angles_1_size0 < angles_1_size1, angles_1_size1, angles_1_size0)
@@ -2172,7 +2173,7 @@ def axis_angle_from_mat3x3(R):
     half_of_upper_3 = upper_3 + upper_3_lo
     half_of_upper_3_right = half_of_upper_3 - upper_3
     half_of_upper_3_left_rest = upper_3 - (half_of_upper_3 - half_of_upper_3_right)
-    half = arctan2(half_of_n, half_of_upper_3)
+    half = elementary.atan2(half_of_n, half_of_upper_3)
     half_size0 = absolute(half_of_n)
     half_size1 = absolute(half_of_upper_3)
     half_most = where(half_size0 < half_size1, half_size1, half_size0)

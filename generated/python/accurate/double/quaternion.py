@@ -6,7 +6,8 @@
 In double precision, accurate tier.
 """
 
-from numpy import absolute, arctan2, float64, sqrt, where
+from coscrew import _elementary_double as elementary
+from numpy import absolute, float64, sqrt, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
@@ -2597,7 +2598,7 @@ def axis_angle_from_quaternion(q):
     n_lo = where(n_lost == 0, 0, (n_lost + n_of_v_n_lo) * v_r)
     half_of_n = n + n_lo
     half_of_n_right = half_of_n - n
-    half = arctan2(half_of_n, upper_3)
+    half = elementary.atan2(half_of_n, upper_3)
     half_size0 = absolute(half_of_n)
     half_size1 = absolute(upper_3)
     half_most = where(half_size0 < half_size1, half_size1, half_size0)
@@ -2705,7 +2706,7 @@ def quaternion_log(q):
     half_of_n = n + n_lo
     half_of_n_right = half_of_n - n
     half_of_n_lo = n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right)
-    half = arctan2(half_of_n, upper_3)
+    half = elementary.atan2(half_of_n, upper_3)
     half_size0 = absolute(half_of_n)
     half_size1 = absolute(upper_3)
     half_most = where(half_size0 < half_size1, half_size1, half_size0)

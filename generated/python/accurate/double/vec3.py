@@ -6,7 +6,8 @@
 In double precision, accurate tier.
 """
 
-from numpy import absolute, arctan2, float64, sqrt, where
+from coscrew import _elementary_double as elementary
+from numpy import absolute, float64, sqrt, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
@@ -593,7 +594,7 @@ def angle_vv(v1, v2):
     angle_of_dot_ = dot_ + dot__lo
     angle_of_dot__right = angle_of_dot_ - dot_
     angle_of_dot__left_rest = dot_ - (angle_of_dot_ - angle_of_dot__right)
-    angle = arctan2(angle_of_cross, angle_of_dot_)
+    angle = elementary.atan2(angle_of_cross, angle_of_dot_)
     angle_size0 = absolute(angle_of_cross)
     angle_size1 = absolute(angle_of_dot_)
     angle_most = where(angle_size0 < angle_size1, angle_size1, angle_size0)

@@ -6,7 +6,8 @@
 In single precision, accurate tier.
 """
 
-from numpy import absolute, arctan2, float64, sqrt, where
+from coscrew import _elementary_double as elementary
+from numpy import absolute, float64, sqrt, where
 from coscrew._kernel import wide_kernel as kernel
 
 
@@ -69,7 +70,7 @@ def SO3_log(R):
     v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
-    half = arctan2(n, upper_3)
+    half = elementary.atan2(n, upper_3)
     divisor = where(n == 0, 1, n)
     theta = 2 * half
     k = theta / divisor

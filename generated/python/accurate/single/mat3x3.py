@@ -6,7 +6,8 @@
 In single precision, accurate tier.
 """
 
-from numpy import absolute, arctan2, float64, nan, sqrt, where
+from coscrew import _elementary_double as elementary
+from numpy import absolute, float64, nan, sqrt, where
 from coscrew._kernel import wide_kernel as kernel
 
 
@@ -468,12 +469,12 @@ def euler_xyz_from_mat3x3(R):
     cosine = where(divisor_a, 1, R_00 / divisor)
     sine_a = -R_01
     sine = sine_a / divisor
-    polar = arctan2(sine_a, R_00)
+    polar = elementary.atan2(sine_a, R_00)
     third = where(divisor_a, 0, polar)
     left_1 = R_10 * sine + R_11 * cosine
     left_2 = R_20 * sine + R_21 * cosine
-    angles_0 = arctan2(left_2, left_1)
-    angles_1 = arctan2(R_02, n)
+    angles_0 = elementary.atan2(left_2, left_1)
+    angles_1 = elementary.atan2(R_02, n)
     return (angles_0, angles_1, third)
 
 
@@ -492,12 +493,12 @@ def euler_xyx_from_mat3x3(R):
     divisor = where(divisor_a, 1, n)
     cosine = where(divisor_a, 1, R_02 / divisor)
     sine = R_01 / divisor
-    polar = arctan2(R_01, R_02)
+    polar = elementary.atan2(R_01, R_02)
     third = where(divisor_a, 0, polar)
     left_1 = R_11 * cosine - R_12 * sine
     left_2 = R_21 * cosine - R_22 * sine
-    angles_0 = arctan2(left_2, left_1)
-    angles_1 = arctan2(n, R_00)
+    angles_0 = elementary.atan2(left_2, left_1)
+    angles_1 = elementary.atan2(n, R_00)
     return (angles_0, angles_1, third)
 
 
@@ -599,7 +600,7 @@ def axis_angle_from_mat3x3(R):
     v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
-    half = arctan2(n, upper_3)
+    half = elementary.atan2(n, upper_3)
     divisor_a = v_n == 0
     divisor = where(divisor_a, 1, v_n)
     unit_0 = v_y_0 / divisor

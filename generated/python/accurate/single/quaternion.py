@@ -6,7 +6,8 @@
 In single precision, accurate tier.
 """
 
-from numpy import absolute, arctan2, float64, sqrt, where
+from coscrew import _elementary_double as elementary
+from numpy import absolute, float64, sqrt, where
 from coscrew._kernel import wide_kernel as kernel
 
 
@@ -969,7 +970,7 @@ def axis_angle_from_quaternion(q):
     v_r_b = where(1 < v_s, float64(5.551115123125783e-17), float64(1))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_b)
     n = v_n * v_r
-    half = arctan2(n, upper_3)
+    half = elementary.atan2(n, upper_3)
     divisor_a = v_n == 0
     divisor = where(divisor_a, 1, v_n)
     unit_0 = v_y_0 / divisor
@@ -1023,7 +1024,7 @@ def quaternion_log(q):
     v_r_b = where(1 < v_s, float64(5.551115123125783e-17), float64(1))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_b)
     n = v_n * v_r
-    half = arctan2(n, upper_3)
+    half = elementary.atan2(n, upper_3)
     divisor = where(n == 0, 1, n)
     theta = 2 * half
     k = theta / divisor

@@ -1,0 +1,76 @@
+# Made by `coscrew generate`; changes are overwritten.
+# SPDX-License-Identifier: MIT
+# coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
+"""Elementary functions, with the same bits on every machine.
+
+In single precision, plain tier.
+"""
+
+from coscrew import _elementary_single as elementary
+from coscrew._kernel import single_kernel as kernel
+
+
+@kernel("()->(),()")
+def sincos(x):
+    """s = sin x, c = cos x, x in rad.
+
+    ()->(),().  x, s, c: number.
+    1 sin, 1 cos.
+    """
+    s, c = elementary.sincos(x)
+    return (s, c)
+
+
+@kernel("()->()")
+def sin(x):
+    """s = sin x, x in rad.
+
+    ()->().  x, s: number.
+    1 sin.
+    """
+    s = elementary.sin(x)
+    return s
+
+
+@kernel("()->()")
+def cos(x):
+    """c = cos x, x in rad.
+
+    ()->().  x, c: number.
+    1 cos.
+    """
+    c = elementary.cos(x)
+    return c
+
+
+@kernel("()->()")
+def exp(x):
+    """y = e^x.
+
+    ()->().  x, y: number.
+    1 exp.
+    """
+    y = elementary.exp(x)
+    return y
+
+
+@kernel("()->()")
+def tanh(x):
+    """y = tanh x.
+
+    ()->().  x, y: number.
+    1 tanh.
+    """
+    y = elementary.tanh(x)
+    return y
+
+
+@kernel("(),()->()")
+def atan2(y, x):
+    """angle of the vector (x, y) to the x axis, in rad, from -π to π.
+
+    (),()->().  y, x, angle: number.
+    1 atan2.
+    """
+    angle = elementary.atan2(y, x)
+    return angle
