@@ -1,8 +1,10 @@
 """Sine and cosine against MPFR: special values, every binade, what is nearest to k π/2."""
 
+from fractions import Fraction
+
 import numpy as np
 
-from coscrew_codegen.elementary import reduction
+from coscrew_codegen.elementary import reduction, sincos
 from coscrew_codegen.elementary.sincos import FUNCTION
 from coscrew_codegen.formats import DOUBLE, Precision
 from tests.support.each import each_precision
@@ -25,6 +27,19 @@ def around(x: list[float], precision: Precision) -> Array:
     middle = np.array(x, precision.numpy_type)
     return np.concatenate([middle, *(np.nextafter(middle, middle.dtype.type(end))
                                      for end in (0, np.inf))])
+
+
+@each_precision
+def test_coefficients_are_those_derived(precision: Precision):
+    data = sincos.DATA[precision]
+    assert sincos.derived(precision) == (data.sine, data.cosine)
+
+
+@each_precision
+def test_the_approximation_is_within_what_is_stated(precision: Precision):
+    """Stated as a logarithm to one decimal, so that tenth powers compare."""
+    stated = Fraction(2)**int(10 * sincos.DATA[precision].approximation)
+    assert stated / 2 < max(sincos.approximations(precision))**10 <= stated
 
 
 @each_precision
