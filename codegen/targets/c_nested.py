@@ -27,7 +27,8 @@ from coscrew_codegen.targets.nesting import (
 _SPELLING = {
     Op.ADD: ("{} + {}", SUM), Op.SUB: ("{} - {}", SUM), Op.MUL: ("{} * {}", PRODUCT),
     Op.DIV: ("{} / {}", PRODUCT), Op.NEG: ("-{}", SIGN), Op.ABS: ("fabs%s({})", CALL),
-    Op.SCALE: ("{} * {}", PRODUCT), Op.SQRT: ("sqrt%s({})", CALL), Op.COPYSIGN: ("copysign%s({}, {})", CALL),
+    Op.SCALE: ("{} * {}", PRODUCT), Op.SQRT: ("sqrt%s({})", CALL),
+    Op.COPYSIGN: ("copysign%s({}, {})", CALL),
     Op.LESS: ("{} < {}", COMPARISON), Op.EQUAL: ("{} == {}", COMPARISON),
     Op.SELECT: ("{} ? {} : {}", CHOICE),
     **{op: (pattern.replace("{f}", "%s"), CALL) for op, pattern in ELEMENTARY.items()},

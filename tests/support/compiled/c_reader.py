@@ -23,7 +23,7 @@ INCLUDE = Path(__file__).parents[3] / "generated" / "c" / "include" / "ksl"
 FAMILIES = tuple(sorted(path.stem for path in INCLUDE.glob("*.h")
                         if not re.match(r"ksl|elementary|.*_(fused|accurate|certified)$", path.stem)
                         and path.stem not in REFUSED))
-"""The plain headers, but for elementary functions, whose text is no formula of what they compute."""
+"""The plain headers, except elementary functions, whose text is no formula of what they compute."""
 
 _MATH = {"fabs": sp.Abs, "sqrt": sp.sqrt, "ksl_sin": sp.sin, "ksl_cos": sp.cos,
          "ksl_atan2": sp.atan2}
