@@ -27,6 +27,16 @@ class Format:
         return Fraction(1, 2**self.digits)
 
     @property
+    def stored_bits(self) -> int:
+        """Bits of a number's significand that its encoding stores: all but the first."""
+        return self.digits - 1
+
+    @property
+    def bias(self) -> int:
+        """What is added to exponents of normal numbers in their encoding."""
+        return 1 - self.least_exponent
+
+    @property
     def decimals(self) -> int:
         """Significant decimals that tell any two numbers apart: 17, 9."""
         return ceil(self.digits * log10(2)) + 1
@@ -63,6 +73,11 @@ class Precision(Format):
     colour: str = ""  # in plots whose colours do not stand for tiers or integrators
     dash: str = ""  # of lines in plots
     marker: str = ""
+
+    @property
+    def encoding(self) -> str:
+        """The unsigned integers of this size: uint64, uint32."""
+        return f"uint{8 * self.bytes}"
 
     def value(self, constant: Constant) -> Fraction:
         """The constant's value for this precision, exact and not yet rounded."""

@@ -19,11 +19,10 @@ def module(precision: Precision, names: Collection[str], banner: str) -> str:
     wanted = [function for function in ELEMENTARY if function.name in names]
     programs = [p for function in wanted for p in _programs(function, precision).values()]
     used = {numpy.NUMPY_NAMES[op] for p in programs for op in p.counts if op in numpy.NUMPY_NAMES}
-    bits = f"uint{8 * precision.bytes}"
-    used |= {"asarray", "errstate", bits, precision.numpy_type}
+    used |= {"asarray", "errstate", precision.encoding, precision.numpy_type}
     if any(function.near for function in wanted):
         used |= {"absolute", "array", "int64", "where"}
-    return render("python/_elementary.py", banner=banner, precision=precision, bits=bits,
+    return render("python/_elementary.py", banner=banner, precision=precision,
                   two_over_pi=two_over_pi.holes(precision),
                   imports=listed("from numpy import (", sorted(used), ")"),
                   functions=[_function(x, precision) for x in wanted])
@@ -43,7 +42,7 @@ def _function(function: Elementary, precision: Precision) -> dict[str, Any]:
         limit = function.limit(precision)
         holes["limit"] = precision.literal(Constant(limit, limit))
         outputs = [a.name for a in programs["near"].outputs]
-        holes |= {"reduced": ", ".join(outputs), "count": len(outputs)}
+        holes["reduced"] = ", ".join(outputs)
     words = f"{function.statement}.  {function.comment(precision)}  " \
             f"{counts_in_words(kernel).capitalize()}."
     return {"near": "", "name": function.name, **holes,

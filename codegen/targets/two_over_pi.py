@@ -20,6 +20,5 @@ def holes(precision: Precision, suffix: str = "") -> Mapping[str, object]:
     literals = [precision.literal(Constant(x, x)) + suffix for x in some.values]
     return {"precision": precision, "bits": some.bits, "scale": some.scale, "extra": EXTRA,
             "count": len(literals), "values": listed("    ", literals, "", WIDTH),
-            "least": 2**some.offset, "width": 8 * precision.bytes,
-            "mask": hex(2**(8 * precision.bytes - precision.digits) - 1),
-            "offset": some.offset + 1 - precision.least_exponent, "shift": precision.digits - 1}
+            "least": 2**some.offset, "offset": some.offset + precision.bias,
+            "mask": hex(2**(8 * precision.bytes - precision.digits) - 1)}

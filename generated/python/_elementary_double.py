@@ -9,8 +9,8 @@ from numpy import (absolute, array, asarray, copysign, errstate, float64, int64,
 def power_of_two(shifted):
     """2^k by its bits, from 1.5 · 2^52 + k."""
     bits = asarray(shifted, float64).view(uint64)
-    power = (bits << 52) + (uint64(1023) << 52)
-    return power.view(float64)[()]
+    one = uint64(1023) << 52
+    return ((bits << 52) + one).view(float64)[()]
 
 
 @errstate(all="ignore")
@@ -109,7 +109,8 @@ _TWO_OVER_PI = array((
     -1.4213062968337908e-05, -1.7819479073734323e-12, 2.312672511709599e-20, 1.9128857412445226e-28,
     -4.7275159220664295e-36, -7.857766278129624e-44, 1.0013967854884192e-51, -6.748739759997069e-60,
     2.9382392389751967e-67, 3.275166641861633e-75, 2.9838823028238618e-83, 5.698810044393321e-91,
-    -7.348167503787565e-99, 1.224385720857395e-106, 2.1156250393735652e-115, -2.378423370797896e-122), float64)
+    -7.348167503787565e-99, 1.224385720857395e-106, 2.1156250393735652e-115, -2.378423370797896e-122
+), float64)
 
 
 def two_over_pi(x, n):
@@ -208,7 +209,8 @@ def sincos(x):
     beyond = absolute(x) > 52707177.0
     if beyond.any():
         far = _sincos_far(where(beyond, x, 52707177.0))
-        quadrant, r, r_excess = map(where, [beyond] * 3, far, (quadrant, r, r_excess))
+        quadrant, r, r_excess = (
+            where(beyond, a, b) for a, b in zip(far, (quadrant, r, r_excess)))
     return _sincos_of(quadrant, r, r_excess)
 
 

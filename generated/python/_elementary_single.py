@@ -9,8 +9,8 @@ from numpy import (absolute, array, asarray, copysign, errstate, float32, int64,
 def power_of_two(shifted):
     """2^k by its bits, from 1.5 · 2^23 + k."""
     bits = asarray(shifted, float32).view(uint32)
-    power = (bits << 23) + (uint32(127) << 23)
-    return power.view(float32)[()]
+    one = uint32(127) << 23
+    return ((bits << 23) + one).view(float32)[()]
 
 
 @errstate(all="ignore")
@@ -89,7 +89,8 @@ def exp(x):
 _TWO_OVER_PI = array((
     0.0, 7.9228163e+28, -2.8782106e+28, -7.843851e+24, 2.0349065e+21, -1.2497489e+17, 2.3295903e+13,
     -2.5836913e+10, 2.576384e+06, 2002.0, -0.042236328, 7.426739e-05, -1.4697434e-08, -4.195755e-12,
-    -1.4762497e-15, -3.6676527e-19, 5.588639e-23, 8.330371e-28, -8.3200174e-32), float32)
+    -1.4762497e-15, -3.6676527e-19, 5.588639e-23, 8.330371e-28, -8.3200174e-32
+), float32)
 
 
 def two_over_pi(x, n):
@@ -186,7 +187,8 @@ def sincos(x):
     beyond = absolute(x) > 12867.0
     if beyond.any():
         far = _sincos_far(where(beyond, x, 12867.0))
-        quadrant, r, r_excess = map(where, [beyond] * 3, far, (quadrant, r, r_excess))
+        quadrant, r, r_excess = (
+            where(beyond, a, b) for a, b in zip(far, (quadrant, r, r_excess)))
     return _sincos_of(quadrant, r, r_excess)
 
 

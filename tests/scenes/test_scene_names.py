@@ -100,7 +100,7 @@ def test_numbers_of_the_model_and_torques_of_effects_have_names() -> None:
     functions = example("arm6")
     c, double, single = (
         text for files in (scene_c.files(functions, "x"), scene_python.files(functions, "x"))
-        for path, text in files.items() if path.endswith((".c", "double.py", "single.py")))
+        for path, text in files.items() if path.endswith((".c", "/double.py", "/single.py")))
     for name, value in (("pan_armature_I", 0.7), ("Bm2", 2.4), ("t2x", 0.41)):
         assert f"{name} = {value}\n" in double and f"{name} = {value}\n" in single
         for start in ("void arm6_inverse_dynamics(", "void arm6_inverse_dynamicsf("):

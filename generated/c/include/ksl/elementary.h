@@ -21,10 +21,11 @@
 #define KSL_POWER
 /* 2^k by its bits, from 1.5 · 2^52 + k. */
 static inline double ksl_power(const double shifted) {
+  const uint64_t one = ((uint64_t)1023) << 52;
   uint64_t bits;
   double power;
   memcpy(&bits, &shifted, sizeof bits);
-  bits = (bits << 52) + ((uint64_t)1023 << 52);
+  bits = (bits << 52) + one;
   memcpy(&power, &bits, sizeof power);
   return power;
 }
@@ -34,10 +35,11 @@ static inline double ksl_power(const double shifted) {
 #define KSL_POWERF
 /* 2^k by its bits, from 1.5 · 2^23 + k. */
 static inline float ksl_powerf(const float shifted) {
+  const uint32_t one = ((uint32_t)127) << 23;
   uint32_t bits;
   float power;
   memcpy(&bits, &shifted, sizeof bits);
-  bits = (bits << 23) + ((uint32_t)127 << 23);
+  bits = (bits << 23) + one;
   memcpy(&power, &bits, sizeof power);
   return power;
 }
