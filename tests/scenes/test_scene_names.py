@@ -1,4 +1,4 @@
-"""Names of instructions in scenes' text: read as the legend says, without gaps."""
+"""Names of instructions in scenes' text: as the legend describes them, numbered without gaps."""
 
 import re
 from collections import defaultdict
@@ -96,7 +96,8 @@ def example(name: str) -> SceneFunctions:
 
 
 def test_numbers_of_the_model_and_torques_of_effects_have_names() -> None:
-    """A rotor behind its gear, 100^2 7e-5; a mass, an offset; each once a function that uses it."""
+    """A rotor behind its gear, 100^2 7e-5; a mass; an offset: each named once in a function that
+    uses it."""
     functions = example("arm6")
     c, double, single = (
         text for files in (scene_c.files(functions, "x"), scene_python.files(functions, "x"))
@@ -113,7 +114,7 @@ def test_numbers_of_the_model_and_torques_of_effects_have_names() -> None:
 
 
 def test_a_name_that_two_numbers_have_is_the_firsts() -> None:
-    """The other stands as it is; so does one whose name something else has."""
+    """The second number is written as a literal; so is one whose name is already taken."""
     w = Writer(argument("q", 3))
     named = [Constant(Fraction(n), Fraction(n), name)
              for n, name in ((3, "mass"), (5, "mass"), (7, "q"), (3, "mass"))]

@@ -1,4 +1,4 @@
-"""What scenes' files say, and what they look like."""
+"""What scenes' files say, and how they look."""
 
 import ast
 import os
