@@ -4,6 +4,7 @@ from functools import cache
 
 from coscrew_codegen.library import Library
 from coscrew_codegen.render import LICENSE, render
+from coscrew_codegen.targets.c_elementary import HEADER
 from coscrew_codegen.targets.c_headers import headers, umbrellas
 from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.tiers import PLAIN, TIERS, Tier
@@ -25,7 +26,10 @@ def file_name(tier: Tier) -> str:
 def text(library: Library, tier: Tier) -> str:
     """The headers of a tier in one text, without their includes of each other."""
     plain = headers(library, PLAIN)
-    made = {name: plain[name] for name in _SHARED} | dict(headers(library, tier))
+    own = headers(library, tier)
+    called = any(f'#include "{HEADER}.h"' in content for content in own.values())
+    shared = (*_SHARED, *([HEADER] if called else []))
+    made = {name: plain[name] for name in shared} | dict(own)
     head = 1 + len(LICENSE)
     sections = ["\n".join(line for line in content.splitlines()[head:]
                           if not line.startswith('#include "')) + "\n"

@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "3cf87e4a0e165004")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "a6c1d3b77cdb5fbf")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (
