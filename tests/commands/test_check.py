@@ -308,7 +308,7 @@ def test_single_precision_is_not_excused_as_rounding(tmp_path, capsys):
     path = tmp_path / "nut.toml"
     words = ("--integrator", "semi-implicit-euler", "--until", "0.4")
     status, said = outcome(path, capsys, "check", NUT, *words)
-    found = [float(x) for x in said.split("relative, at most")[1].split()[:2]]
+    found = [float(x) for x in said.split("error of energy, relative")[1].split()[:2]]
     assert status == 0 and all(3e-5 < x < 6e-4 for x in found)
     assert said.count("integrator, of order") == 2 and "rounding" not in said
     for precision in ("both", "single"):
