@@ -19,12 +19,13 @@ import pytest
 import sympy as sp
 
 import coscrew
-from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
+from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.kernel import Kernel, kernel_of
 from coscrew_codegen.operations import Operation
 from coscrew_codegen.passes import simplified
 from coscrew_codegen.program import Op
 from coscrew_codegen.targets.c import c_name
+from tests.support.cases import for_all
 from tests.support.compiled.c_reader import Header, Place, header, sign_flips
 from tests.support.each import each_precision
 from tests.support.motion_inputs import motions_of
@@ -190,9 +191,8 @@ def differs(found: list[mp.mpf], wanted: list[mp.mpf]) -> bool:
 RUNS = {"C": run_c, "Python": run_python}
 
 
-@pytest.mark.parametrize("language", RUNS)
 @each_operation
-@each_precision
+@for_all(precision=PRECISIONS, language=RUNS)
 def test_text_is_its_kernel(operation, precision, language):
     rules = Rules(precision, rounds=True)
     for row, wanted in zip(rows(operation, precision), results(operation, precision), strict=True):
@@ -201,7 +201,7 @@ def test_text_is_its_kernel(operation, precision, language):
 
 
 @each_operation
-@each_precision
+@for_all(precision=PRECISIONS)
 def test_rows_take_every_branch(operation, precision):
     _, seen = evaluated(operation, precision)
     conditions = {test for test, _ in seen}
@@ -307,10 +307,9 @@ def orthonormal(name: str, x: mp.matrix | mp.mpf) -> mp.matrix | mp.mpf:
     return x / norm(x) if name in ("q1", "q2", "axis") else x
 
 
-@pytest.mark.parametrize("language", RUNS)
-@each_precision
 @pytest.mark.parametrize("operation", [op for op in NUMERIC if op.name not in TRUTHS and
                                        all(map(can_evaluate, op.truth()))], ids=lambda op: op.name)
+@for_all(precision=PRECISIONS, language=RUNS)
 def test_text_is_its_formula(operation, precision, language):
     """Norms and angles: scaling is undone to the last digit."""
     rules = Rules(precision)
