@@ -110,6 +110,8 @@ DOUBLE = Precision(53, -1022, "double", "double", "", "float64", "d", 8, "#0072b
 SINGLE = Precision(24, -126, "single", "float", "f", "float32", "f", 4, "#f5a04d", "--", "s")
 PRECISIONS = (DOUBLE, SINGLE)
 BY_NAME = {precision.name: precision for precision in PRECISIONS}
+CHOICES = (*BY_NAME, "both")
+"""What options and scene files may say of the precision."""
 
 
 def named(names: Collection[str]) -> tuple[Precision, ...]:

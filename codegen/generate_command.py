@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.console import doing
+from coscrew_codegen.formats import CHOICES
 from coscrew_codegen.native import cache
 from coscrew_codegen.simulate.command import add_implausible, scene_of
 
@@ -88,8 +89,9 @@ def _scene(options: argparse.Namespace) -> int:
     from coscrew_codegen.selection import SelectionError
 
     given = [name for name in ("family", "language") if getattr(options, name)]
-    if options.precision not in (None, "double", "single", "both"):
-        raise SelectionError(f"--precision {options.precision}: wanted double, single or both")
+    if options.precision not in (None, *CHOICES):
+        raise SelectionError(f"--precision {options.precision}: wanted one of "
+                             f"{', '.join(CHOICES)}")
     if given:
         raise SelectionError(f"--{given[0]} selects kernels of the library; of a scene, "
                              "--functions and --precision select")

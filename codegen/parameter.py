@@ -1,6 +1,7 @@
 """Run-time parameters: numbers of a scene that stay arguments of its functions."""
 
 from dataclasses import dataclass
+from enum import Enum
 from fractions import Fraction
 
 
@@ -14,3 +15,19 @@ class Parameter:
 
 
 Scalar = Fraction | Parameter
+
+
+class Sign(Enum):
+    """What a number may be; NaN, which only arguments at run time can be, is accepted."""
+
+    POSITIVE = "a positive number"
+    NONNEGATIVE = "0 or more"
+
+    @property
+    def rule(self) -> str:
+        """For headers and docstrings."""
+        return "must be positive" if self is Sign.POSITIVE else "must not be negative"
+
+    def refuses(self, number: Fraction | float) -> bool:
+        """Whether the number may not be given."""
+        return number <= 0 if self is Sign.POSITIVE else number < 0

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from coscrew_codegen.formats import BY_NAME
+from coscrew_codegen.parameter import Sign
 from coscrew_codegen.program import Program
 
 Arrays = tuple[tuple[str, tuple[int, ...]], ...]
@@ -116,6 +117,7 @@ class SceneInterface:
     precisions: tuple[str, ...]
     timed: bool
     signatures: tuple[Signature, ...]  # the public functions, steps last
+    signs: tuple[tuple[str, Sign], ...] = ()  # names of the parameters with a sign
 
 
 @dataclass(frozen=True)
@@ -133,7 +135,7 @@ class SceneFunctions:
     steps: tuple[Step, ...] = ()  # of each integrator
     precisions: tuple[str, ...] = tuple(BY_NAME)  # those it is emitted in
     timed: bool = False  # whether forces depend on time
-    positive: tuple[str, ...] = ()  # names of the parameters that must be positive
+    signs: tuple[tuple[str, Sign], ...] = ()  # names of the parameters with a sign
 
     def named(self, name: str) -> Function:
         """The function of this name; a ValueError if there is none."""

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 
 from coscrew_codegen.errors import ReportedError
-from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.formats import CHOICES, PRECISIONS, Precision
 from coscrew_codegen.library import Keep, Library
 from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation
 from coscrew_codegen.targets import languages
@@ -56,7 +56,7 @@ def select(families: list[str], precision: str, language: str | None) -> Selecti
     """The Selection of these names.  Raises SelectionError for an unknown one."""
     for family in families:
         _known("family", family, FAMILIES)
-    _known("precision", precision, (*(p.name for p in PRECISIONS), "both"))
+    _known("precision", precision, CHOICES)
     if language is not None:
         _known("language", language, LANGUAGES)
     return Selection(

@@ -25,7 +25,7 @@ def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence
     for name, link in zip(names, tree.links, strict=True):
         if link.driver:
             continue
-        with recorder.part(name, "q", link.name):
+        with recorder.part(name, "q", link.heading):
             own, step = q[link.q.start:link.q.stop], phi[link.v.start:link.v.stop]
             if link.joint.kind is Kind.FREE:
                 exponential = recorder.call("SE3_exp", step)
@@ -53,7 +53,7 @@ def chart_rate(recorder: Recorder, tree: Tree, names: Sequence[str]) -> list[Num
     for name, link in zip(names, tree.links, strict=True):
         if link.driver:
             continue
-        with recorder.part(name, "v", link.name):
+        with recorder.part(name, "v", link.heading):
             own, at = v[link.v.start:link.v.stop], phi[link.v.start:link.v.stop]
             if link.joint.kind is Kind.SPHERICAL:
                 first = cross(at, own)

@@ -10,7 +10,7 @@ from coscrew_codegen.recording.recorder import Recorder, array, headings
 from coscrew_codegen.scene.assembly import ModelError
 from coscrew_codegen.scene.formulas import Formula
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene.tree import Tree, tree_of
+from coscrew_codegen.scene.tree import Tree, heading_of_body, tree_of
 from coscrew_codegen.scene_functions import Function
 
 Makers = dict[str, Callable[[], Function | None]]
@@ -50,6 +50,7 @@ class Derivation:
             "phi": array("phi", (nv,), "displacements along the velocities, in m, rad"),
         }
         self.timed = is_timed(scene)
+        self.headings = self._headings()
 
     def _function(self, name: str, words: str, inputs: str, outputs: Sequence[Argument],
                   compute: Callable[[Recording], Results],
@@ -71,17 +72,18 @@ class Derivation:
                              "mimics another with multiplier 0") from None
         program = recorder.program(name, list(zip(outputs, results, strict=True)))
         function = Function(name, words, program, tuple(
-            (place, self._heading(words)) for place, words in headings(program)))
+            (place, self.headings.get(words, words)) for place, words in headings(program)))
         refuse_products(self.scene, function)
         refuse_quotients(self.scene, function, self._at_rest())
         return function
 
-    def _heading(self, words: str) -> str:
-        """A link's number, name and motion: "4 forearm: elbow turns about y"; a body's number and
-        name."""
-        link = next((x for x in self.tree.links if x.name == words), None)
-        called = f"{self.bodies[words]} {words}" if words in self.bodies else words
-        return f"{called}: {link.joint.in_words}" if link else called
+    def _headings(self) -> dict[str, str]:
+        """What text says instead of a body's heading: its number and name, and how it moves if it
+        is a link's first: "4 forearm: elbow turns about y"."""
+        found = {heading_of_body(x): f"{number} {x}" for x, number in self.bodies.items()}
+        for link in self.tree.links:
+            found[link.heading] += f": {link.joint.in_words}"
+        return found
 
     def _at_rest(self) -> dict[str, tuple[float, ...]]:
         """Inputs by name, at rest: neutral coordinates, default parameters, zero velocities."""

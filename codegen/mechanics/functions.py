@@ -21,7 +21,7 @@ from coscrew_codegen.scene.selected import (
     selected_functions,
     together,
 )
-from coscrew_codegen.scene.signs import Sign, signs
+from coscrew_codegen.scene.signs import signs
 from coscrew_codegen.scene_functions import SceneFunctions
 
 
@@ -57,7 +57,7 @@ class _Derivation(DynamicsFunctions, BodyFunctions, StepFunctions):
             scene.name, tree.nq, tree.nv, tree.coordinates, tuple(self.bodies),
             tuple((p.name, float(p.value)) for p in scene.parameters), coordinates.neutral(tree),
             tuple(found), (), scene.precisions, self.timed,
-            tuple(name for name, sign in signs(scene).items() if sign is Sign.POSITIVE)), steps)
+            tuple(signs(scene).items())), steps)
 
     def _makers(self) -> Makers:
         return {**self._of_dynamics(), **self._of_bodies(), **self._of_steps()}

@@ -9,6 +9,7 @@ from coscrew_codegen.mechanics.recorded import Recording, Results
 from coscrew_codegen.recording.numbers import Number
 from coscrew_codegen.recording.recorder import array
 from coscrew_codegen.scene.selected import jacobians, reactions
+from coscrew_codegen.scene.tree import heading_of_body
 from coscrew_codegen.scene_functions import Function
 
 _BODY_FRAME = "in the frame of the body, at its origin"
@@ -40,7 +41,7 @@ class BodyFunctions(Derivation):
             motion = x.motion(accelerating=False, falling=False)
             found: list[Number] = []
             for body, name in self.bodies.items():
-                with x.recorder.part(name, "v", body):
+                with x.recorder.part(name, "v", heading_of_body(body)):
                     found += frames.twist(x, motion, body)
             return [found]
 
@@ -50,7 +51,7 @@ class BodyFunctions(Derivation):
 
     def _jacobian(self, name: str, body: str) -> Function:
         def compute(x: Recording) -> Results:
-            with x.recorder.part(self.bodies[body], "J", body):
+            with x.recorder.part(self.bodies[body], "J", heading_of_body(body)):
                 columns = frames.jacobian(x, x.motion(False, False, False), body)
             return [[columns[j][i] for i in range(6) for j in range(self.tree.nv)]]
 

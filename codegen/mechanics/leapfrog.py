@@ -64,7 +64,7 @@ def _delays(x: Recording, h: Number, rates: Sequence[Number]) -> dict[int, Numbe
     for number, link in enumerate(x.tree.links):
         own = x.tree.links[link.driver.link] if link.driver else link
         if not (rate := rates[own.v.start]).is_zero:
-            with x.recorder.part(x.names[number], "own", link.name):
+            with x.recorder.part(x.names[number], "own", link.heading):
                 found[number] = h * _beyond(h, rate)
     return found
 
@@ -73,7 +73,7 @@ def closing(x: Recording) -> Number:
     """The number of contacts of joints that are closed now or, moving with v, after h."""
     count = x.recorder.number(0)
     for link, before, after in _contacts(x):
-        with x.recorder.part(x.names[link], "own", x.tree.links[link].name):
+        with x.recorder.part(x.names[link], "own", x.tree.links[link].heading):
             count = count + where(less(count.like(0), before.depth + after.depth), 1, 0)
     return count
 
@@ -88,7 +88,7 @@ def split(x: Recording) -> tuple[Number, Number]:
     (h,), motion = recorder.argument("h"), x.motion(accelerating=False)
     number, worst = closing(x), recorder.number(0)
     for link, before, after in _contacts(x):
-        with recorder.part(x.names[link], "own", x.tree.links[link].name):
+        with recorder.part(x.names[link], "own", x.tree.links[link].heading):
             mobility = forward.inverse_inertia(motion, x.rigids, x.inertias, link)
             deepest = _power(before.depth, 2) * sqrt(before.depth)
             v = motion.speeds(link)[0]
@@ -112,7 +112,7 @@ def _contacts(x: Recording) -> Iterator[tuple[int, Contact, Contact]]:
     for applied in x.scene.effects:
         if applied.effect.joint_torque:
             link = x.tree.links.index(x.tree.link_of(applied.on))
-            with recorder.part(x.names[link], "own", x.tree.links[link].name):
+            with recorder.part(x.names[link], "own", x.tree.links[link].heading):
                 values = settings(recorder, applied.values, zero)
                 q, v = motion.coordinates(link)[0], motion.speeds(link)[0]
                 before = applied.effect.joint_torque(CoordinateState(q, v, zero), values).contact

@@ -79,7 +79,7 @@ class Motion:
         """Name the instructions of this block after this value of the link."""
         if link < 0:
             return self.recorder.part("world", symbol, "world")
-        return self.recorder.part(self.names[link], symbol, self.tree.links[link].name)
+        return self.recorder.part(self.names[link], symbol, self.tree.links[link].heading)
 
     # joints
 

@@ -54,12 +54,8 @@ def refuse_products(scene: Scene, function: Function) -> None:
     """Raise RangeError for the first constant of the function, a product of the scene's numbers,
     that one of its precisions cannot represent."""
     for where, constant in _constants(function):
-        _refuse(scene, constant, SUBNORMAL, f"{_place(scene, where)}: its numbers are multiplied "
+        _refuse(scene, constant, SUBNORMAL, f"{where}: its numbers are multiplied "
                 f"to {_shown(constant.double)} in {function.name}, which")
-
-
-def _place(scene: Scene, where: str) -> str:
-    return f"body {where!r}" if any(where == x.name for x in scene.model.bodies) else where
 
 
 def refuse_quotients(scene: Scene, function: Function, inputs: Mapping[str, Sequence[float]]
@@ -74,7 +70,7 @@ def refuse_quotients(scene: Scene, function: Function, inputs: Mapping[str, Sequ
         for where, quotient in _quotients(program, precision, inputs):
             if abs(quotient) > largest:
                 _refuse(scene, Constant(quotient, quotient), SUBNORMAL,
-                        f"{_place(scene, where or function.name)}: its numbers are divided to "
+                        f"{where or function.name}: its numbers are divided to "
                         f"{_shown(quotient)} at rest in {function.name}, which")
 
 

@@ -37,7 +37,7 @@ class Recording:
         """The inertia of each link."""
         found = []
         for name, link in zip(self.names, self.tree.links, strict=True):
-            with self.recorder.part(name, "B", link.name):
+            with self.recorder.part(name, "B", link.heading):
                 own, label = lumped(self.recorder, link.bodies), self.recorder.label
                 found.append(rigid_of((*label("Bm", own.m), *label("Bh", own.h),
                                        *label("BI", own.I))))

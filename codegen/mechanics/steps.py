@@ -88,7 +88,7 @@ class _Means:
             part = recorder.argument("h")[0] / below
         found: list[Number] = []
         for joint, places in zip(self.joints, self.scene.coordinates, strict=True):
-            with recorder.part(joint, kind, places.joint):
+            with recorder.part(joint, kind, f"joint {places.joint!r}"):
                 for k in places.v:
                     mean = part * _sum([x[k] * n for x, n in zip(given, above, strict=True)])
                     found.append(recorder.argument("v")[k] + mean if added else mean)

@@ -10,6 +10,7 @@ from enum import Enum
 from fractions import Fraction
 from typing import Protocol, TypeVar
 
+from coscrew_codegen.parameter import Sign
 from coscrew_codegen.recording.numbers import Number, Vector
 
 K = TypeVar("K")
@@ -75,6 +76,12 @@ class ParameterOf:
     # be given, and its value is None; (): to all
     positive: bool = False  # refused if zero or below
     nonnegative: bool = False
+
+    @property
+    def sign(self) -> Sign | None:
+        """The sign that its numbers must have, if any."""
+        return (Sign.POSITIVE if self.positive else
+                Sign.NONNEGATIVE if self.nonnegative else None)
 
 
 @dataclass(frozen=True)

@@ -132,3 +132,12 @@ class Model:
     bodies: tuple[Body, ...]
     joints: tuple[Joint, ...]
     implausible: tuple[str, ...] = ()  # impossible inertias that were accepted, a line each
+
+    def links(self) -> dict[str, str]:
+        """For each body, and WORLD, the body to which fixed joints connect it: one that a joint
+        moves, or WORLD."""
+        found = {WORLD: WORLD}
+        for joint in self.joints:
+            fixed = joint.kind is Kind.FIXED
+            found[joint.child] = found[joint.parent] if fixed else joint.child
+        return found

@@ -10,7 +10,7 @@ from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.integrators import DEFAULT as DEFAULT_INTEGRATOR
 from coscrew_codegen.integrators import EMITTED, named
-from coscrew_codegen.scene.model import Kind
+from coscrew_codegen.scene.model import WORLD, Kind
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.scene import Scene
 
@@ -37,17 +37,9 @@ class FunctionsError(ReportedError, ValueError):
 
 def jacobians(scene: Scene) -> dict[str, str]:
     """Bodies by the names of their Jacobians: jacobian_hand."""
-    bodies = [body.name for body in scene.model.bodies]
-    fixed = {joint.child: joint.parent for joint in scene.model.joints if joint.kind is Kind.FIXED}
-    moving = {joint.child for joint in scene.model.joints if joint.kind is not Kind.FIXED}
-
-    def moves(body: str) -> bool:
-        while body in fixed:
-            body = fixed[body]
-        return body in moving
-
+    bodies, links = [body.name for body in scene.model.bodies], scene.model.links()
     return {f"jacobian_{name}": body for name, body in zip(identifiers(bodies), bodies, strict=True)
-            if moves(body)}
+            if links[body] != WORLD}
 
 
 def reactions(scene: Scene) -> dict[str, str]:

@@ -1,16 +1,7 @@
 """Which signs run-time parameters must have: those of the numbers that scene files accept."""
 
-from enum import Enum
-
-from coscrew_codegen.parameter import Parameter
+from coscrew_codegen.parameter import Parameter, Sign
 from coscrew_codegen.scene.scene import Scene
-
-
-class Sign(Enum):
-    """The numbers that a parameter may be."""
-
-    POSITIVE = "a positive number"
-    NONNEGATIVE = "0 or more"
 
 
 def signs(scene: Scene) -> dict[str, Sign]:
@@ -20,9 +11,9 @@ def signs(scene: Scene) -> dict[str, Sign]:
              if body.inertia and isinstance(body.inertia.mass, Parameter)}
     for applied in scene.effects:
         for described in applied.effect.parameters:
-            if described.positive or described.nonnegative:
+            if described.sign:
                 value = applied.values.get(described.name)
-                found |= {x.name: Sign.POSITIVE if described.positive else Sign.NONNEGATIVE
+                found |= {x.name: described.sign
                           for x in (value if isinstance(value, tuple) else (value,))
                           if isinstance(x, Parameter)}
     return found

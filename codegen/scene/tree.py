@@ -46,6 +46,12 @@ class Link:
         """The name of the joint's child."""
         return self.joint.child
 
+    @property
+    def heading(self) -> str:
+        """Of its instructions; differs from those of joints, effects and sums, whatever its name.
+        """
+        return heading_of_body(self.name)
+
 
 @dataclass(frozen=True)
 class Tree:
@@ -80,6 +86,11 @@ class Tree:
                 if placed.body.name == body:
                     return number, placed
         raise KeyError(body)
+
+
+def heading_of_body(name: str) -> str:
+    """body 'forearm'."""
+    return f"body {name!r}"
 
 
 def composed(outer: Placement, inner: Placement) -> Placement:

@@ -70,7 +70,7 @@ def _line(parameter: ParameterOf) -> str:
 
 
 def notes(parameter: ParameterOf) -> list[str]:
-    """Notes on its values: type, choices, default."""
+    """Notes on its values: type, choices, sign, default."""
     kinds = {"vector": "three numbers", "formula": "a number or a function of t",
              "formulas": "three numbers or functions of t"}
     found = [kinds[parameter.kind]] if parameter.kind in kinds else []
@@ -80,6 +80,8 @@ def notes(parameter: ParameterOf) -> list[str]:
         found.append(f"for {' and '.join(parameter.of)}")
     if parameter.model:
         found.append(f'"model": the joint\'s {parameter.model}')
+    if parameter.sign:
+        found.append(parameter.sign.value)
     if parameter.default is not None:
         found.append(f"default {_written(parameter.default)}")
     elif not parameter.required:

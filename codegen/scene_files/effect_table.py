@@ -8,7 +8,7 @@ from typing import NoReturn, overload
 
 from coscrew_codegen.parameter import Scalar
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
-from coscrew_codegen.scene.model import Body, Joint, Kind, Model, value
+from coscrew_codegen.scene.model import WORLD, Body, Joint, Kind, Model, value
 from coscrew_codegen.scene.scene import Setting
 from coscrew_codegen.scene_files import settings
 from coscrew_codegen.scene_files.tables import Table
@@ -37,6 +37,10 @@ class EffectTable:
     @cached_property
     def bodies(self) -> tuple[str, ...]:
         return tuple(body.name for body in self.model.bodies)
+
+    @cached_property
+    def links(self) -> Mapping[str, str]:
+        return self.model.links()
 
     @cached_property
     def targets(self) -> Mapping[str, Joint | None]:
@@ -90,7 +94,22 @@ class EffectTable:
             if on.name == name and (why := self.obstacle(on)):
                 table.refuse(key, f"{self.effect.name} cannot act on {self.what} {name!r}, which "
                                   f"{why}")
-        return table.known(key, name, self.what, self.targets)
+        found = table.known(key, name, self.what, self.targets)
+        if self.effect.place is Place.BODY and self.links[found] == WORLD:
+            table.refuse(key, f"{self.effect.name} does nothing to body {name!r}, which is fixed "
+                              "to the world; wanted a body that moves")
+        return found
+
+    def pair(self, table: Table, names: tuple[str, ...]) -> tuple[str, ...]:
+        """The names, if the effect can act between these two bodies."""
+        for name in names:
+            table.known("bodies", name, "body", (WORLD, *self.bodies))
+        one, other = (self.links[name] for name in names)
+        if one == other:
+            why = "neither moves" if one == WORLD else "they move as one"
+            table.refuse("bodies", f"{self.effect.name} does nothing between {names[0]!r} and "
+                                   f"{names[1]!r}: {why}; wanted two bodies that move apart")
+        return names
 
     @overload
     def values(self, table: Table, given: Mapping[str, object], target: str

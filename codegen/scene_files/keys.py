@@ -5,13 +5,12 @@ The readers take names and choices from here; the documentation and the JSON Sch
 
 from dataclasses import dataclass
 
-from coscrew_codegen.formats import BY_NAME
+from coscrew_codegen.formats import CHOICES
 from coscrew_codegen.integrators import NAMES
 from coscrew_codegen.scene.model import Kind
 from coscrew_codegen.scene.possible import ERROR, WARN
 from coscrew_codegen.scene.scene import Run
 
-PRECISIONS = (*BY_NAME, "both")
 BASES = {"fixed": Kind.FIXED, "free": Kind.FREE}
 TYPES = {"revolute": Kind.REVOLUTE, "continuous": Kind.REVOLUTE, "prismatic": Kind.PRISMATIC,
          "spherical": Kind.SPHERICAL, "free": Kind.FREE, "fixed": Kind.FIXED}
@@ -133,7 +132,7 @@ SCENE = TableOf("", "The file itself.", (
         default="the file's name"),
     Key("precision", 'of runs, and of the files of `coscrew generate`; "both" runs both and shows '
         'the difference.  "double" is necessary if a number exceeds single precision\'s range '
-        "(1.2e-38 to 3.4e38)", choices=PRECISIONS, default="runs in double, files in both"),
+        "(1.2e-38 to 3.4e38)", choices=CHOICES, default="runs in double, files in both"),
     Key("implausible", '"warn" accepts inertias that no body has, that are massless or '
         "incomplete, and reports them; on the command line --implausible warn",
         choices=(ERROR, WARN)),

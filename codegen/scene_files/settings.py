@@ -63,10 +63,8 @@ def default(table: Table, parameter: ParameterOf) -> Setting:
 
 def refuse_sign(table: Table, parameter: ParameterOf, number: Fraction, where: str = "") -> None:
     """Refuse numbers below zero, or zero, as the parameter demands."""
-    if parameter.positive and number <= 0:
-        table.refuse(parameter.name, f"{float(number):g}{where}; wanted a positive number")
-    if parameter.nonnegative and number < 0:
-        table.refuse(parameter.name, f"{float(number):g}{where}; wanted 0 or more")
+    if parameter.sign and parameter.sign.refuses(number):
+        table.refuse(parameter.name, f"{float(number):g}{where}; wanted {parameter.sign.value}")
 
 
 def _formula(table: Table, parameter: ParameterOf, value: object) -> Fraction | Formula:

@@ -8,7 +8,7 @@ A table under the name of a joint or body belongs to it, even if a parameter has
 from collections.abc import Iterator, Mapping
 
 from coscrew_codegen.scene.effect import Effect, Place
-from coscrew_codegen.scene.model import WORLD, Model
+from coscrew_codegen.scene.model import Model
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.recorded import expected, recorded
 from coscrew_codegen.scene.scene import Applied, Scene
@@ -186,10 +186,8 @@ def _on_pairs(reading: EffectTable) -> list[Applied]:
         pair = own.as_texts("bodies", own.value("bodies", "the two bodies, [a, b]"))
         if len(pair) != 2:
             own.refuse("bodies", f"a list of {len(pair)}; wanted two bodies")
-        for name in pair:
-            own.known("bodies", name, "body", (WORLD, *reading.bodies))
         given = {key: value for key, value in own.values.items() if key != "bodies"}
-        values = {**reading.values(own, given, ""), "bodies": pair}
+        values = {**reading.values(own, given, ""), "bodies": reading.pair(own, pair)}
         found.append(Applied(reading.effect, label, values, label))
     return found
 

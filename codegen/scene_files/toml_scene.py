@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 
-from coscrew_codegen.formats import BY_NAME, DOUBLE
+from coscrew_codegen.formats import BY_NAME, CHOICES, DOUBLE
 from coscrew_codegen.integrators import NAMES
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.model import Joint, Kind, Model
@@ -23,7 +23,7 @@ from coscrew_codegen.scene.selected import FunctionsError, resolved
 from coscrew_codegen.scene_files.effect_table import Use
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.identifiers import identifier, refused
-from coscrew_codegen.scene_files.keys import BASES, EXPECT, OUTPUTS, PRECISIONS, RUN, SCENE, START
+from coscrew_codegen.scene_files.keys import BASES, EXPECT, OUTPUTS, RUN, SCENE, START
 from coscrew_codegen.scene_files.runtime import with_parameters
 from coscrew_codegen.scene_files.tables import Table, described, read_toml
 from coscrew_codegen.scene_files.toml_effects import read_effects, with_reactions
@@ -40,7 +40,7 @@ class SceneOverrides:
     functions: tuple[str, ...] | None = None  # names, "default", "all"
 
     def __post_init__(self) -> None:
-        for key, choices in (("precision", PRECISIONS), ("implausible", (ERROR, WARN))):
+        for key, choices in (("precision", CHOICES), ("implausible", (ERROR, WARN))):
             if (word := getattr(self, key)) not in (None, *choices):
                 raise ValueError(f"{key} = {word!r}; wanted one of {', '.join(choices)}")
 
@@ -89,7 +89,7 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], overrides: SceneOverrides
     file.only(*SCENE.names)
     name = _name(file)
     implausible = _overridden(overrides.implausible, file, "implausible", (ERROR, WARN)) or ERROR
-    precision = _overridden(overrides.precision, file, "precision", PRECISIONS)
+    precision = _overridden(overrides.precision, file, "precision", CHOICES)
     model = _model(file, name, implausible)
     use = Use()
     effects = read_effects(file.table("effects"), model, catalogue, use)

@@ -15,7 +15,7 @@ from coscrew_codegen.native import cache
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.scene.selected import names
 from coscrew_codegen.scene_functions import SceneInterface, Signature
-from coscrew_codegen.targets.scene_text import c_name
+from coscrew_codegen.targets.scene_text import c_name, signs
 
 if TYPE_CHECKING:
     from coscrew._steps import Steps
@@ -148,8 +148,8 @@ def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
     call.argtypes = [ctypes.py_object if shape or n >= len(described.read) else ctypes.c_double
                      for n, shape in enumerate(shapes)]
     call.restype = ctypes.c_int
-    names = {"call": call, "many": _many(library, name, described, kind, call), "empty": np.empty,
-             "plain": _PLAIN, "kind": kind, "Refused": ctypes.ArgumentError}
+    names = {"call": call, "many": _many(library, name, described, kind, call, signs(scene)),
+             "empty": np.empty, "plain": _PLAIN, "kind": kind, "Refused": ctypes.ArgumentError}
     exec(_text(described), names)
     function = _described(names[described.name], described)
     if described.moved:
@@ -212,7 +212,7 @@ def _text(described: Signature) -> str:
 
 
 def _many(library: ctypes.PyDLL, name: str, described: Signature, kind: np.dtype,
-          call: Made) -> Made:
+          call: Made, signs: tuple[tuple[int, str, bool], ...]) -> Made:
     """The function for any arguments, which it checks, casts and broadcasts."""
     loop = getattr(_unlocked(library._name), f"many_{name}")
     loop.restype = None
@@ -223,7 +223,8 @@ def _many(library: ctypes.PyDLL, name: str, described: Signature, kind: np.dtype
 
     def function(arguments: Mapping[str, ArrayLike], out: object) -> object:
         lead, arrays = checks.arrays(kind, **{
-            x: (arguments[x], shape) for x, shape in described.inputs})
+            x: (arguments[x], shape, *([signs] if x == "p" else []))
+            for x, shape in described.inputs})
         given = dict(zip(arguments, arrays, strict=True))
         shapes = [(*lead, *shape) for _, shape in described.outputs]
         results = [x if _is_place(x, kind, arrays) else np.empty(shape, kind)

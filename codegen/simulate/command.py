@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from coscrew_codegen.formats import CHOICES
 from coscrew_codegen.integrators import in_words
 
 if TYPE_CHECKING:
@@ -44,7 +45,7 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
                         help="longest step, in s, of the emitted integrators")
     parser.add_argument("--integrator", metavar="NAME",
                         help=in_words())
-    parser.add_argument("--precision", choices=("double", "single", "both"),
+    parser.add_argument("--precision", choices=CHOICES,
                         help="precision of the dynamics")
     add_implausible(parser)
     parser.add_argument("--set", metavar="NAME=VALUE", type=_setting, action="append", default=[],

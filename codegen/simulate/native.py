@@ -75,8 +75,14 @@ def _asked(command: tuple[str, ...], path: str) -> "subprocess.Popen[str] | None
                                    errors="replace")
     except OSError:
         return None
-    atexit.register(process.__exit__, None, None, None)  # also if nobody reads the answer
+    atexit.register(_end, process)
     return process
+
+
+def _end(process: "subprocess.Popen[str]") -> None:
+    """End a process whose answer nobody has read: a command never waits for it to exit."""
+    process.kill()
+    process.__exit__(None, None, None)
 
 
 @functools.cache

@@ -12,7 +12,7 @@ from coscrew_codegen.scene.model import Model, value
 from coscrew_codegen.scene.possible import judged, unmoved_mass
 from coscrew_codegen.scene.recorded import exempt_joints
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
-from coscrew_codegen.scene.signs import Sign, signs
+from coscrew_codegen.scene.signs import signs
 from coscrew_codegen.scene_files.decimals import bounded
 from coscrew_codegen.scene_files.runtime import swapped_model
 from coscrew_codegen.simulate import SimulateError
@@ -36,7 +36,7 @@ def refuse_settings(scene: Scene, settings: Mapping[str, float], precision: Prec
                                 f"range: 0, and {least:.2g} to {most:.2g} in size")
     for name, sign in signs(scene).items():
         number = settings.get(name, 1)
-        if number < 0 or sign is Sign.POSITIVE and number == 0:
+        if sign.refuses(number):
             raise SimulateError(f"--set {name}={number:g}: wanted {sign.value}")
     for applied, low, high in ranges(scene, settings):
         if applied.effect.ascending and low > high:

@@ -74,7 +74,8 @@ class Parts:
         struct = "\n".join((comment_of([f"The values that parts of {users} share."]),
                             f"{self._struct(group, precision)} {{", _indented([members]), "};"))
         for number, part in enumerate(group.parts):
-            links = dict.fromkeys(printable(words) for _, words in headings(part))
+            links = dict.fromkeys(self._words.get(words, printable(words)).partition(":")[0]
+                                  for _, words in headings(part))
             comment = comment_of([f"Of {', '.join(links)}."])
             yield CFunction(
                 part.name, comment if number else f"{struct}\n\n{comment}",

@@ -26,7 +26,7 @@ def interface(scene: SceneFunctions) -> SceneInterface:
     """The interface of the scene for its callers."""
     return SceneInterface(scene.name, scene.nq, scene.nv, scene.coordinates, scene.bodies,
                       scene.parameters, scene.neutral, scene.precisions, scene.timed,
-                      callables(scene))
+                      callables(scene), scene.signs)
 
 
 def callables(scene: SceneFunctions) -> tuple[Signature, ...]:
@@ -81,7 +81,9 @@ def _function(scene: SceneFunctions, function: Signature, precision: Precision
                for x, _ in function.read]
     strided += [f"{x} + k * {scene_text.count(shape)}" for x, shape in function.outputs]
     names = [x for x, _ in (*function.read, *function.outputs)]
+    signs = scene_text.signs(scene) if "p" in names else ()
     return {
+        "refused": " || ".join(f"p[{n}] {'<' if zero else '<='} 0" for n, _, zero in signs),
         "name": name, "kernel": name, "scalars": scalars, "read": read, "written": written,
         "views": len(read) + len(written),
         "call_parameters": ", ".join(f"double of_{x}" if x in scalars else f"void *of_{x}"

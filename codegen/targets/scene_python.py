@@ -21,6 +21,8 @@ from coscrew_codegen.targets.scene_python_steps import python_name, step_lines
 from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.version import VERSION
 
+_SIGNS = "# Of parameters with a sign: index in p, name, whether it may be zero."
+
 
 @uncollected()
 def files(scene: SceneFunctions, banner: str) -> Files:
@@ -28,12 +30,14 @@ def files(scene: SceneFunctions, banner: str) -> Files:
     scene_text.check_names(scene)
     about = [row for line in scene_text.order_in_words(scene)
              for row in wrap(_quoted(line), WIDTH, subsequent_indent="    ")]
+    signs = scene_text.signs(scene)
     head = render(
         "scene/package.py", banner=banner, name=scene.name, about=about, version=VERSION,
         nq=scene.nq, nv=scene.nv, precisions=scene.precisions,
         tables=[_tuple("JOINTS", [x.joint for x in scene.coordinates]),
                 _tuple("BODIES", scene.bodies), _dictionary("PARAMETERS", scene.parameters),
-                _tuple("NEUTRAL_Q", scene.neutral)])
+                _tuple("NEUTRAL_Q", scene.neutral),
+                *([_SIGNS, _tuple("SIGNS", signs)] if signs else [])])
     plans = scene_text.plans(scene)
     modules = {"__init__": head, "_arrays": render("scene/arrays.py", banner=banner),
                **{p.name: _module(scene, plans, banner, p) for p in named(scene.precisions)}}
@@ -61,10 +65,12 @@ def _module(scene: SceneFunctions, plans: Sequence[Plan], banner: str, precision
     helpers = ["components", "assembled", "delivered",
                *(["arrays", "spread"] if scene.steps else []),
                *(["rounds", "merged"] if split else [])]
-    made = [*(_function(f, plan, precision) for f, plan in zip(functions, plans, strict=True)),
+    made = [*(_function(scene, f, plan, precision)
+              for f, plan in zip(functions, plans, strict=True)),
             *(_step(scene, step, precision) for step in scene.steps)]
     legend = scene_text.legend(plans, [x["body"] for x in made])
     return render("scene/precision.py", banner=banner, name=scene.name, precision=precision,
+                  signs=bool(scene.signs),
                   names=[row for words in legend
                          for row in wrap(words, WIDTH, subsequent_indent="    ")],
                   imports=listed("from numpy import (", sorted(names), ")"),
@@ -87,19 +93,25 @@ def _shape(argument: Argument) -> str:
     return repr(tuple(argument.quantity.shape))
 
 
-def _unpacking(helper: str, arguments: Sequence[tuple[str, str]], precision: Precision) -> str:
-    """The statement that checks and casts arguments, given as names and shapes."""
+def _unpacking(helper: str, arguments: Sequence[tuple[str, str]], precision: Precision,
+               signed: bool) -> str:
+    """The statement that checks and casts arguments, given as names and shapes; if `signed`, also
+    the signs of p."""
     names = ", ".join(name for name, _ in arguments) + ("," if len(arguments) == 1 else "")
-    items = [precision.numpy_type, *(f"{name}=({name}, {shape})" for name, shape in arguments)]
+    items = [precision.numpy_type, *(
+        f"{name}=({name}, {shape}{', SIGNS' if signed and name == 'p' else ''})"
+        for name, shape in arguments)]
     return listed(f"lead, ({names}) = {helper}(", items, ")", WIDTH - 4)
 
 
-def _function(function: Function, plan: Plan, precision: Precision) -> dict[str, str]:
+def _function(scene: SceneFunctions, function: Function, plan: Plan, precision: Precision
+              ) -> dict[str, str]:
     program, outputs = plan.program, scene_text.outputs(function)
     headings = {number: scene_text.printable(words) for number, words in function.headings}
     expressions = plan.printed(language(precision, precision.literal), scene_text.access(program),
                                headings)
-    lines = [_unpacking("components", [(a.name, _shape(a)) for a in program.inputs], precision),
+    lines = [_unpacking("components", [(a.name, _shape(a)) for a in program.inputs],
+                        precision, bool(scene.signs) and not function.internal),
              *map(_assigned, expressions.assigned)]
     made = list(_assembled(outputs, expressions.results, precision))
     lines.append(f"return delivered(out, {made[0]})" if len(made) == 1 else
@@ -138,7 +150,8 @@ def _text(name: str, arguments: Sequence[str], words: Sequence[str],
 
 def _step(scene: SceneFunctions, step: Step, precision: Precision) -> dict[str, str]:
     inputs, shapes = scene_text.step_inputs(scene), scene_text.step_shapes(scene)
-    lines = [_unpacking("arrays", [(x, str(shapes[x])) for x in inputs], precision),
+    lines = [_unpacking("arrays", [(x, str(shapes[x])) for x in inputs], precision,
+                        bool(scene.signs)),
              "q, v = spread(lead, q, v)", *step_lines(scene, step)]
     return _text(step.name, inputs, scene_text.step_words(scene, step), lines)
 

@@ -11,6 +11,7 @@ from math import prod
 
 from coscrew_codegen import scene_symbols
 from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.parameter import Sign
 from coscrew_codegen.program import Constant, Input, Program, counts_in_words
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.scene_functions import Function, SceneFunctions, SceneInterface, Step
@@ -35,7 +36,7 @@ or or_eq private protected public reinterpret_cast requires static_assert static
 thread_local throw true try typeid typename using virtual wchar_t xor xor_eq linux unix"""
 _CALLED = """fabs sqrt sin cos atan2 exp tanh fma fabsf sqrtf sinf cosf atan2f expf tanhf fmaf
 memcpy NAN absolute arctan2 where nan float32 float64 np errstate array zeros_like ones_like
-lead out arrays assembled components delivered merged rounds spread"""
+lead out SIGNS arrays assembled components delivered merged rounds spread"""
 RESERVED = frozenset((*_C.split(), *_CPP.split(), *_CALLED.split(), *keyword.kwlist))
 """Names that no instruction may have: keywords of C, C++ and Python, and called functions."""
 
@@ -173,12 +174,18 @@ def order_in_words(scene: SceneFunctions) -> list[str]:
     kinds = [f"  {kind}: {_UNITS[kind]}." for kind in _UNITS
              if any(x.kind == kind for x in scene.coordinates)]
     bodies = ", ".join(f"{n} {printable(name)}" for n, name in enumerate(scene.bodies))
-    signs = dict.fromkeys(scene.positive, " (must be positive)")
-    parameters = ", ".join(f"{n} {printable(name)} = {value!r}{signs.get(name, '')}"
+    rules = {name: f" ({sign.rule})" for name, sign in scene.signs}
+    parameters = ", ".join(f"{n} {printable(name)} = {value!r}{rules.get(name, '')}"
                            for n, (name, value) in enumerate(scene.parameters))
     return ["Coordinates q and velocities v, joint by joint:", *table, *kinds,
             *([f"Bodies, in the order of body_poses: {bodies}."] if bodies else []),
             *([f"Parameters p: {parameters}."] if parameters else [])]
+
+
+def signs(scene: SceneFunctions | SceneInterface) -> tuple[tuple[int, str, bool], ...]:
+    """Of each parameter with a sign: its index in p, its name, whether it may be zero."""
+    names = [name for name, _ in scene.parameters]
+    return tuple((names.index(name), name, sign is Sign.NONNEGATIVE) for name, sign in scene.signs)
 
 
 def _places(name: str, places: range) -> str:

@@ -15,7 +15,7 @@ from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.verdict import table
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.selecting import checked
-from tests.support.scenes.simulated import told
+from tests.support.scenes.simulated import outcome
 
 
 def expecting(text: str, **expected: str) -> str:
@@ -243,7 +243,7 @@ def test_expectations_of_a_single_scene_are_of_single_precision(loaded):
 
 
 def test_a_scene_of_double_precision_alone_is_checked_in_it(tmp_path, capsys):
-    status, said = told(tmp_path / "nut.toml", capsys, "check", 'precision = "double"\n' + NUT)
+    status, said = outcome(tmp_path / "nut.toml", capsys, "check", 'precision = "double"\n' + NUT)
     assert status == 0 and "double" in said and "single" not in said
 
 
@@ -296,8 +296,8 @@ def test_energy_and_momentum_are_judged_against_a_stated_size(tmp_path, capsys, 
     path, old = tmp_path / "nut.toml", ("--integrator", "semi-implicit-euler")
     which = () if precision == "both" else ("--precision", precision)
     if precision == "both":
-        assert told(path, capsys, "check", NUT)[0] == 0
-    status, said = told(path, capsys, "check", NUT, *which, *old, *strict)
+        assert outcome(path, capsys, "check", NUT)[0] == 0
+    status, said = outcome(path, capsys, "check", NUT, *which, *old, *strict)
     assert status == 1 and "rounding" not in said
     assert "energy is off by 0.037, allowed is 0.001: the step is too large" in said
     assert "or integrator leapfrog" in said and "momentum of floating bases off by" in said
@@ -307,22 +307,22 @@ def test_single_precision_is_not_excused_as_rounding(tmp_path, capsys):
     """An error of 4e-5 is 700 u, but double precision has the same error: --strict fails."""
     path = tmp_path / "nut.toml"
     words = ("--integrator", "semi-implicit-euler", "--until", "0.4")
-    status, said = told(path, capsys, "check", NUT, *words)
+    status, said = outcome(path, capsys, "check", NUT, *words)
     found = [float(x) for x in said.split("relative, at most")[1].split()[:2]]
     assert status == 0 and all(3e-5 < x < 6e-4 for x in found)
     assert said.count("the integrator's, of order") == 2 and "rounding" not in said
     for precision in ("both", "single"):
         which = () if precision == "both" else ("--precision", precision)
-        status, said = told(path, capsys, "check", NUT, *words, *which, "--strict")
+        status, said = outcome(path, capsys, "check", NUT, *words, *which, "--strict")
         assert status == 1 and "FALSE with --strict: single: energy is off by" in said
 
 
 def test_work_within_steps_counts(tmp_path, capsys):
     """A bounce begins and ends within one step; the energy it dissipates is summed within that
     step."""
-    status, said = told(tmp_path / "ball.toml", capsys, "check", BALL)
+    status, said = outcome(tmp_path / "ball.toml", capsys, "check", BALL)
     assert status == 0, said
-    assert told(tmp_path / "ball.toml", capsys, "check", BALL, "--integrator", "rk4")[0] == 1
+    assert outcome(tmp_path / "ball.toml", capsys, "check", BALL, "--integrator", "rk4")[0] == 1
 
 
 @pytest.mark.parametrize("text, integrator, words", (
@@ -339,7 +339,7 @@ def test_work_within_steps_counts(tmp_path, capsys):
                              "a limit closes that is too stiff")))
 def test_false_motion_stops_with_time_joint_cause_and_remedy(tmp_path, capsys, text, integrator,
                                                              words):
-    status, said = told(tmp_path / "scene.toml", capsys, "simulate", text, "--integrator",
+    status, said = outcome(tmp_path / "scene.toml", capsys, "simulate", text, "--integrator",
                         integrator, "--precision", "double")
     assert status == (1 if words else 0), said
     if words:

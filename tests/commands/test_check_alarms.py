@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.support.scenes.simulated import told
+from tests.support.scenes.simulated import outcome
 
 SLIDE = """
 [bodies]
@@ -28,7 +28,7 @@ def test_a_spring_that_turns_by_ten_radians_a_step_is_false(tmp_path, capsys, ru
     both do so at least twice, however short the run is and however few its samples."""
     text = SPRING.replace("1e8", "1e6" if "step" in run else "1e8")
     for command in ("simulate", "check"):
-        status, said = told(tmp_path / "spring.toml", capsys, command, text + run)
+        status, said = outcome(tmp_path / "spring.toml", capsys, command, text + run)
         assert status == 1 and "the step is too large" in said
 
 
@@ -37,7 +37,7 @@ def test_a_spring_that_turns_by_ten_radians_a_step_is_false(tmp_path, capsys, ru
 def test_energy_that_overflows_is_no_rounding(tmp_path, capsys, integrator, k, precision):
     text = SPRING.replace("1e8", k) + f'duration = 0.09\nintegrator = "{integrator}"\n'
     for command in ("simulate", "check"):
-        status, said = told(tmp_path / "spring.toml", capsys, command, text, "--precision",
+        status, said = outcome(tmp_path / "spring.toml", capsys, command, text, "--precision",
                             precision)
         assert status == 1 and "rounding" not in said
         assert "is not kept at" in said or "not finite at" in said or "too large at" in said
@@ -54,7 +54,7 @@ z = 1
 [run]
 duration = 0.5
 """
-    status, said = told(tmp_path / "hum.toml", capsys, "check", text, "--precision", "double")
+    status, said = outcome(tmp_path / "hum.toml", capsys, "check", text, "--precision", "double")
     assert status == 1
     assert "but by 1 with half the step, allowed is 0.001: what the scene asks is not" in said
 
@@ -76,7 +76,7 @@ z = 0.001
 x = 10
 """
     for k, least, most in (("1e6", 0.1, 2), ("1", 1e-6, 1e-4)):  # h ω = 10; 0.01
-        status, said = told(tmp_path / "light.toml", capsys, "check", text.replace("1e6", k),
+        status, said = outcome(tmp_path / "light.toml", capsys, "check", text.replace("1e6", k),
                             "--precision", "double")
         row = next(x for x in said.splitlines() if "speed differs from that with smaller" in x)
         apart, joint = row.split()[-2:]
@@ -86,7 +86,7 @@ x = 10
 def test_what_double_shows_is_no_rounding_of_single(tmp_path, capsys):
     """Euler's steps change the energy of a pendulum on a hill in both precisions."""
     text = PENDULUM.format(angle="0.2", z=2000) + "step = 25e-3\n"
-    status, said = told(tmp_path / "hill.toml", capsys, "check", text, "--integrator",
+    status, said = outcome(tmp_path / "hill.toml", capsys, "check", text, "--integrator",
                         "linear-implicit-euler")
     assert status == 1 and said.count("the integrator's, of order 1.0") == 2
     assert "rounding" not in said
@@ -113,7 +113,7 @@ def test_motions_smaller_than_the_rounding_of_energies_are_true(tmp_path, capsys
     """The rounding error of m g z of a pendulum on a hill is larger than its kinetic energy."""
     text = PENDULUM.format(angle=angle, z=z)
     for command in ("simulate", "check"):
-        status, said = told(tmp_path / "pendulum.toml", capsys, command, text, "--precision",
+        status, said = outcome(tmp_path / "pendulum.toml", capsys, command, text, "--precision",
                             precision)
         assert status == 0, said
     if angle in ("3e-8", "1e-9"):
@@ -128,7 +128,7 @@ def test_such_motions_are_still_false_where_steps_are_too_long(tmp_path, capsys,
     text = PENDULUM.format(angle=angle, z=z).replace("duration = 1", "duration = 30\nstep = 0.6")
     text += "[outputs]\nevery = 0.6\n"
     for command in ("simulate", "check"):
-        status, said = told(tmp_path / "pendulum.toml", capsys, command, text, "--precision",
+        status, said = outcome(tmp_path / "pendulum.toml", capsys, command, text, "--precision",
                             precision)
         assert status == 1
         assert "the step is too large" in said or command == "simulate"  # energy, too

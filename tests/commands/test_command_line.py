@@ -34,6 +34,23 @@ def test_an_interrupt_while_modules_are_imported_is_told_in_a_line(module):
     assert (process.returncode, out, said) == (130, "", "coscrew: interrupted\n")
 
 
+@pytest.mark.parametrize("command", ("simulate", "check"))
+def test_commands_that_fail_wait_for_no_compiler(tmp_path, command):
+    """Even if it never answers; it is ended with the command."""
+    compiler = tmp_path / "hanging"
+    compiler.write_text(f"#!/bin/sh\necho $$ > '{tmp_path}/pid'\nexec sleep 600\n")
+    compiler.chmod(0o755)
+    done = subprocess.run([sys.executable, "-m", "coscrew_codegen", command, "none.toml"],
+                          cwd=tmp_path, env={**os.environ, "CC": str(compiler)}, timeout=120,
+                          capture_output=True, text=True)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == "coscrew: none.toml: cannot be read (No such file or directory)\n"
+    pid = tmp_path / "pid"
+    if pid.exists() and (written := pid.read_text()):  # it may be ended before it writes
+        with pytest.raises(ProcessLookupError):
+            os.kill(int(written), 0)
+
+
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="only Linux has a full device")
 def test_output_that_cannot_be_written_is_told_in_a_line():
     with open("/dev/full", "w") as full:

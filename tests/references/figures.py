@@ -1,4 +1,5 @@
-"""The format of files of figures: lines `quantity,at,value`, quantities named as in scenes."""
+"""The format of files of figures: lines `quantity,at,value`; quantities have the names that scenes
+give them."""
 
 import csv
 from collections.abc import Iterable
@@ -21,7 +22,8 @@ class Figure(NamedTuple):
 
 
 def figure(quantity: str, at: object, value: object, digits: int = 30) -> Figure:
-    """The figure of these numbers, rounded to this many digits; floats have no more than 17."""
+    """The figure of these numbers, rounded to this many digits; floats are written with at most 17.
+    """
     return Figure(quantity, _text(at, digits), _text(value, digits))
 
 

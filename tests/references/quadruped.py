@@ -11,7 +11,7 @@ _JOINTS = ("fl_abduct", "fl_swing", "fl_knee", "rr_swing")
 
 
 def figures(times: tuple[float, ...] = TIMES, tolerance: float = TOLERANCE) -> Iterator[Figure]:
-    """The trunk, some joints, energy, and the reaction of a knee."""
+    """Pose of the trunk, some joints, energy, and the reaction of a knee."""
     yield from robots.figures(robots.Robot("quadruped"), _JOINTS, "fl_knee", times, tolerance)
 
 

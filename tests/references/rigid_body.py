@@ -50,7 +50,7 @@ class Solution:
 
 
 def solution(moments: tuple[str, ...], start: tuple[str, ...]) -> Solution:
-    """Of moments I1 < I2 < I3 and ω at t = 0, with ω of dn's axis above zero."""
+    """The solution for moments I1 < I2 < I3 and ω at t = 0, where ω along dn's axis is positive."""
     I, w = tuple(map(mpf, moments)), tuple(map(mpf, start))
     L2, T2 = (sum(i**n * x**2 for i, x in zip(I, w, strict=True)) for n in (2, 1))
     swapped = T2 * I[1] > L2
@@ -111,7 +111,7 @@ def _about_x(angle: mpf) -> matrix:
 
 
 def figures_of(body: Solution, joint: str, name: str, first: int) -> Iterator[Figure]:
-    """Angular velocity, from component `first` of v on, and attitude; at flips, too."""
+    """Angular velocity, from component `first` of v on, and attitude; also at reversals of ω2."""
     for t in (*map(mpf, TIMES), body.flip, 2 * body.flip):
         for i, w in enumerate(body.omega(t)):
             yield figure(f"v.{joint}.{first + i}", t, w)

@@ -1,7 +1,7 @@
 """Robots of example scenes with Pinocchio's dynamics, and effects written by hand.
 
-Reads the scenes' TOML itself.  Of a free base, y holds position and quaternion (x, y, z, w), then
-the joints' angles, then speeds in Pinocchio's order, which is the scenes'.
+Reads the scenes' TOML itself.  With a free base, y holds its position and quaternion (x, y, z, w),
+then the joints' angles, then velocities in Pinocchio's order, which is also the scenes'.
 """
 
 import math
@@ -76,7 +76,7 @@ class Robot:
         return q, v
 
     def torques(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """Of motors and friction.  (nv)."""
+        """Of motors, and of friction.  (nv)."""
         angle, speed = q[-len(self.joints):], v[self.first:]
         u = (self.kp * (np.array([f(t) for f in self.target]) - angle)
              + self.kd * (np.array([f(t) for f in self.target_v]) - speed))
@@ -101,14 +101,14 @@ class Robot:
         return np.concatenate((moved, self.acceleration(t, y)))
 
     def energy(self, y: np.ndarray) -> float:
-        """Kinetic, of the rotors too, and of gravity."""
+        """Kinetic energy, the rotors' included, and gravity's potential energy."""
         q, v = self.split(y)
         pin.crba(self.model, self.data, q)
         M = np.triu(self.data.M) + np.triu(self.data.M, 1).T
         return v @ M @ v / 2 + pin.computePotentialEnergy(self.model, self.data, q)
 
     def reaction(self, t: float, y: np.ndarray, joint: str) -> np.ndarray:
-        """Force and moment on the body behind the joint, in its axes.  (6)."""
+        """Force and moment on the body that the joint moves, in that body's axes.  (6)."""
         q, v = self.split(y)
         pin.rnea(self.model, self.data, q, v, self.acceleration(t, y))
         return self.data.f[self.model.getJointId(joint)].vector

@@ -1,4 +1,4 @@
-"""Effects that a scene does not have leave no byte in its text."""
+"""Effects that a scene does not have leave no trace in its text."""
 
 import json
 import os
@@ -46,7 +46,7 @@ ZEROS: Mapping[str, tuple[str, ...]] = {
 
 @pytest.fixture(scope="module")
 def generator(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of the generator, to be imported from this folder."""
+    """A folder with a copy of the generator, which can be imported from there."""
     folder = tmp_path_factory.mktemp("generator")
     package = folder / "coscrew_codegen"
     unneeded = shutil.ignore_patterns("__pycache__")
@@ -166,7 +166,8 @@ def test_mimic_changes_nothing_where_nothing_mimics() -> None:
 
 
 def test_bare_scenes_know_no_time_and_no_effects() -> None:
-    """The functions of a scene without effects contain only the bodies' inertia."""
+    """Functions of a scene without effects take no time, and of the model only the bodies' inertia.
+    """
     made: Scene = scene(mechanism())
     functions = derive(made)
     assert not functions.timed

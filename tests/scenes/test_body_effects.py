@@ -1,5 +1,5 @@
-"""Each effect on and between bodies alone, mimic and reactions: closed forms at 50 digits, and laws
-along motions."""
+"""Effects on bodies and between bodies, each alone; mimic; reactions: closed forms at 50 digits,
+and laws along motions."""
 
 from collections.abc import Callable, Iterator
 from fractions import Fraction
@@ -224,7 +224,7 @@ def test_spring_damper_pulls_along_its_line() -> None:
 
 @pytest.mark.parametrize("multiplier", [Fraction(-3, 2), Fraction(1, 10**9), Fraction(0)])
 def test_followers_add_their_inertia(multiplier: Fraction) -> None:
-    """I1 + α² I2, and their torques α of them."""
+    """A follower adds α² I2 to the leader's inertia and α times its torque to the leader's."""
     alpha = mpf(multiplier.numerator) / multiplier.denominator
     effects = applied("mimic"), applied("spring", "j1", k=8), applied("viscous", "j1", d=3)
     f = multiprecise(geared(multiplier, HALF, (5, 7)), *effects)
@@ -244,13 +244,14 @@ def test_joints_that_may_follow_move_alone_without_mimic() -> None:
 
 def test_reaction_at_the_bottom_is_three_weights() -> None:
     f = multiprecise(pendulum(2, Fraction(7, 10)), gravity(), applied("reaction", "j0"))
-    v = mpmath.sqrt(2 * mpf("9.81") / mpf("0.7"))  # let go level
+    v = mpmath.sqrt(2 * mpf("9.81") / mpf("0.7"))  # released from the horizontal
     a = f("forward_dynamics", q=[0], v=[v], tau=[0])
     assert_same(f("reaction_j0", q=[0], v=[v], a=a), [0, 0, 3 * 2 * mpf("9.81"), 0, 0, 0])
 
 
 def test_reactions_along_the_freedoms_are_torques() -> None:
-    """S^T f = tau + the effects' torque, of every joint; others are known from statics."""
+    """S^T f = tau + the effects' torque at every joint; at rest, the other components follow from
+    statics."""
     links = [(Kind.REVOLUTE, Y, HERE, inertia(2, (1, 0, 0), (1, 2, 3, 0, 0, 0))),
              (Kind.PRISMATIC, Z, at(1, 0, 0), inertia(3, (0, 1, 0), (1, 1, 1, 0, 0, 0)))]
     effects = [gravity(), applied("viscous", "j0", d=2), applied("spring", "j1", k=4),

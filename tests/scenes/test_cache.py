@@ -1,4 +1,5 @@
-"""The cache of loaded scenes: entries are found again if nothing changed, else made again."""
+"""The cache of loaded scenes: an entry is found again if nothing changed; otherwise it is made
+again."""
 
 import os
 import shutil
@@ -159,8 +160,8 @@ DAMAGES = {"truncated": lambda x: x[:len(x) // 2], "emptied": lambda x: b"",
 
 @pytest.mark.parametrize("suffix", (".scene", ".so"))
 def test_damaged_entries_are_made_again(path: Path, filled: tuple, tmp_path: Path, suffix: str):
-    """In another process, since a library that is loaded here stays unchanged; with a cache for
-    each damage."""
+    """In another process, since a library that this process has loaded stays loaded.  Each damage
+    has a cache of its own."""
     whole, found = filled
     bad = {}
     for damage, damaged in DAMAGES.items():
@@ -252,7 +253,7 @@ def test_entries_that_cannot_be_removed_are_told(path: Path, folder: Path, capsy
 
 
 def test_what_is_found_imports_neither_sympy_nor_scipy(path: Path):
-    """Nor what derives, prints and plots: that takes longer than most runs."""
+    """Nor the modules that derive, print and plot: importing them takes longer than most runs."""
     program = ("import sys\nfrom coscrew_codegen.__main__ import main\n"
                f"status = main(['simulate', {str(path)!r}, '--until', '0.01', '--output',\n"
                f"               {str(path.with_suffix('.csv'))!r}])\n"

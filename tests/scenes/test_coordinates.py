@@ -31,7 +31,7 @@ def test_rates_of_displacements_are_right_to_third_order(kind: Kind) -> None:
     far = [mpf(x) / 10 for x in (2, 1, -3, 2, -2, 1)[-f.nv:]]
     q, t = turned(f), mpf(10)**-5
 
-    def apart(phi: list[mpf]) -> mpf:
+    def difference(phi: list[mpf]) -> mpf:
         u = f("chart_rate", v=v, phi=phi)
         here = f("integrated", q=q, phi=phi)
         ends = [[(b - a) / (2 * t) for a, b in zip(*(of(s) for s in (-t, t)), strict=True)]
@@ -40,8 +40,8 @@ def test_rates_of_displacements_are_right_to_third_order(kind: Kind) -> None:
                            lambda s: f("integrated", q=here, phi=[s * y for y in v]))]
         return mpmath.norm([a - b for a, b in zip(*ends, strict=True)])
 
-    assert apart([x / 2 for x in far]) <= apart(far) / 14
-    assert apart(far) <= mpf(10)**-2
+    assert difference([x / 2 for x in far]) <= difference(far) / 14
+    assert difference(far) <= mpf(10)**-2
 
 
 @KINDS

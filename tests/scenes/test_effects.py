@@ -1,7 +1,7 @@
 """Each effect on joints alone: its closed form at 50 digits, and its law along motions.
 
-Motions are integrated by Runge and Kutta's method; the error of 2n steps must be at most the
-difference between n and 2n steps, so that no tolerance is chosen.
+Motions are integrated with the classical Runge-Kutta method.  The error with 2n steps must be at
+most the difference between the results with n and with 2n steps: no tolerance is chosen.
 """
 
 from collections.abc import Iterator
@@ -98,7 +98,8 @@ def test_coulomb_friction_stops_in_time() -> None:
 
 
 def test_coulomb_friction_takes_the_same_from_each_cycle() -> None:
-    """4 tau_c/k, less O(eps²) since friction fades within eps of rest."""
+    """The amplitude falls by 4 tau_c/k a cycle, except for O(eps²): within eps of rest friction is
+    weaker."""
     tau_c, eps, k, m = 0.1, 1e-2, 1.0, 1.0
     state = moving(slider(1), applied("spring", "j0", k=1),
                    applied("coulomb", "j0", tau_c=TENTH, eps=Fraction(1, 100)), q=[2])
@@ -125,7 +126,7 @@ def test_dry_friction_follows_its_curve(v: str) -> None:
 
 
 def test_dry_friction_creeps_where_it_holds() -> None:
-    """At eps artanh(tau/tau_c); with Stribeck friction at eps artanh(tau/tau_s), up to
+    """The speed is eps artanh(tau/tau_c); with Stribeck friction eps artanh(tau/tau_s), up to
     O((creep/v_s)²)."""
     drive = applied("actuator", "j0", kind="torque", torque=Fraction(3, 4))
     eps = Fraction(1, 1000)
@@ -218,7 +219,8 @@ def test_bang_bang_is_a_parabola() -> None:
 
 
 def outgoing(alpha: mpf, v: mpf) -> mpf:
-    """The speed after a bounce, which leaves v/c - ln(1 + c v)/c² unchanged, c = 1.5 alpha."""
+    """The speed after a bounce; v/c - ln(1 + c v)/c², c = 1.5 alpha, is the same before and after
+    it."""
     c = 3 * alpha / 2
 
     def kept(x: mpf) -> mpf:
@@ -229,7 +231,8 @@ def outgoing(alpha: mpf, v: mpf) -> mpf:
 
 @pytest.mark.parametrize("side", [-1, 1])
 def test_limits_bounce(side: int) -> None:
-    """With 1 - alpha v of the speed to first order; exactly, by the integral of the law."""
+    """The speed after a bounce is 1 - alpha v times that before it, to first order; the integral of
+    the law gives it exactly."""
     alpha, speed = mpf("0.2"), mpf("0.5")
     truth = outgoing(alpha, speed)
     assert abs(truth / speed - (1 - alpha * speed)) <= (alpha * speed)**2

@@ -1,9 +1,15 @@
 """Effects that can act on nothing are refused, with what they need and what there is."""
 
+from dataclasses import replace
+
 import pytest
 
+from coscrew_codegen.effects import EFFECTS
+from coscrew_codegen.scene.effect import Place
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.toml_scene import read_scene
+from tests.support.scenes.effect_scenes import assert_listed
+from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated
 
 FLOATING = 'base = "free"\n[bodies.hull]\nmass = 1\ninertia = [1, 1, 1]\n'
 FRAME = ('[bodies.tip]\n[joints.tip_joint]\ntype = "fixed"\nparent = "hull"\nchild = "tip"\n')
@@ -43,6 +49,67 @@ def test_the_gravity_of_a_field_acts_on_bodies_with_a_mass(refusal, tmp_path):
     path = tmp_path / "ship.toml"
     path.write_text(FLOATING + FRAME + FIELD + 'bodies = "all"\n', encoding="utf-8")
     assert [applied.on for applied in read_scene(path).effects] == ["hull"]
+
+
+ARM = ('[bodies.column]\nmass = 1\ninertia = [1, 1, 1]\n[bodies.base]\n'
+       '[bodies.arm]\nmass = 1\ninertia = [1, 1, 1]\n[bodies.hand]\n'
+       '[joints.bolts]\ntype = "fixed"\nparent = "column"\nchild = "base"\n'
+       '[joints.hinge]\ntype = "revolute"\nparent = "base"\nchild = "arm"\naxis = [0, 1, 0]\n'
+       '[joints.wrist]\ntype = "fixed"\nparent = "arm"\nchild = "hand"\n')
+"""A column and a base that are fixed to the world, an arm, and a hand fixed to that."""
+VALUES = {"buoyancy": "rho = 1\nV = 1", "drag": "kind = 'stokes'\nb = 1",
+          "field": "mu = 1\ncentre = [9, 0, 0]", "wrench": "force = [1, 0, 0]"}
+ON_BODIES = [effect.name for effect in EFFECTS if effect.place is Place.BODY]
+
+
+def test_effects_on_bodies_have_values_here():
+    assert_listed(VALUES, ON_BODIES, "VALUES", "tests/scenes/test_effects_without_targets.py")
+
+
+@pytest.mark.parametrize("name", ON_BODIES)
+def test_effects_on_a_body_fixed_to_the_world_are_refused(refusal, name):
+    """However the body is named."""
+    useless = (f"{name} does nothing to body 'column', which is fixed to the world; wanted a body "
+               "that moves")
+    for head, where in (("", "bodies"), (".column", "column"), (".label", "label.body")):
+        named = {"bodies": 'bodies = ["column", "arm"]\n', "column": ""}.get(where,
+                                                                             'body = "column"\n')
+        text = f"{ARM}[effects.{name}{head}]\n{named}{VALUES[name]}\n"
+        assert refusal(text) == (f"effects.{name}.{where}", useless)
+
+
+@pytest.mark.parametrize("name", ON_BODIES)
+def test_of_all_bodies_those_fixed_to_the_world_have_no_part_in_the_motion(tmp_path, name):
+    """Their effects change neither accelerations nor powers, and of the energy only a constant."""
+    path = tmp_path / "arm.toml"
+    path.write_text(f'{ARM}[effects.gravity]\n[effects.{name}]\nbodies = "all"\n{VALUES[name]}\n',
+                    encoding="utf-8")
+    scene = read_scene(path)
+    acting = {x.on for x in scene.effects if x.effect.name == name}
+    assert {"column", "arm"} <= acting
+    moving = replace(scene, effects=tuple(x for x in scene.effects if x.on != "column"))
+    both = [Evaluated(x, MULTIPRECISE) for x in (scene, moving)]
+    state = {"q": [0.25], "v": [0.5], "tau": [0.75]}
+    for function in ("forward_dynamics", "power"):
+        assert both[0](function, **state) == both[1](function, **state)
+
+
+@pytest.mark.parametrize("pair, why", (
+    (("world", "column"), "neither moves"), (("base", "column"), "neither moves"),
+    (("hand", "arm"), "they move as one")))
+def test_pairs_of_bodies_at_a_constant_distance_are_refused(refusal, pair, why):
+    table = f"[effects.spring_damper.tie]\nbodies = {list(pair)}\nk = 1\n"
+    assert refusal(ARM + table) == (
+        "effects.spring_damper.tie.bodies", f"spring_damper does nothing between {pair[0]!r} and "
+        f"{pair[1]!r}: {why}; wanted two bodies that move apart")
+
+
+@pytest.mark.parametrize("pair", (("world", "hand"), ("arm", "column")))
+def test_pairs_of_which_one_body_moves_are_accepted(tmp_path, pair):
+    path = tmp_path / "arm.toml"
+    path.write_text(f"{ARM}[effects.spring_damper.tie]\nbodies = {list(pair)}\nk = 1\n",
+                    encoding="utf-8")
+    assert [x.bodies for x in read_scene(path).effects] == [pair]
 
 
 def test_numbers_that_neither_the_table_nor_the_model_gives_are_named(refusal):

@@ -1,4 +1,5 @@
-"""Every example scene runs through the command line, in both precisions, and is as it expects."""
+"""Every example scene runs from the command line, in both precisions, and meets its expectations.
+"""
 
 import csv
 import json
@@ -29,7 +30,7 @@ def test_there_are_scenes_from_trivial_to_rich():
 
 
 def test_scenes_use_every_number_of_their_own(scene):
-    """Of models in the scene file; a URDF file may contain more than a scene needs."""
+    """Of the models in scene files; a URDF file may contain more than a scene needs."""
     if "model" not in tomllib.loads(scene.read_text()):
         assert not read_scene(scene).unused
 

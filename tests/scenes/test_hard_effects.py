@@ -1,4 +1,4 @@
-"""The emitted kernels stay physical where effects are stiff, stick, vanish or act far from the
+"""The emitted kernels stay physical where effects are stiff, stick, vanish, or act far from the
 origin."""
 
 from collections.abc import Callable, Iterator
@@ -87,12 +87,12 @@ def arm() -> Model:
 
 @both
 def test_stiff_controllers_hold_an_arm(load: Callable, precision: str) -> None:
-    """It comes to rest where kp (target - q) equals the torque of the weight."""
+    """It comes to rest where kp (target - q) balances the torque of the arm's weight."""
     effects = [applied("actuator", x, kind="pd", kp=STIFF, kd=STIFF, target=y)
                for x, y in (("j0", HALF), ("j1", -1))]
     f = load(arm(), gravity(), *effects, precision=precision)
     q, v = run(f, IMPLICIT, H, 3000, [0, 0], [0, 0])
-    still = 1e-9 + 2 * UNIT[precision] / H  # slower motions do not change q
+    still = 1e-9 + 2 * UNIT[precision] / H  # slower, a step's change of q rounds off
     assert np.max(np.abs(v[-1])) <= still
     sag = f.gravity_torques(q[-1]) / STIFF
     assert np.max(np.abs(q[-1] + sag - [0.5, -1])) <= still
@@ -106,7 +106,8 @@ def test_stiff_controllers_hold_an_arm(load: Callable, precision: str) -> None:
     applied("stribeck", "j1", tau_c=100, tau_s=200, v_s=HALF, eps=Fraction(1, 10**6))],
     ids=lambda x: x.effect.name)
 def test_stiff_joints_make_an_arm_one_pendulum(load: Callable, effect: Applied) -> None:
-    """The elbow hardly moves, and no step adds more energy than its error of order h."""
+    """The elbow hardly moves, and no step adds more energy than the error of the method, of order
+    h."""
     f = load(arm(), gravity(), effect)
     q, v = run(f, IMPLICIT, 1e-3, 4000, [0, 0], [0, 0])
     assert np.max(np.abs(q[:, 1])) <= 0.01
@@ -117,7 +118,8 @@ def test_stiff_joints_make_an_arm_one_pendulum(load: Callable, effect: Applied) 
 
 
 def test_saturated_controllers_do_not_chatter(load: Callable) -> None:
-    """A stiff controller gives its limit, then approaches its target without turning back."""
+    """While it saturates, a stiff controller gives its largest torque; then it approaches its
+    target without turning back."""
     effect = applied("actuator", "j0", kind="pd", kp=STIFF, kd=STIFF, target=1, limit=4)
     f = load(rotor(), effect)
     q, v = run(f, IMPLICIT, H, 2000, [0], [0])
@@ -128,7 +130,7 @@ def test_saturated_controllers_do_not_chatter(load: Callable) -> None:
 # stiction
 
 
-CREEP = float(np.arctanh(0.75))  # in eps, where three quarters of the friction hold
+CREEP = float(np.arctanh(0.75))  # speed in eps, friction being 3/4 of tau_c
 
 
 def held(name: str, eps: Fraction) -> list[Applied]:
@@ -140,8 +142,8 @@ def held(name: str, eps: Fraction) -> list[Applied]:
 @both
 @pytest.mark.parametrize("name", ["coulomb", "stribeck"])
 def test_what_sticks_only_creeps(load: Callable, name: str, precision: str) -> None:
-    """During 1e5 steps it is no faster than eps artanh(tau/tau_c), and goes no further than at that
-    speed."""
+    """In 1e5 steps its speed stays below eps artanh(tau/tau_c), and it moves no farther than at
+    that speed."""
     f = load(slider(), *held(name, Fraction(1, 10**6)), precision=precision)
     u, steps = UNIT[precision], 10**5
     q, v = run(f, IMPLICIT, H, steps, [0], [0])
@@ -153,8 +155,8 @@ def test_what_sticks_only_creeps(load: Callable, name: str, precision: str) -> N
 
 @pytest.mark.parametrize("name", ["coulomb", "stribeck"])
 def test_what_slides_stops_once_and_for_all(load: Callable, name: str) -> None:
-    """On a slope on which friction can hold it, it slides for the time J v/(tau_c - tau), then
-    loses (tau_c - tau)/tau_c of its speed in each step until it creeps; it never turns back."""
+    """On a slope on which friction can hold it, it slides for the time J v/(tau_c - tau).  Then
+    each step takes (tau_c - tau)/tau_c of its speed until it creeps; it never turns back."""
     f = load(slider(), *held(name, Fraction(1, 10**8)))
     _, v = run(f, IMPLICIT, H, 2000, [0], [1])
     stopped = int(1 / ((4 - 3) * H))
@@ -179,8 +181,8 @@ def test_an_arm_sticks_at_all_its_joints(load: Callable) -> None:
 
 @pytest.mark.parametrize("masses", [(1, 10**6), (10**6, 1)])
 def test_mass_ratios_of_a_million(load: Callable, masses: tuple) -> None:
-    """Energy is kept, the better the shorter the steps; inverse dynamics returns the torques given
-    to forward dynamics."""
+    """Shorter steps change the energy less; inverse dynamics returns the torques that forward
+    dynamics was given."""
     links = [(Kind.REVOLUTE, Y, at(n, 0, 0), inertia(m, (1, 0, 0), (0, m, m, 0, 0, 0)))
              for n, m in enumerate(masses)]
     f = load(chain(*links), gravity())
@@ -260,8 +262,7 @@ def test_bounces_without_end_come_to_rest(load: Callable, step: str, h: float,
 
 @both
 def test_drag_stops_light_bodies(load: Callable, precision: str) -> None:
-    """With h rho area v/m = 1e6 the speed falls to the terminal speed and does not change its sign.
-    """
+    """With h rho area v/m = 1e6 the speed falls to the terminal speed and keeps its sign."""
     light = free_body(Fraction(1, 10**6), moments=(Fraction(1, 10**9),) * 3 + (0,) * 3)
     f = load(light, gravity(), applied("drag", "b0", rho=1, area=1), precision=precision)
     _, v = run(f, IMPLICIT, H, 2000, [0, 0, 0, 0, 0, 0, 1], [100, 0, 0, 0, 0, 0])
@@ -275,8 +276,9 @@ def test_drag_stops_light_bodies(load: Callable, precision: str) -> None:
 
 @both
 def test_springs_pass_through_length_zero(load: Callable, precision: str) -> None:
-    """With the rest length 0 the spring is linear: cos ωt, through its centre.  With another rest
-    length it has no direction and no force where its ends meet; it is never NaN."""
+    """With the rest length 0 the spring is linear: its length is cos ωt, through zero.  With
+    another rest length its force has no direction where the ends meet; there it is zero, never NaN.
+    """
     ends = {"bodies": ("world", "b0"), "k": 100}
     body = free_body(1)
     f = load(body, applied("spring_damper", "s", **ends), precision=precision)
@@ -293,7 +295,7 @@ def test_springs_pass_through_length_zero(load: Callable, precision: str) -> Non
 
 
 def test_stiff_springs_between_bodies_leave_their_fall_alone(load: Callable) -> None:
-    """With h d/m = h² k/m = 1e4 along the line, both bodies fall together, exactly with g."""
+    """With h d/m = h² k/m = 1e4 along the line, both bodies fall with g, as if free."""
     joints = tuple(Joint(f"j{x}", Kind.FREE, "world", x, at(0, 0, n)) for n, x in enumerate("ab"))
     two = Model("two", tuple(Body(x, inertia(m, moments=(1, 1, 1, 0, 0, 0)))
                              for x, m in (("a", 1), ("b", 3))), joints)
@@ -307,7 +309,7 @@ def test_stiff_springs_between_bodies_leave_their_fall_alone(load: Callable) -> 
 
 
 def test_balls_are_kept_from_turning_by_drag_at_their_rim(load: Callable) -> None:
-    """Drag at a point also resists rotation: h b r²/I = 1e4."""
+    """Drag at a point of the body also resists its rotation: h b r²/I = 1e4."""
     f = load(ball(moments=(1, 1, 1, 0, 0, 0)),
              applied("drag", "b0", kind="stokes", b=STIFF, point=(1, 0, 0)))
     _, v = run(f, IMPLICIT, H, 50, [0, 0, 0, 1], [2, 3, 4])

@@ -1,4 +1,5 @@
-"""Bodies that cannot exist are refused, or accepted and reported, on joints and on the world."""
+"""Bodies that cannot exist are refused, or accepted with a warning, on joints and fixed to the
+world."""
 
 
 import numpy as np
@@ -118,7 +119,8 @@ def test_massless_bodies_of_scene_files_are_accepted_by_name(written):
 
 @pytest.mark.parametrize("body, kind", [("torso_1", "prismatic"), ("lwa_link", "spherical")])
 def test_what_would_divide_by_zero_is_refused_all_the_same(written, body, kind):
-    """A slide of mass zero, a point mass at the centre of a ball joint: singular mass matrices."""
+    """A slider of mass zero, a point mass at the centre of a ball joint: their mass matrices are
+    singular."""
     text = robot(body).replace('name="second" type="revolute"', 'name="second" type="fixed"')
     text = text.replace('name="first" type="revolute"', f'name="first" type="{kind}"')
     text = text.replace('<mass value="1"/>', '<mass value="0"/>').replace('"0.02"', '"0"')
@@ -127,7 +129,7 @@ def test_what_would_divide_by_zero_is_refused_all_the_same(written, body, kind):
 
 
 def test_a_mass_matrix_that_is_singular_for_every_q_is_told(written, capsys, tmp_path):
-    """Two parallel joints in one place, with nothing between them."""
+    """Two parallel joints at the same place, without a mass between them."""
     text = WELDED.replace("mass = 1\ninertia = [1, 1, 3]", "").replace(
         'type = "fixed"', 'type = "revolute"\naxis = [0, 0, 1]')
     assert main(["generate", str(written(text, "a.toml")), "-o", str(tmp_path)]) == 2

@@ -1,4 +1,4 @@
-"""What integrators declare is true; a further integrator is one entry."""
+"""What integrators declare is true; another integrator is one more entry."""
 
 import re
 import shutil
@@ -119,7 +119,7 @@ def test_what_a_scene_cannot_take_is_refused():
 # steps as calls, in exact rationals
 
 def ran(scene: SceneFunctions, step: Step, state: dict[str, list]) -> tuple[list, list]:
-    """q and v after the calls of a step, on the numbers of `state`."""
+    """q and v after the calls of a step, in the numbers of `state`."""
     arithmetic = by_operation(lambda x: x.double, exactly(np))
     known = {**state, **{x: [Fraction(0)] * scene.nv for x in step.zeros}}
     for call in step.body:
@@ -151,7 +151,7 @@ def butcher(method: Tableau, f: Callable, t: Fraction, h: Fraction, y: list) -> 
 
 @pytest.mark.parametrize("name", TABLEAUS)
 def test_calls_of_a_step_are_the_tableaus_method(name: str):
-    """Every digit, on masses on lines with friction, a spring and a force that begins at t = 1."""
+    """Exactly, for masses on lines with friction, a spring and a force that begins at t = 1."""
     scene = stepped(replace(CASES["slider"](), steps=()), [TABLEAUS[name]])
     p, h = [Fraction(3, 2), Fraction(0)], Fraction(1, 8)
 
@@ -209,7 +209,8 @@ def test_c_and_numpy_step_alike(all_steps, precision: str):
 @pytest.mark.parametrize("integrator", [x.name for x in (*EMITTED, *OTHERS)
                                         if x.name != integrators.DEFAULT])
 def test_errors_fall_with_the_declared_order(all_steps, integrator: str):
-    """Observed with the slider's spring and force, started where its friction is smooth."""
+    """The order is observed with the slider's spring and force, from a start where its friction is
+    smooth."""
     scene, kernels, _ = all_steps
     order = {x.name: x.order for x in (*EMITTED, *OTHERS)}[integrator]
     step = getattr(kernels.double, f"step_{integrator.replace('-', '_')}").repeated
@@ -250,7 +251,7 @@ def spun(tmp_path_factory: pytest.TempPathFactory):
 
 @pytest.mark.parametrize("name", TABLEAUS)
 def test_orders_hold_on_quaternions(spun, name: str):
-    """In the chart at the start of each step, with speeds of about 1 rad/s."""
+    """Each step is taken in the chart at its start; speeds are about 1 rad/s."""
     def end(name: str, n: int) -> np.ndarray:
         take = getattr(spun, f"step_{name.replace('-', '_')}").repeated
         q, v = take(n, 0.0, 1 / n, np.zeros(0), np.array([0, 0, 0, 1.0]), np.array([1.0, 2, -0.5]))
@@ -275,8 +276,8 @@ def test_steps_call_and_compute_nothing(scene: str, all_steps):
 
 
 def test_long_scenes_print_their_dynamics_once():
-    """Steps of rk4 with 35 joints are calls: with their internal functions and a second integrator,
-    they add less than a third of the text of forward dynamics."""
+    """Steps of rk4 with 35 joints are calls.  With its internal functions and a second integrator a
+    step adds less than a third of the text of forward dynamics."""
     scene = robot(35, 4000)
     text = files(scene)["robot.c"]
     assert text.count("robot_forward_dynamics(const double") == 1

@@ -1,5 +1,5 @@
-"""Dynamics of chains are those of their Lagrangian, exactly: in Fractions, sin and cos being
-rational points of the circle."""
+"""Dynamics of chains follow exactly from their Lagrangian: evaluated on Fractions, with rational
+points of the circle as sines and cosines."""
 
 from fractions import Fraction
 from functools import cache
@@ -59,8 +59,8 @@ class Chosen:
         return tuple(self._small() for _ in range(3))
 
     def _inertia(self, sample: Sample) -> Inertia:
-        """Rotated principal moments such as 3, 4, 5: physically possible, all six numbers different
-        from 0."""
+        """Rotated principal moments such as 3, 4, 5: physically possible, with all six moments
+        different from 0."""
         R = sample.rotation()
         I = R @ np.diag(array([Fraction(self.random.randint(6, 9)) for _ in range(3)])) @ R.T
         return Inertia(abs(self._small()), self._vector(),

@@ -1,4 +1,5 @@
-"""load_scene: compiled kernels, cached by content; without a compiler the same in NumPy."""
+"""load_scene: kernels are compiled, and cached by content; without a compiler NumPy computes the
+same."""
 
 import os
 import shutil
@@ -43,7 +44,7 @@ def counting(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def counted(counting: Path, monkeypatch: pytest.MonkeyPatch, cache: Path):
-    """How often $CC has been called to compile since the test began."""
+    """How often $CC has compiled since the test began."""
     log = counting.with_name("calls")
     before = len(log.read_text().splitlines())
     monkeypatch.setenv("CC", f"'{counting}'")
@@ -124,8 +125,8 @@ for base in sys.argv[1:]:
 
 
 def test_damaged_libraries_are_made_again(counted, filled, tmp_path: Path, monkeypatch):
-    """In a process of its own, since opening a truncated library may end it; with a cache for each
-    damage."""
+    """In another process, since opening a truncated library may end it.  Each damage has a cache of
+    its own."""
     whole, kernels = filled
     library, = whole.glob("*.so")
     content = library.read_bytes()

@@ -1,4 +1,5 @@
-"""Nested text computes what its Program says, every product that a sum sees rounded."""
+"""Nested text computes what its Program says; every product that is added or subtracted is rounded
+first."""
 
 import random
 import re
@@ -20,8 +21,7 @@ ARITHMETIC = {Op.ADD: 2, Op.SUB: 2, Op.MUL: 2, Op.DIV: 2, Op.NEG: 1}
 
 @dataclass(frozen=True)
 class Made:
-    """The history of a number as a hash: the operations in their order, which are not associative.
-    """
+    """A number's history as a hash: its operations in their order, none of them associative."""
 
     n: int
 
@@ -33,7 +33,7 @@ class Made:
 
 
 def constant(x: Constant) -> Made:
-    """In the program the sign is part of the constant; in the text it precedes the literal."""
+    """In the Program the sign is part of the constant; in the text it precedes the literal."""
     return Made(int(x.double)) if x.double >= 0 else -Made(-int(x.double))
 
 
@@ -94,8 +94,8 @@ def test_lines_are_short_and_numbers_have_no_gaps(seed: int) -> None:
     ((Op.ADD, "y"), True), ((Op.SUB, "y"), True), ((Op.NEG,), True), ((Op.MUL, 2), True),
     ((Op.MUL, "y"), False), ((Op.DIV, "y"), False), ((Op.SIN,), False), ((Op.ABS,), False)))
 def test_products_that_a_sum_sees_are_rounded(user: tuple, rounded: bool) -> None:
-    """Directly, through a sign, or as the sum that compilers make of a product with 2; and results.
-    """
+    """Added directly, with the other sign, or as the sum x + x that compilers make of 2 x; results
+    are rounded, too."""
     w = Writer(argument("x", 2))
     product = w.do("product", Op.MUL, w.at("x", 0), w.at("x", 1))
     op, *others = user

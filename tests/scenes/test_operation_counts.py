@@ -1,5 +1,5 @@
-"""The numbers of operations of robots' and examples' functions are committed, so that no increase
-is missed.
+"""The operations of robots' and example scenes' functions are counted, and the counts committed, so
+that an increase is noticed.
 
 `python -m tests.scenes.test_operation_counts` writes the file anew.
 """
@@ -70,7 +70,7 @@ def test_operations_are_as_many_as_committed(name: str) -> None:
 @pytest.mark.parametrize("name, most", (
     ("UR5", 378), ("Panda, fingers locked", 704), ("G1, floating", 4180)))
 def test_inverse_dynamics_takes_at_most(name: str, most: int) -> None:
-    """As many as before mechanics called the library's operations."""
+    """No more than when mechanics did not yet call the library's operations."""
     row = next(x for x in _committed() if (x["scene"], x["function"]) == (name, "inverse_dynamics"))
     assert int(row["sums and products"]) <= most
 

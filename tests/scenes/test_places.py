@@ -1,5 +1,6 @@
-"""A table under the name of a joint or body belongs to it, even if a parameter has the same name; a
-table that could be either is refused.  For every effect, by construction."""
+"""A table named after a joint or body belongs to it, even if a parameter has the same name; a table
+that could be either is refused.  The cases are made from the catalogue: every effect, every
+parameter."""
 
 import pytest
 
@@ -23,7 +24,7 @@ def value(parameter: ParameterOf, number: int = 2) -> str:
 
 
 def given(effect: Effect, of: ParameterOf) -> dict[str, str]:
-    """Values for all of the effect's parameters, of a kind that has the parameter `of`."""
+    """Values for all of the effect's parameters, of the kind that has the parameter `of`."""
     kinds = next((x.choices for x in effect.parameters if x.name == "kind"), ("",))
     kind = of.of[0] if of.of else kinds[-1]
     found = {x.name: value(x, n + 2) for n, x in enumerate(effect.parameters)
@@ -56,7 +57,7 @@ def read(tmp_path):
 
 @pytest.mark.parametrize("effect, parameter", CLASHES, ids=IDS)
 def test_a_table_under_a_name_that_is_both_is_the_places(read, effect, parameter):
-    """It says what it says for a place of another name."""
+    """It means the same as the table of a place with another name."""
     table = lines(given(effect, parameter))
     if set(given(effect, parameter)) == {parameter.name}:
         return  # of one parameter: the table is refused below

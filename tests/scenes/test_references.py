@@ -1,5 +1,5 @@
 """Motions against values that share no code with the generator: closed forms, published figures,
-Taylor series, other programs.  The allowed errors of runs are derived in support/scenes/runs.py."""
+Taylor series, other programs.  support/scenes/runs.py derives the errors that runs may have."""
 
 from fractions import Fraction
 from functools import cache
@@ -36,8 +36,8 @@ DIGITS = {"double": 1e-7, "single": 0.2}
 
 
 def coarse(name: str, precision: str) -> float:
-    """The longer of the two steps; in single precision, where rounding errors dominate, runs have
-    few steps."""
+    """The longer of the two steps.  Single precision has few steps, since rounding errors dominate
+    there."""
     return kernels(name).scene.run.step * {"double": 1, "single": 4}[precision]
 
 
@@ -94,8 +94,8 @@ def test_committed_figures_are_what_their_command_prints(module):
 
 @pytest.mark.parametrize("name, count", (("stick_slip", 2), ("arm6", 1), ("quadruped", 1)))
 def test_the_peers_figures_are_found_again(name, count):
-    """The beginning of their runs, also with other tolerances; differences are no larger than these
-    cause."""
+    """The first figures of their runs, recomputed, also with other tolerances: they differ by no
+    more than these tolerances cause."""
     if name != "stick_slip":
         pytest.importorskip("pinocchio", reason="no wheel for this platform")
     module = __import__(f"tests.references.{name}", fromlist=[name])
@@ -166,17 +166,17 @@ def test_the_reference_top_keeps_energy_momentum_and_spin():
 @pytest.mark.parametrize("precision", ("double", "single"))
 @pytest.mark.parametrize("name", MOTIONS)
 def test_motions_are_the_references(name, precision):
-    _hold(runs.compared(kernels(name), figures(name), precision, "rk4", coarse(name, precision)),
-          figures(name), precision)
+    _compare(runs.compared(kernels(name), figures(name), precision, "rk4", coarse(name, precision)),
+             figures(name), precision)
 
 
 @pytest.mark.parametrize("name", SMOOTH)
 def test_motions_of_dop853_are_the_references(name):
-    _hold(runs.compared(kernels(name), figures(name), "double", "dop853", 1e-10), figures(name),
-          "double")
+    _compare(runs.compared(kernels(name), figures(name), "double", "dop853", 1e-10), figures(name),
+             "double")
 
 
-def _hold(found: tuple[runs.Compared, ...], wanted: tuple[Figure, ...], precision: str) -> None:
+def _compare(found: tuple[runs.Compared, ...], wanted: tuple[Figure, ...], precision: str) -> None:
     for x in found:
         print(f"{x.quantity}: {x.error:.2g} of {x.integration:.2g} + {x.rounding:.2g}")
         size = max(abs(float(y.value)) for y in wanted if y.quantity.split(".")[0] == x.quantity)
@@ -210,8 +210,8 @@ def test_free_bodies_keep_energy_and_angular_momentum(name, precision):
     wanted = [Figure("energy", t, repr(float(energy))) for t in rigid_body.TIMES]
     wanted += [Figure(f"momentum.{3 + i}", t, repr(float(I[i] * w[i])))
                for t in rigid_body.TIMES for i in range(3)]
-    _hold(runs.compared(kernels(name), wanted, precision, "rk4", coarse(name, precision)), wanted,
-          precision)
+    _compare(runs.compared(kernels(name), wanted, precision, "rk4", coarse(name, precision)),
+             wanted, precision)
 
 
 def test_a_leaping_quadruped_flies_like_a_stone():

@@ -1,4 +1,5 @@
-"""Rotations are exact to 50 digits, right angles exactly right, and compose in the stated order."""
+"""Rotations are right to 50 digits, right angles are exact, and rotations compose in the stated
+order."""
 
 from fractions import Fraction as F
 
@@ -31,7 +32,7 @@ def number(text):
     return mpmath.mpf(F(text).numerator) / F(text).denominator
 
 
-def far(A, B):
+def distance(A, B):
     return max(abs(x) for x in A - B)
 
 
@@ -41,8 +42,8 @@ def test_rpy_is_yaw_pitch_roll(roll, pitch, yaw):
     R = rotations.from_rpy(F(roll), F(pitch), F(yaw))
     truth = (about((0, 0, 1), number(yaw)) * about((0, 1, 0), number(pitch))
              * about((1, 0, 0), number(roll)))
-    assert far(matrix(R), truth) < 4 * float(SNAP)
-    assert far(matrix(R) * matrix(R).T, mpmath.eye(3)) < 4 * float(SNAP)
+    assert distance(matrix(R), truth) < 4 * float(SNAP)
+    assert distance(matrix(R) * matrix(R).T, mpmath.eye(3)) < 4 * float(SNAP)
 
 
 @pytest.mark.parametrize("angles", [("0.3", "-1.1", "2.9"), ("0.01", "0.02", "1e-3")])
@@ -50,14 +51,14 @@ def test_slanted_rotations_are_good_to_fifty_digits(angles):
     R = rotations.from_rpy(*map(F, angles))
     truth = (about((0, 0, 1), number(angles[2])) * about((0, 1, 0), number(angles[1]))
              * about((1, 0, 0), number(angles[0])))
-    assert far(matrix(R), truth) < mpmath.mpf(10)**-48
+    assert distance(matrix(R), truth) < mpmath.mpf(10)**-48
 
 
 @pytest.mark.parametrize("axis", [(1, 2, -3), (0, 0, 5), (1, 1, 0)])
 @pytest.mark.parametrize("angle", ["0.3", "-2.75", "100"])
 def test_axis_angle_is_the_exponential(axis, angle):
     R = rotations.from_axis_angle(tuple(map(F, axis)), F(angle))
-    assert far(matrix(R), about(axis, number(angle))) < mpmath.mpf(10)**-47
+    assert distance(matrix(R), about(axis, number(angle))) < mpmath.mpf(10)**-47
 
 
 @pytest.mark.parametrize("quaternion", [("0.5", "0.5", "0.5", "0.5"), ("0", "-0.8", "0", "0.6"),
@@ -67,7 +68,7 @@ def test_quaternions_turn_like_their_axis_and_angle(quaternion):
     angle = 2 * mpmath.atan2(mpmath.norm(vector), scalar)
     R = rotations.from_quaternion(tuple(map(F, quaternion)))
     truth = about(vector, angle)
-    assert far(matrix(R), truth) < mpmath.mpf(10)**-48
+    assert distance(matrix(R), truth) < mpmath.mpf(10)**-48
 
 
 @pytest.mark.parametrize("quarter", ["1.57079632679", "1.5707963267949", "1.5707963267948966",
@@ -98,7 +99,8 @@ def test_only_what_is_within_the_tolerance_snaps():
 
 
 def test_entries_near_one_stay_where_others_stand_beside_them():
-    """The cosine of 1e-6 is within 1e-12 of 1, but this is a rotation."""
+    """The cosine of 1e-6 is within 1e-12 of 1, but the sine is not within 1e-12 of 0: neither is
+    snapped."""
     small = F(1, 10**6)
     cosine = 1 - small**2 / 2
     turn = (cosine, -small, F(0), small, cosine, F(0), F(0), SNAP, 1 - SNAP)
@@ -110,8 +112,8 @@ def test_rough_right_angles_stay_rotations(rough):
     """Sines near 1 are left alone where the cosine beside them is not zero."""
     R = matrix(rotations.from_rpy(F(rough), F(0), F(rough)))
     truth = about((0, 0, 1), number(rough)) * about((1, 0, 0), number(rough))
-    assert far(R, truth) < float(SNAP)
-    assert far(R * R.T, mpmath.eye(3)) < float(SNAP)
+    assert distance(R, truth) < float(SNAP)
+    assert distance(R * R.T, mpmath.eye(3)) < float(SNAP)
 
 
 def test_axes_are_normalised_and_snapped():

@@ -1,4 +1,4 @@
-"""Arrays that scenes' functions take and fill: out=, both precisions, any strides; and pickles."""
+"""Arrays that scenes' functions take and fill: out=, both precisions, any strides; and pickling."""
 
 import copy
 import pickle

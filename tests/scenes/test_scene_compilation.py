@@ -1,4 +1,5 @@
-"""Scenes' C compiles without a warning everywhere, stays inside its arrays and in its precision."""
+"""Scenes' C compiles without a warning everywhere, and stays within its arrays and its precision.
+"""
 
 import re
 from pathlib import Path
@@ -96,7 +97,7 @@ def _object(case, compiler: str, precision: Precision, folder: Path) -> Path:
 
 
 def _without_others(case, precision: Precision) -> list[str]:
-    """The definition that leaves out the other precision."""
+    """The flag that leaves out the other precision."""
     return [f"-D{case.name.upper()}_NO_{p.name.upper()}" for p in PRECISIONS if p != precision]
 
 
@@ -113,7 +114,7 @@ BUILDS = (*((name, SANITIZERS) for name in COMPILERS if has_sanitizers(name)),
 @pytest.mark.parametrize("compiler, flags", BUILDS, ids=lambda x: x if isinstance(x, str) else x[0])
 def test_outputs_may_overlap_inputs(case, compiler: str, flags: tuple[str, ...],
                                     precision: Precision, tmp_path: Path):
-    """Wherever in an input an output begins, the results are those of separate arrays."""
+    """Wherever an output begins within an input, the results are those of separate arrays."""
     written(case, tmp_path)
     source, binary = tmp_path / "overlaps.c", tmp_path / "overlaps"
     source.write_text(_overlaps(case, precision))

@@ -1,4 +1,4 @@
-"""What is wrong in a scene file is one clear error: file, key, what came, what was wanted."""
+"""An error in a scene file is one clear message: file, key, what came, what was wanted."""
 
 import math
 from fractions import Fraction as F

@@ -1,4 +1,4 @@
-"""Scene files: every number arrives exactly, and everything else is one clear error."""
+"""Scene files: every number is read exactly, and everything else is one clear error."""
 
 import math
 import subprocess
@@ -360,8 +360,8 @@ def test_other_texts_are_no_quantities(read, text, words):
 
 
 def test_readers_of_files_know_no_dynamics():
-    """What reads a scene file: readers, what a scene is, the lists of effects and integrators, and
-    what these are written with; no derivation, no target, no SymPy."""
+    """Reading a scene file imports readers, the scene's own classes, the lists of effects and
+    integrators and what these import; no derivation, no target, no SymPy."""
     program = ("import sys; from pathlib import Path; "
                "from coscrew_codegen.scene_files.toml_scene import read_scene; "
                "read_scene(Path('examples/scenes/quadruped.toml')); print(*sys.modules)")

@@ -1,4 +1,4 @@
-"""Scenes' C gives the bits of their Python package under every flag that compiles."""
+"""Scenes' C gives the bits of their Python package under every flag with which it compiles."""
 
 from pathlib import Path
 
@@ -58,7 +58,7 @@ KEEPERS = {
 @pytest.mark.skipif(not FMA, reason="nothing fuses here")
 @pytest.mark.parametrize("keeper", [x for x, (name, *_) in KEEPERS.items() if name in COMPILERS])
 def test_a_fused_product_would_be_noticed(keeper: str, right: list[str], tmp_path: Path):
-    """Without the means against it."""
+    """Compiled without the means against fused products, the program prints other bits."""
     compiler, pragma, *flags = KEEPERS[keeper]
     source = scene_bits.source(tmp_path)
     scene = tmp_path / f"{scene_bits.functions().name}.c"

@@ -1,4 +1,4 @@
-"""Names of instructions in scenes' text: read as the legend says, without gaps."""
+"""Names of instructions in scenes' text: as the legend describes them, numbered without gaps."""
 
 import re
 from collections import defaultdict
@@ -12,13 +12,14 @@ from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.program import Constant, Op
 from coscrew_codegen.recording.recorder import Recorder, array
+from coscrew_codegen.scene.model import Body, Joint, Kind, Model
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.targets import scene_c, scene_python, scene_text
 from coscrew_codegen.targets.c_nested import language
 from tests.support.scenes.effect_scenes import PLACES, arm, effects, mechanism
 from tests.support.scenes.generated_scenes import Writer, argument
-from tests.support.scenes.mechanisms import gravity, scene
+from tests.support.scenes.mechanisms import Y, applied, gravity, inertia, scene
 
 SCENES: dict[str, Scene] = {
     "falling": scene(mechanism(), gravity()),
@@ -96,7 +97,8 @@ def example(name: str) -> SceneFunctions:
 
 
 def test_numbers_of_the_model_and_torques_of_effects_have_names() -> None:
-    """A rotor behind its gear, 100^2 7e-5; a mass, an offset; each once a function that uses it."""
+    """A rotor behind its gear, 100^2 7e-5; a mass; an offset: each named once in a function that
+    uses it."""
     functions = example("arm6")
     c, double, single = (
         text for files in (scene_c.files(functions, "x"), scene_python.files(functions, "x"))
@@ -113,7 +115,7 @@ def test_numbers_of_the_model_and_torques_of_effects_have_names() -> None:
 
 
 def test_a_name_that_two_numbers_have_is_the_firsts() -> None:
-    """The other stands as it is; so does one whose name something else has."""
+    """The second number is written as a literal; so is one whose name is already taken."""
     w = Writer(argument("q", 3))
     named = [Constant(Fraction(n), Fraction(n), name)
              for n, name in ((3, "mass"), (5, "mass"), (7, "q"), (3, "mass"))]
@@ -129,3 +131,40 @@ def test_a_name_that_two_numbers_have_is_the_firsts() -> None:
 def test_example_scenes_headings_say_how_links_move() -> None:
     found = example("pendulum")
     assert "/* 0 rod: pivot turns about z */" in scene_c.files(found, "x")["pendulum.c"]
+
+
+NAMES = ("column", "arm", "hand", "lift", "hinge", "ball")
+CONFUSING = ("total", "speeds", "a: b", "total", "hinge at total", "speeds")
+"""Of bodies, then of joints: what the text calls sums, stages and effects, and each other."""
+
+
+def headings_of(names: tuple[str, ...]) -> list[tuple[str, list[str]]]:
+    """Each function's headings, in a scene whose bodies and joints have these names."""
+    column, arm, hand, *joints = names
+    chained = zip(("world", column, arm), (column, arm, hand), joints,
+                  (Kind.PRISMATIC, Kind.REVOLUTE, Kind.SPHERICAL), strict=True)
+    model = Model("x", tuple(Body(x, inertia(1, moments=(1, 1, 1, 0, 0, 0)))
+                             for x in (column, arm, hand)),
+                  tuple(Joint(joint, kind, parent, child, axis=Y)
+                        for parent, child, joint, kind in chained))
+    lift, hinge, _ = joints
+    effects = (gravity(), applied("limit", lift, lower=0, k=100), applied("viscous", hinge, d=1),
+               applied("spring_damper", "tie", bodies=("world", hand), k=1))
+    made = derive(scene(model, *effects))
+    return [(f.name, [words for _, words in f.headings]) for f in made.functions]
+
+
+def test_headings_are_the_same_whatever_bodies_and_joints_are_called() -> None:
+    """Except for the names in them."""
+    plain, confusing = headings_of(NAMES), headings_of(CONFUSING)
+    bodies = "".join(words for _, found in plain for words in found)
+    assert all(x in bodies for x in ("0 column: lift", "joint 'ball'", "total", "speeds",
+                                     "limit at lift", "pairs of bodies"))
+    patterns = {f"{n} {NAMES[n]}": f"{n} {CONFUSING[n]}" for n in range(3)}
+    patterns |= {f": {x} ": f": {y} " for x, y in zip(NAMES[3:], CONFUSING[3:], strict=True)}
+    patterns |= {f"joint {x!r}": f"joint {y!r}"
+                 for x, y in zip(NAMES[3:], CONFUSING[3:], strict=True)}
+    patterns |= {f" at {x}": f" at {y}" for x, y in zip(NAMES[3:], CONFUSING[3:], strict=True)}
+    said = re.compile("|".join(map(re.escape, patterns)))
+    named = [[said.sub(lambda x: patterns[x[0]], words) for words in found] for _, found in plain]
+    assert [found for _, found in confusing] == named

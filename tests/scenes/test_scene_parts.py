@@ -1,4 +1,5 @@
-"""Long functions of scenes in parts: the same bits, no long part, shared parts written once."""
+"""Long functions of scenes consist of parts: the same bits, no long part, shared parts written
+once."""
 
 import os
 import re
@@ -33,7 +34,7 @@ LENGTHS = (1, 25, 600)
 
 @pytest.fixture
 def in_parts(monkeypatch: pytest.MonkeyPatch):
-    """Makes targets cut functions that are longer than this into parts of this length."""
+    """Makes targets cut functions that are longer than this into parts of at most this length."""
     def short(longest: int) -> None:
         monkeypatch.setattr(scene_c_parts, "LONG", 0)
         monkeypatch.setattr(scene_c_parts, "LONGEST", longest)
@@ -92,8 +93,8 @@ def test_no_part_is_longer_than_asked(longest: int):
 
 
 def test_long_chains_are_linear_in_length():
-    """In longer chains parts are as short, and their number, their steps and their kept values grow
-    linearly."""
+    """For longer chains parts are no longer, and their number, their steps and the values they keep
+    grow linearly."""
     found = []
     for joints in (8, 16, 32):
         link = Kind.REVOLUTE, Y, at(0, 0, 1), inertia(1, (0, 1, 2), (3, 4, 5, 0, 0, 0))
@@ -127,7 +128,7 @@ def test_what_programs_share_is_issued_once(monkeypatch: pytest.MonkeyPatch):
 
 
 def test_a_group_that_only_keeps_dissolves():
-    """The programs share one product, and each uses it separately."""
+    """The programs share one product and nothing else."""
     def program(name: str, op: Op) -> Program:
         steps = (Instruction("x", Op.MUL, (Input(0, 0), Input(0, 1)), "one:x"),
                  Instruction("y", op, (Ref("x"), Input(0, 0)), "one:y"))
@@ -154,7 +155,8 @@ def test_bits_in_c_are_those_of_whole_functions(compiler: str, in_parts, right: 
 
 
 def test_long_scenes_have_no_long_function():
-    """Each function has at most the declarations of a part, or else its calls and results."""
+    """Each function has at most as many declarations as a part may have, or consists of calls and
+    results."""
     text = scene_c.files(robot(35, 2 * scene_c_parts.LONG), BANNER)["robot.c"]
     bodies = re.findall(r"^(?:ROBOT_PART |static )?void \w+\([^{]*\{\n(.*?)^\}", text, re.S | re.M)
     assert len(bodies) > 2 * 2 * 2 * scene_c_parts.LONG / scene_c_parts.LONGEST

@@ -1,4 +1,5 @@
-"""Scenes in double and single are within a running error bound of themselves at 50 digits."""
+"""Scenes in double and in single precision differ from themselves at 50 digits by no more than a
+running error bound."""
 
 from collections.abc import Iterator
 from functools import cache
@@ -52,7 +53,7 @@ def evaluated(name: str, numbers: Numbers = MULTIPRECISE) -> Evaluated:
 @pytest.mark.parametrize("precision", PRECISIONS)
 @pytest.mark.parametrize("name", SCENES)
 def test_results_are_within_their_running_error_bounds(name: str, precision: str) -> None:
-    """Which leaves them digits: it is below 2^16 units of the largest."""
+    """The bound is below 2^16 units of the largest result, so that it says something."""
     numbers, number, u = PRECISIONS[precision]
     f, bound = (evaluated(name, x) for x in (numbers, bounded(precision, mpf(u))))
     for seed in range(3):

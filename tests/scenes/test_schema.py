@@ -125,7 +125,7 @@ def _inline(value: object) -> str:
 
 
 def places(value: object, path: tuple = ()) -> Iterator[tuple]:
-    """The ways to all values that are no tables."""
+    """The paths to all values that are not tables."""
     if isinstance(value, dict):
         for key, inner in value.items():
             yield from places(inner, (*path, key))
@@ -134,7 +134,7 @@ def places(value: object, path: tuple = ()) -> Iterator[tuple]:
 
 
 def tables(value: object, path: tuple = ()) -> Iterator[tuple]:
-    """The ways to all tables that hold no names of the scene's own."""
+    """The paths to all tables except those whose keys are names of the scene's own."""
     if isinstance(value, dict):
         own = ("bodies", "joints", "q", "v", "expect", "spring_damper", "viscous", "wrench")
         if not path or path[-1] not in own and path[-2:] != ("viscous", "d"):

@@ -68,15 +68,16 @@ def test_without_a_word_jacobians_reactions_and_other_integrators_are_left_out()
 
 @pytest.mark.parametrize("integrator", INTEGRATORS, ids=lambda x: x.name)
 def test_the_step_is_that_of_the_run(integrator):
-    """Of SciPy's, whose steps are not emitted, the default's."""
+    """Steps of SciPy's integrators are not emitted; a scene that runs with one has the default's.
+    """
     found = [x for x in public(arm(run=Run(integrator=integrator.name))) if x.startswith("step_")]
     assert found == [integrator.step_name or "step_leapfrog"]
 
 
 @pytest.mark.parametrize("name", names(arm()))
 def test_each_function_can_stand_alone(name: str, tmp_path: Path):
-    """Nothing else is declared; it is what it is among all others; it compiles without a warning,
-    of a function that is not used, either."""
+    """Nothing else is declared; its text is the same as among all others; it compiles without a
+    warning, of unused functions either."""
     if name in FREE:
         with pytest.raises(FunctionsError, match=f"arm: there is no {name}: no base is floating"):
             derive(arm(name))
@@ -100,7 +101,7 @@ def whole_arm() -> str:
 
 
 def body(text: str, function: str) -> str:
-    """Of a function in C, however its lines are broken."""
+    """The body of a C function, without its line breaks."""
     found = re.search(rf"^(?:static )?(void {function}\(.*?^}})", text, re.M | re.S)[1]
     return " ".join(found.split())
 
@@ -113,7 +114,7 @@ def test_contacts_are_refused_by_name_where_no_limit_closes():
 
 
 def test_all_functions_have_names_and_names_have_functions():
-    """Of two scenes that have between them whatever a scene can have."""
+    """For two scenes that together have everything that a scene can have."""
     found = {*public(arm(*ALL))} | {f"{name}" for name in public(flyer(*ALL))}
     assert found == {*names(arm()), *names(flyer())}
     assert {"jacobian_b2", "jacobian_b1", "reaction_j0"} < found and "reaction_j2" not in found
@@ -189,7 +190,7 @@ def test_load_scene_takes_what_the_file_says_or_what_it_is_told(file: Path):
 
 
 def test_runs_have_all_that_they_call_and_tell_what_they_lack(file: Path):
-    """A run of a scene that selects a single function."""
+    """A run of a scene that selects only one function."""
     scene = replace(read_scene(file), record=("reaction.wrist", "pose.hand", "a", "momentum"))
     its = system.system(load.kernels_for(scene, needs.of_run(scene, "rk4")), "double")
     assert not its.has("jacobian_hand") and not its.has("inverse_dynamics")
@@ -216,8 +217,8 @@ def chain(joints: int) -> Scene:
 
 
 def test_deriving_takes_in_proportion_to_the_number_of_joints(monkeypatch: pytest.MonkeyPatch):
-    """Operations that are looked at, of all default functions but the mass matrix.  Three joints
-    more are the same number more, wherever they are in the chain."""
+    """Counted: the operations that are looked at, for all default functions except the mass matrix.
+    Three more joints add the same number, wherever they are in the chain."""
     issued = [0]
     issue = Recorder.issue
 
@@ -248,7 +249,7 @@ def test_many_joints_have_no_mass_matrix_unless_asked_and_no_end_of_them_is_refu
 
 
 def test_alarms_do_without_a_mass_matrix(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    """It weighs joints, to name the one that a step is too large for."""
+    """With it, an alarm would weigh the joints, to name the one for which a step is too large."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr(needs, "MANY", 0)
     scene = m.scene(m.slider(1), m.applied("spring", "j0", k=10**6))

@@ -1,4 +1,5 @@
-"""Slopes of effects are those of their forces, their energies those of their work, at 50 digits.
+"""Slopes of effects are the derivatives of their forces, and the work of forces is the change of
+energy, at 50 digits.
 
 Derivatives are central differences over 1e-16, wrong by about 1e-32 of the third derivative.
 """
@@ -74,7 +75,7 @@ STATES = [(mpf(q), mpf(v)) for q in ("-3", "-1.2", "0", "0.3", "1.1", "2.7")
 
 
 def torque_of(name: str, values: dict) -> Callable[[mpf, mpf], dict[str, mpf | None]]:
-    """The effect's Torque at q, v and t = 0.7; what it leaves out is None."""
+    """The effect's Torque at q, v and t = 0.7; what the effect does not give is None."""
     recorder = Recorder([array(x, ()) for x in "qvt"])
     q, v, t = (recorder.argument(x)[0] for x in "qvt")
     made = applied(name, "joint", **values)
@@ -99,7 +100,8 @@ def test_every_effect_on_joints_is_here() -> None:
 
 @pytest.mark.parametrize("name, values, true", CASES)
 def test_slopes_are_those_of_the_torque(name: str, values: dict, true: bool) -> None:
-    """True; or not below the slope, nor where it saturates below |torque| / |v|."""
+    """`true`: they are the derivatives.  Else they are no smaller, and damping by friction is at
+    least |torque| / |v|."""
     f = torque_of(name, values)
     for q, v in STATES:
         found = f(q, v)
@@ -214,7 +216,7 @@ def test_implicit_steps_solve_with_all_slopes(following: bool) -> None:
                                                       for g in (f, bare)), strict=True)])
 
     def at_joints(q: list, v: list) -> mpmath.matrix:
-        """Without what acts between and on bodies, whose K is left out."""
+        """What effects add, without those that act on and between bodies, whose K is left out."""
         return mpmath.matrix([a - b for a, b in zip(*(g("bias_torques", t=x["t"], q=q, v=v)
                                                       for g in (joints_only, bare)), strict=True)])
 
@@ -259,8 +261,8 @@ def test_stiffness_between_bodies_is_taken_along_the_line() -> None:
 
 @pytest.mark.parametrize("speed", [(0, 0, 0), (3, -1, 2), (mpf(10)**-9, 0, 0)])
 def test_drag_falls_with_no_more_than_its_damping(speed: tuple) -> None:
-    """An implicit step without other forces shortens v, and never turns it round; it takes in the
-    slope rho area |v| along v: a = -(500 |v| v) / (m + h 1000 |v|)."""
+    """An implicit step without other forces shortens v and never reverses it.  The slope along v
+    that it takes is rho area |v|: a = -(500 |v| v) / (m + h 1000 |v|)."""
     f = Evaluated(scene(chain((Kind.FREE, Z, HERE, inertia(1, moments=(1, 1, 1, 0, 0, 0)))),
                         applied("drag", "b0", rho=1000, area=1)), MULTIPRECISE)
     a = f("implicit_acceleration", h=mpf(100), q=numbers(0, 0, 0, 0, 0, 0, 1), v=[*speed, 0, 0, 0])

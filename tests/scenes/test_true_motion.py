@@ -1,6 +1,6 @@
-"""The default integrator's motions against laws and closed forms: floating bases keep their
-momentum and energy, dampers and stiff motors are followed, bounces keep their speeds'
-restitution."""
+"""Motions of the default integrator against laws and closed forms: floating bases keep their
+momentum and energy, damped and stiffly controlled joints follow their closed forms, bounces have
+their restitution."""
 
 import math
 from dataclasses import replace
@@ -113,7 +113,8 @@ def momenta(name: str, run: Trajectory) -> tuple[np.ndarray, np.ndarray]:
 @pytest.mark.parametrize("precision", ("double", "single"))
 @pytest.mark.parametrize("name", FREE)
 def test_floating_bases_keep_their_momentum_to_rounding(name, precision):
-    """Over 1e5 steps (with friction, a motor and a limit inside: 2e4); not the old default."""
+    """Over 1e5 steps; 2e4 with friction, a motor and a limit inside.  The former default does not
+    keep it."""
     until = 20.0 if name == "falling" else 100.0
     run = ran(kernels(name), until, precision=precision)
     p, L = momenta(name, run)
@@ -136,7 +137,7 @@ def test_floating_bases_keep_their_energy_within_a_thousandth(name):
 
 
 def test_steps_from_c_alone_keep_momentum_except_for_roundings():
-    """1e5 calls of the step, each of which knows but q and v."""
+    """1e5 calls of the step, each of which is given nothing but q and v."""
     its = kernels("tree").double
     q, v = system(kernels("tree"), "double").start()
     c = its.free_momentum(q, v)
@@ -147,7 +148,7 @@ def test_steps_from_c_alone_keep_momentum_except_for_roundings():
 
 
 def test_a_tumbling_nut_turns_as_jacobis_functions_say():
-    """To second order at least; speeds at turning points are of third."""
+    """At least to second order; speeds at the reversals, to third."""
     wanted = [(float(x.at), int(x.quantity[-1]), float(x.value)) for x in figures.read("rigid_body")
               if x.quantity.startswith("v.base.") and float(x.at) <= 3]
     assert len(wanted) >= 3
@@ -174,7 +175,7 @@ def test_a_spring_turns_in_phase_space_and_keeps_its_energy():
 
 @pytest.mark.parametrize("z", (1e-3, 0.5, 1.0, 7.0, 400.0, 1e6))
 def test_a_damped_speed_shrinks_as_promised_at_any_step(z):
-    """By 1/(1 + z + z²/2) a step, z = h d/J: never changes sign, never grows."""
+    """Each step divides it by 1 + z + z²/2, z = h d/J: it never changes sign and never grows."""
     scene = m.scene(m.rotor(), m.applied("viscous", "j0", d=Fraction(z) * 1000))
     for precision, u in U.items():
         h = {"double": 1e-3, "single": np.float32(1e-3)}[precision]
@@ -186,8 +187,9 @@ def test_a_damped_speed_shrinks_as_promised_at_any_step(z):
 
 @pytest.mark.parametrize("name", ("rotor", "arm"))
 def test_stiff_motors_on_light_links_are_followed(name):
-    """kp 400, kd 40, 1e-4 kg m²: q = e^(-10 t), late by half a step of the jump; not with the old
-    default.  Two such links, the lower under gravity, end where their motors hold them."""
+    """kp 400, kd 40, 1e-4 kg m²: q = e^(-10 t), late by half a step after the jump; the former
+    default fails here.  Two such links, the lower one under gravity, end where their motors hold
+    them."""
     link = (Kind.REVOLUTE, m.Y, HERE, m.inertia("1e-4", moments=("1e-4", "1e-4", "1e-4", 0, 0, 0)))
     model = m.chain(*[link] * (1 if name == "rotor" else 2), name=name)
     scene = m.scene(model, *(m.applied("actuator", j.name, **PD, target=Fraction(0))
@@ -203,7 +205,7 @@ def test_stiff_motors_on_light_links_are_followed(name):
 
 
 def smooth() -> dict[str, Scene]:
-    """Motions without jumps, that stiff or damped effects rule."""
+    """Motions without jumps in which stiff or damped effects dominate."""
     light = m.rotor("1e-4")
     hung = m.chain(*[(Kind.REVOLUTE, m.Y, m.at(0, 0, -n), m.inertia(1, (0, 0, -1)))
                      for n in range(2)], name="hung")
@@ -244,7 +246,7 @@ def bouncing(k: str) -> Kernels:
 
 def restitution(v: float, alpha: float = 0.1) -> float:
     """e of c v - ln(1 + c v) = -c e v - ln(1 - c e v), c = 1.5 alpha: m v dv = -k δ^1.5 (1 + c v)
-    dδ integrated in and out."""
+    dδ, integrated over both halves of the contact."""
     x = mpmath.mpf(3) / 2 * alpha * v
     lost = x - mpmath.log(1 + x)
     return float(mpmath.findroot(lambda y: -y - mpmath.log(1 - y) - lost, x * 0.75) / x)
@@ -253,7 +255,8 @@ def restitution(v: float, alpha: float = 0.1) -> float:
 @pytest.mark.parametrize("precision", ("double", "single"))
 @pytest.mark.parametrize("k, within", (("1e7", 0.01), ("1e9", 0.01), ("1e11", 0.01)))
 def test_a_bounce_keeps_its_restitution(k, within, precision):
-    """0.758 of a fall from 0.5 m, at steps of 1e-3 s, wherever in a step it touches."""
+    """0.758 after a fall from 0.5 m, with steps of 1e-3 s, wherever in a step the contact begins.
+    """
     assert restitution(math.sqrt(2 * 9.81 * 0.5)) == pytest.approx(0.758, abs=3e-3)
     its = getattr(bouncing(k), precision)
     for n in range(20):
@@ -267,7 +270,8 @@ def test_a_bounce_keeps_its_restitution(k, within, precision):
 
 
 def test_several_limits_at_once_feed_no_energy_in():
-    """Two sliders, one on the other, fall on stops of both: energy falls, and ends at rest."""
+    """Two sliders, one on the other, each fall onto an end of its range: energy falls, and they
+    come to rest."""
     model = m.chain((Kind.PRISMATIC, m.Z, HERE, m.inertia(1)),
                     (Kind.PRISMATIC, m.Z, HERE, m.inertia("0.01")), name="stacked")
     its = checked(m.scene(model, m.gravity(), *(m.applied(
@@ -289,7 +293,7 @@ def test_a_limit_too_stiff_for_its_step_says_so():
 
 @pytest.mark.parametrize("precision", U)
 def test_steps_of_many_states_are_the_same_bits_in_numpy_and_c(precision, tmp_path):
-    """Of states that fly, that are about to touch and that have: each with parts of its own."""
+    """For states before, during and after contact, each of which takes its own number of parts."""
     its, draw = bouncing("1e9"), np.random.default_rng(9)
     package = getattr(imported(its.functions, tmp_path), precision)
     kind = np.dtype(f"f{8 if precision == 'double' else 4}")

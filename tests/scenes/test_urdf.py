@@ -1,4 +1,5 @@
-"""URDF files give Pinocchio's masses, placements and axes; wrong ones are refused by line."""
+"""URDF files give Pinocchio's masses, placements and axes; an error in one is told with its line.
+"""
 
 from fractions import Fraction as F
 from functools import partial
@@ -68,7 +69,7 @@ def test_robots_equal_pinocchios(path):
 
 @pytest.mark.parametrize("path", RIGHT, ids=lambda p: p.name)
 def test_masses_equal_pinocchios(path):
-    """Mass, centre and moments of the whole robot, and of every link, at rest."""
+    """Mass, centre of mass and moments, at rest, of the whole robot and of every link."""
     pinocchio = pytest.importorskip("pinocchio")
     model, theirs = read_urdf(path), pinocchio.buildModelFromUrdf(str(path))
     poses, ours = poses_at_rest(model), {}
@@ -277,8 +278,8 @@ def test_thin_plates_with_rounded_moments_are_possible(read):
 
 
 def test_residues_of_programs_that_write_files_are_zero(tmp_path):
-    """Origins and centres within 1e-18 m of zero, products of inertia within 1e-15 √(xx yy), and
-    moments as near to each other."""
+    """Origins and centres of mass within 1e-18 m of zero are zero; so are products of inertia
+    within 1e-15 √(xx yy), and differences of moments."""
     path = tmp_path / "arm.urdf"
     path.write_text("""<robot name="arm"><link name="a"><inertial><mass value="1"/>
 <origin xyz="1e-19 2.67e-51 1e-17"/><inertia ixx="1" iyy="4" izz="4.000000000000004"
@@ -294,7 +295,7 @@ ixy="1.9e-15" ixz="2.1e-15" iyz="-3.9e-15"/>
 
 @pytest.mark.parametrize("rpy", ["0.3 0 0", "0 0.7 0", "2.9 0.4 1", "0 0 0.7853981633974483"])
 def test_a_ball_that_is_turned_is_a_ball(tmp_path, rpy):
-    """What the rounding of sines leaves of equal moments is no number of the file's, whose powers
+    """Rounded sines leave differences of equal moments that no file contains, and whose powers
     leave single precision's range."""
     path = tmp_path / "ball.urdf"
     path.write_text(f"""<robot name="ball"><link name="world"/><link name="a"><inertial>

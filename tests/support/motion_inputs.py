@@ -32,8 +32,8 @@ WIDE = np.longdouble
 
 
 def motions_of(operation: Operation, precision: Precision, n: int) -> tuple[Rows, ...]:
-    """n rows of every input; of two rotations, apart by less than 170°, for no shorter arc is
-    defined between opposite ones."""
+    """n rows of every input.  Two rotations differ by less than 170°: between opposite ones no
+    shorter arc is defined."""
     rng = np.random.default_rng([*operation.name.encode(), precision.bytes])
     rows = tuple(_drawing(a)(rng, 2 * n + 20) for a in operation.inputs)
     names = [a.name for a in operation.inputs]
@@ -81,7 +81,7 @@ def quaternions(rng: Generator, n: int) -> Rows:
 
 
 def multiples(rng: Generator, n: int) -> Rows:
-    """Multiples of quaternions."""
+    """Quaternions of any norm."""
     return quaternions(rng, n) * 10**rng.uniform(-9, 9, (n, 1))
 
 

@@ -18,7 +18,7 @@ def inputs_of(operation: Operation, precision: Precision, n: int) -> tuple[np.nd
     """n rows of every input, (n, *shape), a block of rows of each kind below."""
     rng = np.random.default_rng([*operation.name.encode(), precision.bytes])
     sizes = [a.quantity.size for a in operation.inputs]
-    inside = np.concatenate([np.arange(size) for size in sizes])  # index in its own input
+    inside = np.concatenate([np.arange(size) for size in sizes])  # indices in each input
     dtype = np.dtype(precision.numpy_type)
     counts = np.diff(np.linspace(0, n, len(KINDS) + 1).astype(int))
     with np.errstate(all="ignore"):

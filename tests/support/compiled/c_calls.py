@@ -64,7 +64,7 @@ int main(void) {
 }
 """
 
-# Every entry inside is read back from its place, column by column; outside is NaN, and is not set.
+# An entry inside is set in its place, column by column; outside, get returns NaN, set does nothing.
 _ELEMENTS = """\
 {kind} x, before;
 fill(&x, {size});
@@ -94,7 +94,7 @@ free(x);
 hold({stem}_alloc(0) == NULL, "{stem}_alloc(0)");
 hold({stem}_alloc(-1) == NULL, "{stem}_alloc(-1)");"""
 
-# KSL's allocators return identities of these types, zeros of the others: where ones stand.
+# KSL's allocators return identities of these types, whose ones are here; zeros of all others.
 _UNITY = {"mat3x3": (0, 4, 8), "mat4x4": (0, 5, 10, 15), "SE3": (0, 4, 8), "quaternion": (3,)}
 
 
@@ -129,7 +129,7 @@ def _aliased(operation: Operation, precision: Precision, tier: str) -> Iterator[
         return
     outputs = {a.name for a in operation.outputs}
     passed = [a for a in parameters(operation) if a.quantity.shape]
-    may_be_one = operation.name.endswith("_swap")  # else two results cannot be one object
+    may_be_one = operation.name.endswith("_swap")  # others' outputs differ
     for whole, part in permutations(passed, 2):
         if outputs >= {whole.name, part.name} and not may_be_one:
             continue

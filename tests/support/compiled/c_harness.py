@@ -26,7 +26,7 @@ INCLUDE = C_FOLDER / "include"
 
 
 def _installed(*names: str) -> tuple[str, ...]:
-    """The installed ones; on a build server all, where `run` reports what is missing."""
+    """The installed compilers; on a build server all, so that `run` reports what is missing."""
     found = tuple(name for name in names if os.environ.get("CI") or shutil.which(name))
     return found or names[:1]
 

@@ -195,8 +195,8 @@ class Header:
         return Header(self.types, self.texts | {name: text}, self.arithmetic)
 
     def flips(self, name: str, free: tuple[str, ...] = ()) -> Iterator["Header"]:
-        """The same functions with one sign of this one flipped, as `sign_flips` has them; each
-        until the next is asked for."""
+        """The same functions with one sign of this one flipped, one for each text of `sign_flips`;
+        each is valid until the next is asked for."""
         other = Header(self.types, self.texts, self.arithmetic)
         function = other._function(name)
         for node in _signs(function.body, free):

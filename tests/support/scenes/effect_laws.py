@@ -18,7 +18,7 @@ def multiprecise(model: Model, *effects: Applied, **settings: Unpack[Settings]) 
 
 
 def assert_same(found: Sequence[mpf], wanted: Sequence[mpf]) -> None:
-    """Assert equality to 45 digits of the largest component."""
+    """Assert that numbers agree to 45 digits of the largest of them."""
     size = max(1, *(abs(x) for x in wanted))
     assert len(found) == len(wanted)
     for x, y in zip(found, wanted, strict=True):
@@ -26,8 +26,8 @@ def assert_same(found: Sequence[mpf], wanted: Sequence[mpf]) -> None:
 
 
 def assert_reaches(truth: float, run: Callable[[int], float], steps: int, order: int = 4) -> None:
-    """Assert that run(n) converges to the truth with n^-order, and that its error at 2n is below a
-    millionth."""
+    """Assert that run(n) converges to the truth as n^-order, with an error below a millionth for
+    2n."""
     coarse, fine = run(steps), run(2 * steps)
     error = (fine - coarse) / (2**order - 1)
     assert abs(fine + error - float(truth)) <= abs(error) / 4, (coarse, fine, float(truth))

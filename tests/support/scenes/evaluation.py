@@ -64,8 +64,9 @@ def evaluator(program: Program, numbers: Numbers[N]
 
 
 class Evaluated(Generic[N]):
-    """The functions of a scene by name: f("forward_dynamics", q=…, v=…, tau=…) is a list of
-    numbers, or a number for a scalar output.  Those that are called are derived, each by itself.
+    """The functions of a scene by name.  f("forward_dynamics", q=…, v=…, tau=…) is a list of
+    numbers, or a number if the output is a scalar.  Each function is derived when it is first
+    called.
 
     Inputs that a function does not take are ignored; p defaults to the scene's values, t to zero.
     """
@@ -136,7 +137,8 @@ class Moving:
         self.t = self.t + h
 
     def rk4(self, h: float, steps: int = 1) -> "Moving":
-        """Steps of Runge and Kutta's, of order 4: on quaternions, in the chart phi around q."""
+        """Steps of the classical Runge-Kutta method, of order 4; for quaternions, in the chart phi
+        around q."""
         for _ in range(steps):
             self._rk4(h)
         return self

@@ -1,4 +1,4 @@
-"""Bodies of published robots that no real body is, each on a joint of its own; figures as in their
+"""Implausible bodies of published robots, each on a joint of its own; figures are those of the
 files: ARMAR-4 (pip's armar 1.1.0), Stretch RE1 with a dexterous wrist (hello-robot-stretch-urdf
 0.1.2), iCub Nancy01, Genova03 and Lisboa01 (icub-models 3.2.0); and what Schunk's files lack."""
 
@@ -39,5 +39,5 @@ BODIES = {
 
 
 def robot(body: str) -> str:
-    """A URDF of two turning joints, the first of which moves the body."""
+    """A URDF of two revolute joints, the first of which moves the body."""
     return CHAIN.format(name="robot", body=body, inertial=BODIES[body][0])

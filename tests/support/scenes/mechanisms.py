@@ -153,7 +153,7 @@ __all__ = ["CATALOGUE", "Formula", "I", "O", "X", "Y", "Z", "applied", "at", "ba
 
 
 def chain_of_three() -> Model:
-    """Two turning arms, a slider along the second; and one that follows the first."""
+    """Two revolute arms, a slider along the second, and a joint that follows the first."""
     links = chain((Kind.REVOLUTE, Y, HERE, inertia(2, (0, Fraction(1, 2), 1), (1, 2, 3, 0, 0, 0))),
                   (Kind.REVOLUTE, X, at(0, 1, 0), inertia(3, (0, 1, 1), (1, 2, 2, 0, 0, 0))),
                   (Kind.PRISMATIC, Y, at(1, 1, 0), inertia(1, (1, 0, 0), (1, 1, 1, 0, 0, 0))))

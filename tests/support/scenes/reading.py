@@ -78,7 +78,7 @@ ARM = """<?xml version="1.0"?>
 
 @pytest.fixture
 def read(tmp_path: Path) -> Callable[..., Scene]:
-    """Read a scene, with MODEL unless it has its own model."""
+    """A function that reads a scene, with MODEL unless the scene has a model of its own."""
 
     def read(head: str = "", tail: str = "", model: str = MODEL, name: str = "arm.toml") -> Scene:
         path = tmp_path / name

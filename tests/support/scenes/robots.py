@@ -47,10 +47,10 @@ class Robot:
     functions: SceneFunctions
     model: "pin.Model"
     follow: np.ndarray
-    offset: np.ndarray  # of Pinocchio's coordinates with one number, by speed
+    offset: np.ndarray  # of joints with one coordinate, in v's order
 
     def states(self, count: int, seed: int = 0) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Random q, v, a of ours, a row a state, each number a float32."""
+        """Random q, v, a in our order, one state a row, each number a float32."""
         rng = np.random.default_rng(seed)
         f = self.functions
         q = rng.uniform(-2, 2, (count, f.nq))
@@ -65,7 +65,7 @@ class Robot:
         """q in Pinocchio's order."""
         model, f = self.model, self.functions
         found = pin.neutral(model)
-        one = np.zeros(f.nv)  # coordinates with one number, at their speeds' places
+        one = np.zeros(f.nv)  # joints with one coordinate, in v's order
         for c in f.coordinates:
             if c.kind == "free":
                 found[:7] = q[c.q.start:c.q.stop]

@@ -1,13 +1,14 @@
 """Compares runs of scenes with reference values, and bounds their errors in both precisions.
 
-Figures of one quantity ("v", "pose") make a vector; errors are the largest of its components.  A
-run with the finer steps (half as long; tolerances a thousandth as large) may be off by
+The figures of one quantity ("v", "pose") form a vector, whose error is that of its worst component.
+Each run is compared with one of finer steps (half as long; tolerances a thousandth as large), whose
+error may be
 
-    |coarse - fine| + 2 n u A,
+    |coarse - fine| + 2 n u A.
 
-the first since orders above 1 halve the error at least; the second since each of its n steps rounds
-every component s of the state, by no more than u times the largest |s|, twice with the step's own
-arithmetic, and each such error grows to A = Σ |∂x/∂s| max |s|, the derivatives taken at the start.
+The first term: methods of order 1 and above at least halve the error.  The second: each of the n
+steps rounds every component s of the state by at most u max |s|, and by as much again in its own
+arithmetic; by the end such errors grow to A = Σ |∂x/∂s| max |s|, with the derivatives at the start.
 """
 
 from collections.abc import Sequence

@@ -1,8 +1,9 @@
-"""A C program that prints a hash of the bits of each of a scene's functions; the expected hashes.
+"""A C program that prints a hash of the bits of each of a scene's functions, and the expected
+hashes.
 
-Those are of the generated Python package, which rounds every operation once on any machine.  What
-would call libm calls stand-ins.  The scene has a free body, a joint, and all effects that joints
-can have, at once.
+The expected hashes are of the generated Python package, which rounds every operation once on any
+machine.  Calls of libm are replaced by stand-ins.  The scene has a free body, a joint, and all
+effects that a joint can have, at once.
 """
 
 import functools
@@ -123,7 +124,7 @@ def _hash(module: ModuleType, f: Signature, p: Precision) -> int:
             if "t" in given:
                 given["t"] = given["t"] + given["h"]
         found = (given["q"], given["v"])
-    assert all(np.isfinite(x).all() for x in found), f.name  # NaN would not be compared
+    assert all(np.isfinite(x).all() for x in found), f.name  # bits of NaN differ
     return hashed(found)
 
 

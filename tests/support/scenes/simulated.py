@@ -44,8 +44,8 @@ def run(kernels: Kernels, precision: str = "double", until: float | None = None,
     return integrate(its, plan(its, until, step, integrator, every))
 
 
-def told(path: Path, capsys: pytest.CaptureFixture[str], command: str, text: str, *words: str
-         ) -> tuple[int, str]:
+def outcome(path: Path, capsys: pytest.CaptureFixture[str], command: str, text: str,
+            *words: str) -> tuple[int, str]:
     """The command's exit status and output."""
     path.write_text(text)
     status = main([command, str(path), *words])

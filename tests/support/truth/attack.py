@@ -1,10 +1,9 @@
 """Attacks the proven error bounds with exact rational arithmetic, row by row.
 
-A small sample of what tests.long_attack does.
-
-Truth is the operation's formula, expanded by SymPy and evaluated in exact rationals.  Attacked are
-the NumPy twins (whose bits the C kernels share) and, for the fused tier, compiled C.  What the
-certified tier returns as bounds is attacked with numbers of any size, too.
+The tests run a small sample of what tests.long_attack does.  Truth is the operation's formula,
+expanded by SymPy and evaluated in exact rationals.  The NumPy twins, whose bits the C kernels
+share, are attacked; for the fused tier, compiled C.  The bounds that the certified tier returns are
+attacked with numbers of any size, too.
 """
 
 import functools

@@ -1,5 +1,5 @@
-"""Backward errors of results: of orthonormal rows, of angles of the rotation R, of an unchanged
-V A V^T."""
+"""Backward errors of results: how far rows are from orthonormal, angles from those of the rotation
+R, and V A V^T from A."""
 
 import functools
 import math
@@ -20,7 +20,8 @@ TABLE = {op.name: op for op in OPERATIONS}
 
 @dataclass(frozen=True)
 class Backward:
-    """No residual of a result is larger than k u size: both are functions of inputs and outputs."""
+    """A bound: no residual of a result exceeds k u size.  Both are functions of inputs and outputs.
+    """
 
     k: int
     residuals: Callable[..., sp.Matrix]

@@ -1,7 +1,7 @@
 """Evaluates a program in a wider precision, on whole batches: nearly exact, and fast.
 
-It shows what rounding costs; not what a truncated series does, nor how exact errors are used:
-programs of the plain tier only.
+It shows what rounding costs, but not the errors of a truncated series.  Only for the plain tier: in
+a wider precision the rounding errors that other tiers compute and add back are different ones.
 """
 
 from collections.abc import Callable

@@ -24,8 +24,8 @@ from tests.support.truth import backward
 from tests.support.truth.attack import TIERED, bounds, plain_program
 from tests.support.truth.truths import Components, other_way, truth
 
-# k of |x̂ - x| <= k u |x| in the plain tier, counted along the roundings: n squares and their sum
-# are n u off, their root half of that and its own rounding, a quotient one more.
+# k of |x̂ - x| <= k u |x| in the plain tier: n squares and their sum have an error of n u, the root
+# half of that and its own rounding, a quotient one rounding more.
 _PARTS = {"vec3": 3, "screw": 3, "coscrew": 3, "quaternion": 4}
 RELATIVE: dict[str, float] = {
     "product_ainvv": 1, "dc": 2, "angle_vv": 4, "vec3_l2norm": 2.5,
@@ -33,7 +33,7 @@ RELATIVE: dict[str, float] = {
     **{f"{kind}_{verb}": n / 2 + 2 for kind, n in _PARTS.items()
        for verb in ("normalize", "normalized")}}
 FLOOR = {("angle_vv", "plain"): 1.0}  # a cross product cancels; the accurate tier's does not
-DEFECT = 4  # times the input's distance from a rotation: what "off by as much as R" is held to
+DEFECT = 4  # a result may be this many times as far from a rotation as its input
 
 
 @dataclass(frozen=True)
@@ -140,8 +140,8 @@ def _limit(precision: Precision) -> mpq:
 
 def _underflow(operation: Operation, precision: Precision, tier: str,
                magnitudes: Sequence[mpq]) -> mpq:
-    """The error that rounding to subnormal numbers may add: zero if no product of inputs, even
-    after cancellation and in rounding errors, comes near them."""
+    """The error that rounding to subnormal numbers may add.  It is zero if no product of inputs
+    comes near them, even after cancellation and in rounding errors."""
     info, u = np.finfo(precision.numpy_type), UNIT[precision.name]
     degree = max(len(m) for bound in bounds(operation, precision, "plain") for m in bound.terms)
     smallest = min([mpq(1), *filter(None, magnitudes)])

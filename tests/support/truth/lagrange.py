@@ -1,10 +1,10 @@
-"""Dynamics of chains from their Lagrangian, by SymPy's polynomials over the rationals; and of
-chains with quaternions from d'Alembert's principle.
+"""Dynamics of chains from their Lagrangian, by SymPy's polynomials over the rationals; of chains
+with quaternions, from d'Alembert's principle.
 
 Around a point, sin, cos and q are replaced by their Taylor polynomials of second order in
-deviations x: all that the Lagrange equations need of L(x, w) there, exactly.  A body's kinetic
-energy is that of its mass and of its second moments, ½ m ṗ·ṗ + ½ tr(Ṙ Σ Ṙ^T): no ω, no screws, no
-recursion.  Shares no code with the generator.
+deviations x: Lagrange's equations need no more of L(x, w) there, so that they are exact.  A body's
+kinetic energy is that of its mass and of its second moments, ½ m ṗ·ṗ + ½ tr(Ṙ Σ Ṙ^T): no ω, no
+screws, no recursion.  Shares no code with the generator.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -179,7 +179,8 @@ class Motion:
         return array(columns).T
 
     def reaction(self, joint: Joint) -> list[Fraction]:
-        """The net force and moment of all bodies beyond the joint, in the frame of the first."""
+        """The net force and moment of all bodies beyond the joint, in the frame of the first of
+        them."""
         behind = {joint.child}
         for other in self.model.joints:
             behind |= {other.child} if other.parent in behind else set()

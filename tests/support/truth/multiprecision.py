@@ -1,8 +1,9 @@
 """Evaluates emitted text and kernels to 60 digits, with the emitted constants.
 
-In exact arithmetic the corrections of rounding errors vanish, and with them any mistake in them.
-So, if selected, roots, quotients, multiples of GRID, sums with them, and squares of such sums,
-which are exact if they are right, are rounded as in the kernel's precision; all else never is.
+In exact arithmetic the corrections of rounding errors are zero, and so are mistakes in them.
+Therefore, if asked for, some operations are rounded as in the kernel's precision: roots, quotients,
+multiples of GRID, sums with these, and squares of such sums, which are exact if they are right.
+All other operations are never rounded.
 """
 
 import operator

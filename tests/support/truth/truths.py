@@ -1,8 +1,8 @@
 """Results of operations with irrational values, to 60 digits, component by component.
 
-The truth is motions.py where it has the operation, else its formula.  Half a turn has two
-rotation vectors: where the shorter way round cannot be told from rounded inputs, `other_way`
-is the truth as well.
+The truth is motions.py where that has the operation, else its formula.  A rotation by π has two
+rotation vectors.  Where rounded inputs do not tell which is shorter, `other_way` is the truth as
+well.
 """
 
 import functools
@@ -36,7 +36,7 @@ from tests.support.truth.motions import (
 
 Components = list[mp.mpf]
 
-# For an axis whose length was changed by rounding the formula is right, and exp is not.
+# Where rounding has changed an axis's length, the truth is the formula, not exp.
 _STATED = ("mat3x3_from_axis_angle",)
 
 

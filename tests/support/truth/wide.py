@@ -46,9 +46,9 @@ class Enclosed:
     terms: np.ndarray  # S
 
     def farthest(self, results: np.ndarray) -> np.ndarray:
-        """No |results - x| is larger.  The difference is rounded twice, by 2^-64 each."""
-        apart = np.abs((results.astype(WIDE) - self.hi) - self.lo)
-        return apart * WIDE(1 + 2.0**-60) + self.radius
+        """A bound on |results - x|.  The difference is rounded twice, by 2^-64 each."""
+        difference = np.abs((results.astype(WIDE) - self.hi) - self.lo)
+        return difference * WIDE(1 + 2.0**-60) + self.radius
 
 
 def enclosed(program: Program, precision: Precision, rows: np.ndarray) -> Enclosed:
