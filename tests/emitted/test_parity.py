@@ -15,9 +15,10 @@ import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Op
+from tests.support.cases import for_all
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness, run
 from tests.support.each import each_compiler, each_precision
 from tests.support.sampling import inputs_of
@@ -42,7 +43,6 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("harness")
 
 
-@pytest.fixture
 def evaluate(folder: Path, implementation: str) -> Evaluate:
     """The implementation of this name, as a function of operation, precision and inputs."""
     if implementation.startswith("gufunc"):
@@ -107,16 +107,15 @@ def _outputs(module: ModuleType, operation: Operation, inputs: Arrays, order: st
 
 IMPLEMENTATIONS = ("gufunc", "gufunc, strided",
                    *(" ".join((name, *flags)) for name, flags in BUILDS))
-implementations = pytest.mark.parametrize("implementation", IMPLEMENTATIONS)
+everywhere = for_all(precision=PRECISIONS, implementation=IMPLEMENTATIONS)
 
 
-@implementations
-@each_precision
 @pytest.mark.parametrize("operation", EXACT_OPERATIONS, ids=lambda op: op.name)
+@everywhere
 def test_bits_equal_those_of_the_twin(operation: Operation, precision: Precision,
-                                      evaluate: Evaluate):
+                                      implementation: str, folder: Path):
     inputs, want = samples(operation, precision)
-    got = evaluate(operation, precision, inputs)
+    got = evaluate(folder, implementation)(operation, precision, inputs)
     assert sum(g.size for g in got) >= OUTPUTS
     fail_for(mismatch(operation, inputs, got, want))
 
@@ -142,24 +141,23 @@ def _has_fma(compiler: str) -> bool:
     return "__FMA__" in macros or "__ARM_FEATURE_FMA" in macros
 
 
-@implementations
-@each_precision
 @pytest.mark.parametrize("operation", PLATFORMS, ids=lambda op: op.name)
+@everywhere
 def test_bits_are_the_same_in_c_and_gufunc(operation: Operation, precision: Precision,
-                                           evaluate: Evaluate):
+                                           implementation: str, folder: Path):
     """Both call the same libm, so they agree in bits, but not always with NumPy's own sine and
     cosine."""
     inputs, _ = samples(operation, precision)
     want = _outputs(coscrew, operation, inputs)
-    fail_for(mismatch(operation, inputs, evaluate(operation, precision, inputs), want))
+    got = evaluate(folder, implementation)(operation, precision, inputs)
+    fail_for(mismatch(operation, inputs, got, want))
 
 
-@implementations
-@each_precision
-def test_dc_is_within_1_ulp(precision: Precision, evaluate: Evaluate):
+@everywhere
+def test_dc_is_within_1_ulp(precision: Precision, implementation: str, folder: Path):
     """|err| <= 1 ulp of (sin θ, cos θ), for θ of any size, against mpmath at 50 digits."""
     angles, exact = _angles(precision)
-    (got,) = evaluate(DC, precision, (angles,))
+    (got,) = evaluate(folder, implementation)(DC, precision, (angles,))
     _assert_within(1, precision, angles, got, exact)
 
 
