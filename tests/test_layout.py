@@ -5,6 +5,7 @@ import os
 import shutil
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -14,7 +15,12 @@ from tests.conftest import LONG
 
 TESTS = Path(__file__).parent
 SUBJECTS = ("laws", "emitted", "tiers", "elementary", "scenes", "commands", "peers")
-MODULES = {path: ast.parse(path.read_text(encoding="utf-8")) for path in TESTS.rglob("*.py")}
+
+
+@cache
+def modules() -> dict[Path, ast.Module]:
+    """All files of tests, parsed: by the worker that runs these tests, not by each at its start."""
+    return {path: ast.parse(path.read_text(encoding="utf-8")) for path in TESTS.rglob("*.py")}
 
 
 def is_test(path: Path) -> bool:
@@ -34,7 +40,7 @@ def imported(tree: ast.Module) -> set[str]:
 
 def test_tests_stand_in_the_folder_of_their_subject():
     allowed = {TESTS / folder for folder in SUBJECTS}
-    stray = {str(path.relative_to(TESTS)) for path in MODULES
+    stray = {str(path.relative_to(TESTS)) for path in modules()
              if is_test(path) and path != Path(__file__) and path.parent not in allowed}
     assert not stray, f"move {sorted(stray)} to one of tests/{{{','.join(SUBJECTS)}}}"
     for folder in SUBJECTS:
@@ -42,13 +48,13 @@ def test_tests_stand_in_the_folder_of_their_subject():
 
 
 def test_no_module_imports_a_test():
-    for path, tree in MODULES.items():
+    for path, tree in modules().items():
         tests = {name for name in imported(tree) if ".test_" in f".{name}"}
         assert not tests, f"{path.relative_to(TESTS)}: move what it needs of {tests} to support/"
 
 
 def test_support_holds_no_test():
-    for path, tree in MODULES.items():
+    for path, tree in modules().items():
         if not is_test(path):
             named = [node.name for node in ast.walk(tree)
                      if isinstance(node, ast.FunctionDef | ast.ClassDef)
@@ -57,13 +63,13 @@ def test_support_holds_no_test():
 
 
 def test_folders_say_what_they_hold():
-    for folder in {path.parent for path in MODULES}:
+    for folder in {path.parent for path in modules()}:
         assert (folder / "__init__.py").exists(), f"{folder} has no __init__.py"
-        assert ast.get_docstring(MODULES[folder / "__init__.py"]), f"{folder}: no docstring"
+        assert ast.get_docstring(modules()[folder / "__init__.py"]), f"{folder}: no docstring"
 
 
 def test_what_quick_leaves_out_is_there():
-    assert {path.stem for path in MODULES if is_test(path)} >= LONG
+    assert {path.stem for path in modules() if is_test(path)} >= LONG
 
 
 def collected(site: Path, *words: str) -> subprocess.CompletedProcess[str]:

@@ -119,7 +119,7 @@ def far(precision: Precision) -> Program:
 
 
 def levels(steps: Steps, x: Value, precision: Precision) -> list[Value]:
-    """Exact numbers, each about 2^-digits/2 of the one before, whose sum is x 2/π but for whole
+    """Exact numbers, each about 2^-digits/2 of the one before, whose sum is x 2/π except whole
     turns and what is beyond the last."""
     scaled = x * Fraction(1, 2**chunks(precision.digits).scale)
     high, low = halves(scaled, precision.digits)

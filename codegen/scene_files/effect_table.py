@@ -100,7 +100,7 @@ class EffectTable:
                               "to the world; wanted a body that moves")
         return found
 
-    def pair(self, table: Table, names: tuple[str, ...]) -> tuple[str, ...]:
+    def pair(self, table: Table, names: tuple[str, str]) -> tuple[str, str]:
         """The names, if the effect can act between these two bodies."""
         for name in names:
             table.known("bodies", name, "body", (WORLD, *self.bodies))

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from coscrew_codegen.formats import BY_NAME
+from coscrew_codegen.formats import BY_NAME, DOUBLE
 from coscrew_codegen.integrators import named
 from coscrew_codegen.scene.recorded import expected, recorded
 from coscrew_codegen.scene.scene import Expectation
+from coscrew_codegen.simulate import advice
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.balance import balance
 from coscrew_codegen.simulate.findings import FINER, FINEST, Along, Findings, Met
@@ -46,6 +47,7 @@ def check(kernels: "Kernels", overrides: RunOverrides) -> Findings:
     along = [_along(*run) for run in runs.values()]
     if len(along) == 2:
         along[1] = replace(along[1], double=along[0])
+    along = [_tried(x, *runs[x.precision][:2]) for x in along]
     apart = differences(*(_sparse(x, y) for x, _, y in runs.values())) if len(runs) == 2 else ()
     return Findings(met, tuple(along), apart, outside(its))
 
@@ -87,7 +89,8 @@ def _along(system: System, planned: Plan, trajectory: Trajectory) -> Along:
         f"rtol {planned.rtol:.3g}" if planned.adaptive else f"step {planned.step:g} s",
         trajectory.stopped, coarse, balance(system, finer, trajectory.t), None,
         *_matrices(system, trajectory), named(planned.integrator), system.has("parts"),
-        speeds=_apart(system, trajectory, finer))
+        speeds=_apart(system, trajectory, finer),
+        length=0.0 if planned.adaptive else planned.step)
     if along.true or planned.adaptive or trajectory.stopped:
         return along
     if not along.shrinks:
@@ -98,6 +101,20 @@ def _along(system: System, planned: Plan, trajectory: Trajectory) -> Along:
         alone = balance(system, _finer(system, planned, FINER, parts=1), trajectory.t)
         along = replace(along, part=math.inf if along.less(alone) else coarse.part)
     return along
+
+
+def _tried(along: Along, system: System, planned: Plan) -> Along:
+    """In single precision, with `helps`: whether energy and momentum are right with the advised
+    step, and half of it.  Not tried if it needs very many steps."""
+    step = advice.step(along)
+    if system.precision is DOUBLE or not step or planned.until / step > _MOST_STEPS:
+        return along
+    advised = replace(planned, step=step, every=planned.until / math.ceil(planned.until / step),
+                      also=())
+    runs = _integrated(system, advised), _finer(system, advised, FINER)
+    coarse, fine = (balance(system, x) for x in runs)
+    right = replace(along, coarse=coarse, fine=fine).true and not any(x.stopped for x in runs)
+    return replace(along, helps=right)
 
 
 def _finer(system: System, planned: Plan, times: int, parts: int = 0) -> Trajectory:

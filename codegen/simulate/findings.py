@@ -45,7 +45,8 @@ class Along:
     coarse: Balance  # of energy, with the given steps
     fine: Balance  # with steps smaller by FINER
     finest: Balance | None  # with steps smaller by FINEST, if `fine` did not reduce the defect
-    round_trip: float  # the largest |aba(rnea(a)) - a| / (|a| + |aba(0)|), in unit roundoffs
+    round_trip: float  # the largest |f(g(a)) - a| / (|a| + |f(0)|) of forward and inverse dynamics,
+    # f and g, in unit roundoffs
     condition: float  # of the mass matrix, the largest along the run
     at: float  # where that is, in s
     integrator: Integrator
@@ -53,7 +54,9 @@ class Along:
     speeds: tuple[float, str] = (0.0, "")  # the largest difference of a joint's velocity from that
     # with smaller steps, relative to its largest; and the joint
     part: float = math.inf  # length in s of parts of split steps, if it causes the defect of energy
+    length: float = 0.0  # of steps in s; 0 for SciPy's
     double: "Along | None" = None  # in single precision: the results in double
+    helps: bool | None = None  # in single precision: whether the advised step does, if it was tried
 
     @property
     def as_double(self) -> bool:

@@ -4,10 +4,11 @@ import math
 
 from tabulate import tabulate
 
+from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.integrators import DEFAULT
+from coscrew_codegen.simulate import advice
 from coscrew_codegen.simulate.findings import (
     ALLOWED,
-    FINER,
     FINEST,
     STRICTLY,
     Along,
@@ -15,8 +16,6 @@ from coscrew_codegen.simulate.findings import (
     Met,
 )
 from coscrew_codegen.simulate.outcome import gaps
-
-_LEAST = 0.5  # least order on which a proposed step is based
 
 
 def table(findings: Findings, strict: bool = False) -> str:
@@ -48,21 +47,21 @@ def _expectations(met: tuple[Met, ...]) -> str:
 
 
 def _checks(along: tuple[Along, ...]) -> str:
-    rows = [("energy off by, from the work of effects, relative, at most",
+    rows = [("largest error of energy, relative",
              *(f"{x.coarse.relative:.2g}" for x in along)),
             ("the same with " + " or ".join(dict.fromkeys(_finer(x) for x in along)),
              *(f"{x.fine.relative:.2g}" for x in along)),
-            ("it is", *(_verdict(x) for x in along)),
-            ("a joint's speed differs from that with smaller steps by, of its largest, at most",
+            ("cause of this error", *(_verdict(x) for x in along)),
+            ("largest change of a joint's velocity with smaller steps",
              *(f"{x.speeds[0]:.2g} ({x.speeds[1]})" for x in along)),
-            *([("momentum of floating bases off by, relative, at most",
+            *([("largest error of the momentum of floating bases, relative",
                 *(f"{x.coarse.momentum:.2g}" for x in along))]
               if any(x.coarse.momentum for x in along) else []),
-            ("|aba(rnea(a)) - a| / (|a| + |aba(0)|), at most, in u",
+            ("forward after inverse dynamics: largest error, in u",
              *(f"{x.round_trip:.3g}" for x in along)),
-            ("condition of the mass matrix (SI units), at most",
+            ("largest condition number of the mass matrix, SI units",
              *(f"{x.condition:.3g}" for x in along)),
-            ("where that is, t in s", *(f"{x.at:g}" for x in along))]
+            ("reached at t, s", *(f"{x.at:g}" for x in along))]
     columns = ("", *(f"{x.precision}, {x.step}" for x in along))
     return str(tabulate(rows, columns, disable_numparse=True,
                         colalign=("left", *("right" for _ in along))))
@@ -74,7 +73,7 @@ def _false(along: Along) -> str:
     if not (energy or along.fine_energy):
         return (f"energy is off by {along.coarse.relative:.2g}, but by {along.fine.relative:.2g} "
                 f"with {_finer(along)}, allowed is {ALLOWED:g}: what the scene asks is not "
-                "resolved")
+                f"resolved{_or_double(along)}")
     what, off = (("energy", along.coarse.relative) if energy
                  else ("momentum", along.coarse.momentum))
     said = f"{what} is off by {off:.2g}, allowed is {ALLOWED:g}"
@@ -83,19 +82,33 @@ def _false(along: Along) -> str:
         tried = (f"neither half the step nor 1/{FINEST} of it helps" if along.finest
                  else "smaller steps do not help")
         other = f"; integrator {DEFAULT} splits steps in which limits close"
-        return (f"{said}, and {tried}: what the scene asks is not resolved"
+        return (f"{said}, and {tried}: what the scene asks is not resolved{_or_double(along)}"
                 f"{other if along.limits and name != DEFAULT else ''}")
-    if along.step.startswith("rtol"):
-        return f"{said}; take a smaller rtol"
-    order: float = along.integrator.order
-    order = max(_LEAST, min(order, _order(along) or order)) if energy else order
-    smaller = (0.5 * ALLOWED / off)**(1 / order)
-    if energy and along.part < math.inf:
-        return (f"{said}: the parts are too long in which steps are taken while limits are closed, "
-                f"{along.part:.2g} s and more; take a step of {smaller * along.part:.1g} s, or "
-                "softer limits")
+    if not along.length:
+        return f"{said}; take a smaller rtol{_or_double(along)}"
     other = "" if name == DEFAULT else f", or integrator {DEFAULT}"
-    return f"{said}: the step is too large; take one {smaller:.1g} times as long{other}"
+    return f"{said}: {_smaller(along)}{other}"
+
+
+def _smaller(along: Along) -> str:
+    """What is too long, and the step to take; in double, unless single precision resolves it."""
+    if not along.energy and along.part < math.inf:
+        long = ("the parts are too long in which steps are taken while limits are closed, "
+                f"{along.part:.2g} s and more")
+        take, other = f"take a step of {advice.step(along):.1g} s", ", or softer limits"
+    else:
+        long, take = "the step is too large", f"take one {advice.factor(along):.1g} times as long"
+        other = ""
+    double = along.precision != DOUBLE.name and not along.helps
+    why = ", since single precision does not resolve it" if along.helps is False else ""
+    return f"{long}; {take}{f' with --precision double{why}' if double else ''}{other}"
+
+
+def _or_double(along: Along) -> str:
+    """Double precision as a remedy, unless it does not help either."""
+    if along.precision == DOUBLE.name or (along.double and not along.double.true):
+        return ""
+    return "; take --precision double"
 
 
 def _finer(along: Along) -> str:
@@ -105,23 +118,12 @@ def _finer(along: Along) -> str:
 def _verdict(along: Along) -> str:
     """The cause of the defect of energy."""
     if along.doubtful:
-        return "DOUBTFUL: it does not shrink"
+        return "DOUBTFUL: smaller steps do not help"
     if along.untold:
-        return "untold: potential energy rounds by more than was moved"
+        return "unknown: potential energy rounds by more than moved"
     if along.rounding:
         return "rounding"
     if along.step.startswith("rtol"):
-        return "the integrator's: it shrinks"
-    order = _order(along)
-    return f"the integrator's, of order {order:.1f}" if order else "the integrator's, as in double"
-
-
-def _order(along: Along) -> float:
-    """The order of the defect of energy in the step; 0 if it does not shrink.  In single precision
-    the order in double, if the defect is the same: rounding disturbs its own."""
-    if along.double and along.as_double:
-        return _order(along.double)
-    finer, times = (along.fine, FINER) if along.fine_helps else (along.finest, FINEST)
-    if finer is None or not (finer.relative and along.less(finer)):
-        return 0.0
-    return math.log(along.coarse.relative / finer.relative, times)
+        return "integrator: smaller tolerances help"
+    order = advice.order(along)
+    return f"integrator, of order {order:.1f}" if order else "integrator, as in double"

@@ -40,6 +40,14 @@ def test_the_readme_is_a_first_screen():
     assert (ROOT / "examples/arm6.gif").stat().st_size < 500_000
 
 
+def test_lines_are_short():
+    """Except for rows of tables."""
+    changes = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    for name, text in {**TEXTS, "CHANGELOG.md": changes}.items():
+        long = [line for line in text.splitlines() if len(line) > 120 and line[0] != "|"]
+        assert not long, f"{name}: {long[0]}"
+
+
 def test_each_guide_has_its_snippet():
     """A guide without a snippet has nothing to test; it fails here."""
     found = {name: text.count("```python\n") for name, text in GUIDES.items()}

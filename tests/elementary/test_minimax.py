@@ -51,7 +51,7 @@ def test_the_least_largest_error_of_a_known_polynomial():
 
 
 def test_a_fraction_is_found_again():
-    """(1 + x/3) / (1 + x/7), which is its own best approximation but for 2^-40 of cos 9x."""
+    """(1 + x/3) / (1 + x/7), which is its own best approximation except 2^-40 of cos 9x."""
     denominator = fitted_denominator(
         lambda x: (1 + x / 3) / (1 + x / 7) + mpmath.mpf(2)**-40 * mpmath.cos(9 * x),
         lambda x: 1, HALF, (1, 1), 60)

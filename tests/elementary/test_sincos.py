@@ -12,7 +12,7 @@ from tests.support.truth.elementary import Array, errors, results, same, worst_c
 
 
 def holds(precision: Precision, x: Array) -> None:
-    """Sines and cosines are within their error, those of -x the same but for the sign."""
+    """Sines and cosines are within their error, those of -x the same except the sign."""
     s, c = results(FUNCTION, precision, x)
     for name, got in (("sin", s), ("cos", c)):
         found = errors(name, precision, got, x)

@@ -17,13 +17,13 @@ import coscrew
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Op
 from coscrew_codegen.programs import program_of
-from tests.support.each import each_operation
+from tests.support.cases import for_all
 from tests.support.truth.attack import TIERED
 
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")
 
-by_dtype = pytest.mark.parametrize("dtype", (np.float64, np.float32))
-by_namespace = pytest.mark.parametrize("namespace", ("gufunc", "dispatch"))
+DTYPES, NAMESPACES = (np.float64, np.float32), ("gufunc", "dispatch")
+every_way = for_all(operation=OPERATIONS, dtype=DTYPES, namespace=NAMESPACES)
 
 
 def inputs(operation: Operation, lead: tuple[int, ...], dtype=np.float64) -> list[np.ndarray]:
@@ -62,7 +62,7 @@ def test_the_extension_is_compiled():
     assert coscrew.COMPILED
 
 
-@each_operation
+@for_all(operation=OPERATIONS)
 def test_the_signature_is_the_operations(operation):
     ufunc = gufunc(operation)
     assert isinstance(ufunc, np.ufunc)
@@ -73,8 +73,7 @@ def test_the_signature_is_the_operations(operation):
     assert " ".join(operation.statement.split()) in " ".join(ufunc.__doc__.split())
 
 
-@each_operation
-@by_namespace
+@for_all(operation=OPERATIONS, namespace=NAMESPACES)
 def test_float32_stays_float32_and_everything_else_becomes_float64(operation, namespace):
     call = function(namespace, operation.name)
 
@@ -93,7 +92,7 @@ def test_float32_stays_float32_and_everything_else_becomes_float64(operation, na
             assert result(*mixed) == {np.dtype(np.float64)}
 
 
-@by_namespace
+@for_all(namespace=NAMESPACES)
 def test_python_numbers_take_the_precision_of_the_arrays_beside_them(namespace):
     product_ac = function(namespace, "product_ac")
     c = np.ones(6, np.float32)
@@ -102,9 +101,7 @@ def test_python_numbers_take_the_precision_of_the_arrays_beside_them(namespace):
     assert product_ac(2.0, [1, 2, 3, 4, 5, 6]).dtype == np.float64
 
 
-@each_operation
-@by_dtype
-@by_namespace
+@every_way
 def test_leading_axes_broadcast(operation, dtype, namespace):
     call = function(namespace, operation.name)
     arguments = inputs(operation, (5, 3), dtype)
@@ -120,9 +117,7 @@ def test_leading_axes_broadcast(operation, dtype, namespace):
             assert same_bits(call(*fixed), call(*repeated))
 
 
-@each_operation
-@by_dtype
-@by_namespace
+@every_way
 def test_any_strides_give_the_same_bits(operation, dtype, namespace):
     call = function(namespace, operation.name)
     arguments = inputs(operation, (7,), dtype)
@@ -156,9 +151,7 @@ def test_any_strides_give_the_same_bits(operation, dtype, namespace):
     assert same(tuple(map(np.ascontiguousarray, outs)), expected)
 
 
-@each_operation
-@by_dtype
-@by_namespace
+@every_way
 def test_out_may_be_an_input(operation, dtype, namespace):
     call = function(namespace, operation.name)
     for place, argument in enumerate(operation.inputs):
@@ -175,8 +168,7 @@ def test_out_may_be_an_input(operation, dtype, namespace):
                 assert same_bits(np.ascontiguousarray(result), np.ascontiguousarray(expected))
 
 
-@each_operation
-@by_namespace
+@for_all(operation=OPERATIONS, namespace=NAMESPACES)
 def test_zero_elements_give_zero_results(operation, namespace):
     arguments = inputs(operation, (0, 4))
     for result, output in zip(tuple_of(function(namespace, operation.name)(*arguments)),
@@ -184,8 +176,7 @@ def test_zero_elements_give_zero_results(operation, namespace):
         assert result.shape == (0, 4, *output.quantity.shape)
 
 
-@each_operation
-@by_namespace
+@for_all(operation=OPERATIONS, namespace=NAMESPACES)
 def test_bad_arguments_are_refused(operation, namespace):
     call = function(namespace, operation.name)
     good = inputs(operation, (2,))
@@ -241,7 +232,7 @@ def test_subclasses_are_kept():
     assert coscrew.product_CoAdc(D, Override()) == ("product_CoAdc", "__call__")
 
 
-@each_operation
+@for_all(operation=OPERATIONS)
 def test_dask_applies_every_operation(operation):
     signature = operation.signature
     sizes = {str(n): n for output in operation.outputs for n in output.quantity.shape}

@@ -10,18 +10,16 @@ from math import ceil
 from pathlib import Path
 from types import ModuleType
 
-import mpmath
 import numpy as np
 import pytest
 
 import coscrew
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.program import Op
+from tests.support.cases import for_all
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness, run
 from tests.support.each import each_compiler, each_precision
 from tests.support.sampling import inputs_of
-from tests.support.truth.attack import plain_program
 
 OUTPUTS = 50_000  # components compared, at least, per operation, precision and implementation
 OPTIMISED = ("-O3", "-march=native")
@@ -29,20 +27,12 @@ BUILDS = tuple((name, (*flags, EXACT)) for flags in (("-O0",), OPTIMISED) for na
 Arrays = tuple[np.ndarray, ...]
 Evaluate = Callable[[Operation, Precision, Arrays], Arrays]
 
-# These call the platform's sin, cos or atan2, so that the twin's bits are not promised.
-PLATFORMS = tuple(op for op in OPERATIONS
-                  if plain_program(op).counts.keys() & {Op.SIN, Op.COS, Op.ATAN2})
-EXACT_OPERATIONS = tuple(op for op in OPERATIONS if op not in PLATFORMS)
-DC = next(op for op in OPERATIONS if op.name == "dc")
-
-
 @pytest.fixture(scope="session")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Where the harnesses are compiled, once a session."""
     return tmp_path_factory.mktemp("harness")
 
 
-@pytest.fixture
 def evaluate(folder: Path, implementation: str) -> Evaluate:
     """The implementation of this name, as a function of operation, precision and inputs."""
     if implementation.startswith("gufunc"):
@@ -107,16 +97,15 @@ def _outputs(module: ModuleType, operation: Operation, inputs: Arrays, order: st
 
 IMPLEMENTATIONS = ("gufunc", "gufunc, strided",
                    *(" ".join((name, *flags)) for name, flags in BUILDS))
-implementations = pytest.mark.parametrize("implementation", IMPLEMENTATIONS)
+everywhere = for_all(precision=PRECISIONS, implementation=IMPLEMENTATIONS)
 
 
-@implementations
-@each_precision
-@pytest.mark.parametrize("operation", EXACT_OPERATIONS, ids=lambda op: op.name)
+@pytest.mark.parametrize("operation", OPERATIONS, ids=lambda op: op.name)
+@everywhere
 def test_bits_equal_those_of_the_twin(operation: Operation, precision: Precision,
-                                      evaluate: Evaluate):
+                                      implementation: str, folder: Path):
     inputs, want = samples(operation, precision)
-    got = evaluate(operation, precision, inputs)
+    got = evaluate(folder, implementation)(operation, precision, inputs)
     assert sum(g.size for g in got) >= OUTPUTS
     fail_for(mismatch(operation, inputs, got, want))
 
@@ -140,53 +129,3 @@ def test_contraction_would_be_noticed(precision: Precision, compiler: str, folde
 def _has_fma(compiler: str) -> bool:
     macros = run((compiler, "-march=native", "-dM", "-E", "-x", "c", "/dev/null"))
     return "__FMA__" in macros or "__ARM_FEATURE_FMA" in macros
-
-
-@implementations
-@each_precision
-@pytest.mark.parametrize("operation", PLATFORMS, ids=lambda op: op.name)
-def test_bits_are_the_same_in_c_and_gufunc(operation: Operation, precision: Precision,
-                                           evaluate: Evaluate):
-    """Both call the same libm, so they agree in bits, but not always with NumPy's own sine and
-    cosine."""
-    inputs, _ = samples(operation, precision)
-    want = _outputs(coscrew, operation, inputs)
-    fail_for(mismatch(operation, inputs, evaluate(operation, precision, inputs), want))
-
-
-@implementations
-@each_precision
-def test_dc_is_within_1_ulp(precision: Precision, evaluate: Evaluate):
-    """|err| <= 1 ulp of (sin θ, cos θ), for θ of any size, against mpmath at 50 digits."""
-    angles, exact = _angles(precision)
-    (got,) = evaluate(DC, precision, (angles,))
-    _assert_within(1, precision, angles, got, exact)
-
-
-@each_precision
-def test_dc_of_the_twin_is_within_numpys_bound(precision: Precision):
-    """NumPy's sin and cos: 1 ulp in double; in single 1.49 (numpy pull request 13368), so 2."""
-    angles, exact = _angles(precision)
-    (got,) = twin(DC, precision, (angles,))
-    _assert_within({"double": 1, "single": 2}[precision.name], precision, angles, got, exact)
-
-
-@functools.cache
-def _angles(precision: Precision) -> tuple[np.ndarray, list[tuple[mpmath.mpf, mpmath.mpf]]]:
-    """Angles of every size and next to multiples of π/2, with their exact sines and cosines."""
-    number = np.dtype(precision.numpy_type).type
-    (sampled,) = inputs_of(DC, precision, 5000)
-    near_zeros = (np.arange(1, 500) * (np.pi / 2)).astype(number)
-    angles = np.concatenate([sampled[np.isfinite(sampled)], near_zeros])
-    with mpmath.workdps(50):
-        return angles, [(mpmath.sin(x), mpmath.cos(x)) for x in map(mpmath.mpf, angles.tolist())]
-
-
-def _assert_within(bound: int, precision: Precision, angles: np.ndarray, got: np.ndarray,
-                   exact: list[tuple[mpmath.mpf, mpmath.mpf]]):
-    number = np.dtype(precision.numpy_type).type
-    with mpmath.workdps(50):
-        for angle, row, pair in zip(angles.tolist(), got.tolist(), exact, strict=True):
-            for value, truth in zip(row, pair, strict=True):
-                ulps = abs(mpmath.mpf(value) - truth) / float(np.spacing(number(abs(truth))))
-                assert ulps <= bound, f"{angle.hex()}: {value.hex()} is {float(ulps):.3} ulp off"

@@ -15,6 +15,7 @@ import coscrew
 from coscrew_codegen.documentation.notation import markdown
 from coscrew_codegen.effects import EFFECTS
 from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation
+from tests.support.cases import for_all
 
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "generated/docs"
@@ -85,8 +86,7 @@ def shown(operation: Operation) -> list[str]:
     return BLOCK.findall(ENTRIES[operation.name])
 
 
-@pytest.mark.parametrize("operation", [op for op in OPERATIONS if shown(op)],
-                         ids=lambda operation: operation.name)
+@for_all(operation=[op for op in OPERATIONS if shown(op)])
 def test_formulas_shown_are_what_kernels_compute(operation):
     """The LaTeX, read back and evaluated, gives the kernel's result except for rounding."""
     draw = np.random.default_rng(5)

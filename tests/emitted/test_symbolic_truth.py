@@ -16,9 +16,10 @@ from sympy.core.relational import Relational
 import coscrew
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
 from coscrew_codegen.operations import FAMILIES, NORM_THRESHOLD, OPERATIONS, Operation
+from tests.support.cases import for_all
 from tests.support.compiled.c_reader import FAMILIES as HEADERS
 from tests.support.compiled.c_reader import Header, Place, Value, functions_in, header, sign_flips
-from tests.support.each import each_operation, each_precision
+from tests.support.each import each_precision
 from tests.support.truth.multiprecision import NUMERIC
 
 THRESHOLDS = {DOUBLE: sp.Rational(1, 10**9), SINGLE: sp.Rational(1, 10**6)}
@@ -29,7 +30,8 @@ NAMES = {"vec3": ["x", "y", "z"], "vec4": ["x", "y", "z", "w"],
          "quaternion": ["x", "y", "z", "w"],
          "spatial_inertia": ["m", "hx", "hy", "hz", "xx", "yy", "zz", "xy", "xz", "yz"]}
 
-COMPARED = tuple(op for op in OPERATIONS if op not in NUMERIC)  # the others: test_numeric_truth
+COMPARED = tuple(op for op in OPERATIONS if op not in NUMERIC and op.family != "elementary")
+"""The others: test_numeric_truth, tests/elementary."""
 each_compared = pytest.mark.parametrize("operation", COMPARED, ids=lambda op: op.name)
 
 
@@ -119,12 +121,12 @@ def places(shape: tuple[int, ...]) -> list[tuple[int, ...]]:
 
 
 @each_compared
-@each_precision
+@for_all(precision=PRECISIONS)
 def test_c_function_is_its_truth(operation, precision):
     assert difference(run_c(header(), operation, precision), operation) is None
 
 
-@each_compared
+@for_all(operation=COMPARED)
 def test_c_output_may_be_an_input(operation):
     apart = run_c(header(), operation, DOUBLE)
     for output in operation.outputs:
@@ -135,8 +137,7 @@ def test_c_output_may_be_an_input(operation):
                 assert together == tuple(x.xreplace(same) for x in apart)
 
 
-@each_operation
-@each_precision
+@for_all(operation=OPERATIONS, precision=PRECISIONS)
 def test_c_parameters_are_inputs_then_outputs(operation, precision):
     name, outputs = c_name(operation.name, precision), {a.name for a in operation.outputs}
     names = list(dict.fromkeys(a.name for a in (*operation.inputs, *operation.outputs)))
@@ -283,8 +284,7 @@ def run_python(function: FunctionType, operation: Operation,
     return named([Symbolic(x).expression for x in found], precision)
 
 
-@each_compared
-@each_precision
+@for_all(operation=COMPARED, precision=PRECISIONS)
 def test_python_kernel_is_its_truth(operation, precision):
     found = run_python(twin(operation, precision), operation, precision)
     assert difference(found, operation) is None

@@ -34,7 +34,7 @@ from coscrew_codegen.quantity import (
     Domain,
 )
 from coscrew_codegen.report.inputs import benign, split
-from tests.support.each import each_precision
+from tests.support.cases import for_all
 
 ROOT = Path(__file__).parents[2]
 INPUTS = tuple({(a.name, a.quantity, a.domain): (op, n) for op in OPERATIONS
@@ -97,12 +97,9 @@ def accepted(x: np.ndarray, argument: Argument, precision: Precision) -> np.ndar
     return IS_IN[argument.domain](x, float(precision.u), precision.name)
 
 
-inputs = pytest.mark.parametrize("operation, place", INPUTS, ids=lambda x: (
+@pytest.mark.parametrize("operation, place", INPUTS, ids=lambda x: (
     x.name if isinstance(x, Operation) else str(x)))
-
-
-@each_precision
-@inputs
+@for_all(precision=PRECISIONS)
 def test_what_is_drawn_is_in_its_domain(operation: Operation, place: int, precision: Precision):
     argument, dtype = operation.inputs[place], np.dtype(precision.numpy_type)
     rows = split(operation, benign(operation, precision, 200, 1))[place]

@@ -2,11 +2,14 @@
 
 import re
 from fractions import Fraction
+from functools import partial
 
 import mpmath
 import numpy as np
 import pytest
 
+import coscrew
+from tests.support.cases import for_all
 from tests.support.truth import exact
 from tests.support.truth.bodies import POSITIVE_DEFINITE
 from tests.support.truth.exact import (
@@ -14,6 +17,7 @@ from tests.support.truth.exact import (
     IRRATIONAL,
     JOINTS,
     TABLE,
+    Exact,
     Matrix,
     Sample,
     array,
@@ -26,6 +30,8 @@ UNDONE = tuple(name for name in INVERTED  # these end in a factor that `inv` inv
                if re.fullmatch(r"product_d(rdr|d|dr|dt)[xyz]?|add_vv[xyz]", name))
 NEGATED = tuple(name for name in INVERTED if name not in UNDONE)  # these in a vector or (co)screw
 
+exactly = for_all(k=[partial(Exact, kernels) for kernels in (coscrew.double, coscrew.single)],
+                  sample=[partial(Sample, seed) for seed in range(3)])
 each_group = pytest.mark.parametrize("group", ["t", "r", ""])
 each_space = pytest.mark.parametrize("Ad, x", [("Ad", "s"), ("CoAd", "c")])
 each_joint = pytest.mark.parametrize("joint", range(6), ids=JOINTS)
@@ -58,12 +64,14 @@ def test_every_operation_has_its_law():
 
 
 @pytest.mark.parametrize("name", FORMULAS)
+@exactly
 def test_operation_is_its_matrix_formula(k, sample, name):
     values = arguments(name, sample)
     assert same(getattr(k, name)(*values), FORMULAS[name](*values))
 
 
 @pytest.mark.parametrize("name", UNDONE)
+@exactly
 def test_inverse_of_a_factor_undoes_it(k, sample, name):
     first, factor = arguments(name, sample)
     there = getattr(k, name)(first, factor)
@@ -71,6 +79,7 @@ def test_inverse_of_a_factor_undoes_it(k, sample, name):
 
 
 @pytest.mark.parametrize("name", NEGATED)
+@exactly
 def test_inverse_of_a_linear_quantity_is_its_negative(k, sample, name):
     values = arguments(name, sample)
     assert same(getattr(k, name + "inv")(*values), -getattr(k, name)(*values))
@@ -81,6 +90,7 @@ def test_inverse_of_a_linear_quantity_is_its_negative(k, sample, name):
     ("product_dd", "product_dinvd"), ("product_drdr", "product_drinvdr"),
     *((f"product_{Ad}{group}{x}", f"product_{Ad}{group}inv{x}")
       for Ad, x in (("Ad", "s"), ("CoAd", "c")) for group in ("t", "r", ""))])
+@exactly
 def test_inverse_transform_undoes(k, sample, name, inverse):
     transform, x = arguments(name, sample)
     assert same(getattr(k, inverse)(transform, getattr(k, name)(transform, x)), x)
@@ -89,6 +99,7 @@ def test_inverse_transform_undoes(k, sample, name, inverse):
 
 @each_space
 @each_group
+@exactly
 def test_inverse_quantity_is_not_inverse_transform(k, sample, Ad, x, group):
     argument, quantity = of_group(group, sample)[0], sample.vector(6)
     of_inverse = getattr(k, f"product_{Ad}{group}{x}inv")(argument, quantity)
@@ -97,6 +108,7 @@ def test_inverse_quantity_is_not_inverse_transform(k, sample, Ad, x, group):
 
 @pytest.mark.parametrize("Ad, x, inverse", [("Ad", "s", exact.Ad_inverse),
                                             ("CoAd", "c", exact.CoAd_inverse)])
+@exactly
 def test_inverse_transform_is_its_matrix_for_any_matrix_R(k, sample, Ad, x, inverse):
     D, quantity = sample.vector(12).reshape(3, 4), sample.vector(6)
     assert same(getattr(k, f"product_{Ad}inv{x}")(D, quantity), inverse(D) @ quantity)
@@ -106,6 +118,7 @@ def test_inverse_transform_is_its_matrix_for_any_matrix_R(k, sample, Ad, x, inve
 
 
 @each_group
+@exactly
 def test_power_is_invariant(k, sample, group):
     D, _ = of_group(group, sample)
     c, s = sample.vector(6), sample.vector(6)
@@ -113,6 +126,7 @@ def test_power_is_invariant(k, sample, group):
     assert k.dot_cs(moved_c, getattr(k, f"product_Ad{group}s")(D, s)) == k.dot_cs(c, s)
 
 
+@exactly
 def test_coadjoint_is_inverse_transpose_of_adjoint(k, sample):
     D = sample.displacement()
     assert same(k.CoAd(D) @ k.Ad(D).T, eye(6))
@@ -120,6 +134,7 @@ def test_coadjoint_is_inverse_transpose_of_adjoint(k, sample):
 
 
 @each_space
+@exactly
 def test_transforms_compose(k, sample, Ad, x):
     D1, D2, quantity = sample.displacement(), sample.displacement(), sample.vector(6)
     by, back = getattr(k, f"product_{Ad}{x}"), getattr(k, f"product_{Ad}inv{x}")
@@ -130,6 +145,7 @@ def test_transforms_compose(k, sample, Ad, x):
     assert same(getattr(k, Ad)(k.product_dd(D1, D2)), getattr(k, Ad)(D1) @ getattr(k, Ad)(D2))
 
 
+@exactly
 def test_displacements_are_a_group(k, sample):
     D1, D2, D3 = (sample.displacement() for _ in range(3))
     one = k.SE3_setIdentity(D1)
@@ -139,12 +155,14 @@ def test_displacements_are_a_group(k, sample):
     assert same(k.product_ddinv(D1, D2), k.product_dd(D1, k.SE3_inverted(D2)))
 
 
+@exactly
 def test_derivative_operators_are_dual(k, sample):
     s = sample.vector(6)
     assert same(k.coad(s), -k.mat6x6_transposed(k.ad(s)))
 
 
 @pytest.mark.parametrize("cross, n", [("cross_vv", 3), ("cross_ss", 6)])
+@exactly
 def test_lie_bracket(k, sample, cross, n):
     bracket = getattr(k, cross)
     a, b, c = (sample.vector(n) for _ in range(3))
@@ -153,12 +171,14 @@ def test_lie_bracket(k, sample, cross, n):
     assert not jacobi.any()
 
 
+@exactly
 def test_cross_sc_represents_the_lie_algebra(k, sample):
     s1, s2, c = (sample.vector(6) for _ in range(3))
     commutator = k.cross_sc(s1, k.cross_sc(s2, c)) - k.cross_sc(s2, k.cross_sc(s1, c))
     assert same(k.cross_sc(k.cross_ss(s1, s2), c), commutator)
 
 
+@exactly
 def test_bracket_moves_with_the_frame(k, sample):
     D, s, c = sample.displacement(), sample.vector(6), sample.vector(6)
     moved_s = k.product_Ads(D, s)
@@ -167,6 +187,7 @@ def test_bracket_moves_with_the_frame(k, sample):
 
 
 @pytest.mark.parametrize("operator, derivative", [("Ad", "ad"), ("CoAd", "coad")])
+@exactly
 def test_derivative_operator_is_the_derivative(k, sample, operator, derivative):
     """Eq. (12).  The central difference quotient is sinh(hA)/h, A = [ad](s): off by h² A³/6."""
     D, s, matrix = sample.displacement(), sample.vector(6), getattr(k, operator)
@@ -183,6 +204,7 @@ def test_derivative_operator_is_the_derivative(k, sample, operator, derivative):
 # rotations
 
 
+@exactly
 def test_quaternions_are_a_group_of_rotations(k, sample):
     p, q, r, v = (*(sample.vector(4) for _ in range(3)), sample.vector())
     R, one = k.mat3x3_from_quaternion, k.quaternion_setIdentity(p)
@@ -200,6 +222,7 @@ def test_quaternions_are_a_group_of_rotations(k, sample):
     assert same(turned, array([*k.rotate_qv(unit, v), 0]))
 
 
+@exactly
 def test_orthonormalization_leaves_a_defect_of_the_second_order(k, sample):
     """d = I - R^T R becomes (3 d² + d³) / 4, for any matrix."""
     matrix = sample.vector(9).reshape(3, 3)
@@ -214,6 +237,7 @@ def test_orthonormalization_leaves_a_defect_of_the_second_order(k, sample):
 
 
 @each_joint
+@exactly
 def test_constraint_and_working_forces_make_the_wrench(k, sample, joint):
     D, c = sample.displacement(), sample.vector(6)
     constraint, working = (getattr(k, f"{w}_c{JOINTS[joint]}") for w in ("constraint", "working"))
@@ -225,6 +249,7 @@ def test_constraint_and_working_forces_make_the_wrench(k, sample, joint):
     assert same(working(D, c), h * c[joint])
 
 
+@exactly
 def test_joint_columns_are_reciprocal_and_make_the_operators(k, sample):
     """Eq. (11), H̄^T h* = 0, for screws H̄; eq. (10): the columns together are [Ad], [Ad]*."""
     D = sample.displacement()
@@ -236,12 +261,14 @@ def test_joint_columns_are_reciprocal_and_make_the_operators(k, sample):
 
 
 @pytest.mark.parametrize("axis", range(3))
+@exactly
 def test_joint_about_a_unit_axis(k, sample, axis):
     D, e = sample.displacement(), eye(3)[axis]
     assert same(k.hsra(D, e), getattr(k, f"hsr{'xyz'[axis]}")(D))
     assert same(k.hsta(D, e), getattr(k, f"hst{'xyz'[axis]}")(D))
 
 
+@exactly
 def test_reciprocal_product_is_power(k, sample):
     c, s = sample.vector(6), sample.vector(6)
     assert k.reciprocal_product(c, k.screw_to_angular_first(s)) == k.dot_cs(c, s)
@@ -249,6 +276,7 @@ def test_reciprocal_product_is_power(k, sample):
 
 
 @pytest.mark.parametrize("kind", ["screw", "coscrew"])
+@exactly
 def test_angular_first_round_trip(k, sample, kind):
     x, to = sample.vector(6), getattr(k, f"{kind}_to_angular_first")
     back = getattr(k, f"{kind}_from_angular_first")

@@ -11,7 +11,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.formats import PRECISIONS, Precision
+from tests.support.cases import for_all
 from tests.support.compiled.c_harness import DIALECTS, EXACT, INCLUDE, STRICT, run
 from tests.support.each import each_precision
 
@@ -170,8 +171,7 @@ def printed(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     return {(precision, what): numbers for precision, what, *numbers in lines}
 
 
-@each_precision
-@pytest.mark.parametrize("what", EXPECTED)
+@for_all(precision=PRECISIONS, what=EXPECTED)
 def test_program_prints_the_rounded_truth(what: str, precision: Precision,
                                           printed: dict[tuple[str, str], list[str]]):
     want = [_rounded(number, precision).hex() for number in EXPECTED[what]]
@@ -189,8 +189,7 @@ def test_program_prints_sine_and_cosine_within_1_ulp(
             assert abs(float.fromhex(text) - truth) <= float(np.spacing(number(truth))), text
 
 
-@each_precision
-@pytest.mark.parametrize("what", HALFWAY)
+@for_all(precision=PRECISIONS, what=HALFWAY)
 def test_program_prints_quarter_turns(what: str, precision: Precision,
                                       printed: dict[tuple[str, str], list[str]]):
     """(0, 0, 1, 1) / sqrt 2 within 4 u."""

@@ -8,6 +8,7 @@ import pytest
 
 from coscrew_codegen.scene import rotations
 from coscrew_codegen.scene.rotations import SNAP
+from tests.support.cases import for_all
 
 mpmath.mp.dps = 60
 
@@ -36,8 +37,7 @@ def distance(A, B):
 
 
 @pytest.mark.parametrize("roll", ANGLES)
-@pytest.mark.parametrize("pitch", ANGLES[:7])
-@pytest.mark.parametrize("yaw", ANGLES[:7:2])
+@for_all(yaw=ANGLES[:7:2], pitch=ANGLES[:7])
 def test_rpy_is_yaw_pitch_roll(roll, pitch, yaw):
     R = rotations.from_rpy(F(roll), F(pitch), F(yaw))
     truth = (about((0, 0, 1), number(yaw)) * about((0, 1, 0), number(pitch))

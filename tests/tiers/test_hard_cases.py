@@ -15,6 +15,7 @@ from tests.hard_cases import corpus
 from tests.hard_cases.constructed import ORIGIN, constructed
 from tests.hard_cases.corpus import TABLE, Case, CorpusError
 from tests.search import search, split
+from tests.support.cases import for_all
 from tests.support.compiled.calls import TIER_NAMES, of_tier, tiers_of
 from tests.support.compiled.implementations import twin
 from tests.support.each import each_precision
@@ -46,8 +47,8 @@ def results(implementation: Implementation, cases: list[Case]) -> list[list[floa
     return np.hstack([np.asarray(x).reshape(len(rows), -1) for x in outputs]).tolist()
 
 
-@each_precision
 @operations
+@for_all(precision=PRECISIONS)
 def test_no_hard_case_exceeds_the_bound(operation: Operation, precision: Precision,
                                         ways: dict[str, Implementation]):
     cases = CASES[operation.name, precision.name]
@@ -58,8 +59,7 @@ def test_no_hard_case_exceeds_the_bound(operation: Operation, precision: Precisi
             assert found <= 1, f"{tier}: {found:.4g} of the bound, {case.line}"
 
 
-@each_precision
-@operations
+@for_all(operation=JUDGED, precision=PRECISIONS)
 def test_pure_numpy_is_as_good(operation: Operation, precision: Precision):
     """... except by NumPy's own float32 functions."""
     cases = CASES[operation.name, precision.name]

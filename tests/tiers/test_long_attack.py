@@ -12,6 +12,7 @@ from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
 from tests.long_attack import attack_at_length
 from tests.search import joined, split
+from tests.support.cases import for_all
 from tests.support.compiled.implementations import gufuncs
 from tests.support.each import each_precision
 from tests.support.truth.attack import (
@@ -41,8 +42,8 @@ def exactly(x: np.longdouble) -> mpq:
     return mpq(int(fraction * WIDE(2)**64)) * mpq(2)**(int(exponent) - 64)
 
 
-@each_precision
 @operations
+@for_all(precision=PRECISIONS)
 def test_truth_is_enclosed(operation: Operation, precision: Precision):
     """Within a radius far below any bound; S within 2^-50."""
     given = np.concatenate([joined(draw(operation, precision, count, 5)) for draw, count in

@@ -10,9 +10,10 @@ import pytest
 import sympy as sp
 
 import coscrew
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Op
+from tests.support.cases import for_all
 from tests.support.each import each_precision
 from tests.support.sampling import inputs_of
 from tests.support.truth.attack import plain_program
@@ -58,8 +59,8 @@ def value_and_size(polynomial: list, numbers: list[Fraction]) -> tuple[Fraction,
     return value, size
 
 
-@each_precision
 @pytest.mark.parametrize("operation", POLYNOMIAL, ids=lambda op: op.name)
+@for_all(precision=PRECISIONS)
 def test_error_is_within_bound(operation, precision):
     """|err| <= u|x| + 8 u S, and η M^d for each of d roundings of n terms that may underflow."""
     inputs = inputs_of(operation, precision, 60)

@@ -33,8 +33,8 @@ from coscrew_codegen.program import scales
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.targets.c import c_name, member, returned
 from coscrew_codegen.tiers import MARKED, tier_named
+from tests.support.cases import for_all
 from tests.support.compiled.c_reader import INCLUDE
-from tests.support.each import each_precision
 from tests.support.truth.attack import TIERED, bounds, plain_program
 
 EXACTLY = {
@@ -60,7 +60,6 @@ MOST_SIGNS = 30  # flipped in a text
 TAU = sp.Symbol("tau")  # what is added for underflow
 
 operations = pytest.mark.parametrize("operation", TIERED, ids=lambda op: op.name)
-tiers = pytest.mark.parametrize("tier", TEXT)
 
 
 def spread(found: Sequence[re.Match]) -> Sequence[re.Match]:
@@ -171,8 +170,8 @@ class Size:
     __neg__ = __abs__
 
 
-@each_precision
 @operations
+@for_all(precision=PRECISIONS)
 def test_a_certified_bound_is_a_multiple_of_the_terms(operation: Operation, precision: Precision):
     """C S for τ = 0; C / u is plain's c1 and the last rounding, and hardly more.  Where products
     are summed, something is left for all inputs 0."""
@@ -198,9 +197,8 @@ def test_a_certified_bound_is_a_multiple_of_the_terms(operation: Operation, prec
         assert of_terms != bound.value or all(len(m) == 1 for m in plain.terms)
 
 
-@tiers
-@each_precision
 @operations
+@for_all(precision=PRECISIONS, tier=TEXT)
 def test_c_is_its_truth(operation: Operation, precision: Precision, tier: str):
     variables, truth = polynomials(operation)
     found = evaluated(body(operation, precision, tier), made(operation, tier), variables)
@@ -233,8 +231,8 @@ def test_a_flipped_sign_in_a_bound_is_noticed(operation: Operation):
         assert evaluated(flipped, made(operation, "certified"), inputs) != right, flipped
 
 
-@pytest.mark.parametrize("tier", ("fused", "accurate"))
 @operations
+@for_all(tier=("fused", "accurate"))
 def test_a_flipped_sign_is_noticed(operation: Operation, tier: str):
     text = body(operation, PRECISIONS[0], tier)
     assert not first_order_error(text, operation)
@@ -244,8 +242,7 @@ def test_a_flipped_sign_is_noticed(operation: Operation, tier: str):
         assert first_order_error(flipped, operation), flipped
 
 
-@each_precision
-@operations
+@for_all(operation=TIERED, precision=PRECISIONS)
 def test_python_is_its_truth(operation: Operation, precision: Precision,
                              monkeypatch: pytest.MonkeyPatch):
     kernels = getattr(coscrew.accurate, precision.name)

@@ -11,6 +11,7 @@ import coscrew.accurate
 import coscrew.certified
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
+from tests.support.cases import for_all
 from tests.support.compiled.c_harness import COMPILERS
 from tests.support.compiled.implementations import compiled, implementations, twin
 from tests.support.each import each_precision
@@ -29,6 +30,7 @@ EXTREMES = 200  # and as many of all kinds; some are not finite
 SEED = 7
 
 operations = pytest.mark.parametrize("operation", TIERED, ids=lambda op: op.name)
+in_both = for_all(precision=PRECISIONS)
 
 BUILDS = (("gcc", ("-O0",)), ("gcc", ("-O3", "-march=native")),
           ("clang", ("-O0",)), ("clang", ("-O1", "-march=native")))
@@ -45,8 +47,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("tiers")
 
 
-@each_precision
 @operations
+@in_both
 def test_no_error_exceeds_its_bound(operation: Operation, precision: Precision, folder: Path):
     known = exact_rows(operation, rows(operation, precision, ROWS, SEED))
     for tier, implementation in implementations(folder).items():
@@ -77,7 +79,7 @@ def test_the_bounds_are_those_derived_by_hand():
     assert constants("axpy_cc", "fused", "c1") == [0] * 6
 
 
-@operations
+@for_all(operation=TIERED)
 def test_one_ulp_is_proved_to_condition_1e14(operation: Operation):
     """u |x̂| is at most half an ulp, and so is c2 u² S up to condition 1 / (2 c2 u)."""
     u = Fraction(1, 2**53)
@@ -104,8 +106,8 @@ def test_shares_of_a_sum_are_exact():
     assert (s - a != t).any()  # t itself is not
 
 
-@each_precision
 @operations
+@in_both
 def test_certified_bounds_hold_for_any_numbers(operation: Operation, precision: Precision):
     """Also if products underflow; the bound is finite unless a term may overflow."""
     inputs = extreme_rows(operation, precision, EXTREMES, SEED)
@@ -135,10 +137,8 @@ def same_bits(got: Arrays, want: Arrays) -> bool:
     return True
 
 
-@each_precision
 @operations
-@pytest.mark.parametrize("tier", (coscrew.accurate, coscrew.certified),
-                         ids=lambda module: module.__name__)
+@for_all(precision=PRECISIONS, tier=(coscrew.accurate, coscrew.certified))
 def test_c_gufunc_and_numpy_agree_in_bits(tier: ModuleType, operation: Operation,
                                           precision: Precision, folder: Path):
     """With fma instructions, and without them at -O0 and in the twins: both compute the same exact

@@ -294,15 +294,15 @@ class Header:
 
     def _value(self, node: c_ast.Node, scope: dict[str, Value]) -> Value:
         match node:
-            case c_ast.Constant(type="int"):
-                return int(node.value)
-            case c_ast.Constant():
-                return self.arithmetic.literal(node.value.rstrip("f"))
-            case c_ast.ID(name="NAN"):
-                return sp.nan
             case c_ast.ID():
-                found = scope[node.name]
+                found = sp.nan if node.name == "NAN" else scope[node.name]
                 return found.read() if _is_scalar(found) else found
+            case c_ast.BinaryOp():
+                left, right = self._value(node.left, scope), self._value(node.right, scope)
+                return self.arithmetic.functions[node.op](left, right)
+            case c_ast.StructRef() | c_ast.ArrayRef():
+                place = self._place(node, scope)
+                return place.read() if isinstance(place.type, Scalar) else place
             case c_ast.UnaryOp(op="&"):
                 return self._place(node.expr, scope)
             case c_ast.Cast():
@@ -311,9 +311,9 @@ class Header:
                 return -self._number(node.expr, scope)
             case c_ast.UnaryOp(op="+"):
                 return self._value(node.expr, scope)
-            case c_ast.BinaryOp():
-                operands = (self._value(side, scope) for side in (node.left, node.right))
-                return self.arithmetic.functions[node.op](*operands)
+            case c_ast.Constant():
+                return (int(node.value) if node.type == "int" else
+                        self.arithmetic.literal(node.value.rstrip("f")))
             case c_ast.TernaryOp():
                 return self._choice(node, scope)
             case c_ast.FuncCall():
@@ -324,8 +324,7 @@ class Header:
                 known = self.arithmetic.functions.get(operation)
                 return known(*arguments) if known else self.call(name, *arguments)
             case _:
-                place = self._place(node, scope)
-                return place.read() if isinstance(place.type, Scalar) else place
+                raise TypeError(f"this reader knows no such C expression: {node}")
 
     def _sine_and_cosine(self, angle: Value, cosine: Place) -> Value:
         cosine.write(self.arithmetic.functions["ksl_cos"](angle))

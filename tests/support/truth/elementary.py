@@ -123,7 +123,7 @@ def errors(name: str, precision: Precision, got: Array, *inputs: Array) -> Array
 
 
 def same(got: Array, want: Array) -> bool:
-    """Whether all bits agree, but for the sign and the payload of NaN."""
+    """Whether all bits agree, except the sign and the payload of NaN."""
     kind = f"u{want.dtype.itemsize}"
     agree = (got.view(kind) == want.view(kind)) | (np.isnan(got) & np.isnan(want))
     return got.dtype == want.dtype and bool(agree.all())

@@ -27,6 +27,7 @@ from tests.support.compiled.c_reader import Arithmetic
 from tests.support.truth.attack import plain_program
 
 DIGITS = 60
+Factor: TypeAlias = tuple[sp.Expr, sp.Rational]  # base and exponent
 
 
 @dataclass(frozen=True)
@@ -59,8 +60,8 @@ class Rules:
             return function(*values)
 
     @cached_property
-    def grid(self) -> int:
-        return int(PER_PRECISION[GRID][PRECISIONS.index(self.precision)])
+    def grid(self) -> mp.mpf:
+        return mp.mpf(int(PER_PRECISION[GRID][PRECISIONS.index(self.precision)]))
 
     def sum(self, function: Callable[..., mp.mpf], x: "Number", y: "Like") -> "Number":
         on_grid = x.is_grid or isinstance(y, Number) and y.is_grid
@@ -124,9 +125,11 @@ Like: TypeAlias = Number | int
 
 
 def value_of(x: object) -> mp.mpf:
-    if not isinstance(x, (Number, int)):
-        raise TypeError(f"{x!r} came in beside the rules")
-    return x.value if isinstance(x, Number) else mp.mpf(x)
+    if isinstance(x, Number):
+        return x.value
+    if isinstance(x, int):
+        return mp.mpf(x)
+    raise TypeError(f"{x!r} came in beside the rules")
 
 
 _FUNCTIONS: dict[str, Callable[..., Number]] = {
@@ -223,10 +226,8 @@ class Evaluator:
         return True
 
     def _product(self, x: sp.Expr) -> Number:
-        """Factors with negative exponents divide, all at once."""
-        factors = [factor.as_base_exp() for factor in sp.Mul.make_args(x)]
-        above = [self._power(*x) for x in factors if not x[1].is_negative] or [self.rules.number(1)]
-        below = [self._power(base, -exponent) for base, exponent in factors if exponent.is_negative]
+        above, below = ([self._power(*factor) for factor in part] for part in _factors(x))
+        above = above or [self.rules.number(1)]
         product = reduce(operator.mul, above)
         return product / reduce(operator.mul, below) if below else product
 
@@ -237,5 +238,14 @@ class Evaluator:
         return reduce(operator.mul, [x] * int(exponent))
 
 
+@cache
+def _factors(x: sp.Expr) -> tuple[list[Factor], list[Factor]]:
+    """Bases and exponents, above and below the line: all that divide do so at once."""
+    factors = [factor.as_base_exp() for factor in sp.Mul.make_args(x)]
+    return ([(base, exponent) for base, exponent in factors if not exponent.is_negative],
+            [(base, -exponent) for base, exponent in factors if exponent.is_negative])
+
+
 SYMBOLIC = {Op.ADD, Op.SUB, Op.MUL, Op.DIV, Op.NEG, Op.SIN, Op.COS}
-NUMERIC = tuple(op for op in OPERATIONS if not set(plain_program(op).counts) <= SYMBOLIC)
+NUMERIC = tuple(op for op in OPERATIONS if op.family != "elementary"
+                and not set(plain_program(op).counts) <= SYMBOLIC)
