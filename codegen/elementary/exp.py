@@ -15,9 +15,9 @@ from coscrew_codegen.program import Op, Program
 from coscrew_codegen.quantity import ANY, SCALAR, Argument
 
 INPUTS, OUTPUTS = (Argument("x", SCALAR, ANY),), (Argument("y", SCALAR),)
-INTERVAL = Fraction(-2877, 10000), Fraction(4055, 10000)
-"""Of r: from ln 3/4 to ln 3/2, and the rounding of x / ln 2."""
-_BELOW = Fraction(87, 1024)  # log2(3/2) - 1/2
+INTERVAL = Fraction(-2879, 10000), Fraction(4054, 10000)
+"""Of r: from ln 3/4 to ln 3/2, and what the roundings of x / ln 2 shift it by."""
+_BELOW = Fraction(1389, 2**14)  # a little less than log2(3/2) - 1/2, so that e^r < 3/2
 _SMALL = 64  # the exponent that is scaled by at last if the result may be subnormal
 
 
@@ -36,18 +36,18 @@ class Data:
 
 DATA = {
     DOUBLE: Data(numbers("""
-        0x1.0000000000000p-1 0x1.55555555556c1p-3 0x1.5555555555beap-5 0x1.1111111095a7dp-7
-        0x1.6c16c16b0df84p-10 0x1.a01a052947d85p-13 0x1.a019f4bc4ba95p-16 0x1.71d3637492597p-19
-        0x1.283f495fafe04p-22 0x1.c68632b788f8bp-26"""),
+        0x1.0000000000000p-1 0x1.55555555556c3p-3 0x1.5555555555bafp-5 0x1.111111109542ep-7
+        0x1.6c16c16b284c5p-10 0x1.a01a052a61a12p-13 0x1.a019f445196eep-16 0x1.71d3655f7e9b0p-19
+        0x1.283ff67373038p-22 0x1.c676916af9318p-26"""),
         numbers("0x1.71547652b82fep+0")[0],
         numbers("0x1.62e42fefa3800p-1 0x1.ef35793c76730p-45"), (-746, 710), -700,
-        Fraction("-57.6"), Fraction("0.85")),
+        Fraction("-57.6"), Fraction("0.970")),
     SINGLE: Data(numbers("""
-        0x1.0000000000000p-1 0x1.5554da0000000p-3 0x1.554b580000000p-5 0x1.11ed920000000p-7
-        0x1.7c1e1c0000000p-10"""),
+        0x1.0000000000000p-1 0x1.5554da0000000p-3 0x1.554b5e0000000p-5 0x1.11edc80000000p-7
+        0x1.7c13f40000000p-10"""),
         numbers("0x1.7154760000000p+0")[0],
         numbers("0x1.62e4000000000p-1 0x1.7f7d1c0000000p-20"), (-104, 89), -80,
-        Fraction("-27.7"), Fraction("0.88"))}
+        Fraction("-27.7"), Fraction("0.992"))}
 
 
 @dataclass(frozen=True)
@@ -84,8 +84,9 @@ def kernel(precision: Precision) -> Program:
     x = steps.named("within", (x < least).where(least, x))
     parts = reduced(x, precision)
     small = steps.named("small", x < data.small)
+    e_r = steps.named("e_r", parts.s + 1)
     power = steps.do(Op.POWER, parts.shifted + small.where(_SMALL, -1), shift)
-    scaled = steps.named("scaled", steps.do(Op.SCALE, parts.s + 1, power))
+    scaled = steps.named("scaled", steps.do(Op.SCALE, e_r, power))
     last = small.where(Fraction(1, 2**_SMALL), 2)
     return steps.program("exp", OUTPUTS, [
         steps.named("y", steps.do(Op.SCALE, scaled, last))])
@@ -115,6 +116,48 @@ def approximation(precision: Precision) -> Fraction:
     largest_k = 2 - 2 * min(data.limits)
     split = largest_k * max(abs(x - sum(data.ln2)) for x in ln2())
     return polynomial + 2 * rest + 2 * split
+
+
+def reduction(precision: Precision) -> None:
+    """Proves that x - k ln2[0] is exact, and that r without roundings is in INTERVAL."""
+    from coscrew_codegen.elementary.roundings import Roundings, given
+
+    analysis = Roundings(precision)
+    least, largest = DATA[precision].limits
+    binades = [(Fraction(-1, 8), Fraction(1, 8))]
+    binades += [(Fraction(2)**n, min(2 * Fraction(2)**n, Fraction(largest))) for n in range(-3, 10)]
+    binades += [(max(-2 * Fraction(2)**n, Fraction(least)), -Fraction(2)**n) for n in range(-3, 10)]
+    for low, high in binades:
+        if low < high:
+            x = analysis.within(low, high)
+            exact, r = analysis.results(kernel(precision), ["high", "r"], [x], {
+                **given({"within": x}), "k": analysis.chosen})
+            assert not exact.error.radius
+            assert INTERVAL[0] <= analysis.number(r.exact.range[0])
+            assert analysis.number(r.exact.range[1]) <= INTERVAL[1]
+
+
+def roundings(precision: Precision) -> Fraction:
+    """A bound, proved, of the error in ulps of a result in the normal range.
+
+    `reduction` gives the range of high for k's in a block.  It is cut in pieces; what is left is
+    scaled, exactly."""
+    from coscrew_codegen.elementary.roundings import Roundings, given, pieces
+
+    data, relative, worst = DATA[precision], approximation(precision), Fraction(0)
+    first, last = (3 * x // 2 + 1 for x in (data.limits[0] - 2, data.limits[1]))
+    block = last - first if precision is DOUBLE else 32  # so that k times the rest hardly differs
+    for k in range(first, last, block):
+        rests = [x * data.ln2[1] for x in (k, k + block)]
+        near_zero = Fraction(-1, 2**12), Fraction(1, 2**12)
+        for low, high in pieces(INTERVAL[0] + min(rests), INTERVAL[1] + max(rests), 64, near_zero):
+            analysis = Roundings(precision)
+            x = analysis.within(*data.limits)
+            ks, part = analysis.within(k, k + block, 0), analysis.within(low, high)
+            result, = analysis.results(kernel(precision), ["e_r"], [x],
+                                       given({"k": ks, "high": part}))
+            worst = max(worst, analysis.ulps(result, relative))
+    return worst
 
 
 def comment(precision: Precision) -> str:

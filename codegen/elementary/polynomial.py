@@ -23,17 +23,17 @@ def integer_shift(precision: Format) -> Fraction:
 
 
 def estrin(coefficients: Sequence[Fraction], x: Value) -> Value:
-    """Σ c_i x^i, neighbours first and then pairs of pairs, so that few steps wait for others."""
-    terms: list[Value | Fraction] = list(coefficients)
+    """Σ c_i x^i, neighbours first and then pairs of pairs, so that few steps wait for others; but
+    the first, the largest, last, so that the sum is rounded once to its digits."""
+    first, *terms = coefficients
+    values: list[Value | Fraction] = list(terms)
     power = x
-    while len(terms) > 1:
-        pairs = [(terms[i], terms[i + 1:i + 2]) for i in range(0, len(terms), 2)]
-        terms = [power * above[0] + first if above else first for first, above in pairs]
-        if len(terms) > 1:
+    while len(values) > 1:
+        pairs = [(values[i], values[i + 1:i + 2]) for i in range(0, len(values), 2)]
+        values = [power * above[0] + here if above else here for here, above in pairs]
+        if len(values) > 1:
             power = power * power
-    if not isinstance(terms[0], Value):
-        raise ValueError("the polynomial is a constant")
-    return terms[0]
+    return x * values[0] + first
 
 
 def horner(coefficients: Sequence[Fraction], x: Value) -> Value:

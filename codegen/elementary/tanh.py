@@ -35,11 +35,11 @@ DATA = {
     DOUBLE: Data(
         numbers("-0x1.5555555555554p-2 -0x1.4fd1c07c63da2p-6 -0x1.a1850b52c3c45p-13"),
         numbers("0x1p0 0x1.d890edb0ec424p-2 0x1.7d8fab86de962p-6 0x1.b0eeb565aa7f8p-13"),
-        20, Fraction("-59.3"), Fraction("0.95")),
+        20, Fraction("-59.3"), Fraction("0.979")),
     SINGLE: Data(
-        numbers("-0x1.5555440000000p-2 -0x1.941df20000000p-10"),
-        numbers("0x1p0 0x1.9e52ae0000000p-2"),
-        10, Fraction("-27.6"), Fraction("0.95"))}
+        numbers("-0x1.5555560000000p-2 -0x1.c70a7a0000000p-10 0x1.f3f4ca0000000p-15"),
+        numbers("0x1.0000000000000p+0 0x1.9eeec40000000p-2"),
+        10, Fraction("-31.2"), Fraction("0.967"))}
 
 
 @cache
@@ -64,9 +64,9 @@ def kernel(precision: Precision) -> Program:
     low = steps.named("low_of_total", (most - total) + rest)
 
     quotient = steps.named("quotient", small.where(above, -2) / small.where(below, total))
-    start = small.where(size, 1)
-    correction = small.where(0, (quotient * low) * (quotient * Fraction(1, 2)))
-    start, correction = steps.named("start", start), steps.named("correction", correction)
+    correction = (quotient * low) * (quotient * Fraction(1, 2))
+    correction = steps.named("correction", small.where(0, correction))
+    start = steps.named("start", small.where(size, 1))
     y = start + quotient
     y = steps.named("sum", y + (((start - y) + quotient) + correction))
     return steps.program("tanh", OUTPUTS, [
@@ -113,6 +113,49 @@ def approximation(precision: Precision) -> Fraction:
     error = difference(product(above, cosh), product(data.q, sinh))
     below = product(data.q, [Fraction(1), Fraction(1, 6)])  # q (1 + z/6) < q sinh x / x
     return supremum(error, below, INTERVAL) + rest * largest  # q >= 1
+
+
+def roundings(precision: Precision) -> Fraction:
+    """A bound, proved, of the error in ulps of a result in the normal range."""
+    return max(_small_roundings(precision), _large_roundings(precision))
+
+
+def _small_roundings(precision: Precision) -> Fraction:
+    """Up to 5/8.  Below 2^-8 the quotient is so small that ranges may be wide."""
+    from coscrew_codegen.elementary.roundings import Roundings, given, pieces
+
+    ranges = [piece for n in range(8) for piece in pieces(SMALL / 2**(n + 1), SMALL / 2**n, 32)]
+    low = SMALL / 2**8
+    while low > precision.smallest_normal:
+        ranges.append((max(low / 2**8, precision.smallest_normal), low))
+        low /= 2**8
+    relative, worst = approximation(precision), Fraction(0)
+    for low, high in ranges:
+        analysis = Roundings(precision, 320 if low > Fraction(1, 2**60) else 2400)
+        y, = analysis.results(kernel(precision), ["sum"], [analysis.within(low, high)],
+                              given({"small": True}))
+        worst = max(worst, analysis.ulps(y, relative))
+    return worst
+
+
+def _large_roundings(precision: Precision) -> Fraction:
+    """From 5/8, for every k that exp's reduction leads to.  A relative error of e^2x is halved at
+    least; beyond `one` the result is 1, and so is tanh but for 2^-54, in single precision 2^-27."""
+    from coscrew_codegen.elementary.minimax import ln2
+    from coscrew_codegen.elementary.roundings import Roundings, given, pieces
+
+    data, shift = exp.DATA[precision], integer_shift(precision)
+    absolute, worst = exp.approximation(precision) / 2, Fraction(0)
+    for k in range(2, 3 * DATA[precision].one):
+        low, high = (x + k * data.ln2[1] for x in exp.INTERVAL)
+        low = max(low, 2 * SMALL - k * ln2()[1] + k * data.ln2[1])
+        for piece in pieces(low, high, 64 if k < 8 else 4):
+            analysis = Roundings(precision)
+            x, number = analysis.within(SMALL, DATA[precision].one), analysis.constant
+            known = {"shifted": number(shift + k), "k": number(k), "high": analysis.within(*piece)}
+            y, = analysis.results(kernel(precision), ["sum"], [x], given(known))
+            worst = max(worst, analysis.ulps(y, absolute=absolute))
+    return worst
 
 
 def comment(precision: Precision) -> str:
