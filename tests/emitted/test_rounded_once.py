@@ -109,10 +109,14 @@ def _is_two(node: c_ast.BinaryOp) -> bool:
                for x in (node.left, node.right))
 
 
+_TYPES = "typedef unsigned long uint64_t; typedef unsigned int uint32_t;\n"
+
+
 def fused(text: str) -> list[str]:
     """Where a product could be fused into a sum."""
     visitor = Fused()
-    visitor.visit(CParser().parse(_ASSEMBLY.sub("", _REMOVED.sub("", text))))
+    plain = _ASSEMBLY.sub("", _REMOVED.sub("", text)).replace("KSL_COLD", "")
+    visitor.visit(CParser().parse(_TYPES + plain))
     return visitor.found
 
 

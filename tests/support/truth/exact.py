@@ -252,6 +252,7 @@ FORMULAS: dict[str, Callable[..., Result]] = {
 
 # Operations with irrational results, or that round rationals.
 IRRATIONAL = (
+    "sincos", "sin", "cos", "exp", "tanh", "atan2",
     "vec3_l2norm", "vec3_normalize", "vec3_normalized", "screw_norm", "screw_normalize",
     "screw_normalized", "coscrew_norm", "coscrew_normalize", "coscrew_normalized", "dc",
     "product_ainvv", "angle_vv", "vec4_l2norm", "vec4_normalize", "vec4_normalized",
