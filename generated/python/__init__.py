@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "4688b8937a316b7b")
+COMPILED: bool = is_compiled("coscrew._gufunc", "fd23565f3474f6f3")
 
 if COMPILED:
     from coscrew._gufunc import (
