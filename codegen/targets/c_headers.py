@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 
 from coscrew_codegen.elementary import ELEMENTARY
-from coscrew_codegen.formats import DOUBLE, PRECISIONS
+from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.library import FamilyKernels, Library
 from coscrew_codegen.operations import FAMILIES, family_named
 from coscrew_codegen.render import render
@@ -122,8 +122,9 @@ def _marked_headers(library: Library, tier: Tier) -> Headers:
                 "c/family.h", banner=library.banner,
                 title=f"{family_named(family).title}\n   {tier.title}",
                 guard=f"KSL_{family.upper()}_{tier.mark.upper()}_H", functions=functions,
-                includes=(tier.header, *_elementary_included(functions)), system=(), by_hand="",
-                allocations=[])
+                includes=(tier.header, *_elementary_included(
+                    functions if DOUBLE in library.precisions else ())),
+                system=(), by_hand="", allocations=[])
     umbrella = render(
         "c/ksl.h", banner=library.banner, includes=tuple(families),
         title=f"All kernels of the {tier.name} tier.", guard=f"{tier.umbrella.upper()}_H")
@@ -131,10 +132,13 @@ def _marked_headers(library: Library, tier: Tier) -> Headers:
 
 
 def _elementary(library: Library, title: str) -> str:
-    """The header of elementary functions, in both precisions: wide kernels call them in double."""
-    made = [(p, c_elementary.written(p, [x.name for x in ELEMENTARY])) for p in PRECISIONS]
-    return render("c/elementary.h", banner=library.banner, title=title, elementary=made,
-                  precisions=PRECISIONS)
+    return render("c/elementary.h", banner=library.banner, title=title,
+                  precisions=library.precisions, elementary=_elementary_of(*library.precisions))
+
+
+def _elementary_of(*precisions: Precision) -> list[tuple[Precision, list[c_elementary.Written]]]:
+    """The elementary functions in these precisions."""
+    return [(p, c_elementary.written(p, [x.name for x in ELEMENTARY])) for p in precisions]
 
 
 def _elementary_included(functions: Sequence[CFunction]) -> tuple[str, ...]:
@@ -143,8 +147,10 @@ def _elementary_included(functions: Sequence[CFunction]) -> tuple[str, ...]:
 
 
 def _exact(library: Library) -> dict[str, str]:
-    return {"ksl_exact": render("c/ksl_exact.h", banner=library.banner, products=[
-        DOUBLE] if DOUBLE not in library.precisions else [])}
+    """With what kernels that compute in double need if only single precision is selected."""
+    missing = [DOUBLE] if DOUBLE not in library.precisions else []
+    return {"ksl_exact": render("c/ksl_exact.h", banner=library.banner, products=missing,
+                                precisions=missing, elementary=_elementary_of(*missing))}
 
 
 def umbrellas() -> tuple[str, ...]:
