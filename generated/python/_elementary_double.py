@@ -122,60 +122,70 @@ def two_over_pi(x, n):
 
 
 def _sincos_near(x):
-    """Its reduction of angles up to 52707177.0."""
+    """Its reduction of angles up to 6588396.0."""
     quadrant = x * 0.6366197723675814 + 6755399441055744.0 - 6755399441055744.0
-    high = x - quadrant * 1.570796325802803 - quadrant * 9.920935184482005e-10
-    low = quadrant * 6.123233973412625e-17
+    high = x - quadrant * 1.5707963267341256 - quadrant * 6.077094383272197e-11
+    low = quadrant * 6.12323399409214e-17
     r = high - low
-    r_excess = r - high + low + quadrant * 2.232414100745812e-25
+    r_excess = r - high + low + quadrant * 1.6446256936324258e-26
     return quadrant, r, r_excess
 
 
 def _sincos_far(x):
     """Its reduction of larger angles."""
-    t0_1 = x * 6.441148769597133e-232
-    t0_2 = t0_1 * 134217729.0
-    t0_4 = t0_2 - (t0_2 - t0_1)
-    t0_5 = t0_1 - t0_4
-    t0_7 = two_over_pi(x, 1.0)
-    t0_8 = two_over_pi(x, 2.0)
-    t0_9 = two_over_pi(x, 3.0)
-    t0_10 = two_over_pi(x, 4.0)
-    t0_11 = two_over_pi(x, 5.0)
-    t0_12 = two_over_pi(x, 6.0)
-    t0 = t0_5 * two_over_pi(x, 0.0) + t0_4 * t0_7
-    t1 = t0_5 * t0_7 + t0_4 * t0_8
-    t2 = t0_5 * t0_8 + t0_4 * t0_9
-    t3 = t0_5 * t0_9 + t0_4 * t0_10
-    t4 = t0_5 * t0_10 + t0_4 * t0_11
-    t5 = t0_5 * t0_11 + t0_4 * t0_12
-    t6 = t0_5 * t0_12 + t0_4 * two_over_pi(x, 7.0)
-    quadrant_3 = t0 - (t0 + 5.404319552844595e+16 - 5.404319552844595e+16)
-    quadrant_8 = t1 + 6755399441055744.0 - 6755399441055744.0
-    quadrant_6 = quadrant_3 - (quadrant_3 + 2.7021597764222976e+16 - 2.7021597764222976e+16)
-    quadrant_10 = quadrant_6 + (t1 - quadrant_8)
-    quadrant_11 = quadrant_10 + t2
-    quadrant_12 = quadrant_11 - quadrant_10
-    quadrant_18 = quadrant_11 + 6755399441055744.0 - 6755399441055744.0
-    quadrant = quadrant_8 + quadrant_18
-    f_1 = quadrant_11 - quadrant_18
-    f = f_1 + t3
-    f_2 = f - f_1
-    quadrant_16 = quadrant_10 - (quadrant_11 - quadrant_12) + (t2 - quadrant_12)
-    f_7 = quadrant_16 + (f_1 - (f - f_2) + (t3 - f_2))
-    f_9 = f_7 + t4
-    f_10 = f_9 - f_7
-    f_low_1 = f + f_9
-    f_low_2 = f_low_1 - f
-    f_low_7 = t6 + t5 + (f_7 - (f_9 - f_10) + (t4 - f_10))
-    f_low = f - (f_low_1 - f_low_2) + (f_9 - f_low_2) + f_low_7
-    r_1 = f_low_1 * 134217729.0
-    r_3 = r_1 - (r_1 - f_low_1)
-    r_4 = f_low_1 - r_3
-    r = f_low_1 * 1.5707963267948966
-    r_excess_4 = r - r_3 * 1.5707963407039642 - r_3 * -1.3909067675399456e-08
-    r_excess_8 = r_excess_4 - r_4 * 1.5707963407039642 - r_4 * -1.3909067675399456e-08
-    r_excess = r_excess_8 - (f_low_1 * 6.123233995736766e-17 + f_low * 1.5707963267948966)
+    scaled = x * 6.441148769597133e-232
+    x_high_1 = scaled * 134217729.0
+    x_high = x_high_1 - (x_high_1 - scaled)
+    x_low = scaled - x_high
+    chunk0 = two_over_pi(x, 0.0)
+    chunk1 = two_over_pi(x, 1.0)
+    chunk2 = two_over_pi(x, 2.0)
+    chunk3 = two_over_pi(x, 3.0)
+    chunk4 = two_over_pi(x, 4.0)
+    chunk5 = two_over_pi(x, 5.0)
+    chunk6 = two_over_pi(x, 6.0)
+    chunk7 = two_over_pi(x, 7.0)
+    t0 = x_low * chunk0 + x_high * chunk1
+    t1 = x_low * chunk1 + x_high * chunk2
+    t2 = x_low * chunk2 + x_high * chunk3
+    t3 = x_low * chunk3 + x_high * chunk4
+    t4 = x_low * chunk4 + x_high * chunk5
+    t5 = x_low * chunk5 + x_high * chunk6
+    t6 = x_low * chunk6 + x_high * chunk7
+    rest0 = t0 - (t0 + 5.404319552844595e+16 - 5.404319552844595e+16)
+    rest4 = rest0 - (rest0 + 2.7021597764222976e+16 - 2.7021597764222976e+16)
+    k1 = t1 + 6755399441055744.0 - 6755399441055744.0
+    sum2_2 = rest4 + (t1 - k1)
+    sum2 = sum2_2 + t2
+    sum2_error_1 = sum2 - sum2_2
+    sum2_error = sum2_2 - (sum2 - sum2_error_1) + (t2 - sum2_error_1)
+    k2 = sum2 + 6755399441055744.0 - 6755399441055744.0
+    sum2_rest = sum2 - k2
+    sum3 = sum2_rest + t3
+    sum3_error_1 = sum3 - sum2_rest
+    sum3_error = sum2_rest - (sum3 - sum3_error_1) + (t3 - sum3_error_1)
+    low3 = sum2_error + sum3_error
+    tail = t6 + t5
+    low4 = low3 + t4
+    low4_error_1 = low4 - low3
+    low4_error = low3 - (low4 - low4_error_1) + (t4 - low4_error_1)
+    tail4 = tail + low4_error
+    f = sum3 + low4
+    f_error_1 = f - sum3
+    f_error = sum3 - (f - f_error_1) + (low4 - f_error_1)
+    f_low = f_error + tail4
+    f_part_high_1 = f * 134217729.0
+    f_part_high = f_part_high_1 - (f_part_high_1 - f)
+    f_part_low = f - f_part_high
+    product = f * 1.5707963267948966
+    product_excess_2 = product - f_part_high * 1.5707963407039642
+    product_excess_4 = product_excess_2 - f_part_high * -1.3909067675399456e-08
+    product_excess_6 = product_excess_4 - f_part_low * 1.5707963407039642
+    product_excess = product_excess_6 - f_part_low * -1.3909067675399456e-08
+    rest = product_excess - (f * 6.123233995736766e-17 + f_low * 1.5707963267948966)
+    r = product - rest
+    r_excess = r - product + rest
+    quadrant = k1 + k2
     return quadrant, r, r_excess
 
 
@@ -202,14 +212,14 @@ def _sincos_of(quadrant, r, r_excess):
 @errstate(all="ignore")
 def sincos(x):
     """(s, c) = (sin x, cos x).  x = k pi/2 + r - r_excess, |r| <= pi/4 and little more; pi/2 in
-    parts to 2^-27, 2^-53, 2^-81 and a rest, beyond the limit by the digits of 2/pi; polynomials
-    of degrees 13 and 14 in r, to 2^-57.8; with all roundings within 0.9 ulp (both proved), for
-    every finite x.  23 mul, 25 add, 1 abs.
+    parts to 2^-30, 2^-53, 2^-84 and a rest, beyond the limit by the digits of 2/pi; polynomials
+    of degrees 13 and 14 in r, to 2^-57.8; with all roundings within 0.824 ulp (both proved),
+    for every finite x.  23 mul, 25 add, 1 abs.
     """
     quadrant, r, r_excess = _sincos_near(x)
-    beyond = absolute(x) > 52707177.0
+    beyond = absolute(x) > 6588396.0
     if beyond.any():
-        far = _sincos_far(where(beyond, x, 52707177.0))
+        far = _sincos_far(where(beyond, x, 6588396.0))
         quadrant, r, r_excess = (
             where(beyond, a, b) for a, b in zip(far, (quadrant, r, r_excess)))
     return _sincos_of(quadrant, r, r_excess)
