@@ -129,11 +129,12 @@ def _missing(precision: Precision, exponent: int) -> Fraction:
         grid = units[n] * unit_low
         products = e / 2**bits * abs(values[n]), 2 * e * abs(values[n + 1])
         assert units[n + 1] * unit_high % grid == 0
-        assert sum(products) <= 2**digits * grid
+        assert sum(products) <= Fraction(3, 4) * 2**digits * grid
         assert products[1] <= 2**digits * units[n + 1] * unit_high
     last = first + LEVELS[digits]
-    rest = abs(1 / HALF_PI - sum(values[:last + 1])) + TINY
-    return e / 2**bits * abs(values[last]) + 2 * e * rest
+    rest = abs(1 / HALF_PI - sum(values[:last + 1], Fraction(0))) + TINY
+    left: Fraction = e / 2**bits * abs(values[last]) + 2 * e * rest
+    return left
 
 
 def _sum_is_proved(precision: Precision, first_grid: int) -> tuple[Fraction, Fraction, Fraction]:

@@ -94,6 +94,19 @@ def test_the_closest_multiples_are_closest(precision: Precision):
 
 
 @each_precision
+def test_quadrants(precision: Precision):
+    """k right angles turn (sin, cos) to the bit, also for the largest k that reductions return."""
+    kernel, most = FUNCTION.kernel(precision), 2**(precision.digits // 2 + 2)
+    k = np.array([*range(-most, 9 - most), *range(-9, 9), *range(most - 9, most)])
+    r, e, numbers = (np.full(k.shape, x, precision.numpy_type) for x in (0.3, 1e-9, 0))
+    s, c = values(kernel, precision, numbers, r, e)
+    got = values(kernel, precision, k.astype(precision.numpy_type), r, e)
+    turned = [s, c, -s, -c]
+    for shift, some in enumerate(got):
+        assert same(some, np.choose((k + shift) % 4, turned).astype(precision.numpy_type))
+
+
+@each_precision
 def test_special_values(precision: Precision):
     """Signed zeros, subnormal numbers and what is next are their own sines to the bit."""
     tiny = [float(precision.limit(name)) * n for n in (1, 3) for name in (
