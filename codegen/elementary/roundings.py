@@ -53,8 +53,16 @@ class Value:
     before: tuple[int, int] = (0, 0)
 
 
+@dataclass(frozen=True)
+class Before:
+    """That a result, before it is rounded, is from low to high."""
+
+    low: Fraction
+    high: Fraction
+
+
 Known: TypeAlias = Value | bool | Undecided
-Knowledge: TypeAlias = Mapping[str, Callable[[Known], Known]]
+Knowledge: TypeAlias = Mapping[str, Callable[[Known], Known] | Before]
 """From names of steps to what is made of their results, by what is known of them otherwise."""
 
 
@@ -64,6 +72,7 @@ class Roundings:
     def __init__(self, precision: Format, scale: int = 320) -> None:
         self.precision, self.scale = precision, scale
         self._symbols = count()
+        self._before: tuple[int, int] | None = None
 
     # --- ranges and knowledge ---
 
@@ -156,17 +165,20 @@ class Roundings:
 
         def function(step: Instruction, _: int) -> Callable[..., Known]:
             known, operation = knowledge.get(step.name), table[step.op]
+            before = (self._down(known.low), -self._down(-known.high)) if isinstance(
+                known, Before) else None
 
             def computed(*operands: Known) -> Known:
                 unknown = [x for x in operands if isinstance(x, Undecided)]
                 if unknown and (step.op is not Op.SELECT or operands[0] in unknown):
                     result: Known = unknown[0]
                 else:
+                    self._before = before
                     try:
                         result = operation(*operands)
                     except UndecidedError as error:
                         result = Undecided(f"{step.name}: {error}")
-                return known(result) if known else result
+                return known(result) if callable(known) else result
             return computed
 
         def constant(x: Constant) -> Known:
@@ -263,6 +275,10 @@ class Roundings:
                  is_exact: bool = False) -> Value:
         within = exact + error
         low, high = self._common(low, high, *within.range)
+        if self._before:
+            low, high = self._common(low, high, *self._before)
+            if high - low < exact.radius:  # else what it depends on tells more
+                exact = replace(self._between(low, high), spread=error.radius)
         size = 0 if is_exact else self._rounding(low, high, grid)
         symbol = next(self._symbols) if size else None
         if symbol is not None:
@@ -357,11 +373,11 @@ def _selected(test: bool, a: Known, b: Known) -> Known:
     return a if test else b
 
 
-def given(values: Mapping[str, Known]) -> Knowledge:
-    """That these steps have these results."""
+def given(values: Mapping[str, Known | Before]) -> Knowledge:
+    """That these steps have these results, or are within these ranges."""
     def instead(value: Known) -> Callable[[Known], Known]:
         return lambda _: value
-    return {name: instead(value) for name, value in values.items()}
+    return {name: x if isinstance(x, Before) else instead(x) for name, x in values.items()}
 
 
 def pieces(low: Fraction, high: Fraction, number: int, cuts: Sequence[Fraction] = ()
