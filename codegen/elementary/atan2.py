@@ -8,7 +8,6 @@ products neither overflow nor, wherever the result is normal, underflow."""
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
-from math import ceil
 
 from coscrew_codegen.elementary.function import Elementary
 from coscrew_codegen.elementary.polynomial import estrin, numbers
@@ -88,7 +87,7 @@ def kernel(precision: Precision) -> Program:
 
 def _leading_half(x: Value, precision: Precision) -> Value:
     """x rounded to half its digits.  Source: Veltkamp."""
-    wide = x * (2**(precision.digits - precision.digits // 2) + 1)
+    wide = x * Fraction(2**(precision.digits - precision.digits // 2) + 1)
     return wide - (wide - x)
 
 
@@ -135,68 +134,6 @@ def approximation(precision: Precision) -> Fraction:
     least = [Fraction(1), Fraction(-1, 3)]  # of the series
     error = difference([Fraction(1), *DATA[precision].p], taylor)
     return supremum(error, least, INTERVAL) + 2 * rest
-
-
-def roundings(precision: Precision) -> Fraction:
-    """A bound, proved, of the error in ulps of a result in the normal range.
-
-    Halving the digits leaves a multiple of a unit that is off by half the unit at most (Dekker).
-    All other steps take a common power of two with them, so that the larger number is taken from
-    1 to 2; quotients below 2^-30 err as those above do, their cubes being less than 2^-60 of them,
-    but for c where it is subnormal: by 1/2 ulp at most if the result is below 2^-1021, in single
-    precision 2^-125, where no last rounding follows, and by 1/4 ulp above."""
-    from coscrew_codegen.elementary.roundings import pieces
-
-    relative, worst = approximation(precision), Fraction(3, 4)
-    binades = [(Fraction(1, 2**n), Fraction(2, 2**n)) for n in range(2, 31)]
-    for quarters, sign, above in ((0, 1, False), (2, 1, False), (2, -1, False), (4, -1, False),
-                                  (1, 1, True), (1, -1, True), (3, 1, True), (3, -1, True)):
-        number = 8 if quarters else 32
-        for low, high in (x for n, binade in enumerate(binades)
-                          for x in pieces(*binade, number if n < 6 else 1)):
-            if not above or low < Fraction(1, 3):
-                q = (low, high) if (sign > 0) != above else (-high, -low)
-                for d_most in (2, 4)[:1 + above]:
-                    worst = max(worst, _piece_roundings(
-                        precision, quarters, sign, above, Fraction(d_most), q, relative))
-    return worst
-
-
-def _piece_roundings(precision: Precision, quarters: int, sign: int, above: bool,
-                     d_most: Fraction, q: tuple[Fraction, Fraction], relative: Fraction
-                     ) -> Fraction:
-    """The bound for quotients in a piece of a binade, and d in one binade."""
-    from coscrew_codegen.elementary.minimax import pi
-    from coscrew_codegen.elementary.roundings import Before, Roundings, given
-
-    data, analysis, bits = DATA[precision], Roundings(precision), precision.digits // 2
-    within, number = analysis.within, analysis.constant
-    least, largest = sorted(map(abs, q))
-    side = 1 if q[0] > 0 else -1
-    exponent = -(ceil(1 / least) - 1).bit_length()  # 2^exponent <= least < 2^(exponent + 1)
-    half = Fraction(2)**(exponent - bits)  # of the unit of q_high
-    missed = half + 4 * precision.u * largest  # n/d - q_high at most
-    d_low = d_most / 2 / 2**bits
-    but_high = d_most * missed + 2 * largest * d_low
-    a = within(Fraction(1, 2), 2) if above else within(least * (1 - half), 2 * largest * (1 + half))
-    known = given({
-        "quarters": number(quarters), "sign": number(sign), "above": above,
-        "scaled_a": a, "scaled_b": within(1, 2), "n_1": Before(Fraction(-1), Fraction(0)),
-        "rest_of_d_1": Before(Fraction(-2), Fraction(0)),  # total <= 2 b
-        "q_high": within(*sorted((side * max(least - half, Fraction(2)**exponent),
-                                  side * min(largest + half, 2 * Fraction(2)**exponent))),
-                         exponent + 1 - bits),
-        "d_high": within(d_most / 2, d_most, int(d_most) // 2 - bits), "d_low": Before(-d_low, d_low),
-        "q": Before(*sorted(side * x for x in (least - 4 * precision.u * least, min(
-            largest + 4 * precision.u * largest, Fraction(1, 2) + Fraction(1, 2**70))))),
-        "but_high": Before(-but_high, but_high),
-        "but_low": Before(-d_most * missed, d_most * missed)})
-    result, = analysis.results(kernel(precision), ["positive"], [within(1, 2), within(1, 2)],
-                               {**known, "d": analysis.restricted(d_most / 2, d_most)})
-    if not quarters:
-        return analysis.ulps(result, relative)
-    split = max(abs(x / 4 - sum(data.quarter)) for x in pi())
-    return analysis.ulps(result, absolute=relative / 2 + quarters * split)
 
 
 def comment(precision: Precision) -> str:

@@ -108,13 +108,6 @@ class Roundings:
             exact.parts[next(self._symbols)] = value.error.radius
         return replace(value, exact=exact, error=Form(0, {}, 0))
 
-    def is_zero(self, value: Known) -> Known:
-        """That exact arithmetic gives 0 here."""
-        assert isinstance(value, Value)
-        size = value.error.radius
-        low, high = self._common(value.low, value.high, -size, size)
-        return replace(value, low=low, high=high, exact=Form(0, {}, 0))
-
     def number(self, x: int) -> Fraction:
         """The number that an integer stands for."""
         return Fraction(x, 2**self.scale)
@@ -160,8 +153,7 @@ class Roundings:
             Op.ADD: lambda a, b: self._sum(a, b, 1), Op.SUB: lambda a, b: self._sum(a, b, -1),
             Op.MUL: self._product, Op.SCALE: self._product, Op.DIV: self._quotient,
             Op.NEG: _negated, Op.ABS: _absolute, Op.COPYSIGN: _signed, Op.LESS: _less,
-            Op.EQUAL: _equal, Op.SELECT: _selected, Op.POWER: self._power,
-            Op.PRODUCT_ERROR: self._product_error}
+            Op.EQUAL: _equal, Op.SELECT: _selected, Op.POWER: self._power}
 
         def function(step: Instruction, _: int) -> Callable[..., Known]:
             known, operation = knowledge.get(step.name), table[step.op]
@@ -252,12 +244,6 @@ class Roundings:
         middle, half = (most + least) // 2, (most - least) // 2 + 2
         slack = (b.radius + abs(b.mid) >> s) + 1  # of the slope's last digit
         return line + Form(middle, {next(self._symbols): half}, slack)
-
-    def _product_error(self, a: Value, b: Value, p: Value) -> Value:
-        """Minus the rounding of p, where nothing underflows."""
-        size = p.error.parts.get(p.rounding, 0) if p.rounding is not None else 0
-        parts = {p.rounding: -size} if size and p.rounding is not None else {}
-        return Value(-size, size, a.grid + b.grid, Form(0, {}, 0), Form(0, parts, 0))
 
     def _power(self, a: Value, b: Value) -> Value:
         if a.low != a.high or b.low != b.high:

@@ -16,9 +16,9 @@ def power_of_two(shifted):
 @errstate(all="ignore")
 def atan2(y, x):
     """angle = atan2(y, x).  arctan(a/b), and pi/4 + arctan((a - b)/(a + b)) above 1/2, a <= b
-    being |x| and |y|; arctan q = q + q^3 p(q^2), p of degree 4, to 2^-27.4; the quotient
-    corrected; with all roundings within 0.9 ulp (both proved).  24 mul, 33 add, 1 div, 1 neg, 2
-    abs, 2 copysign, 6 less, 1 equal, 14 select.
+    being |x| and |y|; arctan q = q + q^3 p(q^2), p of degree 5, to 2^-31.7; the quotient
+    corrected; with all roundings within 0.896 ulp (both proved).  22 mul, 29 add, 1 div, 1 neg,
+    2 abs, 2 copysign, 6 less, 1 equal, 14 select.
     """
     height = absolute(y)
     width = absolute(x)
@@ -36,27 +36,28 @@ def atan2(y, x):
     sign = where(steep, -side, side)
     quarters = where(steep, 2.0, 2.0 - (side + side)) + where(above, sign, 0.0)
     base = quarters * 0.78539824
-    n_1 = scaled_a + scaled_b
+    total = scaled_a + scaled_b
     n = sign * where(above, scaled_a - scaled_b, scaled_a)
-    rest_of_d = where(above, scaled_b - n_1 + scaled_a, 0.0)
-    d = where(above, n_1, scaled_b)
+    rest_of_d = where(above, scaled_b - total + scaled_a, 0.0)
+    d = where(above, total, scaled_b)
     inverse = 1.0 / d
-    q = n * inverse
-    product = q * d
-    error_wide_a = 4097.0 * q
-    error_high_a = error_wide_a - (error_wide_a - q)
-    error_low_a = q - error_high_a
-    error_wide_b = 4097.0 * d
-    error_high_b = error_wide_b - (error_wide_b - d)
-    error_low_b = d - error_high_b
-    error_rest2 = error_high_a * error_high_b - product + error_high_a * error_low_b
-    error = error_rest2 + error_low_a * error_high_b + error_low_a * error_low_b
-    c = (n - product - error - q * rest_of_d) * inverse
+    q_high_1 = n * inverse
+    q_high_2 = q_high_1 * 4097.0
+    q_high = q_high_2 - (q_high_2 - q_high_1)
+    d_high_1 = d * 4097.0
+    d_high = d_high_1 - (d_high_1 - d)
+    d_low = d - d_high
+    but_high = n - q_high * d_high
+    but_low = but_high - q_high * d_low
+    c = (but_low - q_high * rest_of_d) * inverse
+    q = q_high + c
     z = q * q
-    tail_9 = z * (z * z * (z * -0.051249776 + 0.101558015) + (z * -0.14174214 + 0.19994168))
-    tail = q * z * (tail_9 + -0.33333233) + (c - c * z) + quarters * -8.146034e-08
-    sum = base + q
-    positive = sum + (base - sum + q + tail)
+    tail_6 = z * z
+    tail_8 = tail_6 * (z * -0.08009076 + 0.10948411) + (z * -0.14273107 + 0.19999555)
+    tail_15 = q * z * (z * (tail_6 * tail_6 * 0.039042152 + tail_8) + -0.33333328) + c
+    tail = tail_15 + quarters * -8.146034e-08
+    sum = base + q_high
+    positive = sum + (base - sum + q_high + tail)
     angle = copysign(positive, y)
     return angle
 
