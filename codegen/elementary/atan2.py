@@ -1,8 +1,9 @@
 """atan2(y, x) = m π/4 ± arctan(n/d), n/d = a/b or, above 1/2, (a - b)/(a + b); a <= b are |x|, |y|.
 
-a - b is exact, a + b carries what it is rounded by.  The quotient q is n (1/d), corrected by
-c = (n - q d)/d, whose product has its rounding error: arctan(q + c) = q + q³ p(q²) + c (1 - q²).
-Both numbers are scaled so that this error is exact wherever the result is normal."""
+a - b is exact, a + b carries what it is rounded by.  The quotient is h + c: h, half the digits of
+n (1/d), has exact products with both halves of d, so that c = (n - h d)/d hardly errs.
+arctan(h + c) = h + (c + q³ p(q²)), q the quotient rounded.  Both numbers are scaled so that
+products neither overflow nor, wherever the result is normal, underflow."""
 
 from dataclasses import dataclass
 from fractions import Fraction
@@ -39,12 +40,12 @@ DATA = {
         -0x1.10f31d9cc61e3p-4 0x1.dfe9627a054e2p-5 -0x1.a39802a564522p-5
         0x1.56f4a3e94a12fp-5 -0x1.c17c0e38c5411p-6 0x1.4b7ea0b1417fep-7"""),
         numbers("0x1.921fb54442d18p-1 0x1.1a62633145c07p-55"),
-        (60, 930), (990, -40), Fraction("-57.7"), Fraction("0.9")),
+        (60, 930), (990, -40), Fraction("-57.7"), Fraction("0.934")),
     SINGLE: Data(numbers("""
-        -0x1.5555120000000p-2 0x1.997b060000000p-3 -0x1.2249b40000000p-3
-        0x1.9ffb4c0000000p-4 -0x1.a3d6920000000p-5"""),
+        -0x1.5555520000000p-2 0x1.9997440000000p-3 -0x1.2450300000000p-3
+        0x1.c072680000000p-4 -0x1.480d400000000p-4 0x1.3fd5540000000p-5"""),
         numbers("0x1.921fb80000000p-1 -0x1.5dde980000000p-24"),
-        (28, 82), (110, -20), Fraction("-27.4"), Fraction("0.9"))}
+        (28, 82), (110, -20), Fraction("-31.7"), Fraction("0.896"))}
 
 
 @cache
@@ -63,22 +64,31 @@ def kernel(precision: Precision) -> Program:
     quarters = steps.named("quarters", steep.where(2, 2 - (side + side)) + above.where(sign, 0))
     base = steps.named("base", quarters * data.quarter[0])
 
-    total = a + b
+    total = steps.named("total", a + b)
     n = steps.named("n", sign * above.where(a - b, a))
     rest = steps.named("rest_of_d", above.where((b - total) + a, 0))
     d = steps.named("d", above.where(total, b))
     inverse = steps.named("inverse", 1 / d)
-    q = steps.named("q", n * inverse)
-    product = steps.named("product", q * d)
-    error = steps.named("error", steps.do(Op.PRODUCT_ERROR, q, d, product))
-    c = steps.named("c", (((n - product) - error) - q * rest) * inverse)
+    high = steps.named("q_high", _leading_half(n * inverse, precision))
+    d_high = steps.named("d_high", _leading_half(d, precision))
+    d_low = steps.named("d_low", d - d_high)
+    c = steps.named("but_high", n - high * d_high)
+    c = steps.named("but_low", c - high * d_low)
+    c = steps.named("c", (c - high * rest) * inverse)
+    q = steps.named("q", high + c)
     z = steps.named("z", q * q)
-    tail = (q * z) * estrin(data.p, z) + (c - c * z)
-    tail = steps.named("tail", tail + quarters * data.quarter[1])
-    sum_ = steps.named("sum", base + q)
-    angle = steps.named("positive", sum_ + (((base - sum_) + q) + tail))
+    tail = ((q * z) * estrin(data.p, z) + c) + quarters * data.quarter[1]
+    tail = steps.named("tail", tail)
+    sum_ = steps.named("sum", base + high)
+    angle = steps.named("positive", sum_ + (((base - sum_) + high) + tail))
     return steps.program("atan2", OUTPUTS, [
         steps.named("angle", steps.do(Op.COPYSIGN, angle, y))])
+
+
+def _leading_half(x: Value, precision: Precision) -> Value:
+    """x rounded to half its digits.  Source: Veltkamp."""
+    wide = x * Fraction(2**(precision.digits - precision.digits // 2) + 1)
+    return wide - (wide - x)
 
 
 def _scaled(a: Value, b: Value, precision: Precision) -> tuple[Value, Value]:

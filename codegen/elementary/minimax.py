@@ -8,8 +8,6 @@ from fractions import Fraction
 from math import comb
 from typing import Any, TypeAlias
 
-import mpmath
-
 Function: TypeAlias = Callable[[Any], Any]  # of mpmath's numbers
 Coefficients: TypeAlias = Sequence[Fraction]  # of a polynomial, the constant first
 
@@ -24,6 +22,8 @@ def fitted(function: Function, weight: Function, interval: tuple[Fraction, Fract
 
     Its first coefficients are given; the others are rounded to `digits` bits one after the other,
     the constant first, those that follow fitted again."""
+    import mpmath
+
     with mpmath.workdps(_DIGITS):
         points = _points(interval, _POINTS * (degree + 2))
         weights = [abs(weight(x)) for x in points]
@@ -44,6 +44,8 @@ def fitted_denominator(function: Function, weight: Function, interval: tuple[Fra
                        degrees: tuple[int, int], digits: int) -> tuple[Fraction, ...]:
     """The denominator, 1 + …, of the fraction p/q for which the largest weight |p/q - function| is
     least; p is then to be fitted to function · q with weight / q."""
+    import mpmath
+
     above, below = degrees
     with mpmath.workdps(_DIGITS):
         points = _points(interval, _POINTS * (above + below + 2))
@@ -121,11 +123,15 @@ def difference(p: Coefficients, q: Coefficients) -> list[Fraction]:
 
 
 def _number(x: Fraction) -> Any:
+    import mpmath
+
     return mpmath.mpf(x.numerator) / x.denominator
 
 
 def _points(interval: tuple[Fraction, Fraction], count: int) -> list[Any]:
     """Chebyshev's points: none is an end, nor 0 in the middle if their number is even."""
+    import mpmath
+
     lower, upper = map(_number, interval)
     count += count % 2
     return [(lower + upper) / 2 - (upper - lower) / 2 * mpmath.cospi(mpmath.mpf(2 * i + 1)
@@ -136,6 +142,8 @@ def _points(interval: tuple[Fraction, Fraction], count: int) -> list[Any]:
 def _levelled(columns: Sequence[Sequence[Any]], target: Sequence[Any], weights: Sequence[Any]
               ) -> list[Any]:
     """The c for which the largest weight |Σ c_j column_j - target| is least: Remez' exchange."""
+    import mpmath
+
     unknowns, count = len(columns), len(target)
     chosen = [round(i * (count - 1) / unknowns) for i in range(unknowns + 1)]
     for _ in range(40):

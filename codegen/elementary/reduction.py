@@ -47,8 +47,9 @@ def to_multiple(x: Fraction, unit: Fraction) -> Fraction:
 
 @cache
 def split(precision: Precision) -> Split:
-    """The split for |k| <= 2^25, in single precision 2^13."""
-    k_bits = 25 if precision.digits == DOUBLE.digits else 13
+    """The split for |k| <= 2^22, in single precision 2^10: so that k times the rest is at most 1/32
+    of |x - k π/2|."""
+    k_bits = 22 if precision.digits == DOUBLE.digits else 10
     last_bits: list[int] = []
     parts: list[Fraction] = []
     for finest in (precision.digits, precision.digits, 4 * precision.digits):
@@ -64,6 +65,7 @@ def limit(precision: Precision) -> Fraction:
     return Fraction(int(k * HALF_PI))
 
 
+@cache
 def near(precision: Precision) -> Program:
     """The reduction by Cody and Waite, for |x| <= limit."""
     steps, parts = Steps(X), split(precision)
@@ -84,66 +86,83 @@ def to_integer(steps: Steps, x: Value, precision: Precision, unit: int = 1) -> V
 
 
 LEVELS = {53: 7, 24: 8}
-"""How many sums of products with chunks of 2/π are taken: the last ones only matter where the
-others nearly cancel."""
+"""By digits: how many sums of products with chunks of 2/π are taken.  The last only matter where
+the others nearly cancel."""
+EXACT_LEVELS = {53: 5, 24: 6}
+"""How many of them are added without error."""
 
 
+@cache
 def far(precision: Precision) -> Program:
     """The reduction by the digits of 2/π, for |x| from the limit up.  Source: Payne and Hanek."""
-    steps, digits = Steps(X), precision.digits
+    steps = Steps(X)
     x, = steps.inputs()
-    t = levels(steps, x, precision)
-    t0 = t[0] - to_integer(steps, t[0], precision, 8)  # 4 does not reach its largest value
-    t0 = t0 - to_integer(steps, t0, precision, 4)
-    turns = to_integer(steps, t[1], precision)
-    s, e2 = two_sum(t0 + (t[1] - turns), t[2])
-    n = to_integer(steps, s, precision)
-    k = steps.named("quadrant", turns + n)
-    f, e3 = two_sum(s - n, t[3])
-    low, tail = e2 + e3, t[-1] + t[-2]  # low is exact
-    errors = []
-    for level in t[4:-2]:
-        low, e = two_sum(low, level)
-        errors.append(e)
-    f, low = two_sum(steps.named("f", f), low)
-    for e in reversed(errors):
-        tail = tail + e
-    f_low = steps.named("f_low", low + tail)
-    high, rest = halves(f, digits)
-    pi_high, pi_rest = exact_halves(nearest(HALF_PI, precision), digits)
-    pi_low = nearest(HALF_PI - pi_high - pi_rest, precision)
-    r = steps.named("r", f * (pi_high + pi_rest))
-    exact = ((r - high * pi_high) - high * pi_rest) - rest * pi_high
-    excess = (exact - rest * pi_rest) - (f * pi_low + f_low * (pi_high + pi_rest))
-    return steps.program("far", REDUCED, (k, r, steps.named("r_excess", excess)))
+    return steps.program("far", REDUCED, reduced(levels(steps, x, precision), precision))
 
 
 def levels(steps: Steps, x: Value, precision: Precision) -> list[Value]:
     """Exact numbers, each about 2^-digits/2 of the one before, whose sum is x 2/π except whole
     turns and what is beyond the last."""
-    scaled = x * Fraction(1, 2**chunks(precision.digits).scale)
-    high, low = halves(scaled, precision.digits)
-    at = [steps.do(Op.TWO_OVER_PI, x, n, precision.digits)
+    scaled = steps.named("scaled", x * Fraction(1, 2**chunks(precision.digits).scale))
+    high, low = halves("x", scaled, precision)
+    at = [steps.named(f"chunk{n}", steps.do(Op.TWO_OVER_PI, x, n, precision.digits))
           for n in range(LEVELS[precision.digits] + 1)]
     return [steps.named(f"t{n}", low * here + high * beyond)
             for n, (here, beyond) in enumerate(pairwise(at))]
 
 
-def two_sum(a: Value, b: Value) -> tuple[Value, Value]:
+def reduced(t: list[Value], precision: Precision) -> tuple[Value, Value, Value]:
+    """The quadrant, r and r_excess, from the levels of x 2/π.
+
+    Half of them are added without error: what rounds a sum is kept, and added to `low`, whose first
+    sum is exact, since all are multiples of a small number."""
+    steps, exact = t[0].steps, EXACT_LEVELS[precision.digits]
+    rest = steps.named("rest0", t[0] - to_integer(steps, t[0], precision, 8))  # 4 is out of reach
+    rest = steps.named("rest4", rest - to_integer(steps, rest, precision, 4))
+    k1 = steps.named("k1", to_integer(steps, t[1], precision))
+    s, low = two_sum("sum2", rest + (t[1] - k1), t[2])
+    k2 = steps.named("k2", to_integer(steps, s, precision))
+    f = steps.named("sum2_rest", s - k2)
+    f, error = two_sum("sum3", f, t[3])
+    low = steps.named("low3", low + error)
+    tail = t[-1]
+    for level in reversed(t[exact:-1]):
+        tail = tail + level
+    tail = steps.named("tail", tail)
+    for n, level in enumerate(t[4:exact], 4):
+        low, error = two_sum(f"low{n}", low, level)
+        tail = steps.named(f"tail{n}", tail + error)
+    f, low = two_sum("f", f, low)
+    low = steps.named("f_low", low + tail)
+    r, excess = times_half_pi(steps, f, low, precision)
+    return steps.named("quadrant", k1 + k2), r, excess
+
+
+def times_half_pi(steps: Steps, f: Value, low: Value, precision: Precision) -> tuple[Value, Value]:
+    """(f + low) π/2 = r - excess, with |excess| at most half an ulp of r."""
+    f_high, f_rest = halves("f_part", f, precision)
+    pi = nearest(HALF_PI, precision)
+    pi_high = to_multiple(pi, Fraction(2, 2**(precision.digits // 2)))
+    pi_rest, pi_low = pi - pi_high, nearest(HALF_PI - pi, precision)
+    product = steps.named("product", f * pi)
+    error = steps.named("product_excess", (  # exact
+        (product - f_high * pi_high) - f_high * pi_rest - f_rest * pi_high) - f_rest * pi_rest)
+    rest = steps.named("rest", error - (f * pi_low + low * pi))
+    r = steps.named("r", product - rest)
+    return r, steps.named("r_excess", (r - product) + rest)
+
+
+def two_sum(name: str, a: Value, b: Value) -> tuple[Value, Value]:
     """a + b rounded, and what that misses.  Source: Knuth."""
-    s = a + b
+    steps = a.steps
+    s = steps.named(name, a + b)
     c = s - a
-    return s, (a - (s - c)) + (b - c)
+    return s, steps.named(f"{name}_error", (a - (s - c)) + (b - c))
 
 
-def halves(x: Value, digits: int) -> tuple[Value, Value]:
+def halves(name: str, x: Value, precision: Precision) -> tuple[Value, Value]:
     """x = high + low, of half the digits each.  Source: Veltkamp."""
+    steps, digits = x.steps, precision.digits
     c = x * (2**(digits - digits // 2) + 1)
-    high = c - (c - x)
-    return high, x - high
-
-
-def exact_halves(x: Fraction, digits: int) -> tuple[Fraction, Fraction]:
-    """x, between 1 and 2, likewise."""
-    high = to_multiple(x, Fraction(2, 2**(digits // 2)))
-    return high, x - high
+    high = steps.named(f"{name}_high", c - (c - x))
+    return high, steps.named(f"{name}_low", x - high)

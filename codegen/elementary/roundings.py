@@ -53,8 +53,16 @@ class Value:
     before: tuple[int, int] = (0, 0)
 
 
+@dataclass(frozen=True)
+class Before:
+    """That a result, before it is rounded, is from low to high."""
+
+    low: Fraction
+    high: Fraction
+
+
 Known: TypeAlias = Value | bool | Undecided
-Knowledge: TypeAlias = Mapping[str, Callable[[Known], Known]]
+Knowledge: TypeAlias = Mapping[str, Callable[[Known], Known] | Before]
 """From names of steps to what is made of their results, by what is known of them otherwise."""
 
 
@@ -64,6 +72,7 @@ class Roundings:
     def __init__(self, precision: Format, scale: int = 320) -> None:
         self.precision, self.scale = precision, scale
         self._symbols = count()
+        self._before: tuple[int, int] | None = None
 
     # --- ranges and knowledge ---
 
@@ -98,13 +107,6 @@ class Roundings:
         elif value.error.radius:
             exact.parts[next(self._symbols)] = value.error.radius
         return replace(value, exact=exact, error=Form(0, {}, 0))
-
-    def is_zero(self, value: Known) -> Known:
-        """That exact arithmetic gives 0 here."""
-        assert isinstance(value, Value)
-        size = value.error.radius
-        low, high = self._common(value.low, value.high, -size, size)
-        return replace(value, low=low, high=high, exact=Form(0, {}, 0))
 
     def number(self, x: int) -> Fraction:
         """The number that an integer stands for."""
@@ -151,22 +153,24 @@ class Roundings:
             Op.ADD: lambda a, b: self._sum(a, b, 1), Op.SUB: lambda a, b: self._sum(a, b, -1),
             Op.MUL: self._product, Op.SCALE: self._product, Op.DIV: self._quotient,
             Op.NEG: _negated, Op.ABS: _absolute, Op.COPYSIGN: _signed, Op.LESS: _less,
-            Op.EQUAL: _equal, Op.SELECT: _selected, Op.POWER: self._power,
-            Op.PRODUCT_ERROR: self._product_error}
+            Op.EQUAL: _equal, Op.SELECT: _selected, Op.POWER: self._power}
 
         def function(step: Instruction, _: int) -> Callable[..., Known]:
             known, operation = knowledge.get(step.name), table[step.op]
+            before = (self._down(known.low), -self._down(-known.high)) if isinstance(
+                known, Before) else None
 
             def computed(*operands: Known) -> Known:
                 unknown = [x for x in operands if isinstance(x, Undecided)]
                 if unknown and (step.op is not Op.SELECT or operands[0] in unknown):
                     result: Known = unknown[0]
                 else:
+                    self._before = before
                     try:
                         result = operation(*operands)
                     except UndecidedError as error:
                         result = Undecided(f"{step.name}: {error}")
-                return known(result) if known else result
+                return known(result) if callable(known) else result
             return computed
 
         def constant(x: Constant) -> Known:
@@ -241,12 +245,6 @@ class Roundings:
         slack = (b.radius + abs(b.mid) >> s) + 1  # of the slope's last digit
         return line + Form(middle, {next(self._symbols): half}, slack)
 
-    def _product_error(self, a: Value, b: Value, p: Value) -> Value:
-        """Minus the rounding of p, where nothing underflows."""
-        size = p.error.parts.get(p.rounding, 0) if p.rounding is not None else 0
-        parts = {p.rounding: -size} if size and p.rounding is not None else {}
-        return Value(-size, size, a.grid + b.grid, Form(0, {}, 0), Form(0, parts, 0))
-
     def _power(self, a: Value, b: Value) -> Value:
         if a.low != a.high or b.low != b.high:
             raise UndecidedError("more than one exponent")
@@ -263,6 +261,10 @@ class Roundings:
                  is_exact: bool = False) -> Value:
         within = exact + error
         low, high = self._common(low, high, *within.range)
+        if self._before:
+            low, high = self._common(low, high, *self._before)
+            if high - low < exact.radius:  # else what it depends on tells more
+                exact = replace(self._between(low, high), spread=error.radius)
         size = 0 if is_exact else self._rounding(low, high, grid)
         symbol = next(self._symbols) if size else None
         if symbol is not None:
@@ -357,11 +359,11 @@ def _selected(test: bool, a: Known, b: Known) -> Known:
     return a if test else b
 
 
-def given(values: Mapping[str, Known]) -> Knowledge:
-    """That these steps have these results."""
+def given(values: Mapping[str, Known | Before]) -> Knowledge:
+    """That these steps have these results, or are within these ranges."""
     def instead(value: Known) -> Callable[[Known], Known]:
         return lambda _: value
-    return {name: instead(value) for name, value in values.items()}
+    return {name: x if isinstance(x, Before) else instead(x) for name, x in values.items()}
 
 
 def pieces(low: Fraction, high: Fraction, number: int, cuts: Sequence[Fraction] = ()

@@ -474,8 +474,8 @@ static inline float ksl_powerf(const float shifted) {
 /* angle = atan2(y, x).
    arctan(a/b), and pi/4 + arctan((a - b)/(a + b)) above 1/2, a <= b being |x| and |y|; arctan q
      = q + q^3 p(q^2), p of degree 11, to 2^-57.7; the quotient corrected; with all roundings
-     within 0.9 ulp (both proved).
-   33 mul, 40 add, 1 div, 1 neg, 2 abs, 2 copysign, 6 less, 1 equal, 14 select. */
+     within 0.934 ulp (both proved).
+   29 mul, 35 add, 1 div, 1 neg, 2 abs, 2 copysign, 6 less, 1 equal, 14 select. */
 static inline double ksl_atan2(const double y, const double x) {
   const double height = fabs(y);
   const double width = fabs(x);
@@ -495,26 +495,22 @@ static inline double ksl_atan2(const double y, const double x) {
       quarters_3 = width < height ? 2.0 : quarters_2, quarters_4 = scaled_b < above_1 ? sign : 0.0,
       quarters = quarters_3 + quarters_4;
   const double base = KSL_MUL(quarters, 0.7853981633974483);
-  const double n_1 = scaled_a + scaled_b, n_2 = scaled_a - scaled_b,
-      n_3 = scaled_b < above_1 ? n_2 : scaled_a, n = KSL_MUL(sign, n_3);
-  const double rest_of_d_1 = scaled_b - n_1, rest_of_d_2 = rest_of_d_1 + scaled_a,
+  const double total = scaled_a + scaled_b;
+  const double n_1 = scaled_a - scaled_b, n_2 = scaled_b < above_1 ? n_1 : scaled_a,
+      n = KSL_MUL(sign, n_2);
+  const double rest_of_d_1 = scaled_b - total, rest_of_d_2 = rest_of_d_1 + scaled_a,
       rest_of_d = scaled_b < above_1 ? rest_of_d_2 : 0.0;
-  const double d = scaled_b < above_1 ? n_1 : scaled_b;
+  const double d = scaled_b < above_1 ? total : scaled_b;
   const double inverse = 1.0 / d;
-  const double q = KSL_MUL(n, inverse);
-  const double product = KSL_MUL(q, d);
-  const double error_wide_a = KSL_MUL(134217729.0, q), error_more_a = error_wide_a - q,
-      error_high_a = error_wide_a - error_more_a, error_low_a = q - error_high_a,
-      error_wide_b = KSL_MUL(134217729.0, d), error_more_b = error_wide_b - d,
-      error_high_b = error_wide_b - error_more_b, error_low_b = d - error_high_b,
-      error_product1 = KSL_MUL(error_high_a, error_high_b), error_rest1 = error_product1 - product,
-      error_product2 = KSL_MUL(error_high_a, error_low_b),
-      error_rest2 = error_rest1 + error_product2,
-      error_product3 = KSL_MUL(error_low_a, error_high_b),
-      error_rest3 = error_rest2 + error_product3,
-      error_product4 = KSL_MUL(error_low_a, error_low_b), error = error_rest3 + error_product4;
-  const double c_1 = n - product, c_2 = c_1 - error, c_3 = KSL_MUL(q, rest_of_d), c_4 = c_2 - c_3,
-      c = KSL_MUL(c_4, inverse);
+  const double q_high_1 = KSL_MUL(n, inverse), q_high_2 = KSL_MUL(q_high_1, 134217729.0),
+      q_high_3 = q_high_2 - q_high_1, q_high = q_high_2 - q_high_3;
+  const double d_high_1 = KSL_MUL(d, 134217729.0), d_high_2 = d_high_1 - d,
+      d_high = d_high_1 - d_high_2;
+  const double d_low = d - d_high;
+  const double but_high_1 = KSL_MUL(q_high, d_high), but_high = n - but_high_1;
+  const double but_low_1 = KSL_MUL(q_high, d_low), but_low = but_high - but_low_1;
+  const double c_1 = KSL_MUL(q_high, rest_of_d), c_2 = but_low - c_1, c = KSL_MUL(c_2, inverse);
+  const double q = q_high + c;
   const double z = KSL_MUL(q, q);
   const double tail_1 = KSL_MUL(q, z), tail_2 = KSL_MUL(z, -0.1428571427638533),
       tail_3 = tail_2 + 0.19999999999903106, tail_4 = KSL_MUL(z, -0.09090896243462607),
@@ -529,12 +525,11 @@ static inline double ksl_atan2(const double y, const double x) {
       tail_21 = tail_20 + tail_14, tail_22 = KSL_MUL(tail_19, tail_19),
       tail_23 = KSL_MUL(tail_22, tail_18), tail_24 = tail_23 + tail_21,
       tail_25 = KSL_MUL(z, tail_24), tail_26 = tail_25 + -0.3333333333333298,
-      tail_27 = KSL_MUL(tail_1, tail_26), tail_28 = KSL_MUL(c, z), tail_29 = c - tail_28,
-      tail_30 = tail_27 + tail_29, tail_31 = KSL_MUL(quarters, 3.061616997868383e-17),
-      tail = tail_30 + tail_31;
-  const double sum = base + q;
-  const double positive_1 = base - sum, positive_2 = positive_1 + q, positive_3 = positive_2 + tail,
-      positive = sum + positive_3;
+      tail_27 = KSL_MUL(tail_1, tail_26), tail_28 = tail_27 + c,
+      tail_29 = KSL_MUL(quarters, 3.061616997868383e-17), tail = tail_28 + tail_29;
+  const double sum = base + q_high;
+  const double positive_1 = base - sum, positive_2 = positive_1 + q_high,
+      positive_3 = positive_2 + tail, positive = sum + positive_3;
   const double angle_value = copysign(positive, y);
   return angle_value;
 }
@@ -578,17 +573,17 @@ static inline double ksl_exp(const double x) {
 
 #ifndef KSL_SINCOS
 #define KSL_SINCOS
-/* Its reduction of angles up to 52707177.0. */
+/* Its reduction of angles up to 6588396.0. */
 static inline double ksl_sincos_near(const double x, double *r, double *r_excess) {
   const double quadrant_1 = KSL_MUL(x, 0.6366197723675814),
       quadrant_2 = quadrant_1 + 6755399441055744.0,
       quadrant_value = quadrant_2 - 6755399441055744.0;
-  const double high_1 = KSL_MUL(quadrant_value, 1.570796325802803), high_2 = x - high_1,
-      high_3 = KSL_MUL(quadrant_value, 9.920935184482005e-10), high = high_2 - high_3;
-  const double low = KSL_MUL(quadrant_value, 6.123233973412625e-17);
+  const double high_1 = KSL_MUL(quadrant_value, 1.5707963267341256), high_2 = x - high_1,
+      high_3 = KSL_MUL(quadrant_value, 6.077094383272197e-11), high = high_2 - high_3;
+  const double low = KSL_MUL(quadrant_value, 6.12323399409214e-17);
   const double r_value = high - low;
   const double r_excess_1 = r_value - high, r_excess_2 = r_excess_1 + low,
-      r_excess_3 = KSL_MUL(quadrant_value, 2.232414100745812e-25),
+      r_excess_3 = KSL_MUL(quadrant_value, 1.6446256936324258e-26),
       r_excess_value = r_excess_2 + r_excess_3;
   *r = r_value;
   *r_excess = r_excess_value;
@@ -621,59 +616,82 @@ static inline double ksl_two_over_pi(const double x, const int n) {
 
 /* Its reduction of any larger angle. */
 static KSL_COLD double ksl_sincos_far(const double x, double *r, double *r_excess) {
-  const double t0_1 = KSL_MUL(x, 6.441148769597133e-232), t0_2 = KSL_MUL(t0_1, 134217729.0),
-      t0_3 = t0_2 - t0_1, t0_4 = t0_2 - t0_3, t0_5 = t0_1 - t0_4, t0_6 = ksl_two_over_pi(x, 0.0),
-      t0_7 = ksl_two_over_pi(x, 1.0), t0_8 = ksl_two_over_pi(x, 2.0),
-      t0_9 = ksl_two_over_pi(x, 3.0), t0_10 = ksl_two_over_pi(x, 4.0),
-      t0_11 = ksl_two_over_pi(x, 5.0), t0_12 = ksl_two_over_pi(x, 6.0),
-      t0_13 = ksl_two_over_pi(x, 7.0), t0_14 = KSL_MUL(t0_5, t0_6), t0_15 = KSL_MUL(t0_4, t0_7),
-      t0 = t0_14 + t0_15;
-  const double t1_1 = KSL_MUL(t0_5, t0_7), t1_2 = KSL_MUL(t0_4, t0_8), t1 = t1_1 + t1_2;
-  const double t2_1 = KSL_MUL(t0_5, t0_8), t2_2 = KSL_MUL(t0_4, t0_9), t2 = t2_1 + t2_2;
-  const double t3_1 = KSL_MUL(t0_5, t0_9), t3_2 = KSL_MUL(t0_4, t0_10), t3 = t3_1 + t3_2;
-  const double t4_1 = KSL_MUL(t0_5, t0_10), t4_2 = KSL_MUL(t0_4, t0_11), t4 = t4_1 + t4_2;
-  const double t5_1 = KSL_MUL(t0_5, t0_11), t5_2 = KSL_MUL(t0_4, t0_12), t5 = t5_1 + t5_2;
-  const double t6_1 = KSL_MUL(t0_5, t0_12), t6_2 = KSL_MUL(t0_4, t0_13), t6 = t6_1 + t6_2;
-  const double quadrant_1 = t0 + 5.404319552844595e+16,
-      quadrant_2 = quadrant_1 - 5.404319552844595e+16, quadrant_3 = t0 - quadrant_2,
-      quadrant_4 = quadrant_3 + 2.7021597764222976e+16,
-      quadrant_5 = quadrant_4 - 2.7021597764222976e+16, quadrant_6 = quadrant_3 - quadrant_5,
-      quadrant_7 = t1 + 6755399441055744.0, quadrant_8 = quadrant_7 - 6755399441055744.0,
-      quadrant_9 = t1 - quadrant_8, quadrant_10 = quadrant_6 + quadrant_9,
-      quadrant_11 = quadrant_10 + t2, quadrant_12 = quadrant_11 - quadrant_10,
-      quadrant_13 = quadrant_11 - quadrant_12, quadrant_14 = quadrant_10 - quadrant_13,
-      quadrant_15 = t2 - quadrant_12, quadrant_16 = quadrant_14 + quadrant_15,
-      quadrant_17 = quadrant_11 + 6755399441055744.0,
-      quadrant_18 = quadrant_17 - 6755399441055744.0, quadrant_value = quadrant_8 + quadrant_18;
-  const double f_1 = quadrant_11 - quadrant_18, f = f_1 + t3, f_2 = f - f_1, f_3 = f - f_2,
-      f_4 = f_1 - f_3, f_5 = t3 - f_2, f_6 = f_4 + f_5, f_7 = quadrant_16 + f_6, f_8 = t6 + t5,
-      f_9 = f_7 + t4, f_10 = f_9 - f_7, f_11 = f_9 - f_10, f_12 = f_7 - f_11, f_13 = t4 - f_10,
-      f_14 = f_12 + f_13;
-  const double f_low_1 = f + f_9, f_low_2 = f_low_1 - f, f_low_3 = f_low_1 - f_low_2,
-      f_low_4 = f - f_low_3, f_low_5 = f_9 - f_low_2, f_low_6 = f_low_4 + f_low_5,
-      f_low_7 = f_8 + f_14, f_low = f_low_6 + f_low_7;
-  const double r_1 = KSL_MUL(f_low_1, 134217729.0), r_2 = r_1 - f_low_1, r_3 = r_1 - r_2,
-      r_4 = f_low_1 - r_3, r_value = KSL_MUL(f_low_1, 1.5707963267948966);
-  const double r_excess_1 = KSL_MUL(r_3, 1.5707963407039642), r_excess_2 = r_value - r_excess_1,
-      r_excess_3 = KSL_MUL(r_3, -1.3909067675399456e-08), r_excess_4 = r_excess_2 - r_excess_3,
-      r_excess_5 = KSL_MUL(r_4, 1.5707963407039642), r_excess_6 = r_excess_4 - r_excess_5,
-      r_excess_7 = KSL_MUL(r_4, -1.3909067675399456e-08), r_excess_8 = r_excess_6 - r_excess_7,
-      r_excess_9 = KSL_MUL(f_low_1, 6.123233995736766e-17),
-      r_excess_10 = KSL_MUL(f_low, 1.5707963267948966), r_excess_11 = r_excess_9 + r_excess_10,
-      r_excess_value = r_excess_8 - r_excess_11;
+  const double scaled = KSL_MUL(x, 6.441148769597133e-232);
+  const double x_high_1 = KSL_MUL(scaled, 134217729.0), x_high_2 = x_high_1 - scaled,
+      x_high = x_high_1 - x_high_2;
+  const double x_low = scaled - x_high;
+  const double chunk0 = ksl_two_over_pi(x, 0.0);
+  const double chunk1 = ksl_two_over_pi(x, 1.0);
+  const double chunk2 = ksl_two_over_pi(x, 2.0);
+  const double chunk3 = ksl_two_over_pi(x, 3.0);
+  const double chunk4 = ksl_two_over_pi(x, 4.0);
+  const double chunk5 = ksl_two_over_pi(x, 5.0);
+  const double chunk6 = ksl_two_over_pi(x, 6.0);
+  const double chunk7 = ksl_two_over_pi(x, 7.0);
+  const double t0_1 = KSL_MUL(x_low, chunk0), t0_2 = KSL_MUL(x_high, chunk1), t0 = t0_1 + t0_2;
+  const double t1_1 = KSL_MUL(x_low, chunk1), t1_2 = KSL_MUL(x_high, chunk2), t1 = t1_1 + t1_2;
+  const double t2_1 = KSL_MUL(x_low, chunk2), t2_2 = KSL_MUL(x_high, chunk3), t2 = t2_1 + t2_2;
+  const double t3_1 = KSL_MUL(x_low, chunk3), t3_2 = KSL_MUL(x_high, chunk4), t3 = t3_1 + t3_2;
+  const double t4_1 = KSL_MUL(x_low, chunk4), t4_2 = KSL_MUL(x_high, chunk5), t4 = t4_1 + t4_2;
+  const double t5_1 = KSL_MUL(x_low, chunk5), t5_2 = KSL_MUL(x_high, chunk6), t5 = t5_1 + t5_2;
+  const double t6_1 = KSL_MUL(x_low, chunk6), t6_2 = KSL_MUL(x_high, chunk7), t6 = t6_1 + t6_2;
+  const double rest0_1 = t0 + 5.404319552844595e+16, rest0_2 = rest0_1 - 5.404319552844595e+16,
+      rest0 = t0 - rest0_2;
+  const double rest4_1 = rest0 + 2.7021597764222976e+16, rest4_2 = rest4_1 - 2.7021597764222976e+16,
+      rest4 = rest0 - rest4_2;
+  const double k1_1 = t1 + 6755399441055744.0, k1 = k1_1 - 6755399441055744.0;
+  const double sum2_1 = t1 - k1, sum2_2 = rest4 + sum2_1, sum2 = sum2_2 + t2;
+  const double sum2_error_1 = sum2 - sum2_2, sum2_error_2 = sum2 - sum2_error_1,
+      sum2_error_3 = sum2_2 - sum2_error_2, sum2_error_4 = t2 - sum2_error_1,
+      sum2_error = sum2_error_3 + sum2_error_4;
+  const double k2_1 = sum2 + 6755399441055744.0, k2 = k2_1 - 6755399441055744.0;
+  const double sum2_rest = sum2 - k2;
+  const double sum3 = sum2_rest + t3;
+  const double sum3_error_1 = sum3 - sum2_rest, sum3_error_2 = sum3 - sum3_error_1,
+      sum3_error_3 = sum2_rest - sum3_error_2, sum3_error_4 = t3 - sum3_error_1,
+      sum3_error = sum3_error_3 + sum3_error_4;
+  const double low3 = sum2_error + sum3_error;
+  const double tail = t6 + t5;
+  const double low4 = low3 + t4;
+  const double low4_error_1 = low4 - low3, low4_error_2 = low4 - low4_error_1,
+      low4_error_3 = low3 - low4_error_2, low4_error_4 = t4 - low4_error_1,
+      low4_error = low4_error_3 + low4_error_4;
+  const double tail4 = tail + low4_error;
+  const double f = sum3 + low4;
+  const double f_error_1 = f - sum3, f_error_2 = f - f_error_1, f_error_3 = sum3 - f_error_2,
+      f_error_4 = low4 - f_error_1, f_error = f_error_3 + f_error_4;
+  const double f_low = f_error + tail4;
+  const double f_part_high_1 = KSL_MUL(f, 134217729.0), f_part_high_2 = f_part_high_1 - f,
+      f_part_high = f_part_high_1 - f_part_high_2;
+  const double f_part_low = f - f_part_high;
+  const double product = KSL_MUL(f, 1.5707963267948966);
+  const double product_excess_1 = KSL_MUL(f_part_high, 1.5707963407039642),
+      product_excess_2 = product - product_excess_1,
+      product_excess_3 = KSL_MUL(f_part_high, -1.3909067675399456e-08),
+      product_excess_4 = product_excess_2 - product_excess_3,
+      product_excess_5 = KSL_MUL(f_part_low, 1.5707963407039642),
+      product_excess_6 = product_excess_4 - product_excess_5,
+      product_excess_7 = KSL_MUL(f_part_low, -1.3909067675399456e-08),
+      product_excess = product_excess_6 - product_excess_7;
+  const double rest_1 = KSL_MUL(f, 6.123233995736766e-17),
+      rest_2 = KSL_MUL(f_low, 1.5707963267948966), rest_3 = rest_1 + rest_2,
+      rest = product_excess - rest_3;
+  const double r_value = product - rest;
+  const double r_excess_1 = r_value - product, r_excess_value = r_excess_1 + rest;
+  const double quadrant_value = k1 + k2;
   *r = r_value;
   *r_excess = r_excess_value;
   return quadrant_value;
 }
 
 /* (s, c) = (sin x, cos x).
-   x = k pi/2 + r - r_excess, |r| <= pi/4 and little more; pi/2 in parts to 2^-27, 2^-53, 2^-81
+   x = k pi/2 + r - r_excess, |r| <= pi/4 and little more; pi/2 in parts to 2^-30, 2^-53, 2^-84
      and a rest, beyond the limit by the digits of 2/pi; polynomials of degrees 13 and 14 in r,
-     to 2^-57.8; with all roundings within 0.9 ulp (both proved), for every finite x.
+     to 2^-57.8; with all roundings within 0.824 ulp (both proved), for every finite x.
    23 mul, 25 add, 1 abs. */
 static inline double ksl_sincos(const double x, double *c) {
   double quadrant, r, r_excess;
-  if (fabs(x) > 52707177.0) {
+  if (fabs(x) > 6588396.0) {
     quadrant = ksl_sincos_far(x, &r, &r_excess);
   } else {
     quadrant = ksl_sincos_near(x, &r, &r_excess);
@@ -779,9 +797,9 @@ static inline double ksl_tanh(const double x) {
 #define KSL_ATAN2F
 /* angle = atan2(y, x).
    arctan(a/b), and pi/4 + arctan((a - b)/(a + b)) above 1/2, a <= b being |x| and |y|; arctan q
-     = q + q^3 p(q^2), p of degree 4, to 2^-27.4; the quotient corrected; with all roundings
-     within 0.9 ulp (both proved).
-   24 mul, 33 add, 1 div, 1 neg, 2 abs, 2 copysign, 6 less, 1 equal, 14 select. */
+     = q + q^3 p(q^2), p of degree 5, to 2^-31.7; the quotient corrected; with all roundings
+     within 0.896 ulp (both proved).
+   22 mul, 29 add, 1 div, 1 neg, 2 abs, 2 copysign, 6 less, 1 equal, 14 select. */
 static inline float ksl_atan2f(const float y, const float x) {
   const float height = fabsf(y);
   const float width = fabsf(x);
@@ -800,37 +818,34 @@ static inline float ksl_atan2f(const float y, const float x) {
       quarters_3 = width < height ? 2.0f : quarters_2,
       quarters_4 = scaled_b < above_1 ? sign : 0.0f, quarters = quarters_3 + quarters_4;
   const float base = KSL_MULF(quarters, 0.78539824f);
-  const float n_1 = scaled_a + scaled_b, n_2 = scaled_a - scaled_b,
-      n_3 = scaled_b < above_1 ? n_2 : scaled_a, n = KSL_MULF(sign, n_3);
-  const float rest_of_d_1 = scaled_b - n_1, rest_of_d_2 = rest_of_d_1 + scaled_a,
+  const float total = scaled_a + scaled_b;
+  const float n_1 = scaled_a - scaled_b, n_2 = scaled_b < above_1 ? n_1 : scaled_a,
+      n = KSL_MULF(sign, n_2);
+  const float rest_of_d_1 = scaled_b - total, rest_of_d_2 = rest_of_d_1 + scaled_a,
       rest_of_d = scaled_b < above_1 ? rest_of_d_2 : 0.0f;
-  const float d = scaled_b < above_1 ? n_1 : scaled_b;
+  const float d = scaled_b < above_1 ? total : scaled_b;
   const float inverse = 1.0f / d;
-  const float q = KSL_MULF(n, inverse);
-  const float product = KSL_MULF(q, d);
-  const float error_wide_a = KSL_MULF(4097.0f, q), error_more_a = error_wide_a - q,
-      error_high_a = error_wide_a - error_more_a, error_low_a = q - error_high_a,
-      error_wide_b = KSL_MULF(4097.0f, d), error_more_b = error_wide_b - d,
-      error_high_b = error_wide_b - error_more_b, error_low_b = d - error_high_b,
-      error_product1 = KSL_MULF(error_high_a, error_high_b), error_rest1 = error_product1 - product,
-      error_product2 = KSL_MULF(error_high_a, error_low_b),
-      error_rest2 = error_rest1 + error_product2,
-      error_product3 = KSL_MULF(error_low_a, error_high_b),
-      error_rest3 = error_rest2 + error_product3,
-      error_product4 = KSL_MULF(error_low_a, error_low_b), error = error_rest3 + error_product4;
-  const float c_1 = n - product, c_2 = c_1 - error, c_3 = KSL_MULF(q, rest_of_d), c_4 = c_2 - c_3,
-      c = KSL_MULF(c_4, inverse);
+  const float q_high_1 = KSL_MULF(n, inverse), q_high_2 = KSL_MULF(q_high_1, 4097.0f),
+      q_high_3 = q_high_2 - q_high_1, q_high = q_high_2 - q_high_3;
+  const float d_high_1 = KSL_MULF(d, 4097.0f), d_high_2 = d_high_1 - d,
+      d_high = d_high_1 - d_high_2;
+  const float d_low = d - d_high;
+  const float but_high_1 = KSL_MULF(q_high, d_high), but_high = n - but_high_1;
+  const float but_low_1 = KSL_MULF(q_high, d_low), but_low = but_high - but_low_1;
+  const float c_1 = KSL_MULF(q_high, rest_of_d), c_2 = but_low - c_1, c = KSL_MULF(c_2, inverse);
+  const float q = q_high + c;
   const float z = KSL_MULF(q, q);
-  const float tail_1 = KSL_MULF(q, z), tail_2 = KSL_MULF(z, -0.14174214f),
-      tail_3 = tail_2 + 0.19994168f, tail_4 = KSL_MULF(z, -0.051249776f),
-      tail_5 = tail_4 + 0.101558015f, tail_6 = KSL_MULF(z, z), tail_7 = KSL_MULF(tail_6, tail_5),
-      tail_8 = tail_7 + tail_3, tail_9 = KSL_MULF(z, tail_8), tail_10 = tail_9 + -0.33333233f,
-      tail_11 = KSL_MULF(tail_1, tail_10), tail_12 = KSL_MULF(c, z), tail_13 = c - tail_12,
-      tail_14 = tail_11 + tail_13, tail_15 = KSL_MULF(quarters, -8.146034e-08f),
-      tail = tail_14 + tail_15;
-  const float sum = base + q;
-  const float positive_1 = base - sum, positive_2 = positive_1 + q, positive_3 = positive_2 + tail,
-      positive = sum + positive_3;
+  const float tail_1 = KSL_MULF(q, z), tail_2 = KSL_MULF(z, -0.14273107f),
+      tail_3 = tail_2 + 0.19999555f, tail_4 = KSL_MULF(z, -0.08009076f),
+      tail_5 = tail_4 + 0.10948411f, tail_6 = KSL_MULF(z, z), tail_7 = KSL_MULF(tail_6, tail_5),
+      tail_8 = tail_7 + tail_3, tail_9 = KSL_MULF(tail_6, tail_6),
+      tail_10 = KSL_MULF(tail_9, 0.039042152f), tail_11 = tail_10 + tail_8,
+      tail_12 = KSL_MULF(z, tail_11), tail_13 = tail_12 + -0.33333328f,
+      tail_14 = KSL_MULF(tail_1, tail_13), tail_15 = tail_14 + c,
+      tail_16 = KSL_MULF(quarters, -8.146034e-08f), tail = tail_15 + tail_16;
+  const float sum = base + q_high;
+  const float positive_1 = base - sum, positive_2 = positive_1 + q_high,
+      positive_3 = positive_2 + tail, positive = sum + positive_3;
   const float angle_value = copysignf(positive, y);
   return angle_value;
 }
@@ -868,16 +883,16 @@ static inline float ksl_expf(const float x) {
 
 #ifndef KSL_SINCOSF
 #define KSL_SINCOSF
-/* Its reduction of angles up to 12867.0f. */
+/* Its reduction of angles up to 1607.0f. */
 static inline float ksl_sincos_nearf(const float x, float *r, float *r_excess) {
   const float quadrant_1 = KSL_MULF(x, 0.63661975f), quadrant_2 = quadrant_1 + 1.2582912e+07f,
       quadrant_value = quadrant_2 - 1.2582912e+07f;
-  const float high_1 = KSL_MULF(quadrant_value, 1.5703125f), high_2 = x - high_1,
-      high_3 = KSL_MULF(quadrant_value, 0.0004837513f), high = high_2 - high_3;
-  const float low = KSL_MULF(quadrant_value, 7.5495336e-08f);
+  const float high_1 = KSL_MULF(quadrant_value, 1.5706787f), high_2 = x - high_1,
+      high_3 = KSL_MULF(quadrant_value, 0.000117599964f), high = high_2 - high_3;
+  const float low = KSL_MULF(quadrant_value, 1.589251e-08f);
   const float r_value = high - low;
   const float r_excess_1 = r_value - high, r_excess_2 = r_excess_1 + low,
-      r_excess_3 = KSL_MULF(quadrant_value, 2.563344e-12f),
+      r_excess_3 = KSL_MULF(quadrant_value, 7.443548e-13f),
       r_excess_value = r_excess_2 + r_excess_3;
   *r = r_value;
   *r_excess = r_excess_value;
@@ -901,59 +916,87 @@ static inline float ksl_two_over_pif(const float x, const int n) {
 
 /* Its reduction of any larger angle. */
 static KSL_COLD float ksl_sincos_farf(const float x, float *r, float *r_excess) {
-  const float t0_1 = KSL_MULF(x, 1.2621775e-29f), t0_2 = KSL_MULF(t0_1, 4097.0f),
-      t0_3 = t0_2 - t0_1, t0_4 = t0_2 - t0_3, t0_5 = t0_1 - t0_4, t0_6 = ksl_two_over_pif(x, 0.0f),
-      t0_7 = ksl_two_over_pif(x, 1.0f), t0_8 = ksl_two_over_pif(x, 2.0f),
-      t0_9 = ksl_two_over_pif(x, 3.0f), t0_10 = ksl_two_over_pif(x, 4.0f),
-      t0_11 = ksl_two_over_pif(x, 5.0f), t0_12 = ksl_two_over_pif(x, 6.0f),
-      t0_13 = ksl_two_over_pif(x, 7.0f), t0_14 = ksl_two_over_pif(x, 8.0f),
-      t0_15 = KSL_MULF(t0_5, t0_6), t0_16 = KSL_MULF(t0_4, t0_7), t0 = t0_15 + t0_16;
-  const float t1_1 = KSL_MULF(t0_5, t0_7), t1_2 = KSL_MULF(t0_4, t0_8), t1 = t1_1 + t1_2;
-  const float t2_1 = KSL_MULF(t0_5, t0_8), t2_2 = KSL_MULF(t0_4, t0_9), t2 = t2_1 + t2_2;
-  const float t3_1 = KSL_MULF(t0_5, t0_9), t3_2 = KSL_MULF(t0_4, t0_10), t3 = t3_1 + t3_2;
-  const float t4_1 = KSL_MULF(t0_5, t0_10), t4_2 = KSL_MULF(t0_4, t0_11), t4 = t4_1 + t4_2;
-  const float t5_1 = KSL_MULF(t0_5, t0_11), t5_2 = KSL_MULF(t0_4, t0_12), t5 = t5_1 + t5_2;
-  const float t6_1 = KSL_MULF(t0_5, t0_12), t6_2 = KSL_MULF(t0_4, t0_13), t6 = t6_1 + t6_2;
-  const float t7_1 = KSL_MULF(t0_5, t0_13), t7_2 = KSL_MULF(t0_4, t0_14), t7 = t7_1 + t7_2;
-  const float quadrant_1 = t0 + 1.006633e+08f, quadrant_2 = quadrant_1 - 1.006633e+08f,
-      quadrant_3 = t0 - quadrant_2, quadrant_4 = quadrant_3 + 5.033165e+07f,
-      quadrant_5 = quadrant_4 - 5.033165e+07f, quadrant_6 = quadrant_3 - quadrant_5,
-      quadrant_7 = t1 + 1.2582912e+07f, quadrant_8 = quadrant_7 - 1.2582912e+07f,
-      quadrant_9 = t1 - quadrant_8, quadrant_10 = quadrant_6 + quadrant_9,
-      quadrant_11 = quadrant_10 + t2, quadrant_12 = quadrant_11 - quadrant_10,
-      quadrant_13 = quadrant_11 - quadrant_12, quadrant_14 = quadrant_10 - quadrant_13,
-      quadrant_15 = t2 - quadrant_12, quadrant_16 = quadrant_14 + quadrant_15,
-      quadrant_17 = quadrant_11 + 1.2582912e+07f, quadrant_18 = quadrant_17 - 1.2582912e+07f,
-      quadrant_value = quadrant_8 + quadrant_18;
-  const float f_1 = quadrant_11 - quadrant_18, f = f_1 + t3, f_2 = f - f_1, f_3 = f - f_2,
-      f_4 = f_1 - f_3, f_5 = t3 - f_2, f_6 = f_4 + f_5, f_7 = quadrant_16 + f_6, f_8 = t7 + t6,
-      f_9 = f_7 + t4, f_10 = f_9 - f_7, f_11 = f_9 - f_10, f_12 = f_7 - f_11, f_13 = t4 - f_10,
-      f_14 = f_12 + f_13, f_15 = f_9 + t5, f_16 = f_15 - f_9, f_17 = f_15 - f_16, f_18 = f_9 - f_17,
-      f_19 = t5 - f_16, f_20 = f_18 + f_19;
-  const float f_low_1 = f + f_15, f_low_2 = f_low_1 - f, f_low_3 = f_low_1 - f_low_2,
-      f_low_4 = f - f_low_3, f_low_5 = f_15 - f_low_2, f_low_6 = f_low_4 + f_low_5,
-      f_low_7 = f_8 + f_20, f_low_8 = f_low_7 + f_14, f_low = f_low_6 + f_low_8;
-  const float r_1 = KSL_MULF(f_low_1, 4097.0f), r_2 = r_1 - f_low_1, r_3 = r_1 - r_2,
-      r_4 = f_low_1 - r_3, r_value = KSL_MULF(f_low_1, 1.5707964f);
-  const float r_excess_1 = KSL_MULF(r_3, 1.5708008f), r_excess_2 = r_value - r_excess_1,
-      r_excess_3 = KSL_MULF(r_3, -4.4107437e-06f), r_excess_4 = r_excess_2 - r_excess_3,
-      r_excess_5 = KSL_MULF(r_4, 1.5708008f), r_excess_6 = r_excess_4 - r_excess_5,
-      r_excess_7 = KSL_MULF(r_4, -4.4107437e-06f), r_excess_8 = r_excess_6 - r_excess_7,
-      r_excess_9 = KSL_MULF(f_low_1, -4.371139e-08f), r_excess_10 = KSL_MULF(f_low, 1.5707964f),
-      r_excess_11 = r_excess_9 + r_excess_10, r_excess_value = r_excess_8 - r_excess_11;
+  const float scaled = KSL_MULF(x, 1.2621775e-29f);
+  const float x_high_1 = KSL_MULF(scaled, 4097.0f), x_high_2 = x_high_1 - scaled,
+      x_high = x_high_1 - x_high_2;
+  const float x_low = scaled - x_high;
+  const float chunk0 = ksl_two_over_pif(x, 0.0f);
+  const float chunk1 = ksl_two_over_pif(x, 1.0f);
+  const float chunk2 = ksl_two_over_pif(x, 2.0f);
+  const float chunk3 = ksl_two_over_pif(x, 3.0f);
+  const float chunk4 = ksl_two_over_pif(x, 4.0f);
+  const float chunk5 = ksl_two_over_pif(x, 5.0f);
+  const float chunk6 = ksl_two_over_pif(x, 6.0f);
+  const float chunk7 = ksl_two_over_pif(x, 7.0f);
+  const float chunk8 = ksl_two_over_pif(x, 8.0f);
+  const float t0_1 = KSL_MULF(x_low, chunk0), t0_2 = KSL_MULF(x_high, chunk1), t0 = t0_1 + t0_2;
+  const float t1_1 = KSL_MULF(x_low, chunk1), t1_2 = KSL_MULF(x_high, chunk2), t1 = t1_1 + t1_2;
+  const float t2_1 = KSL_MULF(x_low, chunk2), t2_2 = KSL_MULF(x_high, chunk3), t2 = t2_1 + t2_2;
+  const float t3_1 = KSL_MULF(x_low, chunk3), t3_2 = KSL_MULF(x_high, chunk4), t3 = t3_1 + t3_2;
+  const float t4_1 = KSL_MULF(x_low, chunk4), t4_2 = KSL_MULF(x_high, chunk5), t4 = t4_1 + t4_2;
+  const float t5_1 = KSL_MULF(x_low, chunk5), t5_2 = KSL_MULF(x_high, chunk6), t5 = t5_1 + t5_2;
+  const float t6_1 = KSL_MULF(x_low, chunk6), t6_2 = KSL_MULF(x_high, chunk7), t6 = t6_1 + t6_2;
+  const float t7_1 = KSL_MULF(x_low, chunk7), t7_2 = KSL_MULF(x_high, chunk8), t7 = t7_1 + t7_2;
+  const float rest0_1 = t0 + 1.006633e+08f, rest0_2 = rest0_1 - 1.006633e+08f, rest0 = t0 - rest0_2;
+  const float rest4_1 = rest0 + 5.033165e+07f, rest4_2 = rest4_1 - 5.033165e+07f,
+      rest4 = rest0 - rest4_2;
+  const float k1_1 = t1 + 1.2582912e+07f, k1 = k1_1 - 1.2582912e+07f;
+  const float sum2_1 = t1 - k1, sum2_2 = rest4 + sum2_1, sum2 = sum2_2 + t2;
+  const float sum2_error_1 = sum2 - sum2_2, sum2_error_2 = sum2 - sum2_error_1,
+      sum2_error_3 = sum2_2 - sum2_error_2, sum2_error_4 = t2 - sum2_error_1,
+      sum2_error = sum2_error_3 + sum2_error_4;
+  const float k2_1 = sum2 + 1.2582912e+07f, k2 = k2_1 - 1.2582912e+07f;
+  const float sum2_rest = sum2 - k2;
+  const float sum3 = sum2_rest + t3;
+  const float sum3_error_1 = sum3 - sum2_rest, sum3_error_2 = sum3 - sum3_error_1,
+      sum3_error_3 = sum2_rest - sum3_error_2, sum3_error_4 = t3 - sum3_error_1,
+      sum3_error = sum3_error_3 + sum3_error_4;
+  const float low3 = sum2_error + sum3_error;
+  const float tail = t7 + t6;
+  const float low4 = low3 + t4;
+  const float low4_error_1 = low4 - low3, low4_error_2 = low4 - low4_error_1,
+      low4_error_3 = low3 - low4_error_2, low4_error_4 = t4 - low4_error_1,
+      low4_error = low4_error_3 + low4_error_4;
+  const float tail4 = tail + low4_error;
+  const float low5 = low4 + t5;
+  const float low5_error_1 = low5 - low4, low5_error_2 = low5 - low5_error_1,
+      low5_error_3 = low4 - low5_error_2, low5_error_4 = t5 - low5_error_1,
+      low5_error = low5_error_3 + low5_error_4;
+  const float tail5 = tail4 + low5_error;
+  const float f = sum3 + low5;
+  const float f_error_1 = f - sum3, f_error_2 = f - f_error_1, f_error_3 = sum3 - f_error_2,
+      f_error_4 = low5 - f_error_1, f_error = f_error_3 + f_error_4;
+  const float f_low = f_error + tail5;
+  const float f_part_high_1 = KSL_MULF(f, 4097.0f), f_part_high_2 = f_part_high_1 - f,
+      f_part_high = f_part_high_1 - f_part_high_2;
+  const float f_part_low = f - f_part_high;
+  const float product = KSL_MULF(f, 1.5707964f);
+  const float product_excess_1 = KSL_MULF(f_part_high, 1.5708008f),
+      product_excess_2 = product - product_excess_1,
+      product_excess_3 = KSL_MULF(f_part_high, -4.4107437e-06f),
+      product_excess_4 = product_excess_2 - product_excess_3,
+      product_excess_5 = KSL_MULF(f_part_low, 1.5708008f),
+      product_excess_6 = product_excess_4 - product_excess_5,
+      product_excess_7 = KSL_MULF(f_part_low, -4.4107437e-06f),
+      product_excess = product_excess_6 - product_excess_7;
+  const float rest_1 = KSL_MULF(f, -4.371139e-08f), rest_2 = KSL_MULF(f_low, 1.5707964f),
+      rest_3 = rest_1 + rest_2, rest = product_excess - rest_3;
+  const float r_value = product - rest;
+  const float r_excess_1 = r_value - product, r_excess_value = r_excess_1 + rest;
+  const float quadrant_value = k1 + k2;
   *r = r_value;
   *r_excess = r_excess_value;
   return quadrant_value;
 }
 
 /* (s, c) = (sin x, cos x).
-   x = k pi/2 + r - r_excess, |r| <= pi/4 and little more; pi/2 in parts to 2^-10, 2^-22, 2^-34
+   x = k pi/2 + r - r_excess, |r| <= pi/4 and little more; pi/2 in parts to 2^-13, 2^-24, 2^-39
      and a rest, beyond the limit by the digits of 2/pi; polynomials of degrees 7 and 8 in r, to
-     2^-27.8; with all roundings within 0.9 ulp (both proved), for every finite x.
+     2^-27.8; with all roundings within 0.85 ulp (both proved), for every finite x.
    17 mul, 19 add, 1 abs. */
 static inline float ksl_sincosf(const float x, float *c) {
   float quadrant, r, r_excess;
-  if (fabsf(x) > 12867.0f) {
+  if (fabsf(x) > 1607.0f) {
     quadrant = ksl_sincos_farf(x, &r, &r_excess);
   } else {
     quadrant = ksl_sincos_nearf(x, &r, &r_excess);

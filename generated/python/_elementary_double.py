@@ -17,8 +17,8 @@ def power_of_two(shifted):
 def atan2(y, x):
     """angle = atan2(y, x).  arctan(a/b), and pi/4 + arctan((a - b)/(a + b)) above 1/2, a <= b
     being |x| and |y|; arctan q = q + q^3 p(q^2), p of degree 11, to 2^-57.7; the quotient
-    corrected; with all roundings within 0.9 ulp (both proved).  33 mul, 40 add, 1 div, 1 neg, 2
-    abs, 2 copysign, 6 less, 1 equal, 14 select.
+    corrected; with all roundings within 0.934 ulp (both proved).  29 mul, 35 add, 1 div, 1 neg,
+    2 abs, 2 copysign, 6 less, 1 equal, 14 select.
     """
     height = absolute(y)
     width = absolute(x)
@@ -37,22 +37,21 @@ def atan2(y, x):
     sign = where(steep, -side, side)
     quarters = where(steep, 2.0, 2.0 - (side + side)) + where(above, sign, 0.0)
     base = quarters * 0.7853981633974483
-    n_1 = scaled_a + scaled_b
+    total = scaled_a + scaled_b
     n = sign * where(above, scaled_a - scaled_b, scaled_a)
-    rest_of_d = where(above, scaled_b - n_1 + scaled_a, 0.0)
-    d = where(above, n_1, scaled_b)
+    rest_of_d = where(above, scaled_b - total + scaled_a, 0.0)
+    d = where(above, total, scaled_b)
     inverse = 1.0 / d
-    q = n * inverse
-    product = q * d
-    error_wide_a = 134217729.0 * q
-    error_high_a = error_wide_a - (error_wide_a - q)
-    error_low_a = q - error_high_a
-    error_wide_b = 134217729.0 * d
-    error_high_b = error_wide_b - (error_wide_b - d)
-    error_low_b = d - error_high_b
-    error_rest2 = error_high_a * error_high_b - product + error_high_a * error_low_b
-    error = error_rest2 + error_low_a * error_high_b + error_low_a * error_low_b
-    c = (n - product - error - q * rest_of_d) * inverse
+    q_high_1 = n * inverse
+    q_high_2 = q_high_1 * 134217729.0
+    q_high = q_high_2 - (q_high_2 - q_high_1)
+    d_high_1 = d * 134217729.0
+    d_high = d_high_1 - (d_high_1 - d)
+    d_low = d - d_high
+    but_high = n - q_high * d_high
+    but_low = but_high - q_high * d_low
+    c = (but_low - q_high * rest_of_d) * inverse
+    q = q_high + c
     z = q * q
     tail_12 = z * z
     tail_13 = tail_12 * (z * -0.09090896243462607 + 0.11111110659599031)
@@ -61,10 +60,10 @@ def atan2(y, x):
     tail_20 = tail_19 * (tail_15 + (z * -0.06663810317366585 + 0.07692073887659807))
     tail_18 = tail_12 * 0.010116413558090894 + (z * -0.0274343623051046 + 0.04186470045016432)
     tail_21 = tail_20 + (tail_13 + (z * -0.1428571427638533 + 0.19999999999903106))
-    tail_27 = q * z * (z * (tail_19 * tail_19 * tail_18 + tail_21) + -0.3333333333333298)
-    tail = tail_27 + (c - c * z) + quarters * 3.061616997868383e-17
-    sum = base + q
-    positive = sum + (base - sum + q + tail)
+    tail_28 = q * z * (z * (tail_19 * tail_19 * tail_18 + tail_21) + -0.3333333333333298) + c
+    tail = tail_28 + quarters * 3.061616997868383e-17
+    sum = base + q_high
+    positive = sum + (base - sum + q_high + tail)
     angle = copysign(positive, y)
     return angle
 
@@ -122,60 +121,70 @@ def two_over_pi(x, n):
 
 
 def _sincos_near(x):
-    """Its reduction of angles up to 52707177.0."""
+    """Its reduction of angles up to 6588396.0."""
     quadrant = x * 0.6366197723675814 + 6755399441055744.0 - 6755399441055744.0
-    high = x - quadrant * 1.570796325802803 - quadrant * 9.920935184482005e-10
-    low = quadrant * 6.123233973412625e-17
+    high = x - quadrant * 1.5707963267341256 - quadrant * 6.077094383272197e-11
+    low = quadrant * 6.12323399409214e-17
     r = high - low
-    r_excess = r - high + low + quadrant * 2.232414100745812e-25
+    r_excess = r - high + low + quadrant * 1.6446256936324258e-26
     return quadrant, r, r_excess
 
 
 def _sincos_far(x):
     """Its reduction of larger angles."""
-    t0_1 = x * 6.441148769597133e-232
-    t0_2 = t0_1 * 134217729.0
-    t0_4 = t0_2 - (t0_2 - t0_1)
-    t0_5 = t0_1 - t0_4
-    t0_7 = two_over_pi(x, 1.0)
-    t0_8 = two_over_pi(x, 2.0)
-    t0_9 = two_over_pi(x, 3.0)
-    t0_10 = two_over_pi(x, 4.0)
-    t0_11 = two_over_pi(x, 5.0)
-    t0_12 = two_over_pi(x, 6.0)
-    t0 = t0_5 * two_over_pi(x, 0.0) + t0_4 * t0_7
-    t1 = t0_5 * t0_7 + t0_4 * t0_8
-    t2 = t0_5 * t0_8 + t0_4 * t0_9
-    t3 = t0_5 * t0_9 + t0_4 * t0_10
-    t4 = t0_5 * t0_10 + t0_4 * t0_11
-    t5 = t0_5 * t0_11 + t0_4 * t0_12
-    t6 = t0_5 * t0_12 + t0_4 * two_over_pi(x, 7.0)
-    quadrant_3 = t0 - (t0 + 5.404319552844595e+16 - 5.404319552844595e+16)
-    quadrant_8 = t1 + 6755399441055744.0 - 6755399441055744.0
-    quadrant_6 = quadrant_3 - (quadrant_3 + 2.7021597764222976e+16 - 2.7021597764222976e+16)
-    quadrant_10 = quadrant_6 + (t1 - quadrant_8)
-    quadrant_11 = quadrant_10 + t2
-    quadrant_12 = quadrant_11 - quadrant_10
-    quadrant_18 = quadrant_11 + 6755399441055744.0 - 6755399441055744.0
-    quadrant = quadrant_8 + quadrant_18
-    f_1 = quadrant_11 - quadrant_18
-    f = f_1 + t3
-    f_2 = f - f_1
-    quadrant_16 = quadrant_10 - (quadrant_11 - quadrant_12) + (t2 - quadrant_12)
-    f_7 = quadrant_16 + (f_1 - (f - f_2) + (t3 - f_2))
-    f_9 = f_7 + t4
-    f_10 = f_9 - f_7
-    f_low_1 = f + f_9
-    f_low_2 = f_low_1 - f
-    f_low_7 = t6 + t5 + (f_7 - (f_9 - f_10) + (t4 - f_10))
-    f_low = f - (f_low_1 - f_low_2) + (f_9 - f_low_2) + f_low_7
-    r_1 = f_low_1 * 134217729.0
-    r_3 = r_1 - (r_1 - f_low_1)
-    r_4 = f_low_1 - r_3
-    r = f_low_1 * 1.5707963267948966
-    r_excess_4 = r - r_3 * 1.5707963407039642 - r_3 * -1.3909067675399456e-08
-    r_excess_8 = r_excess_4 - r_4 * 1.5707963407039642 - r_4 * -1.3909067675399456e-08
-    r_excess = r_excess_8 - (f_low_1 * 6.123233995736766e-17 + f_low * 1.5707963267948966)
+    scaled = x * 6.441148769597133e-232
+    x_high_1 = scaled * 134217729.0
+    x_high = x_high_1 - (x_high_1 - scaled)
+    x_low = scaled - x_high
+    chunk0 = two_over_pi(x, 0.0)
+    chunk1 = two_over_pi(x, 1.0)
+    chunk2 = two_over_pi(x, 2.0)
+    chunk3 = two_over_pi(x, 3.0)
+    chunk4 = two_over_pi(x, 4.0)
+    chunk5 = two_over_pi(x, 5.0)
+    chunk6 = two_over_pi(x, 6.0)
+    chunk7 = two_over_pi(x, 7.0)
+    t0 = x_low * chunk0 + x_high * chunk1
+    t1 = x_low * chunk1 + x_high * chunk2
+    t2 = x_low * chunk2 + x_high * chunk3
+    t3 = x_low * chunk3 + x_high * chunk4
+    t4 = x_low * chunk4 + x_high * chunk5
+    t5 = x_low * chunk5 + x_high * chunk6
+    t6 = x_low * chunk6 + x_high * chunk7
+    rest0 = t0 - (t0 + 5.404319552844595e+16 - 5.404319552844595e+16)
+    rest4 = rest0 - (rest0 + 2.7021597764222976e+16 - 2.7021597764222976e+16)
+    k1 = t1 + 6755399441055744.0 - 6755399441055744.0
+    sum2_2 = rest4 + (t1 - k1)
+    sum2 = sum2_2 + t2
+    sum2_error_1 = sum2 - sum2_2
+    sum2_error = sum2_2 - (sum2 - sum2_error_1) + (t2 - sum2_error_1)
+    k2 = sum2 + 6755399441055744.0 - 6755399441055744.0
+    sum2_rest = sum2 - k2
+    sum3 = sum2_rest + t3
+    sum3_error_1 = sum3 - sum2_rest
+    sum3_error = sum2_rest - (sum3 - sum3_error_1) + (t3 - sum3_error_1)
+    low3 = sum2_error + sum3_error
+    tail = t6 + t5
+    low4 = low3 + t4
+    low4_error_1 = low4 - low3
+    low4_error = low3 - (low4 - low4_error_1) + (t4 - low4_error_1)
+    tail4 = tail + low4_error
+    f = sum3 + low4
+    f_error_1 = f - sum3
+    f_error = sum3 - (f - f_error_1) + (low4 - f_error_1)
+    f_low = f_error + tail4
+    f_part_high_1 = f * 134217729.0
+    f_part_high = f_part_high_1 - (f_part_high_1 - f)
+    f_part_low = f - f_part_high
+    product = f * 1.5707963267948966
+    product_excess_2 = product - f_part_high * 1.5707963407039642
+    product_excess_4 = product_excess_2 - f_part_high * -1.3909067675399456e-08
+    product_excess_6 = product_excess_4 - f_part_low * 1.5707963407039642
+    product_excess = product_excess_6 - f_part_low * -1.3909067675399456e-08
+    rest = product_excess - (f * 6.123233995736766e-17 + f_low * 1.5707963267948966)
+    r = product - rest
+    r_excess = r - product + rest
+    quadrant = k1 + k2
     return quadrant, r, r_excess
 
 
@@ -202,14 +211,14 @@ def _sincos_of(quadrant, r, r_excess):
 @errstate(all="ignore")
 def sincos(x):
     """(s, c) = (sin x, cos x).  x = k pi/2 + r - r_excess, |r| <= pi/4 and little more; pi/2 in
-    parts to 2^-27, 2^-53, 2^-81 and a rest, beyond the limit by the digits of 2/pi; polynomials
-    of degrees 13 and 14 in r, to 2^-57.8; with all roundings within 0.9 ulp (both proved), for
-    every finite x.  23 mul, 25 add, 1 abs.
+    parts to 2^-30, 2^-53, 2^-84 and a rest, beyond the limit by the digits of 2/pi; polynomials
+    of degrees 13 and 14 in r, to 2^-57.8; with all roundings within 0.824 ulp (both proved),
+    for every finite x.  23 mul, 25 add, 1 abs.
     """
     quadrant, r, r_excess = _sincos_near(x)
-    beyond = absolute(x) > 52707177.0
+    beyond = absolute(x) > 6588396.0
     if beyond.any():
-        far = _sincos_far(where(beyond, x, 52707177.0))
+        far = _sincos_far(where(beyond, x, 6588396.0))
         quadrant, r, r_excess = (
             where(beyond, a, b) for a, b in zip(far, (quadrant, r, r_excess)))
     return _sincos_of(quadrant, r, r_excess)

@@ -16,9 +16,9 @@ def power_of_two(shifted):
 @errstate(all="ignore")
 def atan2(y, x):
     """angle = atan2(y, x).  arctan(a/b), and pi/4 + arctan((a - b)/(a + b)) above 1/2, a <= b
-    being |x| and |y|; arctan q = q + q^3 p(q^2), p of degree 4, to 2^-27.4; the quotient
-    corrected; with all roundings within 0.9 ulp (both proved).  24 mul, 33 add, 1 div, 1 neg, 2
-    abs, 2 copysign, 6 less, 1 equal, 14 select.
+    being |x| and |y|; arctan q = q + q^3 p(q^2), p of degree 5, to 2^-31.7; the quotient
+    corrected; with all roundings within 0.896 ulp (both proved).  22 mul, 29 add, 1 div, 1 neg,
+    2 abs, 2 copysign, 6 less, 1 equal, 14 select.
     """
     height = absolute(y)
     width = absolute(x)
@@ -36,27 +36,28 @@ def atan2(y, x):
     sign = where(steep, -side, side)
     quarters = where(steep, 2.0, 2.0 - (side + side)) + where(above, sign, 0.0)
     base = quarters * 0.78539824
-    n_1 = scaled_a + scaled_b
+    total = scaled_a + scaled_b
     n = sign * where(above, scaled_a - scaled_b, scaled_a)
-    rest_of_d = where(above, scaled_b - n_1 + scaled_a, 0.0)
-    d = where(above, n_1, scaled_b)
+    rest_of_d = where(above, scaled_b - total + scaled_a, 0.0)
+    d = where(above, total, scaled_b)
     inverse = 1.0 / d
-    q = n * inverse
-    product = q * d
-    error_wide_a = 4097.0 * q
-    error_high_a = error_wide_a - (error_wide_a - q)
-    error_low_a = q - error_high_a
-    error_wide_b = 4097.0 * d
-    error_high_b = error_wide_b - (error_wide_b - d)
-    error_low_b = d - error_high_b
-    error_rest2 = error_high_a * error_high_b - product + error_high_a * error_low_b
-    error = error_rest2 + error_low_a * error_high_b + error_low_a * error_low_b
-    c = (n - product - error - q * rest_of_d) * inverse
+    q_high_1 = n * inverse
+    q_high_2 = q_high_1 * 4097.0
+    q_high = q_high_2 - (q_high_2 - q_high_1)
+    d_high_1 = d * 4097.0
+    d_high = d_high_1 - (d_high_1 - d)
+    d_low = d - d_high
+    but_high = n - q_high * d_high
+    but_low = but_high - q_high * d_low
+    c = (but_low - q_high * rest_of_d) * inverse
+    q = q_high + c
     z = q * q
-    tail_9 = z * (z * z * (z * -0.051249776 + 0.101558015) + (z * -0.14174214 + 0.19994168))
-    tail = q * z * (tail_9 + -0.33333233) + (c - c * z) + quarters * -8.146034e-08
-    sum = base + q
-    positive = sum + (base - sum + q + tail)
+    tail_6 = z * z
+    tail_8 = tail_6 * (z * -0.08009076 + 0.10948411) + (z * -0.14273107 + 0.19999555)
+    tail_15 = q * z * (z * (tail_6 * tail_6 * 0.039042152 + tail_8) + -0.33333328) + c
+    tail = tail_15 + quarters * -8.146034e-08
+    sum = base + q_high
+    positive = sum + (base - sum + q_high + tail)
     angle = copysign(positive, y)
     return angle
 
@@ -99,62 +100,74 @@ def two_over_pi(x, n):
 
 
 def _sincos_near(x):
-    """Its reduction of angles up to 12867.0."""
+    """Its reduction of angles up to 1607.0."""
     quadrant = x * 0.63661975 + 1.2582912e+07 - 1.2582912e+07
-    high = x - quadrant * 1.5703125 - quadrant * 0.0004837513
-    low = quadrant * 7.5495336e-08
+    high = x - quadrant * 1.5706787 - quadrant * 0.000117599964
+    low = quadrant * 1.589251e-08
     r = high - low
-    r_excess = r - high + low + quadrant * 2.563344e-12
+    r_excess = r - high + low + quadrant * 7.443548e-13
     return quadrant, r, r_excess
 
 
 def _sincos_far(x):
     """Its reduction of larger angles."""
-    t0_1 = x * 1.2621775e-29
-    t0_2 = t0_1 * 4097.0
-    t0_4 = t0_2 - (t0_2 - t0_1)
-    t0_5 = t0_1 - t0_4
-    t0_7 = two_over_pi(x, 1.0)
-    t0_8 = two_over_pi(x, 2.0)
-    t0_9 = two_over_pi(x, 3.0)
-    t0_10 = two_over_pi(x, 4.0)
-    t0_11 = two_over_pi(x, 5.0)
-    t0_12 = two_over_pi(x, 6.0)
-    t0_13 = two_over_pi(x, 7.0)
-    t0 = t0_5 * two_over_pi(x, 0.0) + t0_4 * t0_7
-    t1 = t0_5 * t0_7 + t0_4 * t0_8
-    t2 = t0_5 * t0_8 + t0_4 * t0_9
-    t3 = t0_5 * t0_9 + t0_4 * t0_10
-    t4 = t0_5 * t0_10 + t0_4 * t0_11
-    t5 = t0_5 * t0_11 + t0_4 * t0_12
-    t6 = t0_5 * t0_12 + t0_4 * t0_13
-    t7 = t0_5 * t0_13 + t0_4 * two_over_pi(x, 8.0)
-    quadrant_3 = t0 - (t0 + 1.006633e+08 - 1.006633e+08)
-    quadrant_8 = t1 + 1.2582912e+07 - 1.2582912e+07
-    quadrant_10 = quadrant_3 - (quadrant_3 + 5.033165e+07 - 5.033165e+07) + (t1 - quadrant_8)
-    quadrant_11 = quadrant_10 + t2
-    quadrant_12 = quadrant_11 - quadrant_10
-    quadrant_18 = quadrant_11 + 1.2582912e+07 - 1.2582912e+07
-    quadrant = quadrant_8 + quadrant_18
-    f_1 = quadrant_11 - quadrant_18
-    f = f_1 + t3
-    f_2 = f - f_1
-    quadrant_16 = quadrant_10 - (quadrant_11 - quadrant_12) + (t2 - quadrant_12)
-    f_7 = quadrant_16 + (f_1 - (f - f_2) + (t3 - f_2))
-    f_9 = f_7 + t4
-    f_10 = f_9 - f_7
-    f_15 = f_9 + t5
-    f_16 = f_15 - f_9
-    f_low_1 = f + f_15
-    f_low_2 = f_low_1 - f
-    f_low_8 = t7 + t6 + (f_9 - (f_15 - f_16) + (t5 - f_16)) + (f_7 - (f_9 - f_10) + (t4 - f_10))
-    f_low = f - (f_low_1 - f_low_2) + (f_15 - f_low_2) + f_low_8
-    r_1 = f_low_1 * 4097.0
-    r_3 = r_1 - (r_1 - f_low_1)
-    r_4 = f_low_1 - r_3
-    r = f_low_1 * 1.5707964
-    r_excess_8 = r - r_3 * 1.5708008 - r_3 * -4.4107437e-06 - r_4 * 1.5708008 - r_4 * -4.4107437e-06
-    r_excess = r_excess_8 - (f_low_1 * -4.371139e-08 + f_low * 1.5707964)
+    scaled = x * 1.2621775e-29
+    x_high_1 = scaled * 4097.0
+    x_high = x_high_1 - (x_high_1 - scaled)
+    x_low = scaled - x_high
+    chunk0 = two_over_pi(x, 0.0)
+    chunk1 = two_over_pi(x, 1.0)
+    chunk2 = two_over_pi(x, 2.0)
+    chunk3 = two_over_pi(x, 3.0)
+    chunk4 = two_over_pi(x, 4.0)
+    chunk5 = two_over_pi(x, 5.0)
+    chunk6 = two_over_pi(x, 6.0)
+    chunk7 = two_over_pi(x, 7.0)
+    chunk8 = two_over_pi(x, 8.0)
+    t0 = x_low * chunk0 + x_high * chunk1
+    t1 = x_low * chunk1 + x_high * chunk2
+    t2 = x_low * chunk2 + x_high * chunk3
+    t3 = x_low * chunk3 + x_high * chunk4
+    t4 = x_low * chunk4 + x_high * chunk5
+    t5 = x_low * chunk5 + x_high * chunk6
+    t6 = x_low * chunk6 + x_high * chunk7
+    t7 = x_low * chunk7 + x_high * chunk8
+    rest0 = t0 - (t0 + 1.006633e+08 - 1.006633e+08)
+    rest4 = rest0 - (rest0 + 5.033165e+07 - 5.033165e+07)
+    k1 = t1 + 1.2582912e+07 - 1.2582912e+07
+    sum2_2 = rest4 + (t1 - k1)
+    sum2 = sum2_2 + t2
+    sum2_error_1 = sum2 - sum2_2
+    sum2_error = sum2_2 - (sum2 - sum2_error_1) + (t2 - sum2_error_1)
+    k2 = sum2 + 1.2582912e+07 - 1.2582912e+07
+    sum2_rest = sum2 - k2
+    sum3 = sum2_rest + t3
+    sum3_error_1 = sum3 - sum2_rest
+    sum3_error = sum2_rest - (sum3 - sum3_error_1) + (t3 - sum3_error_1)
+    low3 = sum2_error + sum3_error
+    tail = t7 + t6
+    low4 = low3 + t4
+    low4_error_1 = low4 - low3
+    low4_error = low3 - (low4 - low4_error_1) + (t4 - low4_error_1)
+    tail4 = tail + low4_error
+    low5 = low4 + t5
+    low5_error_1 = low5 - low4
+    low5_error = low4 - (low5 - low5_error_1) + (t5 - low5_error_1)
+    tail5 = tail4 + low5_error
+    f = sum3 + low5
+    f_error_1 = f - sum3
+    f_error = sum3 - (f - f_error_1) + (low5 - f_error_1)
+    f_low = f_error + tail5
+    f_part_high_1 = f * 4097.0
+    f_part_high = f_part_high_1 - (f_part_high_1 - f)
+    f_part_low = f - f_part_high
+    product = f * 1.5707964
+    product_excess_4 = product - f_part_high * 1.5708008 - f_part_high * -4.4107437e-06
+    product_excess = product_excess_4 - f_part_low * 1.5708008 - f_part_low * -4.4107437e-06
+    rest = product_excess - (f * -4.371139e-08 + f_low * 1.5707964)
+    r = product - rest
+    r_excess = r - product + rest
+    quadrant = k1 + k2
     return quadrant, r, r_excess
 
 
@@ -177,14 +190,14 @@ def _sincos_of(quadrant, r, r_excess):
 @errstate(all="ignore")
 def sincos(x):
     """(s, c) = (sin x, cos x).  x = k pi/2 + r - r_excess, |r| <= pi/4 and little more; pi/2 in
-    parts to 2^-10, 2^-22, 2^-34 and a rest, beyond the limit by the digits of 2/pi; polynomials
-    of degrees 7 and 8 in r, to 2^-27.8; with all roundings within 0.9 ulp (both proved), for
+    parts to 2^-13, 2^-24, 2^-39 and a rest, beyond the limit by the digits of 2/pi; polynomials
+    of degrees 7 and 8 in r, to 2^-27.8; with all roundings within 0.85 ulp (both proved), for
     every finite x.  17 mul, 19 add, 1 abs.
     """
     quadrant, r, r_excess = _sincos_near(x)
-    beyond = absolute(x) > 12867.0
+    beyond = absolute(x) > 1607.0
     if beyond.any():
-        far = _sincos_far(where(beyond, x, 12867.0))
+        far = _sincos_far(where(beyond, x, 1607.0))
         quadrant, r, r_excess = (
             where(beyond, a, b) for a, b in zip(far, (quadrant, r, r_excess)))
     return _sincos_of(quadrant, r, r_excess)

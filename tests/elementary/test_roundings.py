@@ -9,7 +9,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from coscrew_codegen.elementary import exp, tanh
+from coscrew_codegen.elementary import atan2, atan2_proof, exp, tanh
 from coscrew_codegen.elementary.roundings import Roundings, UndecidedError, pieces
 from coscrew_codegen.elementary.steps import Steps, Value
 from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
@@ -24,10 +24,11 @@ OUT = (Argument("y", SCALAR),)
 
 
 @each_precision
-@pytest.mark.parametrize("function", [exp, tanh], ids=lambda x: x.FUNCTION.name)
-def test_errors_are_proved(function, precision: Precision):
-    stated = function.FUNCTION.error(precision)
-    assert stated - Fraction(1, 500) < function.roundings(precision) <= stated < 1
+@pytest.mark.parametrize("module, proof", [(exp, exp), (tanh, tanh), (atan2, atan2_proof)],
+                         ids=["exp", "tanh", "atan2"])
+def test_errors_are_proved(module, proof, precision: Precision):
+    stated = module.FUNCTION.error(precision)
+    assert stated - Fraction(1, 500) < proof.roundings(precision) <= stated < 1
 
 
 @each_precision

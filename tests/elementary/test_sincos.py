@@ -3,12 +3,22 @@
 from fractions import Fraction
 
 import numpy as np
+import pytest
 
-from coscrew_codegen.elementary import reduction, sincos
+from coscrew_codegen.elementary import reduction, reduction_proof, sincos
+from coscrew_codegen.elementary.reduction import HALF_PI
+from coscrew_codegen.elementary.reduction_proof import exponent_of
 from coscrew_codegen.elementary.sincos import FUNCTION
 from coscrew_codegen.formats import DOUBLE, Precision
 from tests.support.each import each_precision
-from tests.support.truth.elementary import Array, errors, results, same, worst_cases
+from tests.support.truth.elementary import (
+    Array,
+    errors,
+    results,
+    same,
+    values,
+    worst_cases,
+)
 
 
 def holds(precision: Precision, x: Array) -> None:
@@ -40,6 +50,60 @@ def test_the_approximation_is_within_what_is_stated(precision: Precision):
     """Stated as a logarithm to one decimal, so that tenth powers compare."""
     stated = Fraction(2)**int(10 * sincos.DATA[precision].approximation)
     assert stated / 2 < max(sincos.approximations(precision))**10 <= stated
+
+
+@each_precision
+def test_errors_are_proved(precision: Precision):
+    stated = FUNCTION.error(precision)
+    assert stated - Fraction(1, 500) < sincos.roundings(precision) <= stated
+
+
+@each_precision
+@pytest.mark.parametrize("place", ["near", "far"])
+def test_reductions_are_within_what_is_proved(place: str, precision: Precision):
+    """r - r_excess against x - k π/2; no number is closer to a multiple than is proved."""
+    proved = getattr(reduction_proof, f"{place}_is_proved")(precision)
+    first = exponent_of(reduction.limit(precision))
+    exponents = np.arange(first) if place == "near" else np.arange(first + 1, precision.bias + 1)
+    powers = 2.0**exponents
+    x = np.concatenate([
+        (np.random.default_rng(4).uniform(1, 2, (len(powers), 6)) * powers[:, None]).ravel(),
+        [round(y / np.pi) * np.pi for y in powers], *worst_cases("sincos", precision)])
+    x = x[(x > 1) & ((x > 2.0**(first + 1)) == (place == "far"))].astype(precision.numpy_type)
+    reduced = values(getattr(reduction, place)(precision), precision, x)
+    for given, k, r, excess in zip(*([Fraction(float(z)) for z in y] for y in (x, *reduced)),
+                                   strict=True):
+        whole = round(given / HALF_PI)
+        angle = given - whole * HALF_PI
+        assert (whole - k) % 4 == 0
+        assert abs(angle) >= reduction_proof.closest(precision, exponent_of(given))
+        assert abs(r) <= proved.largest
+        assert abs(excess) <= precision.u * abs(r) + proved.excess(abs(angle))
+        assert abs(r - excess - angle) <= proved.error(abs(angle)) * abs(angle)
+
+
+@each_precision
+def test_the_closest_multiples_are_closest(precision: Precision):
+    """Closer than all others near the first thousand multiples, and as close as some."""
+    numbers = [Fraction(float(precision.rounded(k * HALF_PI))) for k in range(1, 1000)]
+    distances = [abs(x - k * HALF_PI) for k, x in enumerate(numbers, 1)]
+    ratios = [distance / reduction_proof.closest(precision, exponent_of(x))
+              for x, distance in zip(numbers, distances, strict=True)]
+    assert 1 <= min(ratios) < 1 + Fraction(1, 2**200)
+    assert all(32 * x.excess <= x.least for x in reduction_proof.near_is_proved(precision).binades)
+
+
+@each_precision
+def test_quadrants(precision: Precision):
+    """k right angles turn (sin, cos) to the bit, also for the largest k that reductions return."""
+    kernel, most = FUNCTION.kernel(precision), 2**(precision.digits // 2 + 2)
+    k = np.array([*range(-most, 9 - most), *range(-9, 9), *range(most - 9, most)])
+    r, e, numbers = (np.full(k.shape, x, precision.numpy_type) for x in (0.3, 1e-9, 0))
+    s, c = values(kernel, precision, numbers, r, e)
+    got = values(kernel, precision, k.astype(precision.numpy_type), r, e)
+    turned = [s, c, -s, -c]
+    for shift, some in enumerate(got):
+        assert same(some, np.choose((k + shift) % 4, turned).astype(precision.numpy_type))
 
 
 @each_precision
@@ -84,7 +148,7 @@ def test_next_to_multiples_of_a_right_angle(precision: Precision):
     k = [*range(1, 400), *np.geomspace(400, 20 * last, 4000).astype(int).tolist()]
     huge = [m * 2**n for n in range(30, 997, 7) for m in (1, 3, 5)] if precision is DOUBLE else [
         m * 2**n for n in range(14, 124) for m in (1, 3, 5)]
-    holds(precision, around([float(n * reduction.HALF_PI) for n in (*k, *huge)], precision))
+    holds(precision, around([float(n * HALF_PI) for n in (*k, *huge)], precision))
 
 
 @each_precision
