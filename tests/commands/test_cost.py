@@ -91,6 +91,8 @@ def test_the_loops_call_the_scenes_functions(kernels, name, precision):
     for f in whole.public:
         inputs = [rng.normal(size=(ELEMENTS, *a.quantity.shape)).astype(precision.numpy_type)
                   for a in f.program.inputs]
+        inputs = [abs(x) if a.name == "p" else x  # masses
+                  for x, a in zip(inputs, f.program.inputs, strict=True)]
         made = np.asarray(library.once(f, precision, inputs)[0])
         wanted = np.asarray(getattr(its.kernels, f.name)(*inputs))
         wanted = np.broadcast_to(wanted.reshape(-1, made.shape[1]), made.shape)
