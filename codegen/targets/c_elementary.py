@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 from coscrew_codegen.elementary import ELEMENTARY, Elementary
 from coscrew_codegen.elementary.calls import FUNCTION_OF
-from coscrew_codegen.elementary.products import with_split_products
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.program import Constant, Input, Program, counts_in_words, renamed
 from coscrew_codegen.quantity import Argument
@@ -46,7 +45,7 @@ def written(precision: Precision, names: Collection[str], nested: bool = False) 
 
 
 def _written(function: Elementary, precision: Precision, nested: bool) -> Written:
-    kernel = with_split_products(function.kernel(precision), precision)
+    kernel = function.kernel(precision)
     comment = comment_of([f"{function.statement}.", function.comment(precision),
                           f"{counts_in_words(kernel).capitalize()}."])
     head, body = _function(f"ksl_{function.name}", function.inputs, function.outputs, kernel,

@@ -5,7 +5,6 @@ from collections.abc import Collection, Mapping
 from typing import Any
 
 from coscrew_codegen.elementary import ELEMENTARY, Elementary
-from coscrew_codegen.elementary.products import with_split_products
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, Program, counts_in_words
 from coscrew_codegen.render import render
@@ -30,8 +29,7 @@ def module(precision: Precision, names: Collection[str], banner: str) -> str:
 
 def _programs(function: Elementary, precision: Precision) -> Mapping[str, Program]:
     made = {"near": function.near, "far": function.far, "body": function.kernel}
-    return {name: with_split_products(make(precision), precision)
-            for name, make in made.items() if make}
+    return {name: make(precision) for name, make in made.items() if make}
 
 
 def _function(function: Elementary, precision: Precision) -> dict[str, Any]:
