@@ -2,24 +2,40 @@
 
 import sympy as sp
 
+from coscrew_codegen.elementary import ELEMENTARY as FUNCTIONS
+from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import ANY, SCALAR, Argument
 
 _NAME = "elementary"
+_FUNCTIONS = {function.name: function for function in FUNCTIONS}
 
 _x, _y = (Argument(name, SCALAR, ANY) for name in "xy")
 _s, _c, _angle = (Argument(name, SCALAR) for name in ("s", "c", "angle"))
 
+
+
+def within(name: str) -> str:
+    """The bounds of an elementary function's error."""
+    double, single = (float(_FUNCTIONS[name].error(p)) for p in PRECISIONS)
+    return (f"Error <= {double:g} ulp, in single precision {single:g} ulp, unless a result is "
+            "subnormal; proved.")
+
+
 OPERATIONS = (
     Operation(_NAME, "sincos", "s = sin x, c = cos x, x in rad", (_x,), (_s, _c),
-              lambda x: (sp.sin(x), sp.cos(x))),
-    Operation(_NAME, "sin", "s = sin x, x in rad", (_x,), (_s,), sp.sin),
-    Operation(_NAME, "cos", "c = cos x, x in rad", (_x,), (_c,), sp.cos),
-    Operation(_NAME, "exp", "y = e^x", (_x,), (Argument("y", SCALAR),), sp.exp),
-    Operation(_NAME, "tanh", "y = tanh x", (_x,), (Argument("y", SCALAR),), sp.tanh),
+              lambda x: (sp.sin(x), sp.cos(x)), rounding=within("sincos")),
+    Operation(_NAME, "sin", "s = sin x, x in rad", (_x,), (_s,), sp.sin,
+              rounding=within("sincos")),
+    Operation(_NAME, "cos", "c = cos x, x in rad", (_x,), (_c,), sp.cos,
+              rounding=within("sincos")),
+    Operation(_NAME, "exp", "y = e^x", (_x,), (Argument("y", SCALAR),), sp.exp,
+              rounding=within("exp")),
+    Operation(_NAME, "tanh", "y = tanh x", (_x,), (Argument("y", SCALAR),), sp.tanh,
+              rounding=within("tanh")),
     Operation(_NAME, "atan2", "angle of the vector (x, y) to the x axis, in rad, from -π to π",
-              (_y, _x), (_angle,), sp.atan2),
+              (_y, _x), (_angle,), sp.atan2, rounding=within("atan2")),
 )
 
 FAMILY = Family(_NAME, 5, __doc__, OPERATIONS)

@@ -2,6 +2,7 @@
 
 import sympy as sp
 
+from coscrew_codegen.operations.elementary import within
 from coscrew_codegen.operations.family import Family
 from coscrew_codegen.operations.operation import Operation
 from coscrew_codegen.quantity import (
@@ -16,8 +17,9 @@ _NAME = "trig"
 _theta, _dc = Argument("theta", SCALAR, ANY), Argument("dc", DC)
 
 OPERATIONS = (
-    Operation(_NAME, "dc", "dc = (sin θ, cos θ), θ in rad; accurate as the platform's sin and cos",
-              (_theta,), (_dc,), lambda theta: sp.Matrix([sp.sin(theta), sp.cos(theta)])),
+    Operation(_NAME, "dc", "dc = (sin θ, cos θ), θ in rad",
+              (_theta,), (_dc,), lambda theta: sp.Matrix([sp.sin(theta), sp.cos(theta)]),
+              rounding=within("sincos")),
 )
 
 FAMILY = Family(_NAME, 80, __doc__, OPERATIONS)

@@ -14,7 +14,7 @@ class Rounding(Enum):
 
     EXACT = "exact"
     ONCE = "rounded once"  # by at most u of the result
-    LIBRARY = "as the language's library rounds it"
+    FUNCTION = "within an ulp"  # elementary functions of our own, whose errors are proved
 
 
 class Functions(Protocol):
@@ -41,7 +41,7 @@ class Meaning:
     commutes: bool = False
 
 
-_EXACT, _ONCE, _LIBRARY = Rounding
+_EXACT, _ONCE, _FUNCTION = Rounding
 
 
 class Op(Enum):
@@ -109,11 +109,11 @@ _MEANINGS = {
     Op.NEG: Meaning(1, _EXACT, _sum(-1)),
     Op.ABS: Meaning(1, _EXACT, lambda f, x, y: (f.where(f.less(x, 0), -1, 1),)),
     Op.SQRT: Meaning(1, _ONCE, lambda f, x, y: (1 / (2 * y),)),
-    Op.SIN: Meaning(1, _LIBRARY, lambda f, x, y: (f.cos(x),)),
-    Op.COS: Meaning(1, _LIBRARY, lambda f, x, y: (-f.sin(x),)),
-    Op.ATAN2: Meaning(2, _LIBRARY, _arctangent),
-    Op.EXP: Meaning(1, _LIBRARY, lambda f, x, y: (y,)),
-    Op.TANH: Meaning(1, _LIBRARY, lambda f, x, y: (1 - y * y,)),
+    Op.SIN: Meaning(1, _FUNCTION, lambda f, x, y: (f.cos(x),)),
+    Op.COS: Meaning(1, _FUNCTION, lambda f, x, y: (-f.sin(x),)),
+    Op.ATAN2: Meaning(2, _FUNCTION, _arctangent),
+    Op.EXP: Meaning(1, _FUNCTION, lambda f, x, y: (y,)),
+    Op.TANH: Meaning(1, _FUNCTION, lambda f, x, y: (1 - y * y,)),
     Op.COPYSIGN: Meaning(2, _EXACT, None),
     Op.POWER: Meaning(2, _EXACT, None),
     Op.TWO_OVER_PI: Meaning(3, _EXACT, None),

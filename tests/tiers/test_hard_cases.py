@@ -26,9 +26,6 @@ CASES: dict[tuple[str, str], list[Case]] = defaultdict(list)
 for _case in corpus.load():
     CASES[_case.operation.name, _case.precision.name].append(_case)
 
-# NumPy's float32 sine, cosine and arctangent are less accurate than the C library's.
-OF_NUMPY = 4
-
 operations = pytest.mark.parametrize("operation", JUDGED, ids=lambda op: op.name)
 
 
@@ -61,11 +58,9 @@ def test_no_hard_case_exceeds_the_bound(operation: Operation, precision: Precisi
 
 @for_all(operation=JUDGED, precision=PRECISIONS)
 def test_pure_numpy_is_as_good(operation: Operation, precision: Precision):
-    """... except by NumPy's own float32 functions."""
     cases = CASES[operation.name, precision.name]
-    extra = OF_NUMPY if precision.name == "single" else 0
     for case, got in zip(cases, results(twin(coscrew), cases), strict=True):
-        found = ratio(operation, precision, "plain", case.inputs, got, extra)
+        found = ratio(operation, precision, "plain", case.inputs, got)
         assert found <= 1, f"{found:.4g} of the bound, {case.line}"
 
 

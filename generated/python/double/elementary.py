@@ -15,7 +15,8 @@ def sincos(x):
     """s = sin x, c = cos x, x in rad.
 
     ()->(),().  x, s, c: number.
-    1 sin, 1 cos.
+    1 sin, 1 cos.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is
+    subnormal; proved.
     """
     s, c = elementary.sincos(x)
     return (s, c)
@@ -26,7 +27,8 @@ def sin(x):
     """s = sin x, x in rad.
 
     ()->().  x, s: number.
-    1 sin.
+    1 sin.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal;
+    proved.
     """
     s = elementary.sin(x)
     return s
@@ -37,7 +39,8 @@ def cos(x):
     """c = cos x, x in rad.
 
     ()->().  x, c: number.
-    1 cos.
+    1 cos.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal;
+    proved.
     """
     c = elementary.cos(x)
     return c
@@ -48,7 +51,8 @@ def exp(x):
     """y = e^x.
 
     ()->().  x, y: number.
-    1 exp.
+    1 exp.  Error <= 0.97 ulp, in single precision 0.992 ulp, unless a result is subnormal;
+    proved.
     """
     y = elementary.exp(x)
     return y
@@ -59,7 +63,8 @@ def tanh(x):
     """y = tanh x.
 
     ()->().  x, y: number.
-    1 tanh.
+    1 tanh.  Error <= 0.979 ulp, in single precision 0.967 ulp, unless a result is subnormal;
+    proved.
     """
     y = elementary.tanh(x)
     return y
@@ -70,7 +75,8 @@ def atan2(y, x):
     """angle of the vector (x, y) to the x axis, in rad, from -π to π.
 
     (),()->().  y, x, angle: number.
-    1 atan2.
+    1 atan2.  Error <= 0.934 ulp, in single precision 0.896 ulp, unless a result is subnormal;
+    proved.
     """
     angle = elementary.atan2(y, x)
     return angle

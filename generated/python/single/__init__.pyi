@@ -8,42 +8,48 @@ def sincos(x: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float
     """s = sin x, c = cos x, x in rad.
 
     ()->(),().  x, s, c: number.
-    1 sin, 1 cos.
+    1 sin, 1 cos.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is
+    subnormal; proved.
     """
 
 def sin(x: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """s = sin x, x in rad.
 
     ()->().  x, s: number.
-    1 sin.
+    1 sin.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal;
+    proved.
     """
 
 def cos(x: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """c = cos x, x in rad.
 
     ()->().  x, c: number.
-    1 cos.
+    1 cos.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal;
+    proved.
     """
 
 def exp(x: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """y = e^x.
 
     ()->().  x, y: number.
-    1 exp.
+    1 exp.  Error <= 0.97 ulp, in single precision 0.992 ulp, unless a result is subnormal;
+    proved.
     """
 
 def tanh(x: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """y = tanh x.
 
     ()->().  x, y: number.
-    1 tanh.
+    1 tanh.  Error <= 0.979 ulp, in single precision 0.967 ulp, unless a result is subnormal;
+    proved.
     """
 
 def atan2(y: ArrayLike, x: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """angle of the vector (x, y) to the x axis, in rad, from -π to π.
 
     (),()->().  y, x, angle: number.
-    1 atan2.
+    1 atan2.  Error <= 0.934 ulp, in single precision 0.896 ulp, unless a result is subnormal;
+    proved.
     """
 
 def vec3_copy(vi: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -902,10 +908,11 @@ def product_ddtzinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None 
     """
 
 def dc(theta: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
-    """dc = (sin θ, cos θ), θ in rad; accurate as the platform's sin and cos.
+    """dc = (sin θ, cos θ), θ in rad.
 
     ()->(2).  theta: number; dc: (sin θ, cos θ).
-    1 sin, 1 cos.
+    1 sin, 1 cos.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is
+    subnormal; proved.
     """
 
 def screw_copy(si: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:

@@ -77,9 +77,9 @@ def groups(operation: Operation, tier: str) -> tuple[Group, ...]:
 
 
 def ratio(operation: Operation, precision: Precision, tier: str, given: Sequence[float],
-          got: Sequence[float], extra: float = 0) -> float:
-    """The largest error of a row relative to its bound; `extra` is added to each k.  Certified
-    kernels return plain's results, then their bounds."""
+          got: Sequence[float]) -> float:
+    """The largest error of a row relative to its bound.  Certified kernels return plain's results,
+    then their bounds."""
     if tier == "certified":
         half = len(got) // 2
         return max(_polynomial(operation, precision, "plain", given, got[:half]),
@@ -87,18 +87,18 @@ def ratio(operation: Operation, precision: Precision, tier: str, given: Sequence
     if operation in TIERED:
         return _polynomial(operation, precision, tier, given, got)
     if operation.name in backward.BACKWARD:
-        slack = extra + DEFECT * _defect_in_u(operation, precision, given)
+        slack = DEFECT * _defect_in_u(operation, precision, given)
         return backward.ratio(operation, precision, given, got, slack)
     try:
         expected = truth(operation, precision, tuple(given))
     except ZeroDivisionError:
         return 0.0  # there is no bound for division by zero
-    found = _normwise(operation, precision, tier, given, got, expected, extra)
+    found = _normwise(operation, precision, tier, given, got, expected)
     if found > 1:
         near = 32 + DEFECT * _defect_in_u(operation, precision, given)
         other = other_way(operation, given, near * float(UNIT[precision.name]))
         if other is not None:
-            found = min(found, _normwise(operation, precision, tier, given, got, other, extra))
+            found = min(found, _normwise(operation, precision, tier, given, got, other))
     return found
 
 
@@ -152,7 +152,7 @@ def _underflow(operation: Operation, precision: Precision, tier: str,
 
 
 def _normwise(operation: Operation, precision: Precision, tier: str, given: Sequence[float],
-              got: Sequence[float], expected: Components, extra: float) -> float:
+              got: Sequence[float], expected: Components) -> float:
     info, u, worst = np.finfo(precision.numpy_type), float(UNIT[precision.name]), 0.0
     slack = DEFECT * _defect_in_u(operation, precision, given) if operation.normwise else 0.0
     lost = 16 * mp.mpf(float(info.smallest_subnormal))
@@ -160,7 +160,7 @@ def _normwise(operation: Operation, precision: Precision, tier: str, given: Sequ
         size = max(group.floor, *(abs(expected[i]) for i in group.places),
                    *(abs(given[i]) for i in group.inputs))
         k = group.k + group.slope * angle(operation, given)
-        allowed = (k + extra + slack) * u * (1 + 1024 * u) * size + lost
+        allowed = (k + slack) * u * (1 + 1024 * u) * size + lost
         for i in group.places:
             if math.isfinite(got[i]):
                 worst = max(worst, float(abs(mp.mpf(got[i]) - expected[i]) / allowed))

@@ -9,11 +9,18 @@
 
 #include <stdint.h>
 
+/* Rare paths are never inlined; sine and cosine always are, unless the compiler optimises for size:
+   then those of several joints are computed at the same time. */
 #ifndef KSL_COLD
 #ifdef __GNUC__
 #define KSL_COLD __attribute__((noinline, cold, unused))
 #else
 #define KSL_COLD
+#endif
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
+#define KSL_INLINED inline __attribute__((always_inline))
+#else
+#define KSL_INLINED inline
 #endif
 #endif
 
@@ -151,7 +158,7 @@ static inline double ksl_exp(const double x) {
 #ifndef KSL_SINCOS
 #define KSL_SINCOS
 /* Its reduction of angles up to 6588396.0. */
-static inline double ksl_sincos_near(const double x, double *r, double *r_excess) {
+static KSL_INLINED double ksl_sincos_near(const double x, double *r, double *r_excess) {
   const double quadrant_1 = KSL_MUL(x, 0.6366197723675814),
       quadrant_2 = quadrant_1 + 6755399441055744.0,
       quadrant_value = quadrant_2 - 6755399441055744.0;
@@ -266,7 +273,7 @@ static KSL_COLD double ksl_sincos_far(const double x, double *r, double *r_exces
      and a rest, beyond the limit by the digits of 2/pi; polynomials of degrees 13 and 14 in r,
      to 2^-57.8; with all roundings within 0.824 ulp (both proved), for every finite x.
    23 mul, 25 add, 1 abs. */
-static inline double ksl_sincos(const double x, double *c) {
+static KSL_INLINED double ksl_sincos(const double x, double *c) {
   double quadrant, r, r_excess;
   if (fabs(x) > 6588396.0) {
     quadrant = ksl_sincos_far(x, &r, &r_excess);
@@ -461,7 +468,7 @@ static inline float ksl_expf(const float x) {
 #ifndef KSL_SINCOSF
 #define KSL_SINCOSF
 /* Its reduction of angles up to 1607.0f. */
-static inline float ksl_sincos_nearf(const float x, float *r, float *r_excess) {
+static KSL_INLINED float ksl_sincos_nearf(const float x, float *r, float *r_excess) {
   const float quadrant_1 = KSL_MULF(x, 0.63661975f), quadrant_2 = quadrant_1 + 1.2582912e+07f,
       quadrant_value = quadrant_2 - 1.2582912e+07f;
   const float high_1 = KSL_MULF(quadrant_value, 1.5706787f), high_2 = x - high_1,
@@ -571,7 +578,7 @@ static KSL_COLD float ksl_sincos_farf(const float x, float *r, float *r_excess) 
      and a rest, beyond the limit by the digits of 2/pi; polynomials of degrees 7 and 8 in r, to
      2^-27.8; with all roundings within 0.85 ulp (both proved), for every finite x.
    17 mul, 19 add, 1 abs. */
-static inline float ksl_sincosf(const float x, float *c) {
+static KSL_INLINED float ksl_sincosf(const float x, float *c) {
   float quadrant, r, r_excess;
   if (fabsf(x) > 1607.0f) {
     quadrant = ksl_sincos_farf(x, &r, &r_excess);
