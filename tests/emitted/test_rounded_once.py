@@ -115,7 +115,8 @@ _TYPES = "typedef unsigned long uint64_t; typedef unsigned int uint32_t;\n"
 def fused(text: str) -> list[str]:
     """Where a product could be fused into a sum."""
     visitor = Fused()
-    plain = _ASSEMBLY.sub("", _REMOVED.sub("", text)).replace("KSL_COLD", "").replace("KSL_INLINED", "inline")
+    plain = _ASSEMBLY.sub("", _REMOVED.sub("", text))
+    plain = plain.replace("KSL_COLD", "").replace("KSL_INLINED", "inline")
     visitor.visit(CParser().parse(_TYPES + plain))
     return visitor.found
 
