@@ -17,8 +17,8 @@ from coscrew_codegen.quantity import ANGLE, SCALAR, Argument
 X = Argument("x", SCALAR, ANGLE)
 REDUCED = (Argument("quadrant", SCALAR), Argument("r", SCALAR), Argument("r_excess", SCALAR))
 
-HALF_PI = pi(1400) / 2
-"""π/2, to 2^-1400."""
+HALF_PI = pi(2400) / 2
+"""π/2, to 2^-2400."""
 
 
 @dataclass(frozen=True)

@@ -73,13 +73,14 @@ def near_is_proved(precision: Precision) -> Reduction:
         assert not high.error.radius and not low.error.radius, "these are exact"
         k_high = analysis.number(k.high)
         assert k_high <= 2**parts.k_bits
-        rest = k_high * parts.rest * (1 + 2 * u)
+        rest = k_high * parts.rest * (1 + 3 * u) + u * u
         lost = analysis.number((r.error - excess.error).radius)
-        assert lost <= 2 * u * rest + u * u, "two roundings are left"
+        assert lost <= 2 * u * rest + u * u, "two roundings are left"  # the second relative to r
         largest = max(largest, *(abs(analysis.number(x)) for x in (r.low, r.high)))
         binades.append(Binade(2 * u * rest + k_high * missing + TINY, rest,
                               closest(precision, exponent)))
-    return Reduction(u * u * (1 + 2 * u), largest, tuple(binades))
+    assert all(32 * x.excess <= x.least for x in binades)
+    return Reduction(2 * u * u, largest, tuple(binades))
 
 
 def exponent_of(x: Fraction) -> int:

@@ -121,8 +121,9 @@ def roundings(precision: Precision) -> Fraction:
     reductions = near_is_proved(precision), far_is_proved(precision)
     sine, cosine = approximations(precision)
     largest, worst = max(x.largest for x in reductions), []
-    assert largest**2 <= SQUARES[1]
     powers = [Fraction(1, 2**n) for n in range(4, 2 * precision.digits)]
+    assert largest**2 <= SQUARES[1]
+    assert all(powers[-1] < b.least for x in reductions for b in x.binades)
     for low, high in (*pieces(Fraction(1, 16), largest, 32, (Fraction(1, 8), Fraction(1, 4),
                       Fraction(1, 2))), *((x / 2, x) for x in powers)):
         half_ulp = precision.u * Fraction(2)**exponent_of(low)
