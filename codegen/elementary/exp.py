@@ -160,9 +160,9 @@ def comment(precision: Precision) -> str:
     data = DATA[precision]
     return ("x = k ln 2 + r, |r| <= ln 2 / 2, ln 2 as a sum of two numbers; e^r = 1 + r + "
             f"r^2 q(r), q of degree {len(data.q) - 1}, to 2^{float(data.approximation):g}; with "
-            f"all roundings within {float(data.error):g} ulp (both proved).")
+            f"all roundings within {float(data.error):g} ulp (both proved), results below the "
+            f"normal range within {float(1 + data.error) / 2:.2f} of the least subnormal number.")
 
 
-FUNCTION = Elementary(
-    "exp", "y = exp x", INPUTS, OUTPUTS, kernel, lambda precision: DATA[precision].error, comment,
-    subnormal="Results below the normal range are rounded once more, to the least subnormal.")
+FUNCTION = Elementary("exp", "y = exp x", INPUTS, OUTPUTS, kernel,
+                      lambda precision: DATA[precision].error, comment)

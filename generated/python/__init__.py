@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "224b2738cbd862d0")
+COMPILED: bool = is_compiled("coscrew._gufunc", "2bcadbc6f0fdddde")
 
 if COMPILED:
     from coscrew._gufunc import (
