@@ -140,8 +140,9 @@ def comment(precision: Precision) -> str:
     data = DATA[precision]
     return ("arctan(a/b), and pi/4 + arctan((a - b)/(a + b)) above 1/2, a <= b being |x| and |y|; "
             f"arctan q = q + q^3 p(q^2), p of degree {len(data.p) - 1}, to "
-            f"2^{float(data.approximation):g}; the quotient corrected; with all roundings within "
-            f"{float(data.error):g} ulp (both proved).")
+            f"2^{float(data.approximation):g}; the quotient to more than its digits; with all "
+            f"roundings within {float(data.error):g} ulp (both proved), results below the normal "
+            "range within 0.51 of the least subnormal number.")
 
 
 FUNCTION = Elementary("atan2", "angle = atan2(y, x)", INPUTS, OUTPUTS, kernel,

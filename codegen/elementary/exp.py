@@ -1,7 +1,8 @@
-"""exp(x) = 2^k e^r, x = k ln 2 + r, 3/4 <= e^r <= 3/2.
+"""exp(x) = 2^k e^r, x = k ln 2 + r, |r| <= ln 2 / 2.
 
-e^r = 1 + (r_high + (r² q(r) - r_low)): within these limits the sum in brackets is rounded by at
-most 1/8 ulp of the result.  The least results are scaled twice and rounded once more only."""
+r = high - rest, high exact and rest small: e^r = 1 + high + (r² q(r) - rest), where what 1 + high
+is rounded by is added to the bracket.  The least results are scaled twice and rounded once more
+only."""
 
 from dataclasses import dataclass
 from fractions import Fraction
@@ -15,9 +16,8 @@ from coscrew_codegen.program import Op, Program
 from coscrew_codegen.quantity import ANY, SCALAR, Argument
 
 INPUTS, OUTPUTS = (Argument("x", SCALAR, ANY),), (Argument("y", SCALAR),)
-INTERVAL = Fraction(-2879, 10000), Fraction(4054, 10000)
-"""Of r: from ln 3/4 to ln 3/2, and what the roundings of x / ln 2 shift it by."""
-_BELOW = Fraction(1389, 2**14)  # a little less than log2(3/2) - 1/2, so that e^r < 3/2
+INTERVAL = Fraction(-3467, 10000), Fraction(3467, 10000)
+"""Of r: ln 2 / 2, and what the rounding of x / ln 2 shifts it by."""
 _SMALL = 64  # the exponent that is scaled by at last if the result may be subnormal
 
 
@@ -36,41 +36,40 @@ class Data:
 
 DATA = {
     DOUBLE: Data(numbers("""
-        0x1.0000000000000p-1 0x1.55555555556c3p-3 0x1.5555555555bafp-5 0x1.111111109542ep-7
-        0x1.6c16c16b284c5p-10 0x1.a01a052a61a12p-13 0x1.a019f445196eep-16 0x1.71d3655f7e9b0p-19
-        0x1.283ff67373038p-22 0x1.c676916af9318p-26"""),
+        0x1.0000000000000p-1 0x1.5555555555501p-3 0x1.55555555531f4p-5 0x1.111111112897dp-7
+        0x1.6c16c17cc9f96p-10 0x1.a01a011bd5745p-13 0x1.a019ab158c8c2p-16 0x1.71df55cfa5232p-19
+        0x1.289fa481977b0p-22 0x1.ad1f6f8169222p-26"""),
         numbers("0x1.71547652b82fep+0")[0],
         numbers("0x1.62e42fefa3800p-1 0x1.ef35793c76730p-45"), (-746, 710), -700,
-        Fraction("-57.6"), Fraction("0.970")),
+        Fraction("-57.3"), Fraction("0.755")),
     SINGLE: Data(numbers("""
-        0x1.0000000000000p-1 0x1.5554da0000000p-3 0x1.554b5e0000000p-5 0x1.11edc80000000p-7
-        0x1.7c13f40000000p-10"""),
+        0x1.0000000000000p-1 0x1.5554a40000000p-3 0x1.55568a0000000p-5 0x1.122f260000000p-7
+        0x1.6b6bf00000000p-10"""),
         numbers("0x1.7154760000000p+0")[0],
         numbers("0x1.62e4000000000p-1 0x1.7f7d1c0000000p-20"), (-104, 89), -80,
-        Fraction("-27.7"), Fraction("0.992"))}
+        Fraction("-27.9"), Fraction("0.757"))}
 
 
 @dataclass(frozen=True)
 class Reduced:
-    """e^x = 2^k (1 + s), s = high + low rounded; shifted is k plus the integers' shift."""
+    """e^x = 2^k (1 + high + low), high exact; shifted is k plus the integers' shift."""
 
     shifted: Value
     high: Value
     low: Value
-    s: Value
 
 
 def reduced(x: Value, precision: Precision) -> Reduced:
     """The steps that the exponential's functions share, for x within its limits."""
     data, shift = DATA[precision], integer_shift(precision)
     steps = x.steps
-    shifted = steps.named("shifted", (x * data.to_binary - _BELOW) + shift)
+    shifted = steps.named("shifted", x * data.to_binary + shift)
     k = steps.named("k", shifted - shift)
     high = steps.named("high", x - k * data.ln2[0])
     rest = steps.named("rest", k * data.ln2[1])
     r = steps.named("r", high - rest)
     low = steps.named("low", (r * r) * estrin(data.q, r) - rest)
-    return Reduced(shifted, high, low, steps.named("s", high + low))
+    return Reduced(shifted, high, low)
 
 
 @cache
@@ -84,7 +83,8 @@ def kernel(precision: Precision) -> Program:
     x = steps.named("within", (x < least).where(least, x))
     parts = reduced(x, precision)
     small = steps.named("small", x < data.small)
-    e_r = steps.named("e_r", parts.s + 1)
+    start = steps.named("start", parts.high + 1)
+    e_r = steps.named("e_r", start + (((1 - start) + parts.high) + parts.low))
     power = steps.do(Op.POWER, parts.shifted + small.where(_SMALL, -1), shift)
     scaled = steps.named("scaled", steps.do(Op.SCALE, e_r, power))
     last = small.where(Fraction(1, 2**_SMALL), 2)
@@ -140,33 +140,29 @@ def reduction(precision: Precision) -> None:
 def roundings(precision: Precision) -> Fraction:
     """A bound, proved, of the error in ulps of a result in the normal range.
 
-    `reduction` gives the range of high for k's in a block.  It is cut in pieces; what is left is
-    scaled, exactly."""
+    `reduction` gives the range of high, which is cut in pieces.  The scaling of e^r is exact."""
     from coscrew_codegen.elementary.roundings import Roundings, given, pieces
 
     data, relative, worst = DATA[precision], approximation(precision), Fraction(0)
-    first, last = (3 * x // 2 + 1 for x in (data.limits[0] - 2, data.limits[1]))
-    block = last - first if precision is DOUBLE else 32  # so that k times the rest hardly differs
-    for k in range(first, last, block):
-        rests = [x * data.ln2[1] for x in (k, k + block)]
-        near_zero = Fraction(-1, 2**12), Fraction(1, 2**12)
-        for low, high in pieces(INTERVAL[0] + min(rests), INTERVAL[1] + max(rests), 64, near_zero):
-            analysis = Roundings(precision)
-            x = analysis.within(*data.limits)
-            ks, part = analysis.within(k, k + block, 0), analysis.within(low, high)
-            result, = analysis.results(kernel(precision), ["e_r"], [x],
-                                       given({"k": ks, "high": part}))
-            worst = max(worst, analysis.ulps(result, relative))
+    first, last = (3 * x // 2 + 1 for x in (data.limits[0] - 2, data.limits[1]))  # k
+    rests, near_zero = (first * data.ln2[1], last * data.ln2[1]), Fraction(1, 2**12)
+    for low, high in pieces(INTERVAL[0] + min(rests), INTERVAL[1] + max(rests), 64,
+                            (-near_zero, near_zero)):
+        analysis = Roundings(precision)
+        result, = analysis.results(
+            kernel(precision), ["e_r"], [analysis.within(*data.limits)],
+            given({"k": analysis.within(first, last, 0), "high": analysis.within(low, high)}))
+        worst = max(worst, analysis.ulps(result, relative))
     return worst
 
 
 def comment(precision: Precision) -> str:
     data = DATA[precision]
-    return ("x = k ln 2 + r, 3/4 <= e^r <= 3/2, ln 2 as a sum of two numbers; e^r = 1 + r + "
+    return ("x = k ln 2 + r, |r| <= ln 2 / 2, ln 2 as a sum of two numbers; e^r = 1 + r + "
             f"r^2 q(r), q of degree {len(data.q) - 1}, to 2^{float(data.approximation):g}; with "
-            f"all roundings within {float(data.error):g} ulp (both proved).")
+            f"all roundings within {float(data.error):g} ulp (both proved), results below the "
+            f"normal range within {float(1 + data.error) / 2:.2f} of the least subnormal number.")
 
 
-FUNCTION = Elementary(
-    "exp", "y = exp x", INPUTS, OUTPUTS, kernel, lambda precision: DATA[precision].error, comment,
-    subnormal="Results below the normal range are rounded once more, to the least subnormal.")
+FUNCTION = Elementary("exp", "y = exp x", INPUTS, OUTPUTS, kernel,
+                      lambda precision: DATA[precision].error, comment)

@@ -26,8 +26,8 @@ class Elementary:
     """Proved: |result - true| in ulps of the result, wherever the true result is in the normal
     range; approximation and roundings, each to nearest."""
     comment: Callable[[Precision], str]
-    """Degree, interval and split; the proved errors of the approximation and of the result."""
-    subnormal: str = ""  # what holds of results below the normal range, where it is something else
+    """Degree, interval and split; the proved errors of the approximation and of the result; what
+    holds of results below the normal range, where it is something else."""
     near: Callable[[Precision], Program] | None = None  # for |x| <= limit
     far: Callable[[Precision], Program] | None = None  # for every finite x
     limit: Callable[[Precision], Fraction] | None = None

@@ -15,42 +15,27 @@ from math import isqrt
 from typing import TypeAlias
 
 from coscrew_codegen.elementary.affine import Form, ceil_shift
+from coscrew_codegen.elementary.tracked import (
+    ANY_GRID,
+    ImpossibleError,
+    Known,
+    Undecided,
+    UndecidedError,
+    Value,
+    absolute,
+    equal,
+    last_bit,
+    less,
+    negated,
+    selected,
+    signed,
+)
 from coscrew_codegen.formats import Format
 from coscrew_codegen.program import Constant, Instruction, Op, Program, Ref, without_dead_steps
 from coscrew_codegen.program.interpreter import Arithmetic, evaluate
 
-ANY_GRID = 10**6  # of zero, which is a multiple of everything
-
-
-class ImpossibleError(ValueError):
-    """No argument of the ranges given leads here."""
-
-
-class UndecidedError(ValueError):
-    """A result needs a choice that differs within the range: the range is to be cut."""
-
-
-@dataclass(frozen=True)
-class Undecided:
-    """What cannot be said, and why; it does no harm where it is not selected."""
-
-    reason: str
-
-
-@dataclass(frozen=True, eq=False)
-class Value:
-    """Computed: low … high, a multiple of 2^grid; exact; error = computed - exact.
-
-    If the last step rounded, `before` is the range of what it rounded, and the error's part
-    `rounding` is its own."""
-
-    low: int
-    high: int
-    grid: int
-    exact: Form
-    error: Form
-    rounding: int | None = None
-    before: tuple[int, int] = (0, 0)
+__all__ = ["Before", "ImpossibleError", "Known", "Knowledge", "Roundings", "UndecidedError",
+           "Value", "given", "pieces"]
 
 
 @dataclass(frozen=True)
@@ -61,7 +46,6 @@ class Before:
     high: Fraction
 
 
-Known: TypeAlias = Value | bool | Undecided
 Knowledge: TypeAlias = Mapping[str, Callable[[Known], Known] | Before]
 """From names of steps to what is made of their results, by what is known of them otherwise."""
 
@@ -83,7 +67,7 @@ class Roundings:
         """An argument: any number of the format from low to high, a multiple of 2^grid."""
         bounds = self._down(Fraction(low)), -self._down(-Fraction(high))
         if grid is None:
-            grid = _grid(Fraction(low)) if low == high else self._least_grid(*bounds)
+            grid = last_bit(Fraction(low)) if low == high else self._least_grid(*bounds)
         return Value(*bounds, grid, self._between(*bounds), Form(0, {}, 0))
 
     def restricted(self, low: Fraction, high: Fraction) -> Callable[[Known], Known]:
@@ -152,8 +136,8 @@ class Roundings:
         table: dict[Op, Callable[..., Known]] = {
             Op.ADD: lambda a, b: self._sum(a, b, 1), Op.SUB: lambda a, b: self._sum(a, b, -1),
             Op.MUL: self._product, Op.SCALE: self._product, Op.DIV: self._quotient,
-            Op.NEG: _negated, Op.ABS: _absolute, Op.COPYSIGN: _signed, Op.LESS: _less,
-            Op.EQUAL: _equal, Op.SELECT: _selected, Op.POWER: self._power}
+            Op.NEG: negated, Op.ABS: absolute, Op.COPYSIGN: signed, Op.LESS: less,
+            Op.EQUAL: equal, Op.SELECT: selected, Op.POWER: self._power}
 
         def function(step: Instruction, _: int) -> Callable[..., Known]:
             known, operation = knowledge.get(step.name), table[step.op]
@@ -178,9 +162,9 @@ class Roundings:
         return Arithmetic(constant, function)
 
     def _sum(self, a: Value, b: Value, sign: int) -> Value:
-        other = b if sign > 0 else _negated(b)
+        other = b if sign > 0 else negated(b)
         for zero, rest in ((a, other), (other, a)):
-            if zero.low == zero.high == 0 and not zero.error.parts:
+            if zero.low == zero.high == 0 and not zero.error.radius:
                 return replace(rest, exact=a.exact + other.exact, rounding=None)
         return self._rounded(a.low + other.low, a.high + other.high, min(a.grid, b.grid),
                              a.exact + other.exact, a.error + other.error)
@@ -219,7 +203,7 @@ class Roundings:
     def _quotient(self, a: Value, b: Value) -> Value:
         """computed - exact = (error(a) - exact quotient · error(b)) / b"""
         if b.high < 0:
-            return self._quotient(_negated(a), _negated(b))
+            return self._quotient(negated(a), negated(b))
         least, largest = b.exact.range
         if b.low <= 0 or least <= 0:
             raise UndecidedError("the divisor may be 0")
@@ -269,7 +253,7 @@ class Roundings:
         symbol = next(self._symbols) if size else None
         if symbol is not None:
             error = Form(error.mid, {**error.parts, symbol: size}, error.spread)
-        a, b = (self._nearest(low), self._nearest(high)) if size else (low, high)
+        a, b = (self._nearest(low, -size), self._nearest(high, size)) if size else (low, high)
         return Value(a, b, max(grid, self._least_grid(a, b)), exact, error, symbol, (low, high))
 
     def _rounding(self, low: int, high: int, grid: int) -> int:
@@ -290,9 +274,11 @@ class Roundings:
         least = self.precision.least_exponent - self.precision.digits + self.scale
         return 1 << max(exponent, least, 0)
 
-    def _nearest(self, x: int) -> int:
+    def _nearest(self, x: int, size: int) -> int:
+        """What x is rounded to; if that is no integer, something beyond it in the direction of the
+        size of the rounding error."""
         ulp = 2 * self._power_of_two(abs(x).bit_length() - 1 - self.precision.digits)
-        return round(Fraction(x, ulp)) * ulp
+        return round(Fraction(x, ulp)) * ulp if ulp > 2 else x + size
 
     def _least_grid(self, low: int, high: int) -> int:
         """The exponent of the ulp of the least number between."""
@@ -315,48 +301,6 @@ class Roundings:
 
     def _down(self, x: Fraction) -> int:
         return (x.numerator << self.scale) // x.denominator
-
-
-def _grid(x: Fraction) -> int:
-    """The largest n for which x is a multiple of 2^n."""
-    if not x:
-        return ANY_GRID
-    return (x.numerator & -x.numerator).bit_length() - x.denominator.bit_length()
-
-
-def _negated(a: Value) -> Value:
-    return Value(-a.high, -a.low, a.grid, -a.exact, -a.error, a.rounding,
-                 (-a.before[1], -a.before[0]))
-
-
-def _absolute(a: Value) -> Value:
-    return _signed(a, None)
-
-
-def _signed(a: Value, b: Value | None) -> Value:
-    """abs(a), with the sign of b."""
-    if a.low < 0 < a.high or b is not None and b.low < 0 <= b.high:
-        raise UndecidedError("the sign differs")
-    negative = b is not None and b.high < 0
-    return _negated(a) if (a.high <= 0 and a.low < 0) != negative else a
-
-
-def _less(a: Value, b: Value) -> bool:
-    if a.high < b.low or a.low >= b.high:
-        return a.high < b.low
-    raise UndecidedError("the comparison differs")
-
-
-def _equal(a: Value, b: Value) -> bool:
-    if a.high < b.low or b.high < a.low:
-        return False
-    if a.low == a.high == b.low == b.high:
-        return True
-    raise UndecidedError("the comparison differs")
-
-
-def _selected(test: bool, a: Known, b: Known) -> Known:
-    return a if test else b
 
 
 def given(values: Mapping[str, Known | Before]) -> Knowledge:

@@ -59,7 +59,8 @@ def kernel(precision: Precision) -> Program:
     parts = exp.reduced(twice, precision)
     power = steps.named("power", steps.do(Op.POWER, parts.shifted, shift))
     most = power + 1
-    rest = steps.named("rest_of_e", steps.do(Op.SCALE, parts.s, power))
+    s = steps.named("s", parts.high + parts.low)
+    rest = steps.named("rest_of_e", steps.do(Op.SCALE, s, power))
     total = steps.named("total", most + rest)
     low = steps.named("low_of_total", (most - total) + rest)
 

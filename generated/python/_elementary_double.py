@@ -16,9 +16,10 @@ def power_of_two(shifted):
 @errstate(all="ignore")
 def atan2(y, x):
     """angle = atan2(y, x).  arctan(a/b), and pi/4 + arctan((a - b)/(a + b)) above 1/2, a <= b
-    being |x| and |y|; arctan q = q + q^3 p(q^2), p of degree 11, to 2^-57.7; the quotient
-    corrected; with all roundings within 0.934 ulp (both proved).  29 mul, 35 add, 1 div, 1 neg,
-    2 abs, 2 copysign, 6 less, 1 equal, 14 select.
+    being |x| and |y|; arctan q = q + q^3 p(q^2), p of degree 11, to 2^-57.7; the quotient to
+    more than its digits; with all roundings within 0.934 ulp (both proved), results below the
+    normal range within 0.51 of the least subnormal number.  29 mul, 35 add, 1 div, 1 neg, 2
+    abs, 2 copysign, 6 less, 1 equal, 14 select.
     """
     height = absolute(y)
     width = absolute(x)
@@ -70,27 +71,28 @@ def atan2(y, x):
 
 @errstate(all="ignore")
 def exp(x):
-    """y = exp x.  x = k ln 2 + r, 3/4 <= e^r <= 3/2, ln 2 as a sum of two numbers; e^r = 1 + r +
-    r^2 q(r), q of degree 9, to 2^-57.6; with all roundings within 0.97 ulp (both proved).  19
-    mul, 18 add, 1 power of two, 3 less, 4 select.
+    """y = exp x.  x = k ln 2 + r, |r| <= ln 2 / 2, ln 2 as a sum of two numbers; e^r = 1 + r + r^2
+    q(r), q of degree 9, to 2^-57.3; with all roundings within 0.755 ulp (both proved), results
+    below the normal range within 0.88 of the least subnormal number.  19 mul, 20 add, 1 power
+    of two, 3 less, 4 select.
     """
     within_2 = where(710.0 < x, 710.0, x)
     within = where(within_2 < -746.0, -746.0, within_2)
-    shifted = within * 1.4426950408889634 - 0.08477783203125 + 6755399441055744.0
+    shifted = within * 1.4426950408889634 + 6755399441055744.0
     k = shifted - 6755399441055744.0
     high = within - k * 0.6931471805598903
     rest = k * 5.497923018708371e-14
     r = high - rest
     low_10 = r * r
-    low_11 = low_10 * (r * 0.0013888888886770961 + 0.008333333332453643)
-    low_13 = low_10 * (r * 2.7590417703001036e-07 + 2.7554166732699737e-06)
+    low_11 = low_10 * (r * 0.0013888888926860458 + 0.008333333333500498)
+    low_13 = low_10 * (r * 2.762522584904681e-07 + 2.7557641500508844e-06)
     low_15 = low_10 * low_10
-    low_16 = low_15 * (low_13 + (r * 2.480157515485128e-05 + 0.0001984127241707189))
-    low_17 = low_16 + (low_11 + (r * 0.04166666666667795 + 0.16666666666667682))
-    low = r * r * (r * (low_15 * low_15 * 2.6453237305425937e-08 + low_17) + 0.5) - rest
-    s = high + low
+    low_16 = low_15 * (low_13 + (r * 2.4801508592805324e-05 + 0.00019841269465342197))
+    low_17 = low_16 + (low_11 + (r * 0.04166666666660382 + 0.16666666666666433))
+    low = r * r * (r * (low_15 * low_15 * 2.4978234152604323e-08 + low_17) + 0.5) - rest
     small = within < -700.0
-    e_r = s + 1.0
+    start = high + 1.0
+    e_r = start + (1.0 - start + high + low)
     scaled = e_r * power_of_two(shifted + where(small, float64(64.0), float64(-1.0)))
     y = scaled * where(small, float64(5.421010862427522e-20), float64(2.0))
     return y
@@ -238,7 +240,7 @@ def cos(x):
 def tanh(x):
     """y = tanh x.  |x| < 5/8: x + x^3 p/q, of degrees 2 and 3 in x^2, to 2^-59.3; beyond: 1 - 2 /
     (e^2|x| + 1), e^2|x| as exp has it; with all roundings within 0.979 ulp (both proved).  29
-    mul, 31 add, 1 div, 1 power of two, 1 abs, 1 copysign, 2 less, 5 select.
+    mul, 30 add, 1 div, 1 power of two, 1 abs, 1 copysign, 2 less, 5 select.
     """
     size = absolute(x)
     small = size < 0.625
@@ -248,24 +250,24 @@ def tanh(x):
     below = ((z * 0.00020643828172711687 + 0.023288648134874086) * z + 0.4614903582797203) * z + 1.0
     twice_1 = size + size
     twice = where(40.0 < twice_1, 40.0, twice_1)
-    shifted = twice * 1.4426950408889634 - 0.08477783203125 + 6755399441055744.0
+    shifted = twice * 1.4426950408889634 + 6755399441055744.0
     k = shifted - 6755399441055744.0
     high = twice - k * 0.6931471805598903
     rest = k * 5.497923018708371e-14
     r = high - rest
     low_10 = r * r
-    low_11 = low_10 * (r * 0.0013888888886770961 + 0.008333333332453643)
-    low_13 = low_10 * (r * 2.7590417703001036e-07 + 2.7554166732699737e-06)
+    low_11 = low_10 * (r * 0.0013888888926860458 + 0.008333333333500498)
+    low_13 = low_10 * (r * 2.762522584904681e-07 + 2.7557641500508844e-06)
     low_15 = low_10 * low_10
-    low_16 = low_15 * (low_13 + (r * 2.480157515485128e-05 + 0.0001984127241707189))
-    low_17 = low_16 + (low_11 + (r * 0.04166666666667795 + 0.16666666666667682))
-    low = r * r * (r * (low_15 * low_15 * 2.6453237305425937e-08 + low_17) + 0.5) - rest
-    s = high + low
+    low_16 = low_15 * (low_13 + (r * 2.4801508592805324e-05 + 0.00019841269465342197))
+    low_17 = low_16 + (low_11 + (r * 0.04166666666660382 + 0.16666666666666433))
+    low = r * r * (r * (low_15 * low_15 * 2.4978234152604323e-08 + low_17) + 0.5) - rest
     power = power_of_two(shifted)
-    rest_of_e_1 = power + 1.0
+    s_1 = power + 1.0
+    s = high + low
     rest_of_e = s * power
-    total = rest_of_e_1 + rest_of_e
-    low_of_total = rest_of_e_1 - total + rest_of_e
+    total = s_1 + rest_of_e
+    low_of_total = s_1 - total + rest_of_e
     quotient = where(small, above, -2.0) / where(small, below, total)
     correction = where(small, 0.0, quotient * low_of_total * (quotient * 0.5))
     start = where(small, size, 1.0)

@@ -16,9 +16,10 @@ def power_of_two(shifted):
 @errstate(all="ignore")
 def atan2(y, x):
     """angle = atan2(y, x).  arctan(a/b), and pi/4 + arctan((a - b)/(a + b)) above 1/2, a <= b
-    being |x| and |y|; arctan q = q + q^3 p(q^2), p of degree 5, to 2^-31.7; the quotient
-    corrected; with all roundings within 0.896 ulp (both proved).  22 mul, 29 add, 1 div, 1 neg,
-    2 abs, 2 copysign, 6 less, 1 equal, 14 select.
+    being |x| and |y|; arctan q = q + q^3 p(q^2), p of degree 5, to 2^-31.7; the quotient to
+    more than its digits; with all roundings within 0.896 ulp (both proved), results below the
+    normal range within 0.51 of the least subnormal number.  22 mul, 29 add, 1 div, 1 neg, 2
+    abs, 2 copysign, 6 less, 1 equal, 14 select.
     """
     height = absolute(y)
     width = absolute(x)
@@ -64,22 +65,23 @@ def atan2(y, x):
 
 @errstate(all="ignore")
 def exp(x):
-    """y = exp x.  x = k ln 2 + r, 3/4 <= e^r <= 3/2, ln 2 as a sum of two numbers; e^r = 1 + r +
-    r^2 q(r), q of degree 4, to 2^-27.7; with all roundings within 0.992 ulp (both proved).  12
-    mul, 13 add, 1 power of two, 3 less, 4 select.
+    """y = exp x.  x = k ln 2 + r, |r| <= ln 2 / 2, ln 2 as a sum of two numbers; e^r = 1 + r + r^2
+    q(r), q of degree 4, to 2^-27.9; with all roundings within 0.757 ulp (both proved), results
+    below the normal range within 0.88 of the least subnormal number.  12 mul, 15 add, 1 power
+    of two, 3 less, 4 select.
     """
     within_2 = where(89.0 < x, 89.0, x)
     within = where(within_2 < -104.0, -104.0, within_2)
-    shifted = within * 1.442695 - 0.08477783 + 1.2582912e+07
+    shifted = within * 1.442695 + 1.2582912e+07
     k = shifted - 1.2582912e+07
     high = within - k * 0.69314575
     rest = k * 1.4286068e-06
     r = high - rest
-    low_10 = r * (r * r * (r * 0.0014498823 + 0.008359645) + (r * 0.041661914 + 0.16666575)) + 0.5
+    low_10 = r * (r * r * (r * 0.0013863435 + 0.008367437) + (r * 0.04166724 + 0.16666535)) + 0.5
     low = r * r * low_10 - rest
-    s = high + low
     small = within < -80.0
-    e_r = s + 1.0
+    start = high + 1.0
+    e_r = start + (1.0 - start + high + low)
     scaled = e_r * power_of_two(shifted + where(small, float32(64.0), float32(-1.0)))
     y = scaled * where(small, float32(5.421011e-20), float32(2.0))
     return y
@@ -217,7 +219,7 @@ def cos(x):
 def tanh(x):
     """y = tanh x.  |x| < 5/8: x + x^3 p/q, of degrees 2 and 1 in x^2, to 2^-31.2; beyond: 1 - 2 /
     (e^2|x| + 1), e^2|x| as exp has it; with all roundings within 0.967 ulp (both proved).  20
-    mul, 24 add, 1 div, 1 power of two, 1 abs, 1 copysign, 2 less, 5 select.
+    mul, 23 add, 1 div, 1 power of two, 1 abs, 1 copysign, 2 less, 5 select.
     """
     size = absolute(x)
     small = size < 0.625
@@ -226,19 +228,19 @@ def tanh(x):
     below = z * 0.4052077 + 1.0
     twice_1 = size + size
     twice = where(20.0 < twice_1, 20.0, twice_1)
-    shifted = twice * 1.442695 - 0.08477783 + 1.2582912e+07
+    shifted = twice * 1.442695 + 1.2582912e+07
     k = shifted - 1.2582912e+07
     high = twice - k * 0.69314575
     rest = k * 1.4286068e-06
     r = high - rest
-    low_10 = r * (r * r * (r * 0.0014498823 + 0.008359645) + (r * 0.041661914 + 0.16666575)) + 0.5
+    low_10 = r * (r * r * (r * 0.0013863435 + 0.008367437) + (r * 0.04166724 + 0.16666535)) + 0.5
     low = r * r * low_10 - rest
-    s = high + low
     power = power_of_two(shifted)
-    rest_of_e_1 = power + 1.0
+    s_1 = power + 1.0
+    s = high + low
     rest_of_e = s * power
-    total = rest_of_e_1 + rest_of_e
-    low_of_total = rest_of_e_1 - total + rest_of_e
+    total = s_1 + rest_of_e
+    low_of_total = s_1 - total + rest_of_e
     quotient = where(small, above, -2.0) / where(small, below, total)
     correction = where(small, 0.0, quotient * low_of_total * (quotient * 0.5))
     start = where(small, size, 1.0)

@@ -29,8 +29,8 @@ def test_errors_are_below_the_proved_bound(precision: Precision):
     zero, normal, overflow = ENDS[precision.name]
     tiny = 2.0**np.arange(-precision.digits - 2, 11)[:, None] * rng.uniform(1, 2, (1, 60))
     tiny = np.clip(tiny * rng.choice((-1, 1), tiny.shape), normal, overflow).ravel()
-    switches = (rng.integers(normal, overflow, 2000) + np.log2(1.5)) * np.log(2)
-    x = np.concatenate([rng.uniform(normal, overflow, 20000), rng.uniform(-0.29, 0.41, 20000), tiny,
+    switches = (rng.integers(normal, overflow, 2000) + 0.5) * np.log(2)
+    x = np.concatenate([rng.uniform(normal, overflow, 20000), rng.uniform(-0.35, 0.35, 20000), tiny,
                         np.clip(switches, normal, overflow), ENDS[precision.name][1:],
                         *worst_cases("exp", precision)]).astype(precision.numpy_type)
     x = x[x > normal]

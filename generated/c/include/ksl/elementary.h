@@ -57,8 +57,9 @@ static inline float ksl_powerf(const float shifted) {
 #define KSL_ATAN2
 /* angle = atan2(y, x).
    arctan(a/b), and pi/4 + arctan((a - b)/(a + b)) above 1/2, a <= b being |x| and |y|; arctan q
-     = q + q^3 p(q^2), p of degree 11, to 2^-57.7; the quotient corrected; with all roundings
-     within 0.934 ulp (both proved).
+     = q + q^3 p(q^2), p of degree 11, to 2^-57.7; the quotient to more than its digits; with all
+     roundings within 0.934 ulp (both proved), results below the normal range within 0.51 of the
+     least subnormal number.
    29 mul, 35 add, 1 div, 1 neg, 2 abs, 2 copysign, 6 less, 1 equal, 14 select. */
 static inline double ksl_atan2(const double y, const double x) {
   const double height = fabs(y);
@@ -123,30 +124,31 @@ static inline double ksl_atan2(const double y, const double x) {
 #ifndef KSL_EXP
 #define KSL_EXP
 /* y = exp x.
-   x = k ln 2 + r, 3/4 <= e^r <= 3/2, ln 2 as a sum of two numbers; e^r = 1 + r + r^2 q(r), q of
-     degree 9, to 2^-57.6; with all roundings within 0.97 ulp (both proved).
-   19 mul, 18 add, 1 power of two, 3 less, 4 select. */
+   x = k ln 2 + r, |r| <= ln 2 / 2, ln 2 as a sum of two numbers; e^r = 1 + r + r^2 q(r), q of
+     degree 9, to 2^-57.3; with all roundings within 0.755 ulp (both proved), results below the
+     normal range within 0.88 of the least subnormal number.
+   19 mul, 20 add, 1 power of two, 3 less, 4 select. */
 static inline double ksl_exp(const double x) {
   const double within_2 = 710.0 < x ? 710.0 : x, within = within_2 < -746.0 ? -746.0 : within_2;
   const double shifted_1 = KSL_MUL(within, 1.4426950408889634),
-      shifted_2 = shifted_1 - 0.08477783203125, shifted = shifted_2 + 6755399441055744.0;
+      shifted = shifted_1 + 6755399441055744.0;
   const double k = shifted - 6755399441055744.0;
   const double high_1 = KSL_MUL(k, 0.6931471805598903), high = within - high_1;
   const double rest = KSL_MUL(k, 5.497923018708371e-14);
   const double r = high - rest;
-  const double low_1 = KSL_MUL(r, r), low_2 = KSL_MUL(r, 0.04166666666667795),
-      low_3 = low_2 + 0.16666666666667682, low_4 = KSL_MUL(r, 0.0013888888886770961),
-      low_5 = low_4 + 0.008333333332453643, low_6 = KSL_MUL(r, 2.480157515485128e-05),
-      low_7 = low_6 + 0.0001984127241707189, low_8 = KSL_MUL(r, 2.7590417703001036e-07),
-      low_9 = low_8 + 2.7554166732699737e-06, low_10 = KSL_MUL(r, r),
+  const double low_1 = KSL_MUL(r, r), low_2 = KSL_MUL(r, 0.04166666666660382),
+      low_3 = low_2 + 0.16666666666666433, low_4 = KSL_MUL(r, 0.0013888888926860458),
+      low_5 = low_4 + 0.008333333333500498, low_6 = KSL_MUL(r, 2.4801508592805324e-05),
+      low_7 = low_6 + 0.00019841269465342197, low_8 = KSL_MUL(r, 2.762522584904681e-07),
+      low_9 = low_8 + 2.7557641500508844e-06, low_10 = KSL_MUL(r, r),
       low_11 = KSL_MUL(low_10, low_5), low_12 = low_11 + low_3, low_13 = KSL_MUL(low_10, low_9),
       low_14 = low_13 + low_7, low_15 = KSL_MUL(low_10, low_10), low_16 = KSL_MUL(low_15, low_14),
       low_17 = low_16 + low_12, low_18 = KSL_MUL(low_15, low_15),
-      low_19 = KSL_MUL(low_18, 2.6453237305425937e-08), low_20 = low_19 + low_17,
+      low_19 = KSL_MUL(low_18, 2.4978234152604323e-08), low_20 = low_19 + low_17,
       low_21 = KSL_MUL(r, low_20), low_22 = low_21 + 0.5, low_23 = KSL_MUL(low_1, low_22),
       low = low_23 - rest;
-  const double s = high + low;
-  const double e_r = s + 1.0;
+  const double start = high + 1.0;
+  const double e_r_1 = 1.0 - start, e_r_2 = e_r_1 + high, e_r_3 = e_r_2 + low, e_r = start + e_r_3;
   const double scaled_1 = within < -700.0 ? 64.0 : -1.0, scaled_2 = shifted + scaled_1,
       scaled_3 = ksl_power(scaled_2), scaled = KSL_MUL(e_r, scaled_3);
   const double y_1 = within < -700.0 ? 5.421010862427522e-20 : 2.0, y_value = KSL_MUL(scaled, y_1);
@@ -329,7 +331,7 @@ static inline double ksl_cos(const double x) {
 /* y = tanh x.
    |x| < 5/8: x + x^3 p/q, of degrees 2 and 3 in x^2, to 2^-59.3; beyond: 1 - 2 / (e^2|x| + 1),
      e^2|x| as exp has it; with all roundings within 0.979 ulp (both proved).
-   29 mul, 31 add, 1 div, 1 power of two, 1 abs, 1 copysign, 2 less, 5 select. */
+   29 mul, 30 add, 1 div, 1 power of two, 1 abs, 1 copysign, 2 less, 5 select. */
 static inline double ksl_tanh(const double x) {
   const double size = fabs(x);
   const double z = KSL_MUL(size, size);
@@ -341,27 +343,27 @@ static inline double ksl_tanh(const double x) {
       below_4 = below_3 + 0.4614903582797203, below_5 = KSL_MUL(below_4, z), below = below_5 + 1.0;
   const double twice_1 = size + size, twice = 40.0 < twice_1 ? 40.0 : twice_1;
   const double shifted_1 = KSL_MUL(twice, 1.4426950408889634),
-      shifted_2 = shifted_1 - 0.08477783203125, shifted = shifted_2 + 6755399441055744.0;
+      shifted = shifted_1 + 6755399441055744.0;
   const double k = shifted - 6755399441055744.0;
   const double high_1 = KSL_MUL(k, 0.6931471805598903), high = twice - high_1;
   const double rest = KSL_MUL(k, 5.497923018708371e-14);
   const double r = high - rest;
-  const double low_1 = KSL_MUL(r, r), low_2 = KSL_MUL(r, 0.04166666666667795),
-      low_3 = low_2 + 0.16666666666667682, low_4 = KSL_MUL(r, 0.0013888888886770961),
-      low_5 = low_4 + 0.008333333332453643, low_6 = KSL_MUL(r, 2.480157515485128e-05),
-      low_7 = low_6 + 0.0001984127241707189, low_8 = KSL_MUL(r, 2.7590417703001036e-07),
-      low_9 = low_8 + 2.7554166732699737e-06, low_10 = KSL_MUL(r, r),
+  const double low_1 = KSL_MUL(r, r), low_2 = KSL_MUL(r, 0.04166666666660382),
+      low_3 = low_2 + 0.16666666666666433, low_4 = KSL_MUL(r, 0.0013888888926860458),
+      low_5 = low_4 + 0.008333333333500498, low_6 = KSL_MUL(r, 2.4801508592805324e-05),
+      low_7 = low_6 + 0.00019841269465342197, low_8 = KSL_MUL(r, 2.762522584904681e-07),
+      low_9 = low_8 + 2.7557641500508844e-06, low_10 = KSL_MUL(r, r),
       low_11 = KSL_MUL(low_10, low_5), low_12 = low_11 + low_3, low_13 = KSL_MUL(low_10, low_9),
       low_14 = low_13 + low_7, low_15 = KSL_MUL(low_10, low_10), low_16 = KSL_MUL(low_15, low_14),
       low_17 = low_16 + low_12, low_18 = KSL_MUL(low_15, low_15),
-      low_19 = KSL_MUL(low_18, 2.6453237305425937e-08), low_20 = low_19 + low_17,
+      low_19 = KSL_MUL(low_18, 2.4978234152604323e-08), low_20 = low_19 + low_17,
       low_21 = KSL_MUL(r, low_20), low_22 = low_21 + 0.5, low_23 = KSL_MUL(low_1, low_22),
       low = low_23 - rest;
-  const double s = high + low;
   const double power = ksl_power(shifted);
-  const double rest_of_e_1 = power + 1.0, rest_of_e = KSL_MUL(s, power);
-  const double total = rest_of_e_1 + rest_of_e;
-  const double low_of_total_1 = rest_of_e_1 - total, low_of_total = low_of_total_1 + rest_of_e;
+  const double s_1 = power + 1.0, s = high + low;
+  const double rest_of_e = KSL_MUL(s, power);
+  const double total = s_1 + rest_of_e;
+  const double low_of_total_1 = s_1 - total, low_of_total = low_of_total_1 + rest_of_e;
   const double quotient_1 = size < 0.625 ? above : -2.0, quotient_2 = size < 0.625 ? below : total,
       quotient = quotient_1 / quotient_2;
   const double correction_1 = KSL_MUL(quotient, low_of_total),
@@ -381,8 +383,9 @@ static inline double ksl_tanh(const double x) {
 #define KSL_ATAN2F
 /* angle = atan2(y, x).
    arctan(a/b), and pi/4 + arctan((a - b)/(a + b)) above 1/2, a <= b being |x| and |y|; arctan q
-     = q + q^3 p(q^2), p of degree 5, to 2^-31.7; the quotient corrected; with all roundings
-     within 0.896 ulp (both proved).
+     = q + q^3 p(q^2), p of degree 5, to 2^-31.7; the quotient to more than its digits; with all
+     roundings within 0.896 ulp (both proved), results below the normal range within 0.51 of the
+     least subnormal number.
    22 mul, 29 add, 1 div, 1 neg, 2 abs, 2 copysign, 6 less, 1 equal, 14 select. */
 static inline float ksl_atan2f(const float y, const float x) {
   const float height = fabsf(y);
@@ -439,24 +442,23 @@ static inline float ksl_atan2f(const float y, const float x) {
 #ifndef KSL_EXPF
 #define KSL_EXPF
 /* y = exp x.
-   x = k ln 2 + r, 3/4 <= e^r <= 3/2, ln 2 as a sum of two numbers; e^r = 1 + r + r^2 q(r), q of
-     degree 4, to 2^-27.7; with all roundings within 0.992 ulp (both proved).
-   12 mul, 13 add, 1 power of two, 3 less, 4 select. */
+   x = k ln 2 + r, |r| <= ln 2 / 2, ln 2 as a sum of two numbers; e^r = 1 + r + r^2 q(r), q of
+     degree 4, to 2^-27.9; with all roundings within 0.757 ulp (both proved), results below the
+     normal range within 0.88 of the least subnormal number.
+   12 mul, 15 add, 1 power of two, 3 less, 4 select. */
 static inline float ksl_expf(const float x) {
   const float within_2 = 89.0f < x ? 89.0f : x, within = within_2 < -104.0f ? -104.0f : within_2;
-  const float shifted_1 = KSL_MULF(within, 1.442695f), shifted_2 = shifted_1 - 0.08477783f,
-      shifted = shifted_2 + 1.2582912e+07f;
+  const float shifted_1 = KSL_MULF(within, 1.442695f), shifted = shifted_1 + 1.2582912e+07f;
   const float k = shifted - 1.2582912e+07f;
   const float high_1 = KSL_MULF(k, 0.69314575f), high = within - high_1;
   const float rest = KSL_MULF(k, 1.4286068e-06f);
   const float r = high - rest;
-  const float low_1 = KSL_MULF(r, r), low_2 = KSL_MULF(r, 0.041661914f),
-      low_3 = low_2 + 0.16666575f, low_4 = KSL_MULF(r, 0.0014498823f), low_5 = low_4 + 0.008359645f,
-      low_6 = KSL_MULF(r, r), low_7 = KSL_MULF(low_6, low_5), low_8 = low_7 + low_3,
-      low_9 = KSL_MULF(r, low_8), low_10 = low_9 + 0.5f, low_11 = KSL_MULF(low_1, low_10),
-      low = low_11 - rest;
-  const float s = high + low;
-  const float e_r = s + 1.0f;
+  const float low_1 = KSL_MULF(r, r), low_2 = KSL_MULF(r, 0.04166724f), low_3 = low_2 + 0.16666535f,
+      low_4 = KSL_MULF(r, 0.0013863435f), low_5 = low_4 + 0.008367437f, low_6 = KSL_MULF(r, r),
+      low_7 = KSL_MULF(low_6, low_5), low_8 = low_7 + low_3, low_9 = KSL_MULF(r, low_8),
+      low_10 = low_9 + 0.5f, low_11 = KSL_MULF(low_1, low_10), low = low_11 - rest;
+  const float start = high + 1.0f;
+  const float e_r_1 = 1.0f - start, e_r_2 = e_r_1 + high, e_r_3 = e_r_2 + low, e_r = start + e_r_3;
   const float scaled_1 = within < -80.0f ? 64.0f : -1.0f, scaled_2 = shifted + scaled_1,
       scaled_3 = ksl_powerf(scaled_2), scaled = KSL_MULF(e_r, scaled_3);
   const float y_1 = within < -80.0f ? 5.421011e-20f : 2.0f, y_value = KSL_MULF(scaled, y_1);
@@ -627,7 +629,7 @@ static inline float ksl_cosf(const float x) {
 /* y = tanh x.
    |x| < 5/8: x + x^3 p/q, of degrees 2 and 1 in x^2, to 2^-31.2; beyond: 1 - 2 / (e^2|x| + 1),
      e^2|x| as exp has it; with all roundings within 0.967 ulp (both proved).
-   20 mul, 24 add, 1 div, 1 power of two, 1 abs, 1 copysign, 2 less, 5 select. */
+   20 mul, 23 add, 1 div, 1 power of two, 1 abs, 1 copysign, 2 less, 5 select. */
 static inline float ksl_tanhf(const float x) {
   const float size = fabsf(x);
   const float z = KSL_MULF(size, size);
@@ -636,22 +638,20 @@ static inline float ksl_tanhf(const float x) {
       above_5 = above_4 + -0.33333334f, above = KSL_MULF(above_1, above_5);
   const float below_1 = KSL_MULF(z, 0.4052077f), below = below_1 + 1.0f;
   const float twice_1 = size + size, twice = 20.0f < twice_1 ? 20.0f : twice_1;
-  const float shifted_1 = KSL_MULF(twice, 1.442695f), shifted_2 = shifted_1 - 0.08477783f,
-      shifted = shifted_2 + 1.2582912e+07f;
+  const float shifted_1 = KSL_MULF(twice, 1.442695f), shifted = shifted_1 + 1.2582912e+07f;
   const float k = shifted - 1.2582912e+07f;
   const float high_1 = KSL_MULF(k, 0.69314575f), high = twice - high_1;
   const float rest = KSL_MULF(k, 1.4286068e-06f);
   const float r = high - rest;
-  const float low_1 = KSL_MULF(r, r), low_2 = KSL_MULF(r, 0.041661914f),
-      low_3 = low_2 + 0.16666575f, low_4 = KSL_MULF(r, 0.0014498823f), low_5 = low_4 + 0.008359645f,
-      low_6 = KSL_MULF(r, r), low_7 = KSL_MULF(low_6, low_5), low_8 = low_7 + low_3,
-      low_9 = KSL_MULF(r, low_8), low_10 = low_9 + 0.5f, low_11 = KSL_MULF(low_1, low_10),
-      low = low_11 - rest;
-  const float s = high + low;
+  const float low_1 = KSL_MULF(r, r), low_2 = KSL_MULF(r, 0.04166724f), low_3 = low_2 + 0.16666535f,
+      low_4 = KSL_MULF(r, 0.0013863435f), low_5 = low_4 + 0.008367437f, low_6 = KSL_MULF(r, r),
+      low_7 = KSL_MULF(low_6, low_5), low_8 = low_7 + low_3, low_9 = KSL_MULF(r, low_8),
+      low_10 = low_9 + 0.5f, low_11 = KSL_MULF(low_1, low_10), low = low_11 - rest;
   const float power = ksl_powerf(shifted);
-  const float rest_of_e_1 = power + 1.0f, rest_of_e = KSL_MULF(s, power);
-  const float total = rest_of_e_1 + rest_of_e;
-  const float low_of_total_1 = rest_of_e_1 - total, low_of_total = low_of_total_1 + rest_of_e;
+  const float s_1 = power + 1.0f, s = high + low;
+  const float rest_of_e = KSL_MULF(s, power);
+  const float total = s_1 + rest_of_e;
+  const float low_of_total_1 = s_1 - total, low_of_total = low_of_total_1 + rest_of_e;
   const float quotient_1 = size < 0.625f ? above : -2.0f,
       quotient_2 = size < 0.625f ? below : total, quotient = quotient_1 / quotient_2;
   const float correction_1 = KSL_MULF(quotient, low_of_total),
