@@ -80,7 +80,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "2bcadbc6f0fdddde") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "509421598ab3dbfd") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
     Py_DECREF(module);

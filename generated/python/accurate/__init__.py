@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "f79a08cb6661678e")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "1afcfad6c7e8f487")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (
