@@ -13,6 +13,9 @@ non-overlapping before they are multiplied, too.  Then hi has a single rounding 
 products of two errors remain.
 """
 
+import math
+import re
+from collections import Counter
 from dataclasses import replace
 from fractions import Fraction
 
@@ -28,7 +31,7 @@ from coscrew_codegen.program import (
 )
 from coscrew_codegen.program.bounds import bounds_of
 from coscrew_codegen.program.program import name_of
-from coscrew_codegen.tiers.compensated import Compensator
+from coscrew_codegen.tiers.compensated import Compensator, rounded_constant
 from coscrew_codegen.tiers.negation import negating_terms
 from coscrew_codegen.tiers.tier import Tier, rounds_by
 
@@ -95,6 +98,8 @@ class _Accurate(Compensator):
         super().__init__()
         self._overlapping = overlapping
         self._normal: dict[str, Operand] = {}  # hi of normalized results, by their plain name
+        self._normals: set[str] = set()
+        self._finals: dict[Operand, Ref] = {}
         self._inverses: dict[Operand, Ref] = {}
         self._rules = {
             Op.DIV: self._quotient, Op.SQRT: self._root, Op.ATAN2: self._arctangent,
@@ -126,12 +131,13 @@ class _Accurate(Compensator):
     def _normalized(self, step: Instruction, operand: Operand) -> Operand:
         """hi + lo rounded; its rounding error is the new lo."""
         low = self.low(step, operand)
-        if low is None or operand in self._normal.values():
+        if low is None or isinstance(operand, Constant) or name_of(operand) in self._normals:
             return operand
-        at = replace(step, name=f"{step.name}_of_{name_of(operand)}", op=Op.ADD,
+        at = replace(step, name=self.normal_name(step, name_of(operand)), op=Op.ADD,
                      operands=(operand, low))
         self.steps.append(at)
         total = Ref(at.name)
+        self._normals.add(at.name)
         right = self.issue(at, Op.SUB, (total, operand), "right")
         left = self.issue(at, Op.EXACT_SUB, (total, right), "left")
         rests = (self.issue(at, Op.EXACT_SUB, (operand, left), "left_rest"),
@@ -139,6 +145,10 @@ class _Accurate(Compensator):
         self._low[at.name] = self.issue(at, Op.EXACT_ADD, rests, "lo")
         self._normal[name_of(operand)] = total
         return total
+
+    def normal_name(self, step: Instruction, operand: str) -> str:
+        """The name of an operand of this instruction once it is normalized."""
+        return f"{step.name}_of_{operand}"
 
     def _quotient(self, step: Instruction, low: list[Operand | None]) -> Operand:
         """lo of q = a / b: (a - q b + a_lo - q b_lo) / b."""
@@ -227,17 +237,98 @@ class _Accurate(Compensator):
         total = self.rounded(result)
         if not guarded or total == result:
             return total
-        at = Instruction(f"{name_of(total)}_number", Op.EQUAL, (total, total), name_of(total))
-        choice = Instruction(f"{name_of(result)}_final", Op.SELECT, (Ref(at.name), total, result),
-                             name_of(total))
-        if choice not in self.steps:
+        if total not in self._finals:
+            last = self.last or name_of(total)
+            at = Instruction(self.name(name_of(total), "number"), Op.EQUAL, (total, total), last)
+            choice = Instruction(self.name(name_of(result), "final"), Op.SELECT,
+                                 (Ref(at.name), total, result), last)
             self.steps += [at, choice]
-        return Ref(choice.name)
+            self._finals[total] = Ref(choice.name)
+        return self._finals[total]
+
+
+def of_scene(program: Program, precision: Precision) -> Program:
+    """The plain program of a scene's function, whose constants are decimals: hi + lo in double; in
+    single precision doubles."""
+    if precision == DOUBLE:
+        program = _compensated(program, _OfScene(program))
+    steps = tuple(replace(step, operands=tuple(map(_rounded, step.operands)))
+                  for step in program.instructions)
+    return replace(program, instructions=steps, results=tuple(map(_rounded, program.results)),
+                   wide=precision != DOUBLE)
+
+
+def _rounded(x: Operand) -> Operand:
+    return rounded_constant(x) if isinstance(x, Constant) else x
+
+
+def _beyond(x: Operand, above: bool) -> Operand:
+    """For a number to the left or to the right of <: that of double precision which compares with
+    all others as the constant does."""
+    if not isinstance(x, Constant):
+        return x
+    value = float(x.double)
+    if value != x.double and (value > x.double) != above:
+        value = math.nextafter(value, math.inf if above else -math.inf)
+    return Constant(Fraction(value), Fraction(value), x.name)
+
+
+_NUMBER = re.compile(r"_[0-9]+$")
+_RESTING = {Op.DIV, Op.SQRT, Op.ATAN2, Op.SIN, Op.COS, Op.EXP, Op.TANH}
+
+
+class _OfScene(_Accurate):
+    """Of a function of a scene: products of sums are long chains there, and names are numbered.
+
+    After cancellation the lo of a sum is not small, nor is that of a product of such a sum: in a
+    product of two of these, a_lo b_lo matters, and a_lo is multiplied by b + b_lo."""
+
+    last = "hi + lo, rounded:"
+
+    def __init__(self, program: Program) -> None:
+        super().__init__()
+        self._taken = {step.name for step in program.instructions}
+        self._numbers: Counter[str] = Counter()
+        self._cancelled: set[str] = set()  # hi whose lo may not be small
+        self._whole: dict[str, Ref] = {}
+
+    def compensate(self, step: Instruction) -> None:
+        """As of its base; a result may have cancelled if it is a sum or is made of one."""
+        if step.op is Op.LESS:
+            step = replace(step, operands=tuple(map(_beyond, step.operands, (False, True))))
+        if step.op in (Op.ADD, Op.SUB) or step.op not in _RESTING and any(
+                name_of(x) in self._cancelled and name_of(x) not in self._normal
+                for x in step.operands):
+            self._cancelled.add(step.name)
+        super().compensate(step)
+
+    def factor(self, step: Instruction, a: Operand, b: Operand) -> Operand:
+        """b + b_lo, computed once, if both may have cancelled."""
+        low = self.low(step, b)
+        if low is None or not self._cancelled.issuperset((name_of(a), name_of(b))):
+            return b
+        if name_of(b) not in self._whole:
+            self._whole[name_of(b)] = self.issue(step, Op.ADD, (b, low), "whole")
+        return self._whole[name_of(b)]
+
+    def normal_name(self, step: Instruction, operand: str) -> str:
+        """Named after the operand."""
+        return self.name(operand, "nearest")
+
+    def name(self, of: str, suffix: str) -> str:
+        """Numbered, so that it may be nested and is numbered again; but lo of a named value."""
+        stem = f"{_NUMBER.sub('', of)}_{suffix}"
+        name = stem if suffix == "lo" and not _NUMBER.search(of) else ""
+        while not name or name in self._taken:
+            self._numbers[stem] += 1
+            name = f"{stem}_{self._numbers[stem]}"
+        self._taken.add(name)
+        return name
 
 
 TIER = Tier(
     "accurate", 2, "Accurate tier: double compensated, single computed in double.",
-    ("#c2570c", "#f5a04d"), _made, has=_has, header="ksl_exact",
+    ("#c2570c", "#f5a04d"), _made, has=_has, scene=of_scene, header="ksl_exact",
     in_words="""\
 The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed in
 float64 and rounded once.  The same bits as the C kernels, with fma or without.""")

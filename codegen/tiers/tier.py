@@ -47,6 +47,8 @@ class Tier:
     make: Callable[[Program, Precision], Program]  # plain program → the tier's
     has: Callable[[Program], bool] = is_polynomial  # whether a plain program has this tier
     operation: Callable[["Operation"], "Operation"] = lambda plain: plain  # may add outputs
+    scene: Callable[[Program, Precision], Program] | None = None  # plain program of a scene's
+    # function → the tier's, which may have more outputs; None: scenes do not have the tier
     header: str = "ksl_types"  # that its C functions need; ksl_exact computes rounding errors
     in_words: str = ""  # docstring of its Python package; "" if only C has the tier
     marked: bool = True  # whether names of its functions end in the tier's name
