@@ -49,7 +49,7 @@ SPELLING = {
 NUMPY_NAMES: dict[Op | str, str] = {
     Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SELECT: "where",
     Op.COPYSIGN: "copysign"}
-_EXACT: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
+EXACT: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
 ELEMENTARY = {Op.SIN: ("sin", "({})"), Op.COS: ("cos", "({})"), Op.ATAN2: ("atan2", "({}, {})"),
               Op.EXP: ("exp", "({})"), Op.TANH: ("tanh", "({})")}
 """Functions of our own: name, arguments."""
@@ -134,7 +134,7 @@ def imports(programs: tuple[Program, ...], precision: Precision) -> tuple[tuple[
     module = f"_elementary_{working.name} as elementary"
     found = [("coscrew", dict.fromkeys(ELEMENTARY, module)),
              ("numpy", NUMPY_NAMES | {kind: kind for kind in ("float32", "float64", "nan")}),
-             ("coscrew._exact", _EXACT)]
+             ("coscrew._exact", EXACT)]
     return tuple((place, ", ".join(sorted({names[op] for op in called & set(names)})))
                  for place, names in found if called & set(names))
 

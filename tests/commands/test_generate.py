@@ -202,7 +202,7 @@ def test_imports_run_one_way():
              "identifiers", "algebra", "quantity", "domains", "program", "formats", "elementary",
              "operations", "kernel", "passes", "scene_functions", "scene_symbols", "schedule",
              "programs", "recording",
-             "tiers", "library", "render", "plots", "native", "targets", "special",
+             "tiers", "scene_tiers", "library", "render", "plots", "native", "targets", "special",
              "exact", "selection", "family_cache", "layout", "emit", "report", "scene", "mechanics",
              "effects", "scene_files", "documentation", "console", "simulate", "cost",
              "generate_command", "command_line", "extras", "__main__"]
