@@ -16,8 +16,8 @@ def roundings(precision: Precision) -> Fraction:
     """A bound, proved, of the error in ulps of a result in the normal range.
 
     All steps take a common power of two with them, so that b is taken from 1 to 2.  Quotients below
-    2^-30 err as those above do, their cubes being less than 2^-60 of them, but for c where it is
-    subnormal, by half the least subnormal number: 1/4 ulp from 2^-1021 on, in single precision
+    2^-30 err as those above do, their cubes being less than 2^-60 of them; where c is
+    subnormal, also by half the least subnormal number: 1/4 ulp from 2^-1021 on, in single precision
     2^-125; less than that, q_high + c is exact."""
     relative, worst = approximation(precision), Fraction(3, 4)
     for quarters, sign, above in ((0, 1, False), (2, 1, False), (2, -1, False), (4, -1, False),

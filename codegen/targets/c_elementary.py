@@ -2,13 +2,12 @@
 contain those that they call, with nested expressions."""
 
 import re
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass, replace
 
 from coscrew_codegen.elementary import ELEMENTARY, Elementary
-from coscrew_codegen.elementary.calls import FUNCTION_OF
 from coscrew_codegen.formats import DOUBLE, Precision
-from coscrew_codegen.program import Constant, Input, Program, counts_in_words, renamed
+from coscrew_codegen.program import Constant, Input, Op, Program, counts_in_words, renamed
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.targets import two_over_pi
 from coscrew_codegen.targets.c_function import Body, Stored
@@ -20,7 +19,10 @@ _VALUE_WIDTH = 150
 
 HEADER = "elementary"
 """The header, and the family, that holds them all."""
-CALL = re.compile(rf"\bksl_(sin|cos|{'|'.join(FUNCTION_OF.values())})f?\(")
+ALONE = {"sin": "sincos", "cos": "sincos"}
+"""Results that can be had alone, and the functions that compute them."""
+CALLABLE = (*ALONE, *(function.name for function in ELEMENTARY))
+_CALL = re.compile(rf"\bksl_({'|'.join(CALLABLE)})f?\(")
 
 
 @dataclass(frozen=True)
@@ -36,12 +38,22 @@ class Written:
     reduced: Sequence[str] = ()  # the names of what they return
     limit: str = ""
     table: str = ""  # what `far` reads
+    power: bool = False  # whether it is the first to call ksl_power
+    alone: Collection[str] = ()  # those of its results that have a function of their own
 
 
-def written(precision: Precision, names: Collection[str], nested: bool = False) -> list[Written]:
-    """The functions of these names."""
-    return [_written(function, precision, nested) for function in ELEMENTARY
-            if function.name in names]
+def called(texts: Iterable[str]) -> frozenset[str]:
+    """The names of what these texts call: sincos, sin, exp."""
+    return frozenset(name for text in texts for name in _CALL.findall(text))
+
+
+def written(precision: Precision, names: Collection[str] = CALLABLE, nested: bool = False
+            ) -> list[Written]:
+    """What defines these names."""
+    wanted = [x for x in ELEMENTARY if x.name in {ALONE.get(name, name) for name in names}]
+    powers = [x for x in wanted if Op.POWER in x.kernel(precision).counts]
+    return [replace(_written(function, precision, nested), alone=ALONE.keys() & names,
+                    power=function in powers[:1]) for function in wanted]
 
 
 def _written(function: Elementary, precision: Precision, nested: bool) -> Written:
@@ -54,10 +66,10 @@ def _written(function: Elementary, precision: Precision, nested: bool) -> Writte
         return Written(function.name, comment, head, body)
     limit = function.limit(precision)
     near, far = function.near(precision), function.far(precision)
-    reductions = (_function(f"ksl_{function.name}_{place}", program.inputs, program.outputs,
-                            program, precision, nested)
-                  for place, program in (("near", near), ("far", far)))
-    return Written(function.name, comment, head, body, *reductions,
+    reductions = {place: _function(f"ksl_{function.name}_{place}", program.inputs, program.outputs,
+                                   program, precision, nested)
+                  for place, program in (("near", near), ("far", far))}
+    return Written(function.name, comment, head, body, reductions["near"], reductions["far"],
                    [a.name for a in near.outputs],
                    precision.literal(Constant(limit, limit)) + precision.suffix,
                    two_over_pi.in_c(precision))

@@ -3,7 +3,6 @@
 from collections.abc import Mapping, Sequence
 from functools import cache
 
-from coscrew_codegen.elementary import ELEMENTARY
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.library import FamilyKernels, Library
 from coscrew_codegen.operations import FAMILIES, family_named
@@ -138,12 +137,12 @@ def _elementary(library: Library, title: str) -> str:
 
 def _elementary_of(*precisions: Precision) -> list[tuple[Precision, list[c_elementary.Written]]]:
     """The elementary functions in these precisions."""
-    return [(p, c_elementary.written(p, [x.name for x in ELEMENTARY])) for p in precisions]
+    return [(p, c_elementary.written(p)) for p in precisions]
 
 
 def _elementary_included(functions: Sequence[CFunction]) -> tuple[str, ...]:
     """The header of elementary functions, if one of these calls one."""
-    return (c_elementary.HEADER,) * any(c_elementary.CALL.search(x.body) for x in functions)
+    return (c_elementary.HEADER,) * bool(c_elementary.called(x.body for x in functions))
 
 
 def _exact(library: Library) -> dict[str, str]:

@@ -11,7 +11,7 @@ from itertools import groupby
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.program import Constant, Instruction, Op, Program, Ref
 from coscrew_codegen.program.ops import COMPARISONS
-from coscrew_codegen.targets.c_statements import ELEMENTARY, sine_and_cosine
+from coscrew_codegen.targets.c_statements import ELEMENTARY, chunk_of_two_over_pi, sine_and_cosine
 from coscrew_codegen.targets.nesting import (
     CALL,
     CHOICE,
@@ -50,6 +50,8 @@ def language(program: Program, precision: Precision) -> Language:
     def spelling(step: Instruction) -> tuple[str, int]:
         if step.name in rounded:
             return _ROUNDED
+        if step.op is Op.TWO_OVER_PI:
+            return chunk_of_two_over_pi(step).replace("{f}", suffix), CALL
         pattern, binding = _SPELLING[step.op]
         return pattern.replace("%s", suffix), binding
 

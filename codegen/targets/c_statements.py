@@ -33,8 +33,7 @@ WIDTH = 100
 
 ELEMENTARY = {
     Op.SIN: "ksl_sin{f}({})", Op.COS: "ksl_cos{f}({})", Op.ATAN2: "ksl_atan2{f}({}, {})",
-    Op.EXP: "ksl_exp{f}({})", Op.TANH: "ksl_tanh{f}({})", Op.POWER: "ksl_power{f}({})",
-    Op.TWO_OVER_PI: "ksl_two_over_pi{f}({}, {})"}
+    Op.EXP: "ksl_exp{f}({})", Op.TANH: "ksl_tanh{f}({})", Op.POWER: "ksl_power{f}({})"}
 """Calls of functions of our own, which are the same in all C."""
 
 _SPELLING = {
@@ -52,6 +51,12 @@ _SPELLING = {
 def product(precision: Precision, a: str, b: str) -> str:
     """a b in text that is not made from a Program: rounded on its own, never fused into a sum."""
     return _SPELLING[Op.MUL].format(a, b, F=precision.suffix.upper())
+
+
+def chunk_of_two_over_pi(step: Instruction) -> str:
+    """The call that reads a chunk of 2/π, whose index is an integer."""
+    assert isinstance(step.operands[1], Constant)
+    return f"ksl_two_over_pi{{f}}({{}}, {int(step.operands[1].double)})"
 
 
 def sine_and_cosine(sine: str, cosine: str, angle: str, precision: Precision) -> str:
@@ -120,7 +125,7 @@ class Statements:
     @cached_property
     def first_of_pairs(self) -> set[str]:
         """The names of those that come first in their pair."""
-        met = {}
+        met: dict[tuple[Operand, ...], str] = {}
         for step in self.program.instructions:
             if step.name in self.pairs:
                 met.setdefault(step.operands, step.name)
@@ -170,7 +175,8 @@ class Statements:
         operands = [self.operand(x) for x in step.operands]
         if step.op is Op.NEG and operands[0].startswith("-"):
             operands = [f"({operands[0]})"]  # C reads -- as one operator
-        spelling = "{} * {}" if self._exact(step) else _SPELLING[step.op]
+        spelling = ("{} * {}" if self._exact(step) else chunk_of_two_over_pi(step)
+                    if step.op is Op.TWO_OVER_PI else _SPELLING[step.op])
         suffix = self.working.suffix
         return spelling.format(*operands, f=suffix, F=suffix.upper())
 

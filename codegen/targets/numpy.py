@@ -6,6 +6,7 @@ NumPy rounds every operation once and never contracts, so that expressions can b
 import textwrap
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.library import FamilyKernels, Kernels, Library
@@ -132,9 +133,10 @@ def imports(programs: tuple[Program, ...], precision: Precision) -> tuple[tuple[
     called |= {kind for program in programs for kind in _types(program, precision)}
     working = DOUBLE if any(program.wide for program in programs) else precision
     module = f"_elementary_{working.name} as elementary"
-    found = [("coscrew", dict.fromkeys(ELEMENTARY, module)),
-             ("numpy", NUMPY_NAMES | {kind: kind for kind in ("float32", "float64", "nan")}),
-             ("coscrew._exact", EXACT)]
+    found: list[tuple[str, Mapping[Any, str]]] = [
+        ("coscrew", dict.fromkeys(ELEMENTARY, module)),
+        ("numpy", NUMPY_NAMES | {kind: kind for kind in ("float32", "float64", "nan")}),
+        ("coscrew._exact", EXACT)]
     return tuple((place, ", ".join(sorted({names[op] for op in called & set(names)})))
                  for place, names in found if called & set(names))
 

@@ -9,7 +9,6 @@ from functools import partial
 
 from coscrew_codegen import version
 from coscrew_codegen.collection import uncollected
-from coscrew_codegen.elementary.calls import called
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.render import render
@@ -37,9 +36,8 @@ def files(scene: SceneFunctions, banner: str) -> Files:
     plans = scene_text.plans(scene)
     parts = Parts(scene, plans)
     made = [(p, list(_functions(scene, plans, parts, p))) for p in named(scene.precisions)]
-    elementary = called([f.program for f in scene.functions])
-    sections = [{"precision": p, "functions": functions,
-                 "elementary": c_elementary.written(p, elementary, nested=True)}
+    sections = [{"precision": p, "functions": functions, "elementary": c_elementary.written(
+                    p, c_elementary.called(x.body for x in functions), nested=True)}
                 for p, functions in made]
     macros = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
               ("GENERATOR_VERSION_STRING", f'"{version.VERSION}"'),

@@ -447,35 +447,6 @@ typedef enum ksl_axis_enum_t {
 #endif
 #endif
 
-#ifndef KSL_POWER
-#define KSL_POWER
-/* 2^k by its bits, from 1.5 · 2^52 + k. */
-static inline double ksl_power(const double shifted) {
-  const uint64_t one = ((uint64_t)1023) << 52;
-  uint64_t bits;
-  double power;
-  memcpy(&bits, &shifted, sizeof bits);
-  bits = (bits << 52) + one;
-  memcpy(&power, &bits, sizeof power);
-  return power;
-}
-#endif
-
-#ifndef KSL_POWERF
-#define KSL_POWERF
-/* 2^k by its bits, from 1.5 · 2^23 + k. */
-static inline float ksl_powerf(const float shifted) {
-  const uint32_t one = ((uint32_t)127) << 23;
-  uint32_t bits;
-  float power;
-  memcpy(&bits, &shifted, sizeof bits);
-  bits = (bits << 23) + one;
-  memcpy(&power, &bits, sizeof power);
-  return power;
-}
-#endif
-
-
 #ifndef KSL_ATAN2
 #define KSL_ATAN2
 /* angle = atan2(y, x).
@@ -544,6 +515,20 @@ static inline double ksl_atan2(const double y, const double x) {
 
 #endif
 
+#ifndef KSL_POWER
+#define KSL_POWER
+/* 2^k by its bits, from 1.5 · 2^52 + k. */
+static inline double ksl_power(const double shifted) {
+  const uint64_t one = ((uint64_t)1023) << 52;
+  uint64_t bits;
+  double power;
+  memcpy(&bits, &shifted, sizeof bits);
+  bits = (bits << 52) + one;
+  memcpy(&power, &bits, sizeof power);
+  return power;
+}
+#endif
+
 #ifndef KSL_EXP
 #define KSL_EXP
 /* y = exp x.
@@ -579,7 +564,6 @@ static inline double ksl_exp(const double x) {
 }
 
 #endif
-
 #ifndef KSL_SINCOS
 #define KSL_SINCOS
 /* Its reduction of angles up to 6588396.0. */
@@ -629,14 +613,14 @@ static KSL_COLD double ksl_sincos_far(const double x, double *r, double *r_exces
   const double x_high_1 = KSL_MUL(scaled, 134217729.0), x_high_2 = x_high_1 - scaled,
       x_high = x_high_1 - x_high_2;
   const double x_low = scaled - x_high;
-  const double chunk0 = ksl_two_over_pi(x, 0.0);
-  const double chunk1 = ksl_two_over_pi(x, 1.0);
-  const double chunk2 = ksl_two_over_pi(x, 2.0);
-  const double chunk3 = ksl_two_over_pi(x, 3.0);
-  const double chunk4 = ksl_two_over_pi(x, 4.0);
-  const double chunk5 = ksl_two_over_pi(x, 5.0);
-  const double chunk6 = ksl_two_over_pi(x, 6.0);
-  const double chunk7 = ksl_two_over_pi(x, 7.0);
+  const double chunk0 = ksl_two_over_pi(x, 0);
+  const double chunk1 = ksl_two_over_pi(x, 1);
+  const double chunk2 = ksl_two_over_pi(x, 2);
+  const double chunk3 = ksl_two_over_pi(x, 3);
+  const double chunk4 = ksl_two_over_pi(x, 4);
+  const double chunk5 = ksl_two_over_pi(x, 5);
+  const double chunk6 = ksl_two_over_pi(x, 6);
+  const double chunk7 = ksl_two_over_pi(x, 7);
   const double t0_1 = KSL_MUL(x_low, chunk0), t0_2 = KSL_MUL(x_high, chunk1), t0 = t0_1 + t0_2;
   const double t1_1 = KSL_MUL(x_low, chunk1), t1_2 = KSL_MUL(x_high, chunk2), t1 = t1_1 + t1_2;
   const double t2_1 = KSL_MUL(x_low, chunk2), t2_2 = KSL_MUL(x_high, chunk3), t2 = t2_1 + t2_2;
@@ -748,7 +732,6 @@ static inline double ksl_cos(const double x) {
 }
 
 #endif
-
 #ifndef KSL_TANH
 #define KSL_TANH
 /* y = tanh x.
@@ -800,7 +783,6 @@ static inline double ksl_tanh(const double x) {
 }
 
 #endif
-
 
 #ifndef KSL_ATAN2F
 #define KSL_ATAN2F
@@ -862,6 +844,20 @@ static inline float ksl_atan2f(const float y, const float x) {
 
 #endif
 
+#ifndef KSL_POWERF
+#define KSL_POWERF
+/* 2^k by its bits, from 1.5 · 2^23 + k. */
+static inline float ksl_powerf(const float shifted) {
+  const uint32_t one = ((uint32_t)127) << 23;
+  uint32_t bits;
+  float power;
+  memcpy(&bits, &shifted, sizeof bits);
+  bits = (bits << 23) + one;
+  memcpy(&power, &bits, sizeof power);
+  return power;
+}
+#endif
+
 #ifndef KSL_EXPF
 #define KSL_EXPF
 /* y = exp x.
@@ -889,7 +885,6 @@ static inline float ksl_expf(const float x) {
 }
 
 #endif
-
 #ifndef KSL_SINCOSF
 #define KSL_SINCOSF
 /* Its reduction of angles up to 1607.0f. */
@@ -929,15 +924,15 @@ static KSL_COLD float ksl_sincos_farf(const float x, float *r, float *r_excess) 
   const float x_high_1 = KSL_MULF(scaled, 4097.0f), x_high_2 = x_high_1 - scaled,
       x_high = x_high_1 - x_high_2;
   const float x_low = scaled - x_high;
-  const float chunk0 = ksl_two_over_pif(x, 0.0f);
-  const float chunk1 = ksl_two_over_pif(x, 1.0f);
-  const float chunk2 = ksl_two_over_pif(x, 2.0f);
-  const float chunk3 = ksl_two_over_pif(x, 3.0f);
-  const float chunk4 = ksl_two_over_pif(x, 4.0f);
-  const float chunk5 = ksl_two_over_pif(x, 5.0f);
-  const float chunk6 = ksl_two_over_pif(x, 6.0f);
-  const float chunk7 = ksl_two_over_pif(x, 7.0f);
-  const float chunk8 = ksl_two_over_pif(x, 8.0f);
+  const float chunk0 = ksl_two_over_pif(x, 0);
+  const float chunk1 = ksl_two_over_pif(x, 1);
+  const float chunk2 = ksl_two_over_pif(x, 2);
+  const float chunk3 = ksl_two_over_pif(x, 3);
+  const float chunk4 = ksl_two_over_pif(x, 4);
+  const float chunk5 = ksl_two_over_pif(x, 5);
+  const float chunk6 = ksl_two_over_pif(x, 6);
+  const float chunk7 = ksl_two_over_pif(x, 7);
+  const float chunk8 = ksl_two_over_pif(x, 8);
   const float t0_1 = KSL_MULF(x_low, chunk0), t0_2 = KSL_MULF(x_high, chunk1), t0 = t0_1 + t0_2;
   const float t1_1 = KSL_MULF(x_low, chunk1), t1_2 = KSL_MULF(x_high, chunk2), t1 = t1_1 + t1_2;
   const float t2_1 = KSL_MULF(x_low, chunk2), t2_2 = KSL_MULF(x_high, chunk3), t2 = t2_1 + t2_2;
@@ -1046,7 +1041,6 @@ static inline float ksl_cosf(const float x) {
 }
 
 #endif
-
 #ifndef KSL_TANHF
 #define KSL_TANHF
 /* y = tanh x.

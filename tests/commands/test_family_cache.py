@@ -66,7 +66,7 @@ def test_what_did_not_change_is_not_made_again(site):
 
 
 @pytest.mark.parametrize("steps", [
-    [([("operations/trig.py", "accurate as the", "precise as the"),
+    [([("operations/trig.py", "θ in rad", "θ in radians"),
        ("operations/mat6x6.py", "lambda M: M.T", "lambda M: 2 * M.T")], {"trig", "mat6x6"})],
     [([("operations/norm.py", "def safe_norm(", "def another():\n    pass\n\n\ndef safe_norm(")],
       {"vec3", "mat6x6"})],

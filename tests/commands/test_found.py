@@ -182,10 +182,10 @@ def test_an_effect_is_one_file(tmp_path):
     done = generated(tmp_path, "rotor.toml", "-o", "out")
     assert done.returncode == 0, done.stderr
     run_in(tmp_path / "out", (
-        "import numpy as np, rotor.double as rotor\n"
+        "import coscrew, numpy as np, rotor.double as rotor\n"
         "for q in np.linspace(-4, 4, 50):\n"
         "    tau, = rotor.inverse_dynamics([q], [0.0], [0.0])\n"
-        "    assert float(tau).hex() == float(0.5 * np.sin(3 * q)).hex(), q\n"))
+        "    assert float(tau).hex() == float(0.5 * coscrew.sin(3 * q)).hex(), q\n"))
     for words in (["check", "rotor.toml"], ["effects"]):
         done = command(tmp_path, *words)
         assert done.returncode == 0, done.stdout + done.stderr

@@ -14,7 +14,8 @@ from tests.support.each import each_precision
 from tests.support.scenes.generated_scenes import imported
 from tests.support.scenes.scene_values import UNIT, inputs, same_bits
 
-FILES = ("arm.c", "arm.h", "arm/__init__.py", "arm/_arrays.py", "arm/double.py", "arm/single.py")
+FILES = ("arm.c", "arm.h", "arm/__init__.py", "arm/_arrays.py", "arm/_elementary_double.py",
+         "arm/_elementary_single.py", "arm/double.py", "arm/single.py")
 
 SCENE = """
 name = "arm"
@@ -59,12 +60,12 @@ def generated(folder: Path) -> tuple[str, ...]:
 def test_files_are_written_and_checked(folder: Path, capsys: pytest.CaptureFixture[str]):
     assert main(["generate", "arm.toml", "-o", "out"]) == 0
     said = capsys.readouterr()
-    assert said.out == "out: 6 files, 6 changed\n"
+    assert said.out == "out: 8 files, 8 changed\n"
     assert said.err.startswith("arm.toml: joint shoulder: damping 0.3")
     assert said.err.count("\n") == 1
     assert generated(folder / "out") == FILES
     assert main(["generate", "arm.toml", "--output", "out"]) == 0
-    assert capsys.readouterr().out == "out: 6 files, 0 changed\n"
+    assert capsys.readouterr().out == "out: 8 files, 0 changed\n"
     assert main(["generate", "arm.toml", "-o", "out", "--check"]) == 0
     header = folder / "out" / "arm.h"
     header.write_text(header.read_text().replace("ARM_NQ 5", "ARM_NQ 6"))

@@ -12,6 +12,8 @@ from tests.support.compiled import c_calls
 from tests.support.compiled.c_harness import C11, COMPILERS, EXACT, INCLUDE, run
 from tests.support.compiled.flags import SANITIZERS, has_sanitizers
 
+HELPERS = {f"ksl_{name}{f}" for name in ("power", "two_over_pi") for f in ("", "f")}
+"""What elementary functions call."""
 DEFINED = re.compile(r"^static inline [^(]*?\*?(ksl_\w+)\(", re.MULTILINE)
 
 
@@ -47,4 +49,4 @@ def test_every_function_is_called():
                for name in DEFINED.findall(header.read_text(encoding="utf-8").partition(MARK)[0])}
     text = "".join(c_calls.program(p, tier) for p in PRECISIONS for tier in TIER_NAMES)
     called = set(re.findall(r"\b(ksl_\w+)\(", text))
-    assert defined and defined <= called, sorted(defined - called)
+    assert HELPERS < defined <= called | HELPERS, sorted(defined - called - HELPERS)

@@ -1,9 +1,4 @@
-"""A scene's C and NumPy compute the same numbers, and the right ones.
-
-Bits are the same except for elementary functions, whose errors are those of the libraries: 4 ulp in
-NumPy (its worst, in float32) and 1 ulp in libm.  So a sum of such terms differs by at most (5 + the
-number of its roundings) ulp of the sum of their absolute values.
-"""
+"""A scene's C and NumPy compute the same bits, and the right numbers."""
 
 import inspect
 from fractions import Fraction
@@ -17,7 +12,7 @@ from coscrew_codegen.simulate.load import Kernels, kernels_of
 from coscrew_codegen.targets import scene_calls
 from tests.support.each import each_precision
 from tests.support.scenes.generated_scenes import CASES, imported
-from tests.support.scenes.scene_values import UNIT, inputs, same_bits
+from tests.support.scenes.scene_values import inputs, same_bits
 
 
 @pytest.fixture(scope="module")
@@ -39,41 +34,14 @@ def both(scenes, name: str, precision: str):
 
 
 @pytest.mark.parametrize("lead", ((), (0,), (5,), (2, 3)), ids=str)
+@pytest.mark.parametrize("case", CASES)
 @each_precision
-def test_arithmetic_gives_the_same_bits(scenes, precision, lead):
-    for function, compiled, twin in both(scenes, "slider", precision.name):
+def test_bits_are_the_same(scenes, precision, case, lead):
+    for function, compiled, twin in both(scenes, case, precision.name):
         for special in (False, True):
             arguments = inputs(function, precision.numpy_type, *lead, special=special)
             found, wanted = compiled(*arguments), twin(*arguments)
             assert same_bits(found, wanted), (function.name, arguments, found, wanted)
-
-
-@each_precision
-def test_polynomials_of_the_spinner_give_the_same_bits(scenes, precision):
-    for function, compiled, twin in both(scenes, "spinner", precision.name):
-        if function.name == "forward_dynamics":
-            arguments = inputs(function, precision.numpy_type, 100)
-            assert same_bits(compiled(*arguments), twin(*arguments))
-
-
-@each_precision
-def test_transcendental_functions_agree_to_a_few_ulp(scenes, precision):
-    kernels, package = scenes["pendulum"]
-    draw = np.random.default_rng(1)
-    p, q, v, tau = (draw.uniform(low, 2, (500, 1)).astype(precision.numpy_type)
-                    for low in (0.5, -2, -2, -2))
-    found, wanted = (getattr(x, precision.name).forward_dynamics(p, q, v, tau).astype(float)
-                     for x in (kernels, package))
-    terms = np.abs(tau) + np.abs(9.81 * np.sin(q) / p) + np.abs(np.tanh(v) * np.exp(-v * v))
-    roundings = 6  # square, pull, weight, rub, both differences, in each
-    assert np.all(np.abs(found - wanted) <= (5 + roundings) * 2 * UNIT[precision.name] * terms)
-    kernels, package = scenes["spinner"]
-    turned, phi = draw.normal(size=(500, 4)), draw.normal(size=(500, 3))
-    turned /= np.linalg.norm(turned, axis=-1, keepdims=True)
-    found, wanted = (getattr(x, precision.name).integrated(turned, phi).astype(float)
-                     for x in (kernels, package))
-    roundings = 11  # the angle's six, half, ratio, turn, product, three sums of four products
-    assert np.all(np.abs(found - wanted) <= (5 + roundings) * 2 * UNIT[precision.name] * 2)
 
 
 @each_precision

@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "1afcfad6c7e8f487")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "a8e24e62283c838e")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

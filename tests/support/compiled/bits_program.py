@@ -34,6 +34,11 @@ HEAD = """\
 #include <string.h>
 
 #if defined(__clang__)
+#define NOT_FOLDED __attribute__((noinline, unused))
+#else
+#define NOT_FOLDED __attribute__((noinline, noclone, unused))
+#endif
+#if defined(__clang__)
 #define INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
 #else
 #define INDEPENDENT _Pragma("GCC ivdep")

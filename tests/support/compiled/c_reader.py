@@ -296,7 +296,7 @@ class Header:
         match node:
             case c_ast.ID():
                 found = sp.nan if node.name == "NAN" else scope[node.name]
-                return found.read() if _is_scalar(found) else found
+                return found.read() if isinstance(found, Place) and _is_scalar(found) else found
             case c_ast.BinaryOp():
                 left, right = self._value(node.left, scope), self._value(node.right, scope)
                 return self.arithmetic.functions[node.op](left, right)
@@ -326,7 +326,8 @@ class Header:
             case _:
                 raise TypeError(f"this reader knows no such C expression: {node}")
 
-    def _sine_and_cosine(self, angle: Value, cosine: Place) -> Value:
+    def _sine_and_cosine(self, angle: Value, cosine: Value) -> Value:
+        assert isinstance(cosine, Place)
         cosine.write(self.arithmetic.functions["ksl_cos"](angle))
         return self.arithmetic.functions["ksl_sin"](angle)
 
