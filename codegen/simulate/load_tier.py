@@ -52,10 +52,10 @@ def _made(plain: load.Kernels, tier: SceneTier, compiler: native.Compiler | None
 
 def _library(tier: SceneTier, compiler: native.Compiler, precisions: tuple[str, ...]
              ) -> native.Library:
-    from coscrew_codegen.targets import scene_c, scene_calls
+    from coscrew_codegen.targets import scene_c_tier, scene_calls
     from coscrew_codegen.targets.scene_text import banner_of
 
     with doing(f"writing {tier.stem}"):
         banner = banner_of(tier.plain.name)
-        files = scene_c.tier_files(tier, banner) | scene_calls.tier_files(tier, banner)
+        files = scene_c_tier.files(tier, banner) | scene_calls.tier_files(tier, banner)
     return load.library_of(files, tier.plain, tier.stem, compiler, precisions)

@@ -13,7 +13,6 @@ from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.identifiers import identifiers
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, SceneFunctions, Step
-from coscrew_codegen.scene_tiers import SceneTier
 from coscrew_codegen.targets import c_elementary, scene_text
 from coscrew_codegen.targets import scene_c_arguments as arguments
 from coscrew_codegen.targets.c_function import Body, CFunction, Stored
@@ -24,7 +23,7 @@ from coscrew_codegen.targets.scene_c_steps import step_body
 from coscrew_codegen.targets.scene_text import c_name
 from coscrew_codegen.targets.target import Files, Target
 
-_IN_WORDS = {("double",): "double precision only, as selected",
+IN_WORDS = {("double",): "double precision only, as selected",
              ("single",): "single precision only, as selected",
              ("double", "single"): "double and (names that end in f) single precision"}
 
@@ -35,7 +34,7 @@ def files(scene: SceneFunctions, banner: str) -> Files:
     scene_text.check_names(scene)
     plans = scene_text.plans(scene)
     parts = Parts(scene, plans)
-    made = [(p, list(_functions(scene, plans, parts, p))) for p in named(scene.precisions)]
+    made = [(p, list(functions_of(scene, plans, parts, p))) for p in named(scene.precisions)]
     sections = [{"precision": p, "functions": functions, "elementary": c_elementary.written(
                     p, c_elementary.called(x.body for x in functions), nested=True)}
                 for p, functions in made]
@@ -57,42 +56,9 @@ def files(scene: SceneFunctions, banner: str) -> Files:
                                   **shared)}
 
 
-@uncollected()
-def tier_files(made: SceneTier, banner: str) -> Files:
-    """arm_accurate.h and arm_accurate.c.  They need no other file."""
-    sections, bodies, plans = [], [], []
-    for p, scene in made.in_precisions:
-        scene_text.check_names(scene)
-        own = scene_text.plans(scene)
-        functions = list(_functions(scene, own, Parts(scene, own), p))
-        working = scene_text.working([plan.program for plan in own], p)
-        sections.append({"precision": p, "functions": functions, "working": working})
-        bodies += [x.body for x in functions]
-        plans += own
-    programs = [plan.program for plan in plans]
-    precisions = named({x["working"].name for x in sections})
-    names, called_in = scene_text.legend(plans, bodies), called(programs)
-    shared = {"banner": banner, "name": made.stem, "upper": made.plain.name.upper(),
-              "guard": made.stem.upper(), "sections": sections}
-    return {
-        f"{made.stem}.h": render("scene/tier.h", about=comment_of(_about_tier(made)), **shared),
-        f"{made.stem}.c": render(
-            "scene/tier.c", names=[comment_of(names)] if names else [], products=precisions,
-            exact=made.tier.exact, parts="_PART " in "".join(x.head for x in functions),
-            elementary=[{"precision": p, "functions": c_elementary.written(p, called_in, True)}
-                        for p in precisions], **shared)}
-
-
-def _about_tier(made: SceneTier) -> list[str]:
-    return [f"{made.plain.name}: dynamics of a scene, in {_IN_WORDS[made.plain.precisions]}.",
-            made.tier.title,
-            f"Coordinates, units, parameters and macros are those of {made.plain.name}.h, which "
-            "has the steps, too: they have no tier."]
-
-
 def _about(scene: SceneFunctions) -> list[str]:
     return [
-        f"{scene.name}: dynamics of a scene, in {_IN_WORDS[scene.precisions]}.",
+        f"{scene.name}: dynamics of a scene, in {IN_WORDS[scene.precisions]}.",
         "SI units.  Arrays are plain, matrices row by row.  Pointers must be valid and "
         "quaternions of norm 1; inputs that are not finite give results that are not.  Outputs "
         "may overlap inputs.  No heap, no state: all functions are thread-safe.",
@@ -130,8 +96,8 @@ def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str
             yield f"{name}{precision.suffix.upper()}", text
 
 
-def _functions(scene: SceneFunctions, plans: Sequence[Plan], parts: Parts,
-               precision: Precision) -> Iterator[CFunction]:
+def functions_of(scene: SceneFunctions, plans: Sequence[Plan], parts: Parts,
+                 precision: Precision) -> Iterator[CFunction]:
     """All emitted functions, each after those that it calls."""
     for function, plan in zip(scene.functions, plans, strict=True):
         if function.name in parts.cuts:
@@ -179,4 +145,4 @@ def _step(scene: SceneFunctions, step: Step, precision: Precision) -> CFunction:
                  step_body(scene, step, precision, partial(c_name, scene, precision=precision)))
 
 
-TARGET = Target("scene in C", ("c",), scene=files, tier=tier_files)
+TARGET = Target("scene in C", ("c",), scene=files)
