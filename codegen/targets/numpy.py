@@ -50,7 +50,7 @@ SPELLING = {
 NUMPY_NAMES: dict[Op | str, str] = {
     Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SELECT: "where",
     Op.COPYSIGN: "copysign"}
-_EXACT: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
+EXACT: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
 ELEMENTARY = {Op.SIN: ("sin", "({})"), Op.COS: ("cos", "({})"), Op.ATAN2: ("atan2", "({}, {})"),
               Op.EXP: ("exp", "({})"), Op.TANH: ("tanh", "({})"),
               Op.SIN_ERROR: ("sin_error", "({}, {})"), Op.COS_ERROR: ("cos_error", "({}, {})"),
@@ -139,7 +139,7 @@ def imports(programs: tuple[Program, ...], precision: Precision) -> tuple[tuple[
     found: list[tuple[str, Mapping[Any, str]]] = [
         ("coscrew", dict.fromkeys(ELEMENTARY, module)),
         ("numpy", NUMPY_NAMES | {kind: kind for kind in ("float32", "float64", "nan")}),
-        ("coscrew._exact", _EXACT)]
+        ("coscrew._exact", EXACT)]
     return tuple((place, ", ".join(sorted({names[op] for op in called & set(names)})))
                  for place, names in found if called & set(names))
 

@@ -30,7 +30,7 @@ from coscrew_codegen.program import (
     without_dead_steps,
 )
 from coscrew_codegen.program.bounds import bounds_of
-from coscrew_codegen.program.ops import ERROR_OF
+from coscrew_codegen.program.ops import ERROR_OF, Rounding
 from coscrew_codegen.program.program import name_of
 from coscrew_codegen.tiers.compensated import Compensator, rounded_constant
 from coscrew_codegen.tiers.negation import negating_terms
@@ -311,6 +311,7 @@ def _beyond(x: Operand, above: bool) -> Operand:
 
 
 _NUMBER = re.compile(r"_[0-9]+$")
+_ONCE = {Op.ADD, Op.SUB, Op.MUL, Op.DIV, Op.SQRT}
 _RESTING = {Op.DIV, Op.SQRT, Op.ATAN2, Op.SIN, Op.COS, Op.EXP, Op.TANH}
 
 
@@ -328,16 +329,25 @@ class _OfScene(_Accurate):
         self._numbers: Counter[str] = Counter()
         self._cancelled: set[str] = set()  # hi whose lo may not be small
         self._whole: dict[str, Ref] = {}
+        self._nearest: set[str] = set()  # exact operands, one rounding: these need no lo
 
     def compensate(self, step: Instruction) -> None:
         """As of its base; a result may have cancelled if it is a sum or is made of one."""
+        if step.op.meaning.rounding is Rounding.FUNCTION and step.op not in self._rules:
+            raise ValueError(f"{step.op.value} has no error in the accurate tier")
         if step.op is Op.LESS:
             step = replace(step, operands=tuple(map(_beyond, step.operands, (False, True))))
         if step.op in (Op.ADD, Op.SUB) or step.op not in _RESTING and any(
                 name_of(x) in self._cancelled and name_of(x) not in self._normal
                 for x in step.operands):
             self._cancelled.add(step.name)
+        if step.op in _ONCE and all(self.low(step, x) is None for x in step.operands):
+            self._nearest.add(step.name)
         super().compensate(step)
+
+    def rounded(self, result: Operand) -> Operand:
+        """hi alone if that is the nearest number."""
+        return result if name_of(result) in self._nearest else super().rounded(result)
 
     def factor(self, step: Instruction, a: Operand, b: Operand) -> Operand:
         """b + b_lo, computed once, if both may have cancelled."""
