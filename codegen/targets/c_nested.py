@@ -8,7 +8,7 @@ spite of every pragma.
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.program import Constant, Instruction, Op, Program, Ref
 from coscrew_codegen.program.ops import COMPARISONS
 from coscrew_codegen.targets.c_statements import ELEMENTARY, chunk_of_two_over_pi, sine_and_cosine
@@ -31,16 +31,20 @@ _SPELLING = {
     Op.COPYSIGN: ("copysign%s({}, {})", CALL),
     Op.LESS: ("{} < {}", COMPARISON), Op.EQUAL: ("{} == {}", COMPARISON),
     Op.SELECT: ("{} ? {} : {}", CHOICE),
+    Op.EXACT_ADD: ("{} + {}", SUM), Op.EXACT_SUB: ("{} - {}", SUM),
+    Op.PRODUCT_ERROR: ("ksl_product_error%s({}, {}, {})", CALL),
+    Op.PRODUCT_REST: ("ksl_product_rest({}, {}, {}, {})", CALL),
     **{op: (pattern.replace("{f}", "%s"), CALL) for op, pattern in ELEMENTARY.items()},
 }
 _ROUNDED = "RN({} * {})", CALL
-_SUMS = frozenset({Op.ADD, Op.SUB})
+_SUMS = frozenset({Op.ADD, Op.SUB, Op.EXACT_ADD, Op.EXACT_SUB, Op.PRODUCT_ERROR, Op.PRODUCT_REST})
 _TRANSPARENT = frozenset({Op.NEG, Op.ABS, Op.SELECT})
 """Operations through which a sum still has a product as operand."""
 
 
 def language(program: Program, precision: Precision) -> Language:
     """C in a precision, of this program."""
+    precision = DOUBLE if program.wide else precision
     rounded, suffix = summed_products(program), precision.suffix
 
     def spelling(step: Instruction) -> tuple[str, int]:
@@ -54,7 +58,7 @@ def language(program: Program, precision: Precision) -> Language:
     def constant(x: Constant) -> str:
         return precision.literal(x) + suffix
 
-    return Language(spelling, constant, f"({precision.c_type})NAN", "", "{}")
+    return Language(spelling, constant, f"({precision.c_type})NAN", "", "{arguments}")
 
 
 def summed_products(program: Program) -> frozenset[str]:
@@ -82,7 +86,7 @@ def declarations(assigned: Sequence[Assignment | str], precision: Precision,
         if isinstance(x, str):
             return "", f"/* {x} */"
         if x.cosine:
-            return "", sine_and_cosine(x.step.name, x.cosine.name, x.expression, precision)
+            return "", sine_and_cosine(x.step, x.cosine, x.expression, precision)
         return ("int" if x.step.op in COMPARISONS else precision.c_type), x.step.component
 
     for (c_type, words), group in groupby(assigned, kind):
