@@ -17,9 +17,10 @@ rules:
     t ? a : b    d and s of the chosen one.  Where |x̂ - ŷ| <= B_x + B_y, the comparison x < y may
                  have the other result: |â - b̂| + B_a + B_b is added, so that the bound stays small
                  where the choice is continuous, and covers a jump where it is not.
-    sin, cos     d = fl(error of the function + slope d_x), s = 1 + s_x (1 + B_x / κ u): the square
-                 of x's error is at most κ u (1 + B_x / κ u) k u s_x; tanh alike, with |ŷ| for 1;
-    exp          s = ŷ (1 + s_x (1 + B_x / κ u)) if B_x <= 1/4.
+    sin, cos     d is what the function errs by, and slope d_x; s = 1 + s_x (1 + B_x / κ u): the
+                 square of x's error is at most κ u (1 + B_x / κ u) k u s_x; tanh alike, with |ŷ|
+                 for 1, and an ulp added, by which it errs;
+    exp          s = ŷ (1 + s_x (1 + B_x / κ u)) if B_x <= 1/4, and an ulp.
 
 To add e to a bound is to add e / m u² to s.  Inf and NaN are no statement.
 """
@@ -40,12 +41,12 @@ from coscrew_codegen.program import (
     without_dead_steps,
 )
 from coscrew_codegen.program.program import name_of
-from coscrew_codegen.tiers.certified import bounds_of_outputs
 from coscrew_codegen.tiers.errors import ONE, ZERO, constant
 from coscrew_codegen.tiers.sizes import SPREAD, Size, Sizes
+from coscrew_codegen.tiers.tier import bounds_of_outputs
 
 REST = 256
-"""What is computed as an elementary function's error is right to REST u² of its result."""
+"""What is computed as a sine's or cosine's error is right to REST u² of it."""
 
 
 def of_scene(program: Program, precision: Precision) -> Program:
@@ -177,15 +178,22 @@ class _Certifier(Sizes):
         return replace(self._curved(step, ONE), h=Fraction(0))
 
     def _of_tangent(self, step: Instruction) -> Size:
-        return self._curved(step, self.do(Op.ABS, Ref(step.name)))
+        size = self.do(Op.ABS, Ref(step.name))
+        return self._with_ulp(step, size, self._curved(step, size))
 
     def _of_exponential(self, step: Instruction) -> Size:
         (x,), y = step.operands, Ref(step.name)
         if self.size(x).exact:
-            return self._curved(step, y)
+            return self._with_ulp(step, y, self._curved(step, y))
         size = self._curved(step, ONE)
         s = self.do(Op.MUL, y, self.do(Op.DIV, size.s, self._certain(x, ONE)))
-        return replace(size, s=s)
+        return self._with_ulp(step, y, replace(size, s=s))
+
+    def _with_ulp(self, step: Instruction, y: Operand, size: Size) -> Size:
+        """With an ulp of y, unless the function's error is in d."""
+        if step.op not in self.inexact:
+            return size
+        return self._widened(size, self.do(Op.MUL, y, constant(2 * self.u)))
 
     def _curved(self, step: Instruction, least: Operand) -> Size:
         """Of a function with derivatives of at most 1, whose result is at most `least`."""

@@ -13,8 +13,8 @@ u is the unit roundoff, η half the least subnormal number, |fl(z) - z| <= u |fl
     constant          s = |x̂|, k = m = 1: d is the rest, rounded
     c = a ± b         s = fl(s_a + s_b), k = max(k_a, k_b) + 1, m = max(m_a, m_b) + 6 k + 54:
                       d is the sum of the two parts of the rounding error, each at most
-                      4 u S + u² S, of d_a and d_b, in at most 6 roundings: of parts that contain a product's
-                      rounding error, of the sum of two products' other terms, of the total
+                      4 u S + u² S, of d_a and d_b, in at most 6 roundings: of parts that contain
+                      a product's error, of the sum of two products' other terms, of the total
     c = a b           s = fl(s_a s_b), k = k_a + k_b + 1,
                       m = k_a k_b + m_a + m_b + u (m_a k_b + k_a m_b) + u² m_a m_b
                           + 3 (k_a + k_b) + 2:

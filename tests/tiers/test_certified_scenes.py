@@ -130,7 +130,7 @@ def test_no_bound_is_broken_by_a_scene(scene: str):
     for function in derive(read_scene(EXAMPLES / f"{scene}.toml"), FUNCTIONS).functions:
         plain = function.program
         if plain.instructions:
-            worst, outputs = _searched(plain, certified_scene.of_scene(plain, toy), toy, 3)
+            worst, outputs = _searched(plain, certified_scene.of_scene(plain, toy), toy, 2)
             total += outputs
             assert worst <= 1, function.name
     assert total > 1000
@@ -143,8 +143,8 @@ MUTATIONS = {
     "padding": ("sizes", "self.do(Op.ADD, size.s, constant(self._padding), name=\"padded\")",
                 "size.s", "chain"),
     "last factor": ("sizes", "(size.m + 8 * size.k)", "(size.m / 2**12)", "products"),
-    "reach of factors": ("sizes", "self.do(Op.ADD, self.magnitude(x), self.units(x), name=\"reach\")",
-                         "self.magnitude(x)", "square of a difference"),
+    "reach of factors": ("sizes", "Op.ADD, self.magnitude(x), self.units(x), name=\"reach\"",
+                         "Op.ABS, x", "square of a difference"),
     "divisor near zero": ("certified_scene", "constant(Fraction(4))", "ZERO", "divisor"),
     "spread of divisors": ("certified_scene", "total = self.do(Op.MUL, total, self.reach(y))",
                            "total = self.do(Op.MUL, total, divisor)", "quotient"),
@@ -158,7 +158,6 @@ MUTATIONS = {
     "choice": ("certified_scene", "self.do(Op.SELECT, certain, ZERO, other)", "ZERO", "step"),
     "distance of options": ("certified_scene", "other = self._distance(*options)", "other = ZERO",
                             "step"),
-    "spread of exp": ("certified_scene", "self.do(Op.ADD, ONE, self.units(x)))", "ONE)", "sine"),
     "functions": ("certified_scene", " + REST", "", "circle"),
 }
 
@@ -186,4 +185,4 @@ def test_a_weaker_constant_is_noticed(mutation: str, monkeypatch: pytest.MonkeyP
         monkeypatch.setitem(sys.modules, f"mutated_{name}", None)
     plain = program_of(formula)
     weak = _mutated(module, old, new).of_scene
-    assert max(_searched(plain, weak(plain, toy), toy, 150)[0] for toy in TOYS) > 1
+    assert max(_searched(plain, weak(plain, toy), toy, 120)[0] for toy in TOYS) > 1
