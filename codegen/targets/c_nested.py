@@ -32,7 +32,7 @@ _SPELLING = {
     Op.LESS: ("{} < {}", COMPARISON), Op.EQUAL: ("{} == {}", COMPARISON),
     Op.SELECT: ("{} ? {} : {}", CHOICE),
     Op.EXACT_ADD: ("{} + {}", SUM), Op.EXACT_SUB: ("{} - {}", SUM),
-    Op.PRODUCT_ERROR: ("ksl_product_error({}, {}, {})", CALL),
+    Op.PRODUCT_ERROR: ("ksl_product_error%s({}, {}, {})", CALL),
     Op.PRODUCT_REST: ("ksl_product_rest({}, {}, {}, {})", CALL),
     **{op: (pattern.replace("{f}", "%s"), CALL) for op, pattern in ELEMENTARY.items()},
 }
@@ -58,7 +58,7 @@ def language(program: Program, precision: Precision) -> Language:
     def constant(x: Constant) -> str:
         return precision.literal(x) + suffix
 
-    return Language(spelling, constant, f"({precision.c_type})NAN", "", "{}")
+    return Language(spelling, constant, f"({precision.c_type})NAN", "", "{arguments}")
 
 
 def summed_products(program: Program) -> frozenset[str]:
@@ -86,7 +86,7 @@ def declarations(assigned: Sequence[Assignment | str], precision: Precision,
         if isinstance(x, str):
             return "", f"/* {x} */"
         if x.cosine:
-            return "", sine_and_cosine(x.step.name, x.cosine.name, x.expression, precision)
+            return "", sine_and_cosine(x.step, x.cosine, x.expression, precision)
         return ("int" if x.step.op in COMPARISONS else precision.c_type), x.step.component
 
     for (c_type, words), group in groupby(assigned, kind):

@@ -52,7 +52,10 @@ NUMPY_NAMES: dict[Op | str, str] = {
     Op.COPYSIGN: "copysign"}
 EXACT: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
 ELEMENTARY = {Op.SIN: ("sin", "({})"), Op.COS: ("cos", "({})"), Op.ATAN2: ("atan2", "({}, {})"),
-              Op.EXP: ("exp", "({})"), Op.TANH: ("tanh", "({})")}
+              Op.EXP: ("exp", "({})"), Op.TANH: ("tanh", "({})"),
+              Op.SIN_ERROR: ("sin_error", "({}, {})"), Op.COS_ERROR: ("cos_error", "({}, {})"),
+              Op.ATAN2_ERROR: ("atan2_error", "({}, {}, {})"),
+              Op.EXP_ERROR: ("exp_error", "({}, {})"), Op.TANH_ERROR: ("tanh_error", "({}, {})")}
 """Functions of our own: name, arguments."""
 
 
@@ -173,7 +176,7 @@ def language(precision: Precision, constant: Callable[[Constant], str], module: 
             return module + "".join(ELEMENTARY[step.op]), CALL
         return SPELLING[step.op]
 
-    return Language(spelling, constant, "nan", "# ", f"{module}sincos({{}})")
+    return Language(spelling, constant, "nan", "# ", f"{module}{{function}}({{arguments}})")
 
 
 def _is_choice_of_constants(step: Instruction) -> bool:

@@ -25,7 +25,7 @@ from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.version import VERSION
 
 _SIGNS = "# Of parameters with a sign: index in p, name, whether it may be zero."
-_ELEMENTARY = re.compile(r"\b(sincos|sin|cos|exp|tanh|atan2)\(")
+_ELEMENTARY = re.compile(r"\b((?:sincos|sin|cos|exp|tanh|atan2)(?:_error)?)\(")
 
 
 @uncollected()

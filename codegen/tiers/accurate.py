@@ -5,8 +5,8 @@ hi + lo is rounded at the end.  First-order errors cancel; the rest is of order 
 
 Operands of quotients, roots, arctangents and comparisons are first made non-overlapping: hi becomes
 the rounded hi + lo.  Then terms of order lo² do not matter, however much has cancelled.  The
-residuals of quotients and roots, a - q b and a - s s, are exact; only an arctangent's own rounding
-remains.  Where lo is NaN (0/0, an infinite hi), the result is hi.
+residuals of quotients and roots, a - q b and a - s s, are exact; what elementary functions err by
+is computed by functions of their own.  Where lo is NaN (0/0, an infinite hi), the result is hi.
 
 Where a polynomial's bound would be too large to prove one ulp up to condition 1e14, sums are made
 non-overlapping before they are multiplied, too.  Then hi has a single rounding error, so that fewer
@@ -30,14 +30,15 @@ from coscrew_codegen.program import (
     without_dead_steps,
 )
 from coscrew_codegen.program.bounds import bounds_of
-from coscrew_codegen.program.ops import Rounding
+from coscrew_codegen.program.ops import ERROR_OF, Rounding
 from coscrew_codegen.program.program import name_of
 from coscrew_codegen.tiers.compensated import Compensator, rounded_constant
 from coscrew_codegen.tiers.negation import negating_terms
 from coscrew_codegen.tiers.tier import Tier, rounds_by
 
-_ZERO, _ONE = (Constant(Fraction(n), Fraction(n)) for n in (0, 1))
-_NONLINEAR = {Op.DIV, Op.SQRT, Op.ATAN2, Op.SCALE}
+_ZERO, _HALF, _ONE = (Constant(Fraction(n, 2), Fraction(n, 2)) for n in (0, 1, 2))
+_PARTNER = {Op.SIN: Op.COS, Op.COS: Op.SIN}
+_NONLINEAR = {Op.DIV, Op.SQRT, Op.SCALE, Op.ATAN2, Op.SIN, Op.COS}
 _JUDGING = {Op.ABS, Op.LESS, Op.EQUAL}  # after cancellation hi may be 0 and lo the whole value
 COMPENSATED = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG, Op.ABS, Op.LESS, Op.EQUAL, Op.SELECT,
                          *_NONLINEAR})
@@ -77,11 +78,13 @@ def _made(program: Program, precision: Precision) -> Program:
 
 def _has(program: Program) -> bool:
     """Whether all is compensated; the rounding of an arctangent alone cannot be."""
-    return rounds_by(COMPENSATED, program) and any(op.rounds for op in program.counts.keys()
-                                                   - {Op.ATAN2})
+    return rounds_by(COMPENSATED - _PARTNER.keys(), program) and any(
+        op.rounds for op in program.counts.keys() - {Op.ATAN2})
 
 
 def _compensated(program: Program, compensator: "_Accurate") -> Program:
+    compensator.circular = {(step.op, step.operands): step for step in program.instructions
+                            if step.op in _PARTNER}
     for step in program.instructions:
         compensator.compensate(step)
     guarded = bool(program.counts.keys() & _NONLINEAR)
@@ -102,7 +105,10 @@ class _Accurate(Compensator):
         self._normals: set[str] = set()
         self._finals: dict[Operand, Ref] = {}
         self._inverses: dict[Operand, Ref] = {}
+        self.circular: dict[tuple[Op, tuple[Operand, ...]], Instruction] = {}  # sines, cosines
+        self._partners: dict[str, Ref] = {}  # a sine's cosine, a cosine's sine
         self._rules = {
+            Op.SIN: self._sine_or_cosine, Op.COS: self._sine_or_cosine,
             Op.DIV: self._quotient, Op.SQRT: self._root, Op.ATAN2: self._arctangent,
             Op.SCALE: self._scaled, Op.ABS: self._absolute, Op.SELECT: self._selected,
             Op.LESS: self._comparison, Op.EQUAL: self._comparison,
@@ -112,6 +118,7 @@ class _Accurate(Compensator):
         """Issue hi of a plain instruction under its name; and lo, or the parts of lo that are added
         where it is used."""
         known = (self._normal.get(name_of(x), x) for x in step.operands)
+        partner = self.circular.get((_PARTNER.get(step.op, step.op), step.operands))
         step = replace(step, operands=tuple(known))
         if step.op not in self._rules:
             super().compensate(step)
@@ -119,7 +126,10 @@ class _Accurate(Compensator):
         if step.op in _NONLINEAR | _JUDGING:
             step = replace(step, operands=tuple(self._normalized(step, x) for x in step.operands))
         low = [self.low(step, x) for x in step.operands]
-        self.steps.append(step)
+        if step.op in _PARTNER:
+            self._issue_both(step, partner)
+        else:
+            self.steps.append(step)
         total = self._rules[step.op](step, low)
         if total is not None:
             self._low[step.name] = total
@@ -179,6 +189,32 @@ class _Accurate(Compensator):
         error = self.issue(step, Op.PRODUCT_ERROR, (*factors, p), "product_error")
         rest = self.issue(step, Op.SUB, (a, p), "rest")
         return self.issue(step, Op.SUB, (rest, error), "exact")
+
+    def _issue_both(self, step: Instruction, partner: Instruction | None) -> None:
+        """A sine and the cosine of the same operand, where the first of them is."""
+        if step.name not in self._partners:
+            known = partner and partner.name not in self._partners
+            name = partner.name if known else self.name(step.name, "partner")
+            self.steps += [step, replace(step, name=name, op=_PARTNER[step.op])]
+            self._partners |= {step.name: Ref(name), name: Ref(step.name)}
+
+    def _sine_or_cosine(self, step: Instruction, low: list[Operand | None]) -> Operand:
+        """lo of s = sin x: sin x - s + x_lo (c - x_lo s / 2); of c = cos x, the same with c and -s.
+        The term of second order matters for large x."""
+        error = self._error(step)
+        x_lo, = low
+        if x_lo is None:
+            return error
+        bend = self.issue(step, Op.MUL, (self.issue(step, Op.MUL, (x_lo, _HALF), "half"),
+                                         Ref(step.name)), "bend")
+        partner, sine = self._partners[step.name], step.op is Op.SIN
+        slope = self.issue(step, Op.SUB if sine else Op.ADD, (partner, bend), "slope")
+        more = self.issue(step, Op.MUL, (slope, x_lo), "more")
+        return self.issue(step, Op.ADD if sine else Op.SUB, (error, more), "lo")
+
+    def _error(self, step: Instruction) -> Ref:
+        """What an elementary function errs by."""
+        return self.issue(step, ERROR_OF[step.op], (*step.operands, Ref(step.name)), "own_error")
 
     def _arctangent(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
         """lo of atan2(y, x): (x y_lo - y x_lo) / (x² + y²), computed with x / m and y / m,

@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "a8e24e62283c838e")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "d5755cb02e744fcd")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (
