@@ -341,7 +341,7 @@ class OfScene(_Accurate):
                 name_of(x) in self._cancelled and name_of(x) not in self._normal
                 for x in step.operands):
             self._cancelled.add(step.name)
-        if step.op in _ONCE and all(self.low(step, x) is None for x in step.operands):
+        if step.op in _ONCE and all(map(self.is_exact, step.operands)):
             self._nearest.add(step.name)
         super().compensate(step)
 
