@@ -12,6 +12,7 @@ from coscrew_codegen.scene_tiers import SceneTier
 from coscrew_codegen.targets import c_elementary, scene_text
 from coscrew_codegen.targets.c_function import CFunction
 from coscrew_codegen.targets.c_statements import comment_of
+from coscrew_codegen.targets.numpy import EXACT
 from coscrew_codegen.targets.scene_c import IN_WORDS, functions_of
 from coscrew_codegen.targets.scene_c_parts import Parts
 from coscrew_codegen.targets.target import Files, Target
@@ -45,6 +46,11 @@ class Section:
         return scene_text.working([plan.program for plan in self.plans], self.precision)
 
     @property
+    def exact(self) -> bool:
+        """Whether they compute rounding errors of products."""
+        return any(op in plan.program.counts for plan in self.plans for op in EXACT)
+
+    @property
     def called(self) -> frozenset[str]:
         """The elementary functions that they call."""
         return c_elementary.called(x.body for x in self.functions)
@@ -67,7 +73,8 @@ def files(made: SceneTier, banner: str) -> Files:
         f"{made.stem}.h": render("scene/tier.h", about=comment_of(_about(made)), **shared),
         f"{made.stem}.c": render(
             "scene/tier.c", names=[comment_of(names)] if names else [], products=precisions,
-            exact=made.exact, parts=any(x.parts.cuts for x in sections),
+            exact={x.working.name for x in sections if x.exact},
+            parts=any(x.parts.cuts for x in sections),
             elementary=[(p, c_elementary.written(p, called, nested=True))
                         for p, called in elementary.items() if called], **shared)}
 
