@@ -9,8 +9,9 @@ from coscrew_codegen.elementary import ELEMENTARY, Elementary
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.program import Constant, Input, Op, Program, counts_in_words, renamed
 from coscrew_codegen.quantity import Argument
-from coscrew_codegen.targets import two_over_pi
+from coscrew_codegen.targets import c_lanes, two_over_pi
 from coscrew_codegen.targets.c_function import Body, Stored
+from coscrew_codegen.targets.c_lanes import SEVERAL
 from coscrew_codegen.targets.c_nested import language
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
 from coscrew_codegen.targets.nesting import planned
@@ -19,10 +20,10 @@ _VALUE_WIDTH = 150
 
 HEADER = "elementary"
 """The header, and the family, that holds them all."""
-ALONE = {"sin": "sincos", "cos": "sincos"}
-"""Results that can be had alone, and the functions that compute them."""
+ALONE = ("sin", "cos")
+"""What sincos computes and can be had alone."""
 CALLABLE = (*ALONE, *(function.name for function in ELEMENTARY))
-_CALL = re.compile(rf"\bksl_({'|'.join(CALLABLE)})f?\(")
+_CALL = re.compile(rf"\bksl_({'|'.join((*CALLABLE, *SEVERAL))})f?\(")
 
 
 @dataclass(frozen=True)
@@ -40,6 +41,7 @@ class Written:
     table: str = ""  # what `far` reads
     power: bool = False  # whether it is the first to call ksl_power
     alone: Collection[str] = ()  # those of its results that have a function of their own
+    several: str = ""  # functions that compute it for several arguments
 
 
 def called(texts: Iterable[str]) -> frozenset[str]:
@@ -50,10 +52,17 @@ def called(texts: Iterable[str]) -> frozenset[str]:
 def written(precision: Precision, names: Collection[str] = CALLABLE, nested: bool = False
             ) -> list[Written]:
     """What defines these names."""
-    wanted = [x for x in ELEMENTARY if x.name in {ALONE.get(name, name) for name in names}]
+    of = dict.fromkeys((*ALONE, *SEVERAL), "sincos")
+    wanted = [x for x in ELEMENTARY if x.name in {of.get(name, name) for name in names}]
     powers = [x for x in wanted if Op.POWER in x.kernel(precision).counts]
-    return [replace(_written(function, precision, nested), alone=ALONE.keys() & names,
-                    power=function in powers[:1]) for function in wanted]
+    return [replace(_written(x, precision, nested), power=x in powers[:1],
+                    alone=[name for name in ALONE if name in names and of[name] == x.name],
+                    several=_several(x, precision, names)) for x in wanted]
+
+
+def _several(function: Elementary, precision: Precision, names: Collection[str]) -> str:
+    wanted = [n for name, n in SEVERAL.items() if name in names and function.name == "sincos"]
+    return c_lanes.written(function, precision, wanted) if wanted else ""
 
 
 def _written(function: Elementary, precision: Precision, nested: bool) -> Written:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.program import Input, Operand, Program, by_component
-from coscrew_codegen.targets.c_nested import declarations, language
+from coscrew_codegen.targets.c_nested import declarations, language, together
 from coscrew_codegen.targets.c_statements import WIDTH, Statements, broken, comment_of
 from coscrew_codegen.targets.nesting import Plan
 
@@ -75,7 +75,8 @@ class Body:
         """Declarations in which expressions nest, and results."""
         nesting = plan.printed(language(plan.program, self.precision), self.stored.access,
                                dict(self.headings))
-        return declarations(nesting.assigned, self.precision, WIDTH - 2), nesting.results
+        return (declarations(together(nesting.assigned), self.precision, WIDTH - 2),
+                nesting.results)
 
     def _stores(self, results: Sequence[str]) -> Iterator[str]:
         pairs = list(zip(self.stored.targets, results, strict=True))

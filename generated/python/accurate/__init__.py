@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "a8e24e62283c838e")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "92780127b39ce1b6")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (
