@@ -38,6 +38,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                         help="{languages} (default: all, and what takes several)")
     parser.add_argument("--functions", metavar="NAME", nargs="+", action="extend",
                         help="for a scene, only these functions; default and all select several")
+    parser.add_argument("--tier", metavar="NAME", nargs="+", action="extend",
+                        help="for a scene, these tiers besides plain: accurate")
     add_implausible(parser)
     parser.set_defaults(run=run)
 
@@ -67,6 +69,9 @@ def _library(options: argparse.Namespace) -> int:
 
     if options.functions:
         raise SelectionError("--functions selects functions of a scene, and no scene is given")
+    if options.tier:
+        raise SelectionError("--tier selects tiers of a scene, and no scene is given; the library "
+                             "has all tiers")
     selection = select(options.family or [], options.precision or "both", options.language)
     folder, check = Path(options.output or DEFAULT_OUTPUT), options.check
     whole = selection == Selection()
@@ -94,10 +99,11 @@ def _scene(options: argparse.Namespace) -> int:
                              f"{', '.join(CHOICES)}")
     if given:
         raise SelectionError(f"--{given[0]} selects kernels of the library; of a scene, "
-                             "--functions and --precision select")
+                             "--functions, --tier and --precision select")
     if not options.output:
         raise SelectionError(f"where to?  Wanted: coscrew generate {options.scene} -o DIR")
-    scene = scene_of(options, options.precision, tuple(options.functions or ()))
+    scene = scene_of(options, options.precision, tuple(options.functions or ()),
+                     tuple(options.tier or ()))
     if scene.precision == "single":
         scene = replace(scene, precisions=("single",))
     for line in scene.unused:
@@ -105,6 +111,7 @@ def _scene(options: argparse.Namespace) -> int:
     said = "".join(f" --{name} {word}" for name in ("precision", "implausible")
                    if (word := getattr(options, name)))
     said += f" --functions {' '.join(options.functions)}" if options.functions else ""
+    said += f" --tier {' '.join(options.tier)}" if options.tier else ""
     files = scene_files(derive(scene), f"coscrew generate {options.scene.name}{said}")
     folder = Path(options.output)
     if not options.check:

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 
 from coscrew_codegen.library import Library
 from coscrew_codegen.scene_functions import SceneFunctions
+from coscrew_codegen.scene_tiers import tiers_of
 from coscrew_codegen.targets import targets
 from coscrew_codegen.targets.scene_text import banner_of
 from coscrew_codegen.targets.target import Files
@@ -20,8 +21,11 @@ def scene_files(functions: SceneFunctions, command: str = "") -> Files:
     """Every file of a scene, by its path in the output folder; their first lines name `command` as
     what makes them.  Raises ValueError for names that cannot be used in C or Python."""
     banner = banner_of(functions.name, command)
-    return _gathered((target.name, target.scene(functions, banner)) for target in targets()
-                     if target.generated and target.scene)
+    made = [(target.name, target.scene(functions, banner)) for target in targets()
+            if target.generated and target.scene]
+    made += [(target.name, target.tier(tier, banner)) for tier in tiers_of(functions)
+             for target in targets() if target.generated and target.tier]
+    return _gathered(made)
 
 
 def _gathered(made: Iterable[tuple[str, Files]]) -> Files:

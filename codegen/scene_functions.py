@@ -118,6 +118,8 @@ class SceneInterface:
     timed: bool
     signatures: tuple[Signature, ...]  # the public functions, steps last
     signs: tuple[tuple[str, Sign], ...] = ()  # names of the parameters with a sign
+    tiers: tuple[str, ...] = ()  # selected besides plain
+    mark: str = ""  # of the tier of these functions: their names in C end in it
 
 
 @dataclass(frozen=True)
@@ -136,6 +138,8 @@ class SceneFunctions:
     precisions: tuple[str, ...] = tuple(BY_NAME)  # those it is emitted in
     timed: bool = False  # whether forces depend on time
     signs: tuple[tuple[str, Sign], ...] = ()  # names of the parameters with a sign
+    tiers: tuple[str, ...] = ()  # in which the public functions are emitted, too
+    mark: str = ""  # of the tier of these functions: their names in C end in it
 
     def named(self, name: str) -> Function:
         """The function of this name; a ValueError if there is none."""

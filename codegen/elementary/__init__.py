@@ -6,7 +6,11 @@ coefficients and errors are data beside the derivations and proofs that tests re
 from coscrew_codegen.elementary.function import Elementary
 from coscrew_codegen.found import found
 
-__all__ = ["ELEMENTARY", "Elementary"]
+__all__ = ["ELEMENTARY", "ERRORS", "Elementary"]
 
 ELEMENTARY: tuple[Elementary, ...] = found(__name__, __path__, "FUNCTION", Elementary)
 """All elementary functions, in the order of their names."""
+
+ERRORS: tuple[Elementary, ...] = found(__name__, __path__, "ERROR", Elementary)
+"""What they err by: from the arguments and the function's results to the true results less these.
+The `error` of such a function is relative: |result + error - true| / |true|."""

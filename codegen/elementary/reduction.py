@@ -97,16 +97,17 @@ def far(precision: Precision) -> Program:
     """The reduction by the digits of 2/π, for |x| from the limit up.  Source: Payne and Hanek."""
     steps = Steps(X)
     x, = steps.inputs()
-    return steps.program("far", REDUCED, reduced(levels(steps, x, precision), precision))
+    t = levels(steps, x, precision, LEVELS[precision.digits])
+    return steps.program("far", REDUCED, reduced(t, precision))
 
 
-def levels(steps: Steps, x: Value, precision: Precision) -> list[Value]:
+def levels(steps: Steps, x: Value, precision: Precision, count: int) -> list[Value]:
     """Exact numbers, each about 2^-digits/2 of the one before, whose sum is x 2/π except whole
     turns and what is beyond the last."""
     scaled = steps.named("scaled", x * Fraction(1, 2**chunks(precision.digits).scale))
     high, low = halves("x", scaled, precision)
     at = [steps.named(f"chunk{n}", steps.do(Op.TWO_OVER_PI, x, n, precision.digits))
-          for n in range(LEVELS[precision.digits] + 1)]
+          for n in range(count + 1)]
     return [steps.named(f"t{n}", low * here + high * beyond)
             for n, (here, beyond) in enumerate(pairwise(at))]
 
@@ -117,12 +118,7 @@ def reduced(t: list[Value], precision: Precision) -> tuple[Value, Value, Value]:
     Half of them are added without error: what rounds a sum is kept, and added to `low`, whose first
     sum is exact, since all are multiples of a small number."""
     steps, exact = t[0].steps, EXACT_LEVELS[precision.digits]
-    rest = steps.named("rest0", t[0] - to_integer(steps, t[0], precision, 8))  # 4 is out of reach
-    rest = steps.named("rest4", rest - to_integer(steps, rest, precision, 4))
-    k1 = steps.named("k1", to_integer(steps, t[1], precision))
-    s, low = two_sum("sum2", rest + (t[1] - k1), t[2])
-    k2 = steps.named("k2", to_integer(steps, s, precision))
-    f = steps.named("sum2_rest", s - k2)
+    k1, k2, f, low = fraction(t, precision)
     f, error = two_sum("sum3", f, t[3])
     low = steps.named("low3", low + error)
     tail = t[-1]
@@ -136,6 +132,18 @@ def reduced(t: list[Value], precision: Precision) -> tuple[Value, Value, Value]:
     low = steps.named("f_low", low + tail)
     r, excess = times_half_pi(steps, f, low, precision)
     return steps.named("quadrant", k1 + k2), r, excess
+
+
+def fraction(t: list[Value], precision: Precision) -> tuple[Value, Value, Value, Value]:
+    """k1, k2, f and low: the first three levels are k1 + k2 + f + low and whole turns, |f| at most
+    1/2."""
+    steps = t[0].steps
+    rest = steps.named("rest0", t[0] - to_integer(steps, t[0], precision, 8))  # 4 is out of reach
+    rest = steps.named("rest4", rest - to_integer(steps, rest, precision, 4))
+    k1 = steps.named("k1", to_integer(steps, t[1], precision))
+    s, low = two_sum("sum2", rest + (t[1] - k1), t[2])
+    k2 = steps.named("k2", to_integer(steps, s, precision))
+    return k1, k2, steps.named("sum2_rest", s - k2), low
 
 
 def times_half_pi(steps: Steps, f: Value, low: Value, precision: Precision) -> tuple[Value, Value]:

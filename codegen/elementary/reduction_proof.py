@@ -94,9 +94,9 @@ def far_is_proved(precision: Precision) -> Reduction:
     """The reduction by the digits of 2/π, from the limit to the largest number."""
     u = precision.u
     exponents = range(exponent_of(limit(precision)), precision.bias + 1)
-    missing = max(_missing(precision, exponent) for exponent in exponents)
+    missing = max(left_out(precision, exponent, LEVELS[precision.digits]) for exponent in exponents)
     least = min(closest(precision, exponent) for exponent in exponents)
-    first_grids = {_first_grid(precision, exponent) for exponent in exponents}
+    first_grids = {first_grid(precision, exponent) for exponent in exponents}
     found = [_sum_is_proved(precision, grid) for grid in sorted(first_grids)]
     error, tail, largest = (max(column) for column in zip(*found, strict=True))
     fraction = least / HALF_PI
@@ -106,15 +106,15 @@ def far_is_proved(precision: Precision) -> Reduction:
                      (Binade(Fraction(0), Fraction(0), least),))
 
 
-def _first_grid(precision: Precision, exponent: int) -> int:
+def first_grid(precision: Precision, exponent: int) -> int:
     """The first level of a number of this exponent is a multiple of 2^this."""
     some = chunks(precision.digits)
     return exponent + 1 - precision.digits - some.bits * (some.index(exponent) - 1)
 
 
-def _missing(precision: Precision, exponent: int) -> Fraction:
-    """Proves that levels are exact, and what is left out before them whole turns; bounds what is
-    left out after them.
+def left_out(precision: Precision, exponent: int, count: int) -> Fraction:
+    """Proves that so many levels are exact, and what is left out before them whole turns; bounds
+    what is left out after them.
 
     x = high + low, |high| <= 2^(e + 1), a multiple of 2^(e + 1 - bits); |low| <= 2^(e - bits), a
     multiple of 2^(e + 1 - digits)."""
@@ -125,14 +125,14 @@ def _missing(precision: Precision, exponent: int) -> Fraction:
     unit_high, unit_low = 2 * e / 2**bits, 2 * e / 2**digits
     assert units[first] * unit_high % 4 == 0
     assert first == 0 or units[first - 1] * unit_low % 4 == 0
-    for n in range(first, first + LEVELS[digits]):
+    for n in range(first, first + count):
         assert values[n] % units[n] == 0 and abs(values[n]) <= units[n] * 2**(bits - 1)
         grid = units[n] * unit_low
         products = e / 2**bits * abs(values[n]), 2 * e * abs(values[n + 1])
         assert units[n + 1] * unit_high % grid == 0
         assert sum(products) <= Fraction(3, 4) * 2**digits * grid
         assert products[1] <= 2**digits * units[n + 1] * unit_high
-    last = first + LEVELS[digits]
+    last = first + count
     rest = abs(1 / HALF_PI - sum(values[:last + 1], Fraction(0))) + TINY
     left: Fraction = e / 2**bits * abs(values[last]) + 2 * e * rest
     return left

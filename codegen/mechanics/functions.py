@@ -57,7 +57,7 @@ class _Derivation(DynamicsFunctions, BodyFunctions, StepFunctions):
             scene.name, tree.nq, tree.nv, tree.coordinates, tuple(self.bodies),
             tuple((p.name, float(p.value)) for p in scene.parameters), coordinates.neutral(tree),
             tuple(found), (), scene.precisions, self.timed,
-            tuple(signs(scene).items())), steps)
+            tuple(signs(scene).items()), scene.tiers), steps)
 
     def _makers(self) -> Makers:
         return {**self._of_dynamics(), **self._of_bodies(), **self._of_steps()}

@@ -11,6 +11,7 @@ from coscrew_codegen.program.program import (
     Ref,
     by_component,
     counts_in_words,
+    operands_of_pair,
     renamed,
     scales,
     sine_cosine_pairs,
@@ -18,5 +19,5 @@ from coscrew_codegen.program.program import (
 )
 
 __all__ = ["Constant", "Input", "Instruction", "NotANumber", "Op", "Operand", "Program", "Ref",
-           "by_component", "counts_in_words", "renamed", "scales", "sine_cosine_pairs",
-           "without_dead_steps"]
+           "by_component", "counts_in_words", "operands_of_pair", "renamed", "scales",
+           "sine_cosine_pairs", "without_dead_steps"]

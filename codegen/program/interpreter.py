@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Generic, TypeVar
 
-from coscrew_codegen.program.ops import Op
+from coscrew_codegen.program.ops import ERROR_OF, Op
 from coscrew_codegen.program.program import (
     Constant,
     Input,
@@ -82,8 +82,14 @@ def by_operation(constant: Callable[[Constant], V], operations: Mapping[Op, Call
 def exactly(functions: object = None) -> Mapping[Op, Callable[..., V]]:
     """Every operation without rounding: Python's operators, and the sqrt, sin, cos, exp, tanh and
     atan2 of a module (math, mpmath, numpy)."""
-    return {**_OPERATORS} | {op: getattr(functions, op.value) for op in _FUNCTIONS
-                         if hasattr(functions, op.value)}
+    known = {op: getattr(functions, op.value) for op in _FUNCTIONS if hasattr(functions, op.value)}
+    return {**_OPERATORS} | known | {error: _difference(known[op]) for op, error in ERROR_OF.items()
+                                     if op in known}
+
+
+def _difference(function: Callable[..., Any]) -> Callable[..., Any]:
+    """From operands and a number to the function less that."""
+    return lambda *x: function(*x[:-1]) - x[-1]
 
 
 _FUNCTIONS = (Op.SQRT, Op.SIN, Op.COS, Op.ATAN2, Op.EXP, Op.TANH)

@@ -15,6 +15,7 @@ class Rounding(Enum):
     EXACT = "exact"
     ONCE = "rounded once"  # by at most u of the result
     FUNCTION = "within an ulp"  # elementary functions of our own, whose errors are proved
+    REST = "to twice the digits"  # what these err by, with a small error relative to the function
 
 
 class Functions(Protocol):
@@ -41,7 +42,7 @@ class Meaning:
     commutes: bool = False
 
 
-_EXACT, _ONCE, _FUNCTION = Rounding
+_EXACT, _ONCE, _FUNCTION, _REST = Rounding
 
 
 class Op(Enum):
@@ -59,6 +60,11 @@ class Op(Enum):
     ATAN2 = "atan2"
     EXP = "exp"
     TANH = "tanh"
+    SIN_ERROR = "sine error"  # sin a - b, b what SIN returns
+    COS_ERROR = "cosine error"  # cos a - b, b what COS returns
+    ATAN2_ERROR = "atan2 error"  # atan2(a, b) - c, c what ATAN2 returns
+    EXP_ERROR = "exp error"  # exp a - b, b what EXP returns
+    TANH_ERROR = "tanh error"  # tanh a - b, b what TANH returns
     COPYSIGN = "copysign"  # abs(a) with the sign of b, even where b is zero
     POWER = "power of two"  # 2^(a - b) by its bits; b = 1.5 · 2^(digits - 1), a - b an integer
     TWO_OVER_PI = "digits of 2/π"  # the chunk (two_over_pi.py) b after a's first; c digits of a
@@ -96,9 +102,9 @@ def _product(sign: int, *more: int) -> Slopes:
     return lambda f, a, b, *x: (b, a, *more)
 
 
-def _arctangent(f: Functions, y: Any, x: Any, angle: Any) -> tuple[Any, Any]:
+def _arctangent(f: Functions, y: Any, x: Any, angle: Any, *rest: Any) -> tuple[Any, ...]:
     square = x * x + y * y
-    return x / square, -(y / square)
+    return x / square, -(y / square), *(-1 for _ in rest)
 
 
 _MEANINGS = {
@@ -114,6 +120,11 @@ _MEANINGS = {
     Op.ATAN2: Meaning(2, _FUNCTION, _arctangent),
     Op.EXP: Meaning(1, _FUNCTION, lambda f, x, y: (y,)),
     Op.TANH: Meaning(1, _FUNCTION, lambda f, x, y: (1 - y * y,)),
+    Op.SIN_ERROR: Meaning(2, _REST, lambda f, x, s, e: (f.cos(x), -1)),
+    Op.COS_ERROR: Meaning(2, _REST, lambda f, x, c, e: (-f.sin(x), -1)),
+    Op.ATAN2_ERROR: Meaning(3, _REST, _arctangent),
+    Op.EXP_ERROR: Meaning(2, _REST, lambda f, x, y, e: (y, -1)),
+    Op.TANH_ERROR: Meaning(2, _REST, lambda f, x, y, e: (1 - y * y, -1)),
     Op.COPYSIGN: Meaning(2, _EXACT, None),
     Op.POWER: Meaning(2, _EXACT, None),
     Op.TWO_OVER_PI: Meaning(3, _EXACT, None),
@@ -131,5 +142,8 @@ _MEANINGS = {
 
 COMPARISONS = frozenset({Op.LESS, Op.EQUAL})
 """The operations whose results are truth values, for SELECT."""
+ERROR_OF = {Op.SIN: Op.SIN_ERROR, Op.COS: Op.COS_ERROR, Op.ATAN2: Op.ATAN2_ERROR,
+            Op.EXP: Op.EXP_ERROR, Op.TANH: Op.TANH_ERROR}
+"""The operation that computes what an elementary function errs by, from its operands and result."""
 POLYNOMIAL = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG})
 """The operations of polynomials."""

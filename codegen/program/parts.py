@@ -186,6 +186,7 @@ class _Cutting:
     def __init__(self, programs: Sequence[Program], values: _Values,
                  groups: Mapping[_Users, Sequence[int]], longest: int, name: str):
         self.programs, self.values, self.longest = programs, values, longest
+        self.wide = any(program.wide for program in programs)
         self.pieces = {users: list(self._pieces(members)) for users, members in groups.items()}
         self.names = self._names(name)
         self.homes: dict[int, dict[_Users, int]] = {}  # of values: groups, and in which part
@@ -307,7 +308,8 @@ class _Reader:
 
         return Program(name, inputs, outputs, tuple(
             Instruction(of, op, tuple(map(operand, operands)), component)
-            for of, op, operands, component in self.steps), tuple(map(operand, read)))
+            for of, op, operands, component in self.steps), tuple(map(operand, read)),
+            self.cutting.wide)
 
     def _issue(self, x: int, name: str) -> None:
         op, operands = self.values.steps[x]

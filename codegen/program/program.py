@@ -12,7 +12,7 @@ from functools import cached_property
 from itertools import groupby
 from typing import NamedTuple
 
-from coscrew_codegen.program.ops import Op
+from coscrew_codegen.program.ops import ERROR_OF, Op
 from coscrew_codegen.quantity import Argument
 
 
@@ -129,13 +129,23 @@ def renamed(program: Program, names: Mapping[str, str]) -> Program:
 
 
 def sine_cosine_pairs(program: Program) -> dict[str, tuple[Instruction, Instruction]]:
-    """Sine and cosine of the same operand, which languages compute together, by the names of both.
-    """
+    """Sine and cosine of the same operand, and their errors, which languages compute together, by
+    the names of both."""
     found = {(step.op, step.operands): step for step in program.instructions
-             if step.op in (Op.SIN, Op.COS)}
+             if step.op in (Op.SIN, Op.COS, Op.SIN_ERROR, Op.COS_ERROR)}
     pairs = [(sine, found[Op.COS, x]) for (op, x), sine in found.items()
              if op is Op.SIN and (Op.COS, x) in found]
+    for sine, cosine in tuple(pairs):
+        errors = [found.get((ERROR_OF[step.op], (*step.operands, Ref(step.name))))
+                  for step in (sine, cosine)]
+        if errors[0] and errors[1]:
+            pairs.append((errors[0], errors[1]))
     return {step.name: pair for pair in pairs for step in pair}
+
+
+def operands_of_pair(sine: Instruction, cosine: Instruction) -> tuple[Operand, ...]:
+    """What the function that computes both takes: their operands without repetition."""
+    return tuple(dict.fromkeys((*sine.operands, *cosine.operands)))
 
 
 def by_component(program: Program) -> Iterator[tuple[Instruction, ...]]:
@@ -153,7 +163,7 @@ def counts_in_words(program: Program) -> str:
     for op in (Op.EXACT_ADD, Op.EXACT_SUB):
         counts[Op.ADD] += counts.pop(op, 0)
     order = (Op.MUL, Op.ADD, Op.FMA, Op.PRODUCT_ERROR, Op.PRODUCT_REST, Op.DIV, Op.SQRT, Op.SIN,
-             Op.COS, Op.ATAN2, Op.EXP, Op.TANH, Op.POWER, Op.TWO_OVER_PI, Op.NEG, Op.ABS,
-             Op.COPYSIGN, Op.LESS, Op.EQUAL, Op.SELECT)
+             Op.COS, Op.ATAN2, Op.EXP, Op.TANH, *ERROR_OF.values(), Op.POWER, Op.TWO_OVER_PI,
+             Op.NEG, Op.ABS, Op.COPYSIGN, Op.LESS, Op.EQUAL, Op.SELECT)
     words = [f"{counts[op]} {op.value}" for op in order if counts[op]]
     return ", ".join(words) if words else "no arithmetic"

@@ -11,7 +11,7 @@ from functools import cache
 from itertools import pairwise
 from typing import Any
 
-EXTRA = 8
+EXTRA = 9
 """Chunks beyond that with which the largest exponent begins."""
 
 

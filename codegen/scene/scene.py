@@ -84,6 +84,7 @@ class Scene:
     run: Run = Run()
     expectations: tuple[Expectation, ...] = ()
     functions: tuple[str, ...] = ()  # selected by name; (): the default functions
+    tiers: tuple[str, ...] = ()  # selected besides plain, the cheapest first
     unused: tuple[str, ...] = ()  # physical numbers of the model that are not used, a line each
 
 

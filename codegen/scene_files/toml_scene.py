@@ -20,6 +20,7 @@ from coscrew_codegen.scene.recorded import (
 from coscrew_codegen.scene.rotations import unit
 from coscrew_codegen.scene.scene import Expectation, Run, Scene
 from coscrew_codegen.scene.selected import FunctionsError, resolved
+from coscrew_codegen.scene.tiers import TiersError, selected
 from coscrew_codegen.scene_files.effect_table import Use
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.identifiers import identifier, refused
@@ -38,6 +39,7 @@ class SceneOverrides:
     precision: str | None = None  # double, single, both
     implausible: str | None = None  # error, warn
     functions: tuple[str, ...] | None = None  # names, "default", "all"
+    tiers: tuple[str, ...] | None = None  # names
 
     def __post_init__(self) -> None:
         for key, choices in (("precision", CHOICES), ("implausible", (ERROR, WARN))):
@@ -62,7 +64,8 @@ def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
         scene = Scene(identifier(path.stem), model, unused=unused(model, set(), effects),
                       implausible=implausible, precision=overrides.precision or "double",
                       precisions=_emitted(overrides.precision))
-        return _selecting(scene, overrides.functions or ())
+        return _selecting(replace(scene, tiers=selected(overrides.tiers or ())),
+                          overrides.functions or ())
     if suffix != ".toml":
         raise SceneError(path, "", f"suffix {shown(path.suffix)}; wanted a .toml or .urdf file")
     return _scene(read_toml(path), effects, overrides)
@@ -106,10 +109,13 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], overrides: SceneOverrides
                     every=float(outputs.positive("every", Fraction(1, 100))),
                     expectations=_expectations(file, scene))
     functions = overrides.functions or _functions(file, scene)
+    tiers = _tiers(file)
     effects = with_reactions(scene, catalogue)
     model, effects, parameters = with_parameters(file, model, effects, catalogue)
-    return _selecting(replace(scene, model=model, effects=effects, parameters=parameters),
-                      functions)
+    if overrides.tiers:
+        tiers = selected(overrides.tiers)
+    return _selecting(replace(scene, model=model, effects=effects, parameters=parameters,
+                              tiers=tiers), functions)
 
 
 def _functions(file: Table, scene: Scene) -> tuple[str, ...]:
@@ -122,6 +128,17 @@ def _functions(file: Table, scene: Scene) -> tuple[str, ...]:
         return _selecting(scene, names).functions
     except FunctionsError as error:
         file.refuse("functions", str(error))
+
+
+def _tiers(file: Table) -> tuple[str, ...]:
+    """The tiers that the file selects besides plain."""
+    names = file.texts("tiers", ())
+    if "tiers" in file and not names:
+        file.refuse("tiers", 'an empty list; wanted names, as ["plain", "accurate"]')
+    try:
+        return selected(names)
+    except TiersError as error:
+        file.refuse("tiers", str(error))
 
 
 def _selecting(scene: Scene, functions: tuple[str, ...]) -> Scene:

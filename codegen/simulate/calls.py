@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coscrew_codegen.formats import Precision
+from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.native import cache
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.scene.selected import names
@@ -65,9 +66,9 @@ class Functions(Steps[Real]):
         body_twists: Function[Real]
         integrated: Function[Real]
 
-    def __init__(self, scene: str, precision: Precision):
-        self._about = f"{scene} in {precision.name} precision"
-        self._precision = precision.name
+    def __init__(self, scene: str, precision: Precision, tier: str = ""):
+        self._about = f"{scene} in {precision.name} precision{tier and f', {tier} tier'}"
+        self._precision, self._tier = precision.name, tier
         self._kernels: Kernels | None = None  # that they belong to, for pickle
 
     def __dir__(self) -> list[str]:
@@ -83,6 +84,9 @@ class Functions(Steps[Real]):
         scene = self._kernels.scene if self._kernels else None
         possible = names(scene) if scene else ()
         hint = or_mean(name, (*dir(self), *possible))
+        if self._tier and name in {x.step_name for x in EMITTED}:
+            hint = "; steps have no tier, since their error is not that of rounding"
+            possible = ()
         if name in possible:
             hint = f"; it was not selected: functions=[\"default\", {name!r}]"
         raise AttributeError(f"{self._about} has no function {name!r}{hint}", name=name, obj=self)
@@ -118,7 +122,7 @@ class _Callable:
 def gathered(scene: SceneInterface, precision: Precision,
              functions: Mapping[str, Made]) -> Functions[np.floating]:
     """The functions, whose first argument is `self`, as methods of one object."""
-    found: Functions[np.floating] = Functions(scene.name, precision)
+    found: Functions[np.floating] = Functions(scene.name, precision, scene.mark)
     for name, function in functions.items():
         members = {"__call__": function, "__doc__": function.__doc__, "__module__": __name__}
         found.__dict__[name] = type(name, (_Callable,), members)(found, function)

@@ -60,13 +60,13 @@ def add_implausible(parser: argparse.ArgumentParser) -> None:
 
 
 def scene_of(options: argparse.Namespace, precision: str | None,
-             functions: tuple[str, ...] = ()) -> "Scene":
-    """The scene of the options, with `functions` instead of its own if there are any.
+             functions: tuple[str, ...] = (), tiers: tuple[str, ...] = ()) -> "Scene":
+    """The scene of the options, with `functions` and `tiers` instead of its own if there are any.
 
     Implausible bodies that it allows are reported on standard error."""
     from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
 
-    overrides = SceneOverrides(precision, options.implausible, functions)
+    overrides = SceneOverrides(precision, options.implausible, functions, tiers)
     scene = read_scene(options.scene, overrides=overrides)
     for line in scene.model.implausible:
         print(f"coscrew: warning: {line}", file=sys.stderr)

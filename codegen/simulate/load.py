@@ -9,12 +9,12 @@ import pickle
 import sys
 import warnings
 import zlib
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from types import FrameType, ModuleType
-from typing import cast
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,8 +32,8 @@ BOTH = tuple(p.name for p in PRECISIONS)
 
 @dataclass(frozen=True, repr=False)
 class Kernels:
-    """A scene's functions, callable, in `double` and `single` precision; and the meaning of the
-    entries of q, v and p:
+    """A scene's functions, callable, in `double` and `single` precision; those of a selected tier
+    are Kernels again: `.accurate.double`.  And the meaning of the entries of q, v and p:
 
         NQ, NV       lengths of q and v
         joints       names of the joints that move, in the order of q and v
@@ -50,6 +50,26 @@ class Kernels:
     library: str = ""  # its key in the cache
     selected: tuple[str, ...] = ()  # names of the selected functions; (): those of the scene
     _derived: SceneFunctions | None = None
+    precisions: tuple[str, ...] = BOTH  # in which there are functions
+    plain: Kernels | None = None  # of a tier's: the scene's own
+
+    if TYPE_CHECKING:  # shown by editors
+        accurate: Kernels
+
+    def __getattr__(self, name: str) -> Kernels:
+        """The functions in a tier that the scene selects, compiled when it is first asked for."""
+        if name.startswith("_"):
+            raise AttributeError(name)
+        if name in self.interface.tiers:
+            from coscrew_codegen.simulate.load_tier import in_tier_of
+
+            vars(self)[name] = found = in_tier_of(self, name)
+            return found
+        from coscrew_codegen.scene.tiers import known
+
+        hint = f"; it was not selected: tiers=[{name!r}]" if name in known()[1:] else ""
+        raise AttributeError(f"kernels of {self.interface.name} have no attribute {name!r}{hint}",
+                             name=name, obj=self)
 
     @functools.cached_property
     def functions(self) -> SceneFunctions:
@@ -100,9 +120,11 @@ class Kernels:
         functions = None if self.scene else self.functions
         return zlib.compress(pickle.dumps((self.scene, self.selected, functions)))
 
-    def __reduce__(self) -> tuple[Callable[[bytes], Kernels], tuple[bytes]]:
+    def __reduce__(self) -> tuple[Callable[..., object], tuple[object, ...]]:
         """Pickle the scene and the selected functions; unpickling compiles them, or finds them in
         the cache."""
+        if self.plain:
+            return getattr, (self.plain, self.interface.mark)
         return restored, (self._pickled,)
 
     def __copy__(self) -> Kernels:
@@ -112,11 +134,13 @@ class Kernels:
         return self
 
     def __repr__(self) -> str:
-        return f"<kernels of {self.interface.name}: {self.compiler or 'pure NumPy'}>"
+        tier = f"{self.interface.mark} " if self.interface.mark else ""
+        return f"<{tier}kernels of {self.interface.name}: {self.compiler or 'pure NumPy'}>"
 
 
 def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
-               implausible: str | None = None, functions: Sequence[str] = ()) -> Kernels:
+               implausible: str | None = None, functions: Sequence[str] = (),
+               tiers: Sequence[str] = ()) -> Kernels:
     """The kernels of a scene or of a scene file: `.double` and `.single` hold the functions of its
     header.
 
@@ -125,15 +149,17 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
     generated Python runs.  `precision` and `implausible` override the file's: a scene of precision
     "double" has no `single`; with implausible "warn", implausible bodies cause warnings.
     `functions` names functions to use instead of the scene's own selection; "default" stands for
-    those of a scene that selects none, "all" for all it can have.  Raises FunctionsError for
-    unknown functions, TypeError for anything but a file or a Scene, ValueError for unknown words,
-    RangeError for numbers that a precision cannot hold, and the errors of reading the scene.
+    those of a scene that selects none, "all" for all it can have; `tiers` names tiers, to use
+    likewise.  Raises FunctionsError for unknown functions, TiersError for unknown tiers, TypeError
+    for anything but a file or a Scene, ValueError for unknown words, RangeError for numbers that a
+    precision cannot hold, and the errors of reading the scene.
     """
-    functions = _names(functions)
+    functions, tiers = _names("functions", functions, "energy"), _names("tiers", tiers, "accurate")
     if isinstance(scene, (str, Path)):
         from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
         path = Path(scene)
-        scene = read_scene(path, overrides=SceneOverrides(precision, implausible, functions))
+        scene = read_scene(path, overrides=SceneOverrides(precision, implausible, functions,
+                                                            tiers))
         for line in scene.model.implausible:
             warnings.warn(f"{path.name}: {line}", RuntimeWarning, stacklevel=2)
     elif not isinstance(scene, Scene):
@@ -142,16 +168,19 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
     elif precision or implausible:
         raise TypeError("load_scene: precision and implausible belong to a scene file; this Scene "
                         "has its own")
-    elif functions:
-        scene = replace(scene, functions=functions)
+    else:
+        from coscrew_codegen.scene.tiers import selected
+
+        scene = replace(scene, functions=functions or scene.functions,
+                        tiers=selected(tiers) or scene.tiers)
     return kernels_for(scene)
 
 
-def _names(functions: Sequence[str]) -> tuple[str, ...]:
+def _names(argument: str, given: Sequence[str], example: str) -> tuple[str, ...]:
     """The names; refuses a single text, as "energy" for ["energy"]."""
-    if isinstance(functions, str) or not all(isinstance(name, str) for name in functions):
-        raise TypeError(f'functions: wanted a list of names, as ["energy"]; got {functions!r}')
-    return tuple(functions)
+    if isinstance(given, str) or not all(isinstance(name, str) for name in given):
+        raise TypeError(f'{argument}: wanted a list of names, as ["{example}"]; got {given!r}')
+    return tuple(given)
 
 
 def kernels_for(scene: Scene, functions: Collection[str] = (),
@@ -159,8 +188,8 @@ def kernels_for(scene: Scene, functions: Collection[str] = (),
     """The kernels of the scene's selected functions, or of those with these names that it has,
     compiled in these precisions: found in the cache, or made."""
     compiler = _compiler(scene.name)
-    key = _key(scene, functions, precisions, compiler) if compiler else ""
-    if compiler and key and (kept := _kept(key)):
+    key = key_of(scene, functions, precisions, compiler) if compiler else ""
+    if compiler and key and (kept := kept_as(key)):
         interface, library = kept
         return _compiled(scene, tuple(functions), interface, library, precisions, compiler)
     with doing(f"deriving {scene.name}") as tell:
@@ -183,25 +212,25 @@ def _compiler(name: str) -> native.Compiler | None:
     try:
         return native.compiler()
     except native.CompilationError as error:
-        _warn(name, error)
+        warn(name, error)
         return None
 
 
-def _warn(name: str, error: native.CompilationError) -> None:
+def warn(name: str, error: native.CompilationError) -> None:
     level = next((n for n, frame in enumerate(_frames()) if frame != __file__), 0)
     warnings.warn(f"{name} runs in pure NumPy: {error}", RuntimeWarning, stacklevel=level + 1)
 
 
 def _frames() -> Iterator[str]:
-    """The files of the functions on the call stack, from `_warn` outwards."""
+    """The files of the functions on the call stack, from `warn` outwards."""
     frame: FrameType | None = sys._getframe(1)
     while frame:
         yield frame.f_code.co_filename
         frame = frame.f_back
 
 
-def _key(scene: Scene, functions: Collection[str], precisions: tuple[str, ...],
-         compiler: native.Compiler) -> str:
+def key_of(scene: Scene, functions: Collection[str], precisions: tuple[str, ...],
+           compiler: native.Compiler, *tier: str) -> str:
     """The cache key: a hash of all that the kernels are made from.  "" if an effect is not in the
     catalogue, since its name does not identify its equations."""
     from coscrew_codegen.effects import EFFECTS
@@ -209,10 +238,10 @@ def _key(scene: Scene, functions: Collection[str], precisions: tuple[str, ...],
     if any(not any(x.effect is effect for effect in EFFECTS) for x in scene.effects):
         return ""
     return cache.key_of(cache.generator(), content_hash(scene), *native.place(compiler),
-                        " ".join(precisions), *functions)
+                        " ".join(precisions), *functions, *(f"tier {x}" for x in tier))
 
 
-def _kept(key: str) -> tuple[SceneInterface, native.Library] | None:
+def kept_as(key: str) -> tuple[SceneInterface, native.Library] | None:
     """The cache's entry of this key, if it can be read and its library exists."""
     path = cache.found(key, ".scene")
     if path is None:
@@ -237,29 +266,31 @@ def _made(functions: SceneFunctions, scene: Scene | None, selected: tuple[str, .
             library = _library(functions, compiler, precisions)
             return _compiled(scene, selected, found, library, precisions, compiler, functions)
         except native.CompilationError as error:
-            _warn(functions.name, error)
+            warn(functions.name, error)
     modules = _modules(functions)
-    return _kernels(scene, selected, found, "", "", functions, precisions, lambda x, p: (
+    return gathered(scene, selected, found, "", "", functions, precisions, lambda x, p: (
         calls.in_numpy(getattr(modules[p.name], x.name), x)))
 
 
 def _compiled(scene: Scene | None, selected: tuple[str, ...], found: SceneInterface,
               library: native.Library, precisions: tuple[str, ...], compiler: native.Compiler,
               functions: SceneFunctions | None = None) -> Kernels:
-    return _kernels(scene, selected, found, str(compiler), library.key, functions, precisions,
+    return gathered(scene, selected, found, str(compiler), library.key, functions, precisions,
                     lambda x, p: calls.compiled(found, library.opened, x, p))
 
 
-def _kernels(scene: Scene | None, selected: tuple[str, ...], found: SceneInterface, compiler: str,
+def gathered(scene: Scene | None, selected: tuple[str, ...], found: SceneInterface, compiler: str,
              library: str, functions: SceneFunctions | None, precisions: tuple[str, ...],
-             made: Callable[[Signature, Precision], calls.Made]) -> Kernels:
+             made: Callable[[Signature, Precision], calls.Made],
+             plain: Kernels | None = None) -> Kernels:
+    """The kernels, whose functions `made` returns; `plain` are the scene's own, if of a tier."""
     double, single = (
         calls.gathered(found, p, {x.name: made(x, p) for x in found.signatures
                                   if p.name in found.precisions and p.name in precisions})
         for p in PRECISIONS)
     kernels = Kernels(scene, found, cast("calls.Functions[np.float64]", double),
                       cast("calls.Functions[np.float32]", single), compiler, library, selected,
-                      functions)
+                      functions, precisions, plain)
     for x in (double, single):
         x._kernels = kernels
     return kernels
@@ -280,20 +311,31 @@ def _library(functions: SceneFunctions, compiler: native.Compiler, precisions: t
     with doing(f"writing {functions.name}"):
         banner = banner_of(functions.name)
         files = scene_c.files(functions, banner) | scene_calls.files(functions, banner)
-    source = f"{functions.name}_calls.c"
-    units = {p.name: (source, *(f"-D{functions.name.upper()}_NO_{other.name.upper()}"
-                                for other in PRECISIONS if other != p))
+    return library_of(files, functions, functions.name, compiler, precisions)
+
+
+def library_of(files: Mapping[str, str], functions: SceneFunctions, stem: str,
+               compiler: native.Compiler, precisions: tuple[str, ...]) -> native.Library:
+    """The library of stem_calls.c in these precisions."""
+    units = {p.name: (f"{stem}_calls.c", *(f"-D{functions.name.upper()}_NO_{other.name.upper()}"
+                                           for other in PRECISIONS if other != p))
              for p in named(functions.precisions) if p.name in precisions}
     return native.library(units, files, compiler)
 
 
 def _modules(functions: SceneFunctions) -> dict[str, ModuleType]:
-    """The modules of the generated package, imported from a folder that is kept."""
-    from coscrew_codegen import emit
     from coscrew_codegen.targets import scene_python
     from coscrew_codegen.targets.scene_text import banner_of
 
-    files = scene_python.files(functions, banner_of(functions.name))
+    return modules_of(scene_python.files(functions, banner_of(functions.name)), functions)
+
+
+def modules_of(files: Mapping[str, str], functions: SceneFunctions, *inner: str
+               ) -> dict[str, ModuleType]:
+    """The modules of a generated package, or of one in it, by precision, imported from a folder
+    that is kept."""
+    from coscrew_codegen import emit
+
     key = sha256("\0".join(x for pair in sorted(files.items()) for x in pair).encode()).hexdigest()
     folder = cache.folder() / f"python-{key[:32]}"
     emit.write(files, folder)
@@ -306,5 +348,5 @@ def _modules(functions: SceneFunctions) -> dict[str, ModuleType]:
         module = importlib.util.module_from_spec(spec)
         sys.modules[name] = module
         spec.loader.exec_module(module)
-    return {p.name: importlib.import_module(f"{name}.{p.name}")
+    return {p.name: importlib.import_module(".".join((name, *inner, p.name)))
             for p in named(functions.precisions)}

@@ -5,7 +5,7 @@ import re
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from coscrew_codegen.elementary import ELEMENTARY, Elementary
+from coscrew_codegen.elementary import ELEMENTARY, ERRORS, Elementary
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.program import Constant, Input, Op, Program, counts_in_words, renamed
 from coscrew_codegen.quantity import Argument
@@ -20,10 +20,16 @@ _VALUE_WIDTH = 150
 
 HEADER = "elementary"
 """The header, and the family, that holds them all."""
-ALONE = ("sin", "cos")
-"""What sincos computes and can be had alone."""
-CALLABLE = (*ALONE, *(function.name for function in ELEMENTARY))
-_CALL = re.compile(rf"\bksl_({'|'.join((*CALLABLE, *SEVERAL))})f?\(")
+ERROR_HEADER = "ksl_elementary_error"
+"""The header that holds what they err by."""
+ALONE = {"sin": "sincos", "cos": "sincos", "sin_error": "sincos_error", "cos_error": "sincos_error"}
+"""Results that can be had alone, and the functions that compute them."""
+CALLABLE = {group: (*(name for name, of in ALONE.items() if of in {x.name for x in functions}),
+                    *(x.name for x in functions))
+            for group, functions in ((HEADER, ELEMENTARY), (ERROR_HEADER, ERRORS))}
+"""The names of what each header defines."""
+_NAMES = [*SEVERAL, *(name for names in CALLABLE.values() for name in names)]
+_CALL = re.compile(rf"\bksl_({'|'.join(_NAMES)})f?\(")
 
 
 @dataclass(frozen=True)
@@ -39,6 +45,7 @@ class Written:
     reduced: Sequence[str] = ()  # the names of what they return
     limit: str = ""
     table: str = ""  # what `far` reads
+    inlined: bool = False
     power: bool = False  # whether it is the first to call ksl_power
     alone: Collection[str] = ()  # those of its results that have a function of their own
     several: str = ""  # functions that compute it for several arguments
@@ -49,11 +56,11 @@ def called(texts: Iterable[str]) -> frozenset[str]:
     return frozenset(name for text in texts for name in _CALL.findall(text))
 
 
-def written(precision: Precision, names: Collection[str] = CALLABLE, nested: bool = False
-            ) -> list[Written]:
+def written(precision: Precision, names: Collection[str], nested: bool = False) -> list[Written]:
     """What defines these names."""
-    of = dict.fromkeys((*ALONE, *SEVERAL), "sincos")
-    wanted = [x for x in ELEMENTARY if x.name in {of.get(name, name) for name in names}]
+    of = {**ALONE, **dict.fromkeys(SEVERAL, "sincos")}
+    needed = {of.get(name, name) for name in names}
+    wanted = [x for x in (*ELEMENTARY, *ERRORS) if x.name in needed]
     powers = [x for x in wanted if Op.POWER in x.kernel(precision).counts]
     return [replace(_written(x, precision, nested), power=x in powers[:1],
                     alone=[name for name in ALONE if name in names and of[name] == x.name],
@@ -81,7 +88,7 @@ def _written(function: Elementary, precision: Precision, nested: bool) -> Writte
     return Written(function.name, comment, head, body, reductions["near"], reductions["far"],
                    [a.name for a in near.outputs],
                    precision.literal(Constant(limit, limit)) + precision.suffix,
-                   two_over_pi.in_c(precision))
+                   two_over_pi.in_c(precision), function in ELEMENTARY)
 
 
 def _function(name: str, inputs: Sequence[Argument], outputs: Sequence[Argument], program: Program,

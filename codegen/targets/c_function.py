@@ -73,10 +73,13 @@ class Body:
 
     def _nested(self, plan: Plan) -> tuple[Iterator[str], list[str]]:
         """Declarations in which expressions nest, and results."""
-        nesting = plan.printed(language(plan.program, self.precision), self.stored.access,
-                               dict(self.headings))
-        return (declarations(together(nesting.assigned), self.precision, WIDTH - 2),
-                nesting.results)
+        program = plan.program
+        nesting = plan.printed(language(program, self.precision), read_by(program, self.precision,
+                               self.stored.access), dict(self.headings))
+        results = [self._narrowed(x, text)
+                   for x, text in zip(program.results, nesting.results, strict=True)]
+        working = DOUBLE if program.wide else self.precision
+        return declarations(together(nesting.assigned), working, WIDTH - 2), results
 
     def _stores(self, results: Sequence[str]) -> Iterator[str]:
         pairs = list(zip(self.stored.targets, results, strict=True))
@@ -94,11 +97,13 @@ class Body:
             yield last
 
     def _result(self, statements: Statements, operand: Operand) -> str:
+        return self._narrowed(operand, statements.operand(operand))
+
+    def _narrowed(self, operand: Operand, text: str) -> str:
         """A result in the precision of the arguments.  A result that is an input is not cast."""
         if isinstance(operand, Input):
             return self.stored.access(operand)
-        narrowed = f"({self.precision.c_type})" if self.program.wide else ""
-        return narrowed + statements.operand(operand)
+        return f"({self.precision.c_type}){text}" if self.program.wide else text
 
     def _saved(self, pairs: Sequence[tuple[str, str]]) -> dict[str, str]:
         """Inputs that are copied to an output are read before anything is written, since the output
@@ -110,6 +115,14 @@ class Body:
             if target != source and source not in saved and ("->" in source or "[" in source):
                 saved[source] = _local_name(source, names)
         return saved
+
+
+def read_by(program: Program, precision: Precision, access: Callable[[Input], str]
+            ) -> Callable[[Input], str]:
+    """The text with which a program reads an input: a wide one converts it."""
+    if not program.wide or precision == DOUBLE:
+        return access
+    return lambda x: f"({DOUBLE.c_type}){access(x)}"
 
 
 def documented(name: str, paragraphs: Sequence[str], head: str, body: Body,

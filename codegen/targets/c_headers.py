@@ -132,24 +132,30 @@ def _marked_headers(library: Library, tier: Tier) -> Headers:
 
 def _elementary(library: Library, title: str) -> str:
     return render("c/elementary.h", banner=library.banner, title=title,
-                  precisions=library.precisions, elementary=_elementary_of(*library.precisions))
+                  precisions=library.precisions, elementary=_elementary_of(library.precisions))
 
 
-def _elementary_of(*precisions: Precision) -> list[tuple[Precision, list[c_elementary.Written]]]:
-    """The elementary functions in these precisions."""
-    return [(p, c_elementary.written(p)) for p in precisions]
+def _elementary_of(precisions: Sequence[Precision], header: str = c_elementary.HEADER
+                   ) -> list[tuple[Precision, list[c_elementary.Written]]]:
+    """The elementary functions in these precisions, or what they err by."""
+    return [(p, c_elementary.written(p, c_elementary.CALLABLE[header])) for p in precisions]
 
 
 def _elementary_included(functions: Sequence[CFunction]) -> tuple[str, ...]:
-    """The header of elementary functions, if one of these calls one."""
-    return (c_elementary.HEADER,) * bool(c_elementary.called(x.body for x in functions))
+    """The headers of the elementary functions that these call."""
+    called = c_elementary.called(x.body for x in functions)
+    return tuple(header for header, names in c_elementary.CALLABLE.items() if called & {*names})
 
 
 def _exact(library: Library) -> dict[str, str]:
-    """With what kernels that compute in double need if only single precision is selected."""
+    """With what kernels that compute in double need if only single precision is selected; and what
+    elementary functions err by."""
     missing = [DOUBLE] if DOUBLE not in library.precisions else []
     return {"ksl_exact": render("c/ksl_exact.h", banner=library.banner, products=missing,
-                                precisions=missing, elementary=_elementary_of(*missing))}
+                                precisions=missing, elementary=_elementary_of(missing)),
+            c_elementary.ERROR_HEADER: render(
+                "c/ksl_elementary_error.h", banner=library.banner,
+                elementary=_elementary_of(library.precisions, c_elementary.ERROR_HEADER))}
 
 
 def umbrellas() -> tuple[str, ...]:

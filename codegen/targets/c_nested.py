@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby, pairwise
 
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Program, Ref
 from coscrew_codegen.program.ops import COMPARISONS
 from coscrew_codegen.targets.c_statements import (
@@ -37,17 +37,21 @@ _SPELLING = {
     Op.COPYSIGN: ("copysign%s({}, {})", CALL),
     Op.LESS: ("{} < {}", COMPARISON), Op.EQUAL: ("{} == {}", COMPARISON),
     Op.SELECT: ("{} ? {} : {}", CHOICE),
+    Op.EXACT_ADD: ("{} + {}", SUM), Op.EXACT_SUB: ("{} - {}", SUM),
+    Op.PRODUCT_ERROR: ("ksl_product_error%s({}, {}, {})", CALL),
+    Op.PRODUCT_REST: ("ksl_product_rest({}, {}, {}, {})", CALL),
     **{op: (pattern.replace("{f}", "%s"), CALL) for op, pattern in ELEMENTARY.items()},
 }
 _ROUNDED = "RN({} * {})", CALL
 LANES = 4  # angles whose sines and cosines are computed at once
-_SUMS = frozenset({Op.ADD, Op.SUB})
+_SUMS = frozenset({Op.ADD, Op.SUB, Op.EXACT_ADD, Op.EXACT_SUB, Op.PRODUCT_ERROR, Op.PRODUCT_REST})
 _TRANSPARENT = frozenset({Op.NEG, Op.ABS, Op.SELECT})
 """Operations through which a sum still has a product as operand."""
 
 
 def language(program: Program, precision: Precision) -> Language:
     """C in a precision, of this program."""
+    precision = DOUBLE if program.wide else precision
     rounded, suffix = summed_products(program), precision.suffix
 
     def spelling(step: Instruction) -> tuple[str, int]:
@@ -61,7 +65,7 @@ def language(program: Program, precision: Precision) -> Language:
     def constant(x: Constant) -> str:
         return precision.literal(x) + suffix
 
-    return Language(spelling, constant, f"({precision.c_type})NAN", "", "{}")
+    return Language(spelling, constant, f"({precision.c_type})NAN", "", "{arguments}")
 
 
 def summed_products(program: Program) -> frozenset[str]:
@@ -115,7 +119,7 @@ def together(assigned: Sequence[Assignment | str]) -> list[Assignment | Together
     """With the sines and cosines of inputs first, several together; headings below which nothing is
     left are left out."""
     pairs = [x for x in assigned if isinstance(x, Assignment) and x.cosine
-             and isinstance(x.step.operands[0], Input)]
+             and x.step.op is Op.SIN and isinstance(x.step.operands[0], Input)]
     groups = [pairs[n:n + LANES] for n in range(0, len(pairs), LANES)]
     moved = {x.step.name for group in groups if len(group) > 1 for x in group}
     rest = [x for x in assigned if isinstance(x, str) or x.step.name not in moved]
@@ -133,7 +137,7 @@ def declarations(assigned: Sequence[Assignment | Together | str], precision: Pre
         if isinstance(x, Together):
             return "", x.statements(precision, width)
         if x.cosine:
-            return "", sine_and_cosine(x.step.name, x.cosine.name, x.expression, precision)
+            return "", sine_and_cosine(x.step, x.cosine, x.expression, precision)
         return ("int" if x.step.op in COMPARISONS else precision.c_type), x.step.component
 
     for (c_type, words), group in groupby(assigned, kind):

@@ -15,6 +15,7 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import groupby
 
+from coscrew_codegen.elementary.calls import FUNCTION_OF
 from coscrew_codegen.formats import SINGLE, Precision
 from coscrew_codegen.program import (
     Constant,
@@ -25,6 +26,7 @@ from coscrew_codegen.program import (
     Operand,
     Program,
     Ref,
+    operands_of_pair,
     sine_cosine_pairs,
 )
 from coscrew_codegen.program.ops import COMPARISONS
@@ -33,7 +35,10 @@ WIDTH = 100
 
 ELEMENTARY = {
     Op.SIN: "ksl_sin{f}({})", Op.COS: "ksl_cos{f}({})", Op.ATAN2: "ksl_atan2{f}({}, {})",
-    Op.EXP: "ksl_exp{f}({})", Op.TANH: "ksl_tanh{f}({})", Op.POWER: "ksl_power{f}({})"}
+    Op.EXP: "ksl_exp{f}({})", Op.TANH: "ksl_tanh{f}({})",
+    Op.SIN_ERROR: "ksl_sin_error{f}({}, {})", Op.COS_ERROR: "ksl_cos_error{f}({}, {})",
+    Op.ATAN2_ERROR: "ksl_atan2_error{f}({}, {}, {})", Op.EXP_ERROR: "ksl_exp_error{f}({}, {})",
+    Op.TANH_ERROR: "ksl_tanh_error{f}({}, {})", Op.POWER: "ksl_power{f}({})"}
 """Calls of functions of our own, which are the same in all C."""
 
 _SPELLING = {
@@ -41,7 +46,7 @@ _SPELLING = {
     Op.MUL: "KSL_MUL{F}({}, {})", Op.SCALE: "KSL_MUL{F}({}, {})",
     Op.FMA: "fma{f}({}, {}, {})", Op.FMS: "fma{f}({}, {}, -{})", Op.FNMA: "fma{f}(-{}, {}, {})",
     Op.EXACT_ADD: "{} + {}", Op.EXACT_SUB: "{} - {}",
-    Op.PRODUCT_ERROR: "ksl_product_error({}, {}, {})",
+    Op.PRODUCT_ERROR: "ksl_product_error{f}({}, {}, {})",
     Op.PRODUCT_REST: "ksl_product_rest({}, {}, {}, {})",
     Op.ABS: "fabs{f}({})", Op.SQRT: "sqrt{f}({})", Op.COPYSIGN: "copysign{f}({}, {})",
     Op.LESS: "{} < {}", Op.EQUAL: "{} == {}", Op.SELECT: "{} ? {} : {}", **ELEMENTARY,
@@ -59,10 +64,12 @@ def chunk_of_two_over_pi(step: Instruction) -> str:
     return f"ksl_two_over_pi{{f}}({{}}, {int(step.operands[1].double)})"
 
 
-def sine_and_cosine(sine: str, cosine: str, angle: str, precision: Precision) -> str:
-    """The statement that declares and computes both."""
-    real, f = precision.c_type, precision.suffix
-    return f"{real} {cosine}; const {real} {sine} = ksl_sincos{f}({angle}, &{cosine});"
+def sine_and_cosine(sine: Instruction, cosine: Instruction, arguments: str, precision: Precision
+                    ) -> str:
+    """The statement that declares and computes both, or the errors of both."""
+    real, function = precision.c_type, f"ksl_{FUNCTION_OF[sine.op]}{precision.suffix}"
+    return (f"{real} {cosine.name}; const {real} {sine.name} = {function}({arguments}, "
+            f"&{cosine.name});")
 
 
 def comment_of(lines: Sequence[str]) -> str:
@@ -125,10 +132,10 @@ class Statements:
     @cached_property
     def first_of_pairs(self) -> set[str]:
         """The names of those that come first in their pair."""
-        met: dict[tuple[Operand, ...], str] = {}
+        met: dict[str, str] = {}
         for step in self.program.instructions:
             if step.name in self.pairs:
-                met.setdefault(step.operands, step.name)
+                met.setdefault(self.pairs[step.name][0].name, step.name)
         return set(met.values())
 
     @cached_property
@@ -164,8 +171,8 @@ class Statements:
                 texts += [listed(f"const {self.working.c_type} ", items, ";", width)] * bool(items)
             elif next(group).name in self.first_of_pairs:
                 sine, cosine = pair
-                texts.append(sine_and_cosine(sine.name, cosine.name, self.operand(sine.operands[0]),
-                                             self.working))
+                arguments = ", ".join(map(self.operand, operands_of_pair(sine, cosine)))
+                texts.append(sine_and_cosine(sine, cosine, arguments, self.working))
         return "\n".join(texts)
 
     def expression(self, step: Instruction) -> str:

@@ -9,6 +9,7 @@ from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from coscrew_codegen.elementary.calls import FUNCTION_OF
 from coscrew_codegen.program import (
     Constant,
     Input,
@@ -18,6 +19,7 @@ from coscrew_codegen.program import (
     Operand,
     Program,
     Ref,
+    operands_of_pair,
     renamed,
     sine_cosine_pairs,
 )
@@ -29,7 +31,8 @@ CHOICE, COMPARISON, SUM, PRODUCT, SIGN, CALL = range(6)
 @dataclass(frozen=True)
 class Language:
     """How a language writes an instruction, a pattern and its precedence; a constant; NaN; a
-    comment; sine and cosine of the same operand, computed together."""
+    comment; sine and cosine of the same operand, or the errors of both, computed together by a
+    function from arguments."""
 
     spelling: Callable[[Instruction], tuple[str, int]]
     constant: Callable[[Constant], str]
@@ -114,11 +117,13 @@ class Nesting:
             self._assign(step, expression)
 
     def _take_pair(self, sine: Instruction, cosine: Instruction) -> None:
-        """Assign both, where the first of them is; their operand has two uses or is an input."""
+        """Assign both, where the first of them is; their operands have two uses, or are inputs or
+        assigned already."""
         if cosine.name not in self._taken:
             self._taken |= {sine.name, cosine.name}
+            arguments = [self._operand(x, CHOICE) for x in operands_of_pair(sine, cosine)]
             expression = self.language.sine_and_cosine.format(
-                self._operand(sine.operands[0], CHOICE))
+                function=FUNCTION_OF[sine.op], arguments=", ".join(arguments))
             self.assigned.append(Assignment(sine, expression, cosine))
 
     def _heading(self, words: str) -> None:

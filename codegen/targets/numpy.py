@@ -50,9 +50,12 @@ SPELLING = {
 NUMPY_NAMES: dict[Op | str, str] = {
     Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SELECT: "where",
     Op.COPYSIGN: "copysign"}
-_EXACT: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
+EXACT: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
 ELEMENTARY = {Op.SIN: ("sin", "({})"), Op.COS: ("cos", "({})"), Op.ATAN2: ("atan2", "({}, {})"),
-              Op.EXP: ("exp", "({})"), Op.TANH: ("tanh", "({})")}
+              Op.EXP: ("exp", "({})"), Op.TANH: ("tanh", "({})"),
+              Op.SIN_ERROR: ("sin_error", "({}, {})"), Op.COS_ERROR: ("cos_error", "({}, {})"),
+              Op.ATAN2_ERROR: ("atan2_error", "({}, {}, {})"),
+              Op.EXP_ERROR: ("exp_error", "({}, {})"), Op.TANH_ERROR: ("tanh_error", "({}, {})")}
 """Functions of our own: name, arguments."""
 
 
@@ -136,7 +139,7 @@ def imports(programs: tuple[Program, ...], precision: Precision) -> tuple[tuple[
     found: list[tuple[str, Mapping[Any, str]]] = [
         ("coscrew", dict.fromkeys(ELEMENTARY, module)),
         ("numpy", NUMPY_NAMES | {kind: kind for kind in ("float32", "float64", "nan")}),
-        ("coscrew._exact", _EXACT)]
+        ("coscrew._exact", EXACT)]
     return tuple((place, ", ".join(sorted({names[op] for op in called & set(names)})))
                  for place, names in found if called & set(names))
 
@@ -173,7 +176,7 @@ def language(precision: Precision, constant: Callable[[Constant], str], module: 
             return module + "".join(ELEMENTARY[step.op]), CALL
         return SPELLING[step.op]
 
-    return Language(spelling, constant, "nan", "# ", f"{module}sincos({{}})")
+    return Language(spelling, constant, "nan", "# ", f"{module}{{function}}({{arguments}})")
 
 
 def _is_choice_of_constants(step: Instruction) -> bool:

@@ -4,25 +4,32 @@ import textwrap
 from collections.abc import Collection, Mapping
 from typing import Any
 
-from coscrew_codegen.elementary import ELEMENTARY, Elementary
-from coscrew_codegen.formats import Precision
-from coscrew_codegen.program import Constant, Program, counts_in_words
+from coscrew_codegen.elementary import ELEMENTARY, ERRORS, Elementary
+from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
+from coscrew_codegen.program import Constant, Op, Program, counts_in_words
 from coscrew_codegen.render import render
 from coscrew_codegen.targets import numpy, two_over_pi
 from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.nesting import Nesting
 
+_PRODUCT_ERROR = {DOUBLE.name: "product_error",
+                  SINGLE.name: "product_error_single as product_error"}
+"""What is imported where errors of products are computed."""
+
 
 def module(precision: Precision, names: Collection[str], banner: str) -> str:
     """The module that holds the functions of these names."""
-    wanted = [function for function in ELEMENTARY if function.name in names]
+    wanted = [function for function in (*ELEMENTARY, *ERRORS) if function.name in names]
     programs = [p for function in wanted for p in _programs(function, precision).values()]
     used = {numpy.NUMPY_NAMES[op] for p in programs for op in p.counts if op in numpy.NUMPY_NAMES}
     used |= {"asarray", "errstate", precision.encoding, precision.numpy_type}
-    if any(function.near for function in wanted):
+    angles = any(function.near for function in wanted)
+    if angles:
         used |= {"absolute", "array", "int64", "where"}
     return render("python/_elementary.py", banner=banner, precision=precision,
-                  two_over_pi=two_over_pi.holes(precision),
+                  two_over_pi=two_over_pi.holes(precision), angles=angles,
+                  exact=_PRODUCT_ERROR[precision.name] if any(
+                      Op.PRODUCT_ERROR in p.counts for p in programs) else "",
                   imports=listed("from numpy import (", sorted(used), ")"),
                   functions=[_function(x, precision) for x in wanted])
 
@@ -44,6 +51,7 @@ def _function(function: Elementary, precision: Precision) -> dict[str, Any]:
     words = f"{function.statement}.  {function.comment(precision)}  " \
             f"{counts_in_words(kernel).capitalize()}."
     return {"near": "", "name": function.name, **holes,
+            "inputs": ", ".join(a.name for a in function.inputs),
             "taken": ", ".join(a.name for a in kernel.inputs),
             "docstring": "\n    ".join(textwrap.wrap(words, WIDTH - 8))}
 

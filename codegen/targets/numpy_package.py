@@ -3,7 +3,7 @@ choice between them and the extension."""
 
 from collections.abc import Iterable
 
-from coscrew_codegen.elementary import ELEMENTARY
+from coscrew_codegen.elementary import ELEMENTARY, ERRORS
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.library import Library
 from coscrew_codegen.operations import family_named
@@ -47,7 +47,7 @@ def _package(library: Library, tier: Tier) -> Files:
         for name in (*_PLAIN, *(["_selfcheck.py"] if selfcheck else []))}
     if not tier.mark:
         package |= {f"_elementary_{p.name}.py": numpy_elementary.module(
-            p, [x.name for x in ELEMENTARY], library.banner)
+            p, [x.name for x in (*ELEMENTARY, *ERRORS)], library.banner)
             for p in dict.fromkeys((*library.precisions, DOUBLE))}  # wide kernels need double
     first, *_ = library.precisions
     package["__init__.pyi"] = _stubs(library, tier, first, shared, "np.floating", top=True)

@@ -23,7 +23,7 @@ from coscrew_codegen.targets.scene_c_steps import step_body
 from coscrew_codegen.targets.scene_text import c_name
 from coscrew_codegen.targets.target import Files, Target
 
-_IN_WORDS = {("double",): "double precision only, as selected",
+IN_WORDS = {("double",): "double precision only, as selected",
              ("single",): "single precision only, as selected",
              ("double", "single"): "double and (names that end in f) single precision"}
 
@@ -34,7 +34,7 @@ def files(scene: SceneFunctions, banner: str) -> Files:
     scene_text.check_names(scene)
     plans = scene_text.plans(scene)
     parts = Parts(scene, plans)
-    made = [(p, list(_functions(scene, plans, parts, p))) for p in named(scene.precisions)]
+    made = [(p, list(functions_of(scene, plans, parts, p))) for p in named(scene.precisions)]
     sections = [{"precision": p, "functions": functions, "elementary": c_elementary.written(
                     p, c_elementary.called(x.body for x in functions), nested=True)}
                 for p, functions in made]
@@ -58,7 +58,7 @@ def files(scene: SceneFunctions, banner: str) -> Files:
 
 def _about(scene: SceneFunctions) -> list[str]:
     return [
-        f"{scene.name}: dynamics of a scene, in {_IN_WORDS[scene.precisions]}.",
+        f"{scene.name}: dynamics of a scene, in {IN_WORDS[scene.precisions]}.",
         "SI units.  Arrays are plain, matrices row by row.  Pointers must be valid and "
         "quaternions of norm 1; inputs that are not finite give results that are not.  Outputs "
         "may overlap inputs.  No heap, no state: all functions are thread-safe.",
@@ -96,8 +96,8 @@ def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str
             yield f"{name}{precision.suffix.upper()}", text
 
 
-def _functions(scene: SceneFunctions, plans: Sequence[Plan], parts: Parts,
-               precision: Precision) -> Iterator[CFunction]:
+def functions_of(scene: SceneFunctions, plans: Sequence[Plan], parts: Parts,
+                 precision: Precision) -> Iterator[CFunction]:
     """All emitted functions, each after those that it calls."""
     for function, plan in zip(scene.functions, plans, strict=True):
         if function.name in parts.cuts:

@@ -14,7 +14,7 @@ from coscrew_codegen.program.parts import Cut, Group, cut
 from coscrew_codegen.recording.recorder import headings
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.targets import scene_c_arguments as arguments
-from coscrew_codegen.targets.c_function import Body, CFunction, Stored
+from coscrew_codegen.targets.c_function import Body, CFunction, Stored, read_by
 from coscrew_codegen.targets.c_nested import declarations, language, together
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
 from coscrew_codegen.targets.nesting import Assignment, Nesting, Plan, named_constants
@@ -41,6 +41,7 @@ class Parts:
 
     def __init__(self, scene: SceneFunctions, plans: Sequence[Plan]):
         self.scene, self.cuts = scene, _cuts(plans)
+        self.wide = any(plan.program.wide for plan in plans)
         assigned = {plan.program.name: plan.assigned for plan in plans}
         self._groups = {group.name: group for found in self.cuts.values() for group in found.groups}
         self._plans = {part.name: self._planned(part, assigned[group.users[0]])
@@ -63,14 +64,14 @@ class Parts:
         calls = [self._call(group, part, precision)
                  for group in found.groups for part in group.parts]
         results = Body(found.last, precision, Stored(
-            self._access(found.last, "."), arguments.targets(outputs(function)),
+            self._returned(found.last, precision), arguments.targets(outputs(function)),
             [a.name for a in outputs(function)])).text()
         return f"{_indented((*declared, *calls))}\n{results}"
 
     def _parts(self, group: Group, precision: Precision) -> Iterator[CFunction]:
         *others, last = group.users
         users = f"{', '.join(others)} and {last}" if others else last
-        members = listed(f"{precision.c_type} ", group.kept, ";", WIDTH - 2)
+        members = listed(f"{self._working(precision).c_type} ", group.kept, ";", WIDTH - 2)
         struct = "\n".join((comment_of([f"The values that parts of {users} share."]),
                             f"{self._struct(group, precision)} {{", _indented([members]), "};"))
         for number, part in enumerate(group.parts):
@@ -90,11 +91,11 @@ class Parts:
         kept = {x.name for x in part.results if isinstance(x, Ref)}
         above = {place: self._words.get(words, printable(words)) for place, words in headings(part)}
         nesting = self._plans[part.name].printed(
-            language(part, precision), self._access(part, "->"), above)
+            language(part, precision), self._read(part, precision), above)
         for _, run in groupby(together(nesting.assigned), lambda x: x if isinstance(x, str)
                               else x.step.component):
             assigned = list(run)
-            yield from declarations(assigned, precision, WIDTH - 2)
+            yield from declarations(assigned, self._working(precision), WIDTH - 2)
             names = [name for x in assigned if not isinstance(x, str) for name in x.names]
             yield from (f"{group.name}->{x} = {x};" for x in names if x in kept)
 
@@ -120,6 +121,22 @@ class Parts:
 
     def _struct(self, group: Group, precision: Precision) -> str:
         return f"struct {c_name(self.scene, f'{group.name}_values', precision)}"
+
+    def _working(self, precision: Precision) -> Precision:
+        return DOUBLE if self.wide else precision
+
+    def _read(self, part: Program, precision: Precision) -> Callable[[Input], str]:
+        """The text with which a part reads arguments and groups; a wide one converts arguments."""
+        plain = self._access(part, "->")
+        converted = read_by(part, precision, plain)
+        return lambda x: (plain if part.inputs[x.argument].name in self._groups else converted)(x)
+
+    def _returned(self, last: Program, precision: Precision) -> Callable[[Input], str]:
+        """The text of a result that a group or an argument holds, in this precision."""
+        plain = self._access(last, ".")
+        narrowed = f"({precision.c_type})" if self.wide else ""
+        return lambda x: plain(x) if last.inputs[x.argument].name not in self._groups \
+            else narrowed + plain(x)
 
     def _access(self, program: Program, member: str) -> Callable[[Input], str]:
         plain = access(program)

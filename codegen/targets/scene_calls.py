@@ -6,10 +6,14 @@ output a pointer; `run_…` takes n steps of h in a row, from the time t on.  Al
 without its headers.
 """
 
+from collections.abc import Collection
+from dataclasses import replace
+
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision, named
 from coscrew_codegen.recording.recorder import Recorder, array
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import SceneFunctions, SceneInterface, Signature
+from coscrew_codegen.scene_tiers import SceneTier
 from coscrew_codegen.targets import scene_text
 from coscrew_codegen.targets.c_function import Body, Stored
 from coscrew_codegen.targets.c_nested import language
@@ -26,14 +30,19 @@ def interface(scene: SceneFunctions) -> SceneInterface:
     """The interface of the scene for its callers."""
     return SceneInterface(scene.name, scene.nq, scene.nv, scene.coordinates, scene.bodies,
                       scene.parameters, scene.neutral, scene.precisions, scene.timed,
-                      callables(scene), scene.signs)
+                      callables(scene), scene.signs, scene.tiers, scene.mark)
+
+
+def tier_interface(made: SceneTier) -> SceneInterface:
+    """The interface of the scene's functions in a tier."""
+    return replace(interface(made.first), precisions=made.plain.precisions)
 
 
 def callables(scene: SceneFunctions) -> tuple[Signature, ...]:
     """All public functions, steps last."""
     found = [Signature(f.name, tuple((a.name, tuple(a.quantity.shape)) for a in f.program.inputs),
                   tuple((a.name, tuple(a.quantity.shape)) for a in scene_text.outputs(f)),
-                  scene_text.words(f), computes=bool(f.program.instructions))
+                  scene_text.words(f, not scene.mark), computes=bool(f.program.instructions))
              for f in scene.functions if not f.internal]
     shapes = scene_text.step_shapes(scene)
     for step in scene.steps:
@@ -48,13 +57,22 @@ def files(scene: SceneFunctions, banner: str) -> Files:
     return {f"{scene.name}_calls.c": source(scene)}
 
 
+def tier_files(made: SceneTier, banner: str) -> Files:
+    """arm_accurate_calls.c, in the same way."""
+    return {f"{made.stem}_calls.c": _source(made.first, made.stem, made.plain.precisions)}
+
+
 def source(scene: SceneFunctions) -> str:
     """The text of the file that is compiled for Python."""
+    return _source(scene, scene.name, scene.precisions)
+
+
+def _source(scene: SceneFunctions, stem: str, precisions: Collection[str]) -> str:
     sections = [{"precision": p, "format": p.buffer_format,
                  "other": next(x.c_type for x in PRECISIONS if x != p),
                  "functions": [_function(scene, f, p) for f in callables(scene)]}
-                for p in named(scene.precisions)]
-    return render("scene/calls.c", name=scene.name, upper=scene.name.upper(), sections=sections,
+                for p in named(precisions)]
+    return render("scene/calls.c", name=stem, upper=scene.name.upper(), sections=sections,
                   products=[DOUBLE], begun=_begun() if scene.timed and scene.steps else "")
 
 
@@ -102,4 +120,5 @@ def _array(name: str, shape: tuple[int, ...]) -> dict[str, str]:
             "shape": ", ".join(map(str, shape)) or "1"}
 
 
-TARGET = Target("calls of a scene", ("c", "python"), scene=files, generated=False)
+TARGET = Target("calls of a scene", ("c", "python"), scene=files,
+                tier=tier_files, generated=False)

@@ -15,16 +15,17 @@ from coscrew_codegen.program import NotANumber
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.render import render
 from coscrew_codegen.scene_functions import Function, SceneFunctions, Split, Step
+from coscrew_codegen.scene_tiers import SceneTier
 from coscrew_codegen.targets import numpy_elementary, scene_text
 from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.nesting import Assignment, Plan, wrapped
-from coscrew_codegen.targets.numpy import NUMPY_NAMES, language
+from coscrew_codegen.targets.numpy import EXACT, NUMPY_NAMES, language
 from coscrew_codegen.targets.scene_python_steps import python_name, step_lines
 from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.version import VERSION
 
 _SIGNS = "# Of parameters with a sign: index in p, name, whether it may be zero."
-_ELEMENTARY = re.compile(r"\b(sincos|sin|cos|exp|tanh|atan2)\(")
+_ELEMENTARY = re.compile(r"\b((?:sincos|sin|cos|exp|tanh|atan2)(?:_error)?)\(")
 
 
 @uncollected()
@@ -37,18 +38,43 @@ def files(scene: SceneFunctions, banner: str) -> Files:
     head = render(
         "scene/package.py", banner=banner, name=scene.name, about=about, version=VERSION,
         nq=scene.nq, nv=scene.nv, precisions=scene.precisions,
+        modules=(*scene.precisions, *scene.tiers),
         tables=[_tuple("JOINTS", [x.joint for x in scene.coordinates]),
                 _tuple("BODIES", scene.bodies), _dictionary("PARAMETERS", scene.parameters),
                 _tuple("NEUTRAL_Q", scene.neutral),
                 *([_SIGNS, _tuple("SIGNS", signs)] if signs else [])])
     plans = scene_text.plans(scene)
-    elementary = called([f.program for f in scene.functions])
     modules = {"__init__": head, "_arrays": render("scene/arrays.py", banner=banner),
-               **{p.name: _module(scene, plans, banner, p) for p in named(scene.precisions)}}
-    if elementary:
-        modules |= {f"_elementary_{p.name}": numpy_elementary.module(p, elementary, banner)
-                    for p in named(scene.precisions)}
+               **{p.name: _module(scene, plans, banner, p) for p in named(scene.precisions)},
+               **_elementary(scene.functions, named(scene.precisions), banner)}
     return {f"{scene.name}/{name}.py": text for name, text in modules.items()}
+
+
+@uncollected()
+def tier_files(made: SceneTier, banner: str) -> Files:
+    """The package arm/accurate/."""
+    functions = [f for _, scene in made.in_precisions for f in scene.functions]
+    working = named({scene_text.working([f.program for f in scene.functions], p).name
+                     for p, scene in made.in_precisions})
+    modules = {
+        "__init__": render("scene/tier.py", banner=banner, name=made.plain.name,
+                           tier=made.tier.name, title=made.tier.title,
+                           precisions=made.plain.precisions),
+        **{p.name: _module(scene, scene_text.plans(scene), banner, p)
+           for p, scene in made.in_precisions},
+        **_elementary(functions, working, banner)}
+    if made.exact:
+        modules["_exact"] = render("scene/exact.py", banner=banner)
+    return {f"{made.plain.name}/{made.tier.mark}/{name}.py": text
+            for name, text in modules.items()}
+
+
+def _elementary(functions: Sequence[Function], precisions: Sequence[Precision], banner: str
+                ) -> Files:
+    """The modules of the elementary functions that these functions call."""
+    names = called([f.program for f in functions])
+    return {f"_elementary_{p.name}": numpy_elementary.module(p, names, banner)
+            for p in precisions if names}
 
 
 def _tuple(name: str, values: Sequence[object]) -> str:
@@ -62,9 +88,10 @@ def _dictionary(name: str, entries: Sequence[tuple[str, float]]) -> str:
 def _module(scene: SceneFunctions, plans: Sequence[Plan], banner: str, precision: Precision
             ) -> str:
     functions = scene.functions
+    working = scene_text.working([f.program for f in functions], precision)
     counted = {op for f in functions for op in f.program.counts}
     names = {NUMPY_NAMES[op] for op in counted & set(NUMPY_NAMES)}
-    names |= {"errstate", precision.numpy_type}
+    names |= {"errstate", precision.numpy_type, working.numpy_type}
     if any(NotANumber() in x.operands for f in functions for x in f.program.instructions):
         names.add("nan")
     names |= {"zeros_like"} if any(step.zeros for step in scene.steps) else set()
@@ -78,7 +105,12 @@ def _module(scene: SceneFunctions, plans: Sequence[Plan], banner: str, precision
             *(_step(scene, step, precision) for step in scene.steps)]
     elementary = sorted({name for x in made for name in _ELEMENTARY.findall(x["body"])})
     legend = scene_text.legend(plans, [x["body"] for x in made])
+    exact = sorted({name for op, name in EXACT.items() if op in counted})
+    exact += ["widened"] if working != precision else []
     return render("scene/precision.py", banner=banner, name=scene.name, precision=precision,
+                  title=f"{scene.name} in {precision.name} precision"
+                        f"{scene.mark and f', {scene.mark} tier'}.",
+                  parent=".." if scene.mark else ".", working=working, exact=", ".join(exact),
                   signs=bool(scene.signs),
                   names=[row for words in legend
                          for row in wrap(words, WIDTH, subsequent_indent="    ")],
@@ -117,16 +149,24 @@ def _function(scene: SceneFunctions, function: Function, plan: Plan, precision: 
               ) -> dict[str, str]:
     program, outputs = plan.program, scene_text.outputs(function)
     headings = {number: scene_text.printable(words) for number, words in function.headings}
-    expressions = plan.printed(language(precision, precision.literal), scene_text.access(program),
+    working = scene_text.working([program], precision)
+    expressions = plan.printed(language(working, working.literal), scene_text.access(program),
                                headings)
+    given = [a.name for a in program.inputs]
     lines = [_unpacking("components", [(a.name, _shape(a)) for a in program.inputs],
                         precision, bool(scene.signs) and not function.internal),
+             *([_widened(given)] if program.wide and given else []),
              *map(_assigned, expressions.assigned)]
     made = list(_assembled(outputs, expressions.results, precision))
     lines.append(f"return delivered(out, {made[0]})" if len(made) == 1 else
                  listed("return delivered(", ["out", *made], ")", WIDTH - 4))
-    return _text(python_name(function), [a.name for a in program.inputs],
-                 scene_text.words(function), lines)
+    return _text(python_name(function), given, scene_text.words(function), lines)
+
+
+def _widened(names: Sequence[str]) -> str:
+    """The statement that converts components to double."""
+    pairs = [", ".join(names), f"widened({', '.join(names)})"]
+    return f"{pairs[0]}{',' if len(names) == 1 else ''} = {pairs[1]}"
 
 
 def _assigned(x: Assignment | str) -> str:
@@ -166,4 +206,4 @@ def _step(scene: SceneFunctions, step: Step, precision: Precision) -> dict[str, 
     return _text(step.name, inputs, scene_text.step_words(scene, step), lines)
 
 
-TARGET = Target("scene in Python", ("python",), scene=files)
+TARGET = Target("scene in Python", ("python",), scene=files, tier=tier_files)

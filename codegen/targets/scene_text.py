@@ -5,7 +5,7 @@ Knows functions and words; nothing of how a language writes statements.
 
 import keyword
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from math import prod
 
@@ -44,8 +44,8 @@ _NAME = re.compile("[A-Za-z][A-Za-z0-9_]*")
 
 
 def c_name(scene: SceneFunctions | SceneInterface, name: str, precision: Precision) -> str:
-    """arm_forward_dynamics, arm_forward_dynamicsf."""
-    return f"{scene.name}_{name}{precision.suffix}"
+    """arm_forward_dynamics, arm_forward_dynamicsf, arm_forward_dynamics_accurate."""
+    return f"{scene.name}_{name}{scene.mark and f'_{scene.mark}'}{precision.suffix}"
 
 
 def count(shape: tuple[int, ...]) -> int:
@@ -83,11 +83,12 @@ def step_words(scene: SceneFunctions, step: Step) -> tuple[str, ...]:
             f"Last axes: {given} -> q {shapes['q']}, v {shapes['v']}.")
 
 
-def words(function: Function) -> tuple[str, ...]:
-    """A function's documentation in Python, a paragraph each."""
+def words(function: Function, costs: bool = True) -> tuple[str, ...]:
+    """A function's documentation in Python, a paragraph each; the last what it costs."""
     given, made = (", ".join(f"{a.name} {tuple(a.quantity.shape)}" for a in side)
                    for side in (function.program.inputs, outputs(function)))
-    return (sentence(function.words), f"Last axes: {given} -> {made}.", cost(function))
+    return (sentence(function.words), f"Last axes: {given} -> {made}.",
+            *([cost(function)] if costs else []))
 
 
 def banner_of(name: str, command: str = "") -> str:
@@ -135,6 +136,11 @@ def access(program: Program) -> Callable[[Input], str]:
         argument = program.inputs[operand.argument]
         return f"{argument.name}[{operand.index}]" if argument.quantity.shape else argument.name
     return written
+
+
+def working(programs: Iterable[Program], precision: Precision) -> Precision:
+    """The precision in which functions of this precision compute."""
+    return DOUBLE if any(program.wide for program in programs) else precision
 
 
 def legend(plans: Sequence[Plan], bodies: Sequence[str]) -> tuple[str, ...]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from coscrew_codegen.library import Library
     from coscrew_codegen.scene_functions import SceneFunctions
+    from coscrew_codegen.scene_tiers import SceneTier
 
 Files = dict[str, str]  # path in the output folder, with forward slashes → text
 
@@ -23,4 +24,5 @@ class Target:
     languages: tuple[str, ...]
     library: Callable[[Library], Files] | None = None  # its files of the library
     scene: Callable[[SceneFunctions, str], Files] | None = None  # of a scene, with this banner
+    tier: Callable[[SceneTier, str], Files] | None = None  # of a scene in a tier besides plain
     generated: bool = True  # whether `coscrew generate` makes them; else only `load_scene` does

@@ -11,7 +11,7 @@ A tier may also add in another order: `program.sums` gives the terms of a plain 
 from coscrew_codegen.found import found
 from coscrew_codegen.tiers.tier import Tier
 
-__all__ = ["MARKED", "PLAIN", "TIERS", "Tier", "tier_named"]
+__all__ = ["MARKED", "OF_SCENES", "PLAIN", "TIERS", "Tier", "tier_named"]
 
 TIERS: tuple[Tier, ...] = tuple(sorted(found(__name__, __path__, "TIER", Tier),
                                        key=lambda tier: tier.order))
@@ -20,6 +20,8 @@ TIERS: tuple[Tier, ...] = tuple(sorted(found(__name__, __path__, "TIER", Tier),
 PLAIN = next(tier for tier in TIERS if not tier.marked)
 MARKED = tuple(tier for tier in TIERS if tier.marked)
 """All tiers but plain: those with a suffix in names."""
+OF_SCENES = tuple(tier for tier in TIERS if tier is PLAIN or tier.scene)
+"""The tiers that functions of scenes have."""
 
 
 def tier_named(name: str) -> Tier:

@@ -5,14 +5,17 @@ hi + lo is rounded at the end.  First-order errors cancel; the rest is of order 
 
 Operands of quotients, roots, arctangents and comparisons are first made non-overlapping: hi becomes
 the rounded hi + lo.  Then terms of order lo² do not matter, however much has cancelled.  The
-residuals of quotients and roots, a - q b and a - s s, are exact; only an arctangent's own rounding
-remains.  Where lo is NaN (0/0, an infinite hi), the result is hi.
+residuals of quotients and roots, a - q b and a - s s, are exact; what elementary functions err by
+is computed by functions of their own.  Where lo is NaN (0/0, an infinite hi), the result is hi.
 
 Where a polynomial's bound would be too large to prove one ulp up to condition 1e14, sums are made
 non-overlapping before they are multiplied, too.  Then hi has a single rounding error, so that fewer
 products of two errors remain.
 """
 
+import math
+import re
+from collections import Counter
 from dataclasses import replace
 from fractions import Fraction
 
@@ -27,13 +30,15 @@ from coscrew_codegen.program import (
     without_dead_steps,
 )
 from coscrew_codegen.program.bounds import bounds_of
+from coscrew_codegen.program.ops import ERROR_OF, Rounding
 from coscrew_codegen.program.program import name_of
-from coscrew_codegen.tiers.compensated import Compensator
+from coscrew_codegen.tiers.compensated import Compensator, rounded_constant
 from coscrew_codegen.tiers.negation import negating_terms
 from coscrew_codegen.tiers.tier import Tier, rounds_by
 
-_ZERO, _ONE = (Constant(Fraction(n), Fraction(n)) for n in (0, 1))
-_NONLINEAR = {Op.DIV, Op.SQRT, Op.ATAN2, Op.SCALE}
+_ZERO, _HALF, _ONE = (Constant(Fraction(n, 2), Fraction(n, 2)) for n in (0, 1, 2))
+_PARTNER = {Op.SIN: Op.COS, Op.COS: Op.SIN}
+_NONLINEAR = {Op.DIV, Op.SQRT, Op.SCALE, Op.ATAN2, Op.SIN, Op.COS}
 _JUDGING = {Op.ABS, Op.LESS, Op.EQUAL}  # after cancellation hi may be 0 and lo the whole value
 COMPENSATED = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG, Op.ABS, Op.LESS, Op.EQUAL, Op.SELECT,
                          *_NONLINEAR})
@@ -73,11 +78,13 @@ def _made(program: Program, precision: Precision) -> Program:
 
 def _has(program: Program) -> bool:
     """Whether all is compensated; the rounding of an arctangent alone cannot be."""
-    return rounds_by(COMPENSATED, program) and any(op.rounds for op in program.counts.keys()
-                                                   - {Op.ATAN2})
+    return rounds_by(COMPENSATED - _PARTNER.keys(), program) and any(
+        op.rounds for op in program.counts.keys() - {Op.ATAN2})
 
 
 def _compensated(program: Program, compensator: "_Accurate") -> Program:
+    compensator.circular = {(step.op, step.operands): step for step in program.instructions
+                            if step.op in _PARTNER}
     for step in program.instructions:
         compensator.compensate(step)
     guarded = bool(program.counts.keys() & _NONLINEAR)
@@ -95,8 +102,13 @@ class _Accurate(Compensator):
         super().__init__()
         self._overlapping = overlapping
         self._normal: dict[str, Operand] = {}  # hi of normalized results, by their plain name
+        self._normals: set[str] = set()
+        self._finals: dict[Operand, Ref] = {}
         self._inverses: dict[Operand, Ref] = {}
+        self.circular: dict[tuple[Op, tuple[Operand, ...]], Instruction] = {}  # sines, cosines
+        self._partners: dict[str, Ref] = {}  # a sine's cosine, a cosine's sine
         self._rules = {
+            Op.SIN: self._sine_or_cosine, Op.COS: self._sine_or_cosine,
             Op.DIV: self._quotient, Op.SQRT: self._root, Op.ATAN2: self._arctangent,
             Op.SCALE: self._scaled, Op.ABS: self._absolute, Op.SELECT: self._selected,
             Op.LESS: self._comparison, Op.EQUAL: self._comparison,
@@ -106,6 +118,7 @@ class _Accurate(Compensator):
         """Issue hi of a plain instruction under its name; and lo, or the parts of lo that are added
         where it is used."""
         known = (self._normal.get(name_of(x), x) for x in step.operands)
+        partner = self.circular.get((_PARTNER.get(step.op, step.op), step.operands))
         step = replace(step, operands=tuple(known))
         if step.op not in self._rules:
             super().compensate(step)
@@ -113,7 +126,10 @@ class _Accurate(Compensator):
         if step.op in _NONLINEAR | _JUDGING:
             step = replace(step, operands=tuple(self._normalized(step, x) for x in step.operands))
         low = [self.low(step, x) for x in step.operands]
-        self.steps.append(step)
+        if step.op in _PARTNER:
+            self._issue_both(step, partner)
+        else:
+            self.steps.append(step)
         total = self._rules[step.op](step, low)
         if total is not None:
             self._low[step.name] = total
@@ -126,12 +142,13 @@ class _Accurate(Compensator):
     def _normalized(self, step: Instruction, operand: Operand) -> Operand:
         """hi + lo rounded; its rounding error is the new lo."""
         low = self.low(step, operand)
-        if low is None or operand in self._normal.values():
+        if low is None or isinstance(operand, Constant) or name_of(operand) in self._normals:
             return operand
-        at = replace(step, name=f"{step.name}_of_{name_of(operand)}", op=Op.ADD,
+        at = replace(step, name=self.normal_name(step, name_of(operand)), op=Op.ADD,
                      operands=(operand, low))
         self.steps.append(at)
         total = Ref(at.name)
+        self._normals.add(at.name)
         right = self.issue(at, Op.SUB, (total, operand), "right")
         left = self.issue(at, Op.EXACT_SUB, (total, right), "left")
         rests = (self.issue(at, Op.EXACT_SUB, (operand, left), "left_rest"),
@@ -139,6 +156,10 @@ class _Accurate(Compensator):
         self._low[at.name] = self.issue(at, Op.EXACT_ADD, rests, "lo")
         self._normal[name_of(operand)] = total
         return total
+
+    def normal_name(self, step: Instruction, operand: str) -> str:
+        """The name of an operand of this instruction once it is normalized."""
+        return f"{step.name}_of_{operand}"
 
     def _quotient(self, step: Instruction, low: list[Operand | None]) -> Operand:
         """lo of q = a / b: (a - q b + a_lo - q b_lo) / b."""
@@ -168,6 +189,32 @@ class _Accurate(Compensator):
         error = self.issue(step, Op.PRODUCT_ERROR, (*factors, p), "product_error")
         rest = self.issue(step, Op.SUB, (a, p), "rest")
         return self.issue(step, Op.SUB, (rest, error), "exact")
+
+    def _issue_both(self, step: Instruction, partner: Instruction | None) -> None:
+        """A sine and the cosine of the same operand, where the first of them is."""
+        if step.name not in self._partners:
+            known = partner and partner.name not in self._partners
+            name = partner.name if known else self.name(step.name, "partner")
+            self.steps += [step, replace(step, name=name, op=_PARTNER[step.op])]
+            self._partners |= {step.name: Ref(name), name: Ref(step.name)}
+
+    def _sine_or_cosine(self, step: Instruction, low: list[Operand | None]) -> Operand:
+        """lo of s = sin x: sin x - s + x_lo (c - x_lo s / 2); of c = cos x, the same with c and -s.
+        The term of second order matters for large x."""
+        error = self._error(step)
+        x_lo, = low
+        if x_lo is None:
+            return error
+        bend = self.issue(step, Op.MUL, (self.issue(step, Op.MUL, (x_lo, _HALF), "half"),
+                                         Ref(step.name)), "bend")
+        partner, sine = self._partners[step.name], step.op is Op.SIN
+        slope = self.issue(step, Op.SUB if sine else Op.ADD, (partner, bend), "slope")
+        more = self.issue(step, Op.MUL, (slope, x_lo), "more")
+        return self.issue(step, Op.ADD if sine else Op.SUB, (error, more), "lo")
+
+    def _error(self, step: Instruction) -> Ref:
+        """What an elementary function errs by."""
+        return self.issue(step, ERROR_OF[step.op], (*step.operands, Ref(step.name)), "own_error")
 
     def _arctangent(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
         """lo of atan2(y, x): (x y_lo - y x_lo) / (x² + y²), computed with x / m and y / m,
@@ -227,17 +274,108 @@ class _Accurate(Compensator):
         total = self.rounded(result)
         if not guarded or total == result:
             return total
-        at = Instruction(f"{name_of(total)}_number", Op.EQUAL, (total, total), name_of(total))
-        choice = Instruction(f"{name_of(result)}_final", Op.SELECT, (Ref(at.name), total, result),
-                             name_of(total))
-        if choice not in self.steps:
+        if total not in self._finals:
+            last = self.last or name_of(total)
+            at = Instruction(self.name(name_of(total), "number"), Op.EQUAL, (total, total), last)
+            choice = Instruction(self.name(name_of(result), "final"), Op.SELECT,
+                                 (Ref(at.name), total, result), last)
             self.steps += [at, choice]
-        return Ref(choice.name)
+            self._finals[total] = Ref(choice.name)
+        return self._finals[total]
+
+
+def of_scene(program: Program, precision: Precision) -> Program:
+    """The plain program of a scene's function, whose constants are decimals: hi + lo in double; in
+    single precision doubles."""
+    if precision == DOUBLE:
+        program = _compensated(program, OfScene(program))
+    steps = tuple(replace(step, operands=tuple(map(_rounded, step.operands)))
+                  for step in program.instructions)
+    return replace(program, instructions=steps, results=tuple(map(_rounded, program.results)),
+                   wide=precision != DOUBLE)
+
+
+def _rounded(x: Operand) -> Operand:
+    return rounded_constant(x) if isinstance(x, Constant) else x
+
+
+def _beyond(x: Operand, above: bool) -> Operand:
+    """For a number to the left or to the right of <: that of double precision which compares with
+    all others as the constant does."""
+    if not isinstance(x, Constant):
+        return x
+    value = float(x.double)
+    if value != x.double and (value > x.double) != above:
+        value = math.nextafter(value, math.inf if above else -math.inf)
+    return Constant(Fraction(value), Fraction(value), x.name)
+
+
+_NUMBER = re.compile(r"_[0-9]+$")
+_ONCE = {Op.ADD, Op.SUB, Op.MUL, Op.DIV, Op.SQRT}
+_RESTING = {Op.DIV, Op.SQRT, Op.ATAN2, Op.SIN, Op.COS, Op.EXP, Op.TANH}
+
+
+class OfScene(_Accurate):
+    """Of a function of a scene: products of sums are long chains there, and names are numbered.
+
+    After cancellation the lo of a sum is not small, nor is that of a product of such a sum: in a
+    product of two of these, a_lo b_lo matters, and a_lo is multiplied by b + b_lo."""
+
+    last = "hi + lo, rounded:"
+
+    def __init__(self, program: Program) -> None:
+        super().__init__()
+        self._taken = {step.name for step in program.instructions}
+        self._numbers: Counter[str] = Counter()
+        self._cancelled: set[str] = set()  # hi whose lo may not be small
+        self._whole: dict[str, Ref] = {}
+        self._nearest: set[str] = set()  # exact operands, one rounding: these need no lo
+
+    def compensate(self, step: Instruction) -> None:
+        """As of its base; a result may have cancelled if it is a sum or is made of one."""
+        if step.op.meaning.rounding is Rounding.FUNCTION and step.op not in self._rules:
+            raise ValueError(f"{step.op.value} has no error in the accurate tier")
+        if step.op is Op.LESS:
+            step = replace(step, operands=tuple(map(_beyond, step.operands, (False, True))))
+        if step.op in (Op.ADD, Op.SUB) or step.op not in _RESTING and any(
+                name_of(x) in self._cancelled and name_of(x) not in self._normal
+                for x in step.operands):
+            self._cancelled.add(step.name)
+        if step.op in _ONCE and all(map(self.is_exact, step.operands)):
+            self._nearest.add(step.name)
+        super().compensate(step)
+
+    def rounded(self, result: Operand) -> Operand:
+        """hi alone if that is the nearest number."""
+        return result if name_of(result) in self._nearest else super().rounded(result)
+
+    def factor(self, step: Instruction, a: Operand, b: Operand) -> Operand:
+        """b + b_lo, computed once, if both may have cancelled."""
+        low = self.low(step, b)
+        if low is None or not self._cancelled.issuperset((name_of(a), name_of(b))):
+            return b
+        if name_of(b) not in self._whole:
+            self._whole[name_of(b)] = self.issue(step, Op.ADD, (b, low), "whole")
+        return self._whole[name_of(b)]
+
+    def normal_name(self, step: Instruction, operand: str) -> str:
+        """Named after the operand."""
+        return self.name(operand, "nearest")
+
+    def name(self, of: str, suffix: str) -> str:
+        """Numbered, so that it may be nested and is numbered again; but lo of a named value."""
+        stem = f"{_NUMBER.sub('', of)}_{suffix}"
+        name = stem if suffix == "lo" and not _NUMBER.search(of) else ""
+        while not name or name in self._taken:
+            self._numbers[stem] += 1
+            name = f"{stem}_{self._numbers[stem]}"
+        self._taken.add(name)
+        return name
 
 
 TIER = Tier(
     "accurate", 2, "Accurate tier: double compensated, single computed in double.",
-    ("#c2570c", "#f5a04d"), _made, has=_has, header="ksl_exact",
+    ("#c2570c", "#f5a04d"), _made, has=_has, scene=of_scene, header="ksl_exact",
     in_words="""\
 The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed in
 float64 and rounded once.  The same bits as the C kernels, with fma or without.""")

@@ -7,21 +7,39 @@ The error of a sum s = a + b is found by Knuth's Two-Sum: t = s - a, rounded, is
 u = s - t is a's.  u, a - u and b - t are exact for all a and b (Shewchuk), and the last two add up
 to the error.  Where a is a rounded product x y, its error belongs to lo as well:
 (a - u) + (x y - a) is x y - u, rounded once by a single fma.
+
+A constant that is rounded has a lo, too: the rest, rounded.
 """
 
 from dataclasses import replace
+from fractions import Fraction
 
-from coscrew_codegen.program import Instruction, Op, Operand, Ref, scales
+from coscrew_codegen.program import Constant, Instruction, Op, Operand, Ref, scales
 from coscrew_codegen.program.program import name_of
+
+
+def rounded_constant(x: Constant) -> Constant:
+    """The number that double precision has for this constant, exactly."""
+    value = Fraction(float(x.double))
+    return Constant(value, value, x.name)
+
+
+def rest_of(x: Constant) -> Constant | None:
+    """What the rounding of a constant to double leaves, rounded; None for nothing."""
+    value = Fraction(float(x.double - Fraction(float(x.double))))
+    return Constant(value, value, x.name and f"{x.name}_lo") if value else None
 
 
 class Compensator:
     """Issues instructions; knows the lo of each hi."""
 
+    last = ""  # component of final values; "": each is its own
+
     def __init__(self) -> None:
         self.steps: list[Instruction] = []
         self._low: dict[str, Operand] = {}  # lo by hi's name; a product's rounding error may lack
         self._products: dict[str, Instruction] = {}  # products whose rounding error _low lacks
+        self._rounded: dict[str, Ref] = {}  # hi + lo rounded, by hi's name
 
     def compensate(self, step: Instruction) -> None:
         """Issue hi of a plain instruction under its name; and lo, or the parts of lo that are added
@@ -53,7 +71,7 @@ class Compensator:
         a_lo, b_lo = (self.low(step, x) for x in step.operands)
         self.steps.append(step)
         cross = [self.issue(step, Op.MUL, (x, y), f"cross{number}")
-                 for number, (x, y) in enumerate(((a_lo, b), (a, b_lo)), start=1)
+                 for number, (x, y) in enumerate(((a_lo, self.factor(step, a, b)), (a, b_lo)), 1)
                  if x is not None and y is not None]
         if scales(step):
             if cross:
@@ -64,6 +82,10 @@ class Compensator:
         if cross:
             self._low[step.name] = cross[0]
         self._products[step.name] = step
+
+    def factor(self, step: Instruction, a: Operand, b: Operand) -> Operand:
+        """What a_lo is multiplied by: b, where a_lo b_lo is too small to matter."""
+        return b
 
     def _sum(self, step: Instruction) -> None:
         """s = a ± b: lo is a and b less their shares of s, plus b's lo, plus a's, in this order.
@@ -76,7 +98,7 @@ class Compensator:
         right = self.issue(step, Op.SUB, (s, a) if add else (a, s), "right")
         left = self.issue(step, Op.EXACT_SUB if add else Op.EXACT_ADD, (s, right), "left")
         rests = self._rest(step, a, left, "left_rest"), self._rest(step, b, right, "right_rest")
-        a_lo, b_lo = (self._low.get(name_of(x)) for x in (a, b))
+        a_lo, b_lo = map(self._known, (a, b))
         products = [name_of(x) in self._products for x in (a, b)]
         exact = Op.EXACT_ADD if add else Op.EXACT_SUB
         more: list[tuple[Op, Operand]] = []
@@ -111,22 +133,36 @@ class Compensator:
                                 "lo" if cross is None else "error")
             self._low[product.name] = (error if cross is None else
                                        self.issue(own, Op.ADD, (error, cross), "lo"))
-        return self._low.get(name_of(x))
+        return self._known(x)
+
+    def is_exact(self, x: Operand) -> bool:
+        """Whether an operand has no lo."""
+        return self._known(x) is None and name_of(x) not in self._products
+
+    def _known(self, x: Operand) -> Operand | None:
+        """lo of an operand, as far as it is known."""
+        return rest_of(x) if isinstance(x, Constant) else self._low.get(name_of(x))
 
     def issue(self, step: Instruction, op: Op, operands: tuple[Operand, ...], suffix: str) -> Ref:
         """Issue an instruction towards the component of `step`, named after `step`."""
-        name = f"{step.name}_{suffix}"
+        name = self.name(step.name, suffix)
         self.steps.append(Instruction(name, op, operands, step.component))
         return Ref(name)
 
+    def name(self, of: str, suffix: str) -> str:
+        """The name of an instruction that belongs to the instruction `of`."""
+        return f"{of}_{suffix}"
+
     def rounded(self, result: Operand) -> Operand:
         """hi + lo rounded: the component's final value."""
-        name = f"{getattr(result, 'name', '')}_rounded"
-        if name in (step.name for step in self.steps):
-            return Ref(name)
-        at = Instruction(name, Op.ADD, (), name)
-        low = self.low(at, result)
-        if low is None:
+        if not isinstance(result, Ref):
             return result
-        self.steps.append(replace(at, operands=(result, low)))
-        return Ref(name)
+        if result.name not in self._rounded:
+            name = self.name(result.name, "rounded")
+            at = Instruction(name, Op.ADD, (), self.last or name)
+            low = self.low(at, result)
+            if low is None:
+                return result
+            self.steps.append(replace(at, operands=(result, low)))
+            self._rounded[result.name] = Ref(name)
+        return self._rounded[result.name]

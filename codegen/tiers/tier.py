@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, Op, Operand, Program
 from coscrew_codegen.program.ops import POLYNOMIAL
+from coscrew_codegen.quantity import Argument
 
 if TYPE_CHECKING:  # with it comes SymPy, for which `coscrew simulate` need not wait
     from coscrew_codegen.operations import Operation
@@ -33,6 +34,11 @@ def _is_rounded(operand: Operand) -> bool:
     return bool(denominator & (denominator - 1))
 
 
+def bounds_of_outputs(outputs: tuple[Argument, ...]) -> tuple[Argument, ...]:
+    """The outputs that hold the bounds: `co_bound` for `co`."""
+    return tuple(Argument(f"{a.name}_bound", a.quantity) for a in outputs)
+
+
 @dataclass(frozen=True, eq=False)
 class Tier:
     """A way to compute a plain program's results: more accurate, faster, or with an error bound.
@@ -47,6 +53,8 @@ class Tier:
     make: Callable[[Program, Precision], Program]  # plain program → the tier's
     has: Callable[[Program], bool] = is_polynomial  # whether a plain program has this tier
     operation: Callable[["Operation"], "Operation"] = lambda plain: plain  # may add outputs
+    scene: Callable[[Program, Precision], Program] | None = None  # plain program of a scene's
+    # function → the tier's, which may have more outputs; None: scenes do not have the tier
     header: str = "ksl_types"  # that its C functions need; ksl_exact computes rounding errors
     in_words: str = ""  # docstring of its Python package; "" if only C has the tier
     marked: bool = True  # whether names of its functions end in the tier's name

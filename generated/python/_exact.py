@@ -22,6 +22,13 @@ def product_error(a, b, p):
     return _elsewhere(_split(a, b, p), _dekker(a, b, p), a, b, p)
 
 
+def product_error_single(a, b, p):
+    """a b - p rounded once to single precision: a b is exact in double."""
+    with np.errstate(all="ignore"):
+        a, b, p = (np.asarray(x, np.float32).astype(np.float64) for x in (a, b, p))
+        return np.float32(a * b - p)
+
+
 def product_rest(a, b, p, h):
     """a b - h rounded once, where p is a b rounded and p - h is exact."""
     with np.errstate(all="ignore"):

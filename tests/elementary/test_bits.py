@@ -7,19 +7,24 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen.elementary import ELEMENTARY, Elementary
+from coscrew_codegen.elementary import ELEMENTARY, ERRORS, Elementary
 from coscrew_codegen.formats import PRECISIONS, Precision
 from tests.support.compiled.c_harness import DIALECTS, INCLUDE, run
 from tests.support.compiled.flags import FMA
 from tests.support.each import each_precision
 from tests.support.truth.elementary import Array, results, same
 
+FUNCTIONS = (*ELEMENTARY, *ERRORS)
 FLAGS = (("-O0",), ("-O3", *FMA, "-ffp-contract=fast"))
 
 
 def arguments(function: Elementary, precision: Precision) -> list[Array]:
     """Ordinary numbers, any bits, next to multiples of π/2, and all pairs of special values."""
     rng, one = np.random.default_rng(6), np.dtype(precision.numpy_type).type
+    if function in ERRORS:
+        plain = next(x for x in ELEMENTARY if function.name == f"{x.name}_error")
+        given = arguments(plain, precision)
+        return [*given, *results(plain, precision, *given)]
     special = np.array([0, np.inf, np.nan, 1, *(float(precision.limit(name)) for name in (
         "smallest_subnormal", "smallest_normal", "max"))])
     every = np.meshgrid(*[np.concatenate([special, -special])] * len(function.inputs))
@@ -50,9 +55,10 @@ def loop(function: Elementary, precision: Precision) -> str:
 def library(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory):
     compiler, language, flags = request.param
     folder: Path = tmp_path_factory.mktemp("elementary")
-    loops = "\n".join(loop(x, precision) for precision in PRECISIONS for x in ELEMENTARY)
+    loops = "\n".join(loop(x, precision) for precision in PRECISIONS for x in FUNCTIONS)
     (folder / "loops.c").write_text(
-        f'#include "ksl/elementary.h"\n#ifdef __cplusplus\nextern "C" {{\n#endif\n{loops}\n'
+        '#include "ksl/ksl_elementary_error.h"\n'
+        f'#ifdef __cplusplus\nextern "C" {{\n#endif\n{loops}\n'
         "#ifdef __cplusplus\n}\n#endif\n")
     run((compiler, *language, *flags, "-shared", "-fPIC", "-I", INCLUDE, folder / "loops.c", "-o",
          folder / "loops.so", "-lm"))
@@ -60,7 +66,7 @@ def library(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
 
 
 @each_precision
-@pytest.mark.parametrize("function", ELEMENTARY, ids=lambda x: x.name)
+@pytest.mark.parametrize("function", FUNCTIONS, ids=lambda x: x.name)
 def test_c(function: Elementary, precision: Precision, library: ctypes.CDLL):
     given = arguments(function, precision)
     found = [np.empty_like(given[0]) for _ in function.outputs]
@@ -72,7 +78,7 @@ def test_c(function: Elementary, precision: Precision, library: ctypes.CDLL):
 
 
 @each_precision
-@pytest.mark.parametrize("function", ELEMENTARY, ids=lambda x: x.name)
+@pytest.mark.parametrize("function", FUNCTIONS, ids=lambda x: x.name)
 def test_generated_python(function: Elementary, precision: Precision):
     given = arguments(function, precision)
     module = import_module(f"coscrew._elementary_{precision.name}")

@@ -28,6 +28,7 @@ base = "fixed"
 precision = "both"
 implausible = "error"
 functions = ["default"]
+tiers = ["plain", "accurate"]
 runtime = ["b.mass"]
 [bodies.a]
 mass = 1

@@ -30,9 +30,9 @@ def argument(name: str, *shape: int) -> Argument:
     return Argument(name, Quantity(name, shape, parts, name))
 
 
-def number(value: str | int | Operand) -> Operand:
+def number(value: str | int | Fraction | Operand) -> Operand:
     """A constant, the same in both precisions."""
-    if isinstance(value, (str, int)):
+    if isinstance(value, (str, int, Fraction)):
         return Constant(Fraction(value), Fraction(value))
     return value
 

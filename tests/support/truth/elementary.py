@@ -1,7 +1,7 @@
 """Elementary functions' Programs on NumPy's arrays, and their errors against MPFR."""
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +9,8 @@ import gmpy2
 import numpy as np
 from numpy.typing import NDArray
 
-from coscrew_codegen.elementary import Elementary
+from coscrew_codegen.elementary import ELEMENTARY, ERRORS, Elementary
+from coscrew_codegen.elementary.calls import FUNCTION_OF
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, Op, Program
 from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly, interpreter
@@ -34,8 +35,16 @@ def arithmetic(precision: Precision) -> Arithmetic[Any]:
         **exactly(np), Op.COPYSIGN: np.copysign, Op.SELECT: np.where,
         Op.POWER: lambda a, b: _power(a, precision),
         Op.TWO_OVER_PI: lambda x, n, digits: _chunk(x, int(n), precision),
-        Op.PRODUCT_ERROR: lambda a, b, p: _product_error(a, b, p, precision)}
+        Op.PRODUCT_ERROR: lambda a, b, p: _product_error(a, b, p, precision),
+        **{op: partial(_called, op, precision) for op in FUNCTION_OF}}
     return by_operation(constant, table, number(np.nan))
+
+
+def _called(op: Op, precision: Precision, *operands: Array) -> Array:
+    """What the function of our own that computes this operation returns."""
+    function = next(x for x in (*ELEMENTARY, *ERRORS) if x.name == FUNCTION_OF[op])
+    repeated = operands[-1:] * (len(function.inputs) - len(operands))  # the other's result
+    return results(function, precision, *operands, *repeated)[op in (Op.COS, Op.COS_ERROR)]
 
 
 def _power(a: Array, precision: Precision) -> Array:
@@ -84,21 +93,22 @@ def values(program: Program, precision: Precision, *inputs: Array) -> list[Array
 
 
 def results(function: Elementary, precision: Precision, *inputs: Array) -> list[Array]:
-    """The function's results: its kernel's, after the reduction that each input takes."""
+    """The function's results: its kernel's, after the reduction that the first input takes."""
     kernel = function.kernel(precision)
     if function.near is None or function.far is None or function.limit is None:
         return values(kernel, precision, *inputs)
-    reduced = values(function.near(precision), precision, *inputs)
-    beyond = ~(np.abs(inputs[0]) <= float(function.limit(precision)))
-    far = values(function.far(precision), precision, *(x[beyond] for x in inputs))
+    angle, *others = inputs
+    reduced = values(function.near(precision), precision, angle)
+    beyond = ~(np.abs(angle) <= float(function.limit(precision)))
+    far = values(function.far(precision), precision, angle[beyond])
     for some, those in zip(reduced, far, strict=True):
         some[beyond] = those
-    return values(kernel, precision, *reduced)
+    return values(kernel, precision, *reduced, *others)
 
 
-def truth(name: str, inputs: Sequence[float]) -> Any:
+def truth(name: str, inputs: Sequence[Any]) -> Any:
     """The true value to BITS bits."""
-    return getattr(gmpy2, name)(*(gmpy2.mpfr(float(x)) for x in inputs))
+    return getattr(gmpy2, name)(*map(gmpy2.mpfr, inputs))
 
 
 def errors(name: str, precision: Precision, got: Array, *inputs: Array) -> Array:
@@ -120,6 +130,18 @@ def errors(name: str, precision: Precision, got: Array, *inputs: Array) -> Array
             error = float(abs(gmpy2.mpfr(value) - true) / ulp)
             found[i] = error if error == error else np.inf
     return found
+
+
+def remaining(name: str, got: Array, rest: Array, *inputs: Array) -> Array:
+    """log2 of |got + rest - true| / |true|: of what a result and its error err by together."""
+    with gmpy2.context(precision=2 * BITS, emax=10**6, emin=-10**6):
+        found = np.empty(len(got))
+        for i, (value, more, *given) in enumerate(zip(
+                got.tolist(), rest.tolist(), *(x.tolist() for x in inputs), strict=True)):
+            true = truth(name, given)
+            error = abs(gmpy2.mpfr(value) + gmpy2.mpfr(more) - true)
+            found[i] = gmpy2.log2(error / abs(true)) if error else -np.inf
+        return found
 
 
 def same(got: Array, want: Array) -> bool:

@@ -162,10 +162,12 @@ static KSL_INLINED double ksl_sincos_near(const double x, double *r, double *r_e
   return quadrant_value;
 }
 
+#ifndef KSL_TWO_OVER_PI
+#define KSL_TWO_OVER_PI
 /* 2/pi is the sum of chunks of 26 bits.  Returns 2^768 times the one that is n after the first that
-   matters to x modulo 2 pi, |x| >= 4 or not finite; for 0 <= n <= 8. */
+   matters to x modulo 2 pi, |x| >= 4 or not finite; for 0 <= n <= 9. */
 static inline double ksl_two_over_pi(const double x, const int n) {
-  static const double chunks[48] = {
+  static const double chunks[49] = {
     0.0, 1.552518092300709e+231, -5.641543713876639e+230, -6.396016207391955e+222,
     1.1126113092409047e+215, -8.436669302237339e+206, 1.5807217683269026e+199,
     4.880580955706536e+191, -7.185865841686167e+183, 1.63221799194198e+175, 1.4693593606398383e+168,
@@ -178,13 +180,15 @@ static inline double ksl_two_over_pi(const double x, const int n) {
     -1.4213062968337908e-05, -1.7819479073734323e-12, 2.312672511709599e-20, 1.9128857412445226e-28,
     -4.7275159220664295e-36, -7.857766278129624e-44, 1.0013967854884192e-51, -6.748739759997069e-60,
     2.9382392389751967e-67, 3.275166641861633e-75, 2.9838823028238618e-83, 5.698810044393321e-91,
-    -7.348167503787565e-99, 1.224385720857395e-106, 2.1156250393735652e-115, -2.378423370797896e-122
+    -7.348167503787565e-99, 1.224385720857395e-106, 2.1156250393735652e-115,
+    -2.378423370797896e-122, -4.1290598927684836e-130
   };
   uint64_t encoded;
   memcpy(&encoded, &x, sizeof encoded);
   const int biased = (int)(encoded >> 52 & 0x7ff);
   return chunks[(biased - 1025) / 26 + n];
 }
+#endif
 
 /* Its reduction of any larger angle. */
 static KSL_COLD double ksl_sincos_far(const double x, double *r, double *r_excess) {
@@ -484,20 +488,23 @@ static KSL_INLINED float ksl_sincos_nearf(const float x, float *r, float *r_exce
   return quadrant_value;
 }
 
+#ifndef KSL_TWO_OVER_PIF
+#define KSL_TWO_OVER_PIF
 /* 2/pi is the sum of chunks of 12 bits.  Returns 2^96 times the one that is n after the first that
-   matters to x modulo 2 pi, |x| >= 2 or not finite; for 0 <= n <= 8. */
+   matters to x modulo 2 pi, |x| >= 2 or not finite; for 0 <= n <= 9. */
 static inline float ksl_two_over_pif(const float x, const int n) {
-  static const float chunks[19] = {
+  static const float chunks[20] = {
     0.0f, 7.9228163e+28f, -2.8782106e+28f, -7.843851e+24f, 2.0349065e+21f, -1.2497489e+17f,
     2.3295903e+13f, -2.5836913e+10f, 2.576384e+06f, 2002.0f, -0.042236328f, 7.426739e-05f,
     -1.4697434e-08f, -4.195755e-12f, -1.4762497e-15f, -3.6676527e-19f, 5.588639e-23f, 8.330371e-28f,
-    -8.3200174e-32f
+    -8.3200174e-32f, 2.6782463e-34f
   };
   uint32_t encoded;
   memcpy(&encoded, &x, sizeof encoded);
   const int biased = (int)(encoded >> 23 & 0xff);
   return chunks[(biased - 128) / 12 + n];
 }
+#endif
 
 /* Its reduction of any larger angle. */
 static KSL_COLD float ksl_sincos_farf(const float x, float *r, float *r_excess) {

@@ -39,6 +39,16 @@ static inline double ksl_product_error(const double a, const double b, const dou
 #endif
 }
 
+/* The same in single precision, where a b is exact in double. */
+static inline float ksl_product_errorf(const float a, const float b, const float p) {
+#if KSL_HAS_FMAF
+  return fmaf(a, b, -p);
+#else
+  const double product = (double)a * (double)b;
+  return (float)(product - (double)p);
+#endif
+}
+
 /* a b + c rounded once, where a b is exact; the same bits with fma and without. */
 static inline double ksl_product_sum(const double a, const double b, const double c) {
 #if KSL_HAS_FMA

@@ -1,0 +1,154 @@
+"""Numbers of twice the digits: pairs high + low, with bounds of what they err by.
+
+Every rule below adds, in rationals, what its roundings and the terms that it leaves out amount to
+at most; a rounding errs by at most u of what is rounded, and by η.  Products and sums of the high
+parts are exact together with their errors (PRODUCT_ERROR; Knuth, Dekker)."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from coscrew_codegen.elementary.reduction import nearest, two_sum
+from coscrew_codegen.elementary.steps import Steps, Value
+from coscrew_codegen.formats import Precision
+from coscrew_codegen.program import Op
+
+_ZERO = Fraction(0)
+
+
+@dataclass(frozen=True, eq=False)
+class Pair:
+    """high + low; |high| <= size, |low| <= rest, |high + low - what it stands for| <= error."""
+
+    high: Value
+    low: Value | None
+    size: Fraction
+    rest: Fraction = _ZERO
+    error: Fraction = _ZERO
+
+    @property
+    def most(self) -> Fraction:
+        """A bound of what it stands for."""
+        return self.size + self.rest + self.error
+
+    def scaled(self, size: Fraction) -> "Pair":
+        """The same in a unit in which its size is this one: for errors relative to a number."""
+        factor = size / self.size
+        return replace(self, size=size, rest=self.rest * factor, error=self.error * factor)
+
+
+@dataclass(frozen=True)
+class Pairs:
+    """The operations of pairs in a precision."""
+
+    precision: Precision
+
+    @property
+    def tiny(self) -> Fraction:
+        """Of smaller r, 1 + r and 1 are the same to twice the digits, and so are sin r and r."""
+        return Fraction(1, 2**(self.precision.digits + 1))
+
+    @property
+    def eta(self) -> Fraction:
+        """Half the least subnormal number, in a unit that is at least `tiny`."""
+        return self.precision.eta / self.tiny
+
+    def rounding(self, size: Fraction) -> Fraction:
+        """What rounding numbers up to this size errs by."""
+        return self.precision.u * size + self.eta
+
+    def product(self, name: str, a: Pair, b: Pair) -> Pair:
+        """a b = high + (the error of high + (a_low b + a b_low)); a_low b_low is left out."""
+        steps = a.high.steps
+        high = steps.named(name, a.high * b.high)
+        low = steps.named(f"{name}_error", steps.do(Op.PRODUCT_ERROR, a.high, b.high, high))
+        error = a.rest * b.rest + a.error * b.most + (a.size + a.rest) * b.error + self.eta
+        rest = self.rounding(a.size * b.size)
+        terms = [(x * y, size) for x, y, size in ((a.high, b.low, a.size * b.rest),
+                                                  (a.low, b.high, a.rest * b.size))
+                 if x is not None and y is not None]
+        error += sum((self.rounding(size) for _, size in terms), _ZERO)
+        if terms:
+            cross, size = terms[0]
+            size += self.rounding(size)
+            if len(terms) == 2:
+                cross, size = cross + terms[1][0], size + terms[1][1] + self.rounding(terms[1][1])
+                error += self.rounding(size)
+                size += self.rounding(size)
+            low = steps.named(f"{name}_low", low + cross)
+            error += self.rounding(rest + size)
+            rest += size + self.rounding(rest + size)
+        return Pair(high, low, a.size * b.size + self.rounding(a.size * b.size), rest, error)
+
+    def constant(self, steps: Steps, x: Fraction) -> Pair:
+        """A number as a pair."""
+        high = nearest(x, self.precision)
+        low = nearest(x - high, self.precision)
+        return Pair(steps.constant(high), steps.constant(low) if low else None, abs(high),
+                    abs(low), abs(x - high - low))
+
+    def sum(self, name: str, a: Pair, b: Pair, ordered: bool = False) -> Pair:
+        """a + b = high + (the error of high + (b_low + a_low)); ordered: |a_high| >= |b_high|."""
+        steps, size = a.high.steps, a.size + b.size
+        if ordered:
+            high = steps.named(name, a.high + b.high)
+            low = steps.named(f"{name}_error", b.high - (high - a.high))
+        else:
+            high, low = two_sum(name, a.high, b.high)
+        rest, error = self.rounding(size), a.error + b.error
+        size += rest
+        lows = [(x.low, x.rest) for x in (b, a) if x.low is not None]
+        if lows:
+            more, extent = lows[0]
+            if len(lows) == 2:
+                more, extent = more + lows[1][0], extent + lows[1][1]
+                error += self.rounding(extent)
+                extent += self.rounding(extent)
+            low = steps.named(f"{name}_low", low + more)
+            error += self.rounding(rest + extent)
+            rest += extent + self.rounding(rest + extent)
+        return Pair(high, low, size, rest, error)
+
+    def normal(self, name: str, x: Pair) -> Pair:
+        """high is high + low rounded, low what that misses: at most u of it."""
+        assert x.low is not None and x.rest < x.size / 2
+        high = x.high.steps.named(name, x.high + x.low)
+        low = x.high.steps.named(f"{name}_low", x.low - (high - x.high))
+        size = x.most + self.rounding(x.most)
+        return Pair(high, low, size, self.rounding(x.most), x.error)
+
+    def series(self, name: str, coefficients: Sequence[Fraction], z: Pair) -> Pair:
+        """c1 z + c2 z² + …, as it is added to 1: without low parts where they matter less than the
+        square of u.  The coefficients decrease so fast that |c z| is less than the one before."""
+        steps, u = z.high.steps, self.precision.u
+        last = len(coefficients)
+        start = nearest(coefficients[-1], self.precision)
+        value = Pair(steps.constant(start), None, abs(start), error=abs(coefficients[-1] - start))
+        for n in range(last - 1, 0, -1):
+            c = coefficients[n - 1]
+            assert abs(c) >= z.size * value.size * (1 + u)
+            if abs(c) * z.size**n <= u / 64:
+                value = self._plain_step(f"{name}{n}", c, z, value)
+            else:
+                value = self.sum(f"{name}{n}", self.constant(steps, c),
+                                 self.product(f"{name}{n}_z", z, value), ordered=True)
+        return self.product(f"{name}_sum", z, value)
+
+    def _plain_step(self, name: str, c: Fraction, z: Pair, value: Pair) -> Pair:
+        """c + z value, both operations rounded."""
+        near = nearest(c, self.precision)
+        product = z.size * value.size
+        size = abs(near) + product + self.rounding(product)
+        error = (abs(c - near) + (z.rest + z.error) * value.most + z.size * value.error
+                 + self.rounding(product) + self.rounding(size))
+        return Pair(z.high.steps.named(name, near + z.high * value.high), None,
+                    size + self.rounding(size), error=error)
+
+    def grown(self, name: str, r: Pair, series: Pair) -> Pair:
+        """r + r series, |series| < 1/2, in the unit of r."""
+        assert series.size < Fraction(1, 2)
+        return self.sum(name, r, self.product(f"{name}_more", r, series), ordered=True)
+
+    def vanishing(self, name: str, r: Pair) -> Value:
+        """r's high part, or 0 if |r| is tiny: so that no product of it underflows."""
+        return r.high.steps.named(name, (abs(r.high) < self.tiny).where(0, r.high))

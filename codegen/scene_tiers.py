@@ -1,0 +1,77 @@
+"""A scene's functions in a tier: every public function, with the tier's Program of each precision.
+
+Steps have no tier: they are sequences of calls, whose error is that of the step, not of rounding.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from coscrew_codegen.errors import ReportedError
+from coscrew_codegen.formats import Precision, named
+from coscrew_codegen.program import Op
+from coscrew_codegen.recording.recorder import headings
+from coscrew_codegen.scene_functions import Function, SceneFunctions
+from coscrew_codegen.tiers import Tier
+
+
+class NoFunctionsError(ReportedError, ValueError):
+    """A scene selects a tier, and only functions that have none."""
+
+
+@dataclass(frozen=True)
+class SceneTier:
+    """What targets receive of a scene in a tier: its functions, by precision."""
+
+    tier: Tier
+    plain: SceneFunctions
+    in_precisions: tuple[tuple[Precision, SceneFunctions], ...]
+
+    @property
+    def first(self) -> SceneFunctions:
+        """Its functions in the first precision: names and arguments are the same in all."""
+        return self.in_precisions[0][1]
+
+    @property
+    def exact(self) -> bool:
+        """Whether its functions compute rounding errors of products."""
+        return any(op in f.program.counts for _, scene in self.in_precisions
+                   for f in scene.functions for op in (Op.PRODUCT_ERROR, Op.PRODUCT_REST))
+
+    @property
+    def stem(self) -> str:
+        """The name of its files: arm_accurate."""
+        return f"{self.plain.name}_{self.tier.mark}"
+
+
+def in_tier(scene: SceneFunctions, tier: Tier) -> SceneTier:
+    """The scene's public functions in this tier.  Raises NoFunctionsError if there are none."""
+    public = [f for f in scene.functions if not f.internal]
+    if not public:
+        raise NoFunctionsError(f"{scene.name}: the {tier.name} tier needs a function; steps, which "
+                               "alone are selected, have no tier")
+    return SceneTier(tier, scene, tuple(
+        (p, replace(scene, functions=tuple(_function(f, tier, p) for f in public), steps=(),
+                    precisions=(p.name,), tiers=(), mark=tier.mark))
+        for p in named(scene.precisions)))
+
+
+def _function(plain: Function, tier: Tier, precision: Precision) -> Function:
+    if tier.scene is None:
+        raise ValueError(f"scenes do not have the {tier.name} tier")
+    program = tier.scene(plain.program, precision)
+    words = {_heading(plain, place): text for place, text in plain.headings}
+    return replace(plain, program=program, headings=tuple(
+        (place, words.get(heading, heading)) for place, heading in headings(program)))
+
+
+def _heading(function: Function, place: int) -> str:
+    """The heading of an instruction, as its component gives it."""
+    return function.program.instructions[place].component.rpartition(":")[0] or "total"
+
+
+def tiers_of(scene: SceneFunctions) -> Iterator[SceneTier]:
+    """The scene in each tier that it selects."""
+    from coscrew_codegen.tiers import tier_named
+
+    for name in scene.tiers:
+        yield in_tier(scene, tier_named(name))

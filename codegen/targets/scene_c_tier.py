@@ -1,0 +1,82 @@
+"""A scene's functions in a tier as C: arm_accurate.h and arm_accurate.c, which need no other file.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from coscrew_codegen.collection import uncollected
+from coscrew_codegen.formats import Precision, named
+from coscrew_codegen.render import render
+from coscrew_codegen.scene_functions import SceneFunctions
+from coscrew_codegen.scene_tiers import SceneTier
+from coscrew_codegen.targets import c_elementary, scene_text
+from coscrew_codegen.targets.c_function import CFunction
+from coscrew_codegen.targets.c_statements import comment_of
+from coscrew_codegen.targets.scene_c import IN_WORDS, functions_of
+from coscrew_codegen.targets.scene_c_parts import Parts
+from coscrew_codegen.targets.target import Files, Target
+
+
+@dataclass(frozen=True)
+class Section:
+    """The functions of one precision, and what a template needs to write them."""
+
+    precision: Precision
+    scene: SceneFunctions
+
+    @cached_property
+    def plans(self) -> list[scene_text.Plan]:
+        """What is assigned in each function."""
+        return scene_text.plans(self.scene)
+
+    @cached_property
+    def parts(self) -> Parts:
+        """The functions that are cut."""
+        return Parts(self.scene, self.plans)
+
+    @cached_property
+    def functions(self) -> list[CFunction]:
+        """All functions, each after those that it calls."""
+        return list(functions_of(self.scene, self.plans, self.parts, self.precision))
+
+    @property
+    def working(self) -> Precision:
+        """The precision in which they compute."""
+        return scene_text.working([plan.program for plan in self.plans], self.precision)
+
+    @property
+    def called(self) -> frozenset[str]:
+        """The elementary functions that they call."""
+        return c_elementary.called(x.body for x in self.functions)
+
+
+@uncollected()
+def files(made: SceneTier, banner: str) -> Files:
+    """arm_accurate.h and arm_accurate.c.  Raises ValueError for names that C cannot use."""
+    sections = [Section(p, scene) for p, scene in made.in_precisions]
+    for section in sections:
+        scene_text.check_names(section.scene)
+    precisions = named({x.working.name for x in sections})
+    bodies = [function.body for x in sections for function in x.functions]
+    names = scene_text.legend([plan for x in sections for plan in x.plans], bodies)
+    elementary = {p: frozenset().union(*(x.called for x in sections if x.working == p))
+                  for p in precisions}
+    shared = {"banner": banner, "name": made.stem, "upper": made.plain.name.upper(),
+              "guard": made.stem.upper(), "sections": sections}
+    return {
+        f"{made.stem}.h": render("scene/tier.h", about=comment_of(_about(made)), **shared),
+        f"{made.stem}.c": render(
+            "scene/tier.c", names=[comment_of(names)] if names else [], products=precisions,
+            exact=made.exact, parts=any(x.parts.cuts for x in sections),
+            elementary=[(p, c_elementary.written(p, called, nested=True))
+                        for p, called in elementary.items() if called], **shared)}
+
+
+def _about(made: SceneTier) -> list[str]:
+    return [f"{made.plain.name}: dynamics of a scene, in {IN_WORDS[made.plain.precisions]}.",
+            made.tier.title,
+            f"Coordinates, units, parameters and macros are those of {made.plain.name}.h, which "
+            "has the steps: they have no tier."]
+
+
+TARGET = Target("tiers of a scene in C", ("c",), tier=files)

@@ -1,0 +1,724 @@
+/* Made by `coscrew generate`; changes are overwritten. */
+/* SPDX-License-Identifier: MIT */
+/* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
+/* What the elementary functions err by: a result and its error together have twice the digits. */
+#ifndef KSL_ELEMENTARY_ERROR_H
+#define KSL_ELEMENTARY_ERROR_H
+
+#include "elementary.h"
+#include "ksl_exact.h"
+
+#ifndef KSL_SINCOS_ERROR
+#define KSL_SINCOS_ERROR
+/* Its reduction of angles up to 6588396.0. */
+static inline double ksl_sincos_error_near(const double x, double *r, double *r_low) {
+  const double quadrant_1 = KSL_MUL(x, 0.6366197723675814),
+      quadrant_2 = quadrant_1 + 6755399441055744.0,
+      quadrant_value = quadrant_2 - 6755399441055744.0;
+  const double high_1 = KSL_MUL(quadrant_value, 1.5707963267341256), high_2 = x - high_1,
+      high_3 = KSL_MUL(quadrant_value, 6.077094383272197e-11), high = high_2 - high_3;
+  const double part3 = KSL_MUL(quadrant_value, -6.12323399409214e-17);
+  const double part4 = KSL_MUL(quadrant_value, -1.6446256929076394e-26);
+  const double part5 = KSL_MUL(quadrant_value, -7.247864188442001e-36);
+  const double part6 = KSL_MUL(quadrant_value, -4.916232119866224e-45);
+  const double r_a3 = part5 + part6;
+  const double r_a3_error_1 = r_a3 - part5, r_a3_error_2 = r_a3 - r_a3_error_1,
+      r_a3_error_3 = part5 - r_a3_error_2, r_a3_error_4 = part6 - r_a3_error_1,
+      r_a3_error = r_a3_error_3 + r_a3_error_4;
+  const double r_a2 = part4 + r_a3;
+  const double r_a2_error_1 = r_a2 - part4, r_a2_error_2 = r_a2 - r_a2_error_1,
+      r_a2_error_3 = part4 - r_a2_error_2, r_a2_error_4 = r_a3 - r_a2_error_1,
+      r_a2_error = r_a2_error_3 + r_a2_error_4;
+  const double r_a1 = part3 + r_a2;
+  const double r_a1_error_1 = r_a1 - part3, r_a1_error_2 = r_a1 - r_a1_error_1,
+      r_a1_error_3 = part3 - r_a1_error_2, r_a1_error_4 = r_a2 - r_a1_error_1,
+      r_a1_error = r_a1_error_3 + r_a1_error_4;
+  const double r_a0 = high + r_a1;
+  const double r_a0_error_1 = r_a0 - high, r_a0_error_2 = r_a0 - r_a0_error_1,
+      r_a0_error_3 = high - r_a0_error_2, r_a0_error_4 = r_a1 - r_a0_error_1,
+      r_a0_error = r_a0_error_3 + r_a0_error_4;
+  const double r_b3 = r_a2_error + r_a3_error;
+  const double r_b3_error_1 = r_b3 - r_a2_error, r_b3_error_2 = r_b3 - r_b3_error_1,
+      r_b3_error_3 = r_a2_error - r_b3_error_2, r_b3_error_4 = r_a3_error - r_b3_error_1,
+      r_b3_error = r_b3_error_3 + r_b3_error_4;
+  const double r_b2 = r_a1_error + r_b3;
+  const double r_b2_error_1 = r_b2 - r_a1_error, r_b2_error_2 = r_b2 - r_b2_error_1,
+      r_b2_error_3 = r_a1_error - r_b2_error_2, r_b2_error_4 = r_b3 - r_b2_error_1,
+      r_b2_error = r_b2_error_3 + r_b2_error_4;
+  const double r_b1 = r_a0_error + r_b2;
+  const double r_b1_error_1 = r_b1 - r_a0_error, r_b1_error_2 = r_b1 - r_b1_error_1,
+      r_b1_error_3 = r_a0_error - r_b1_error_2, r_b1_error_4 = r_b2 - r_b1_error_1,
+      r_b1_error = r_b1_error_3 + r_b1_error_4;
+  const double r_b0 = r_a0 + r_b1;
+  const double r_b0_error_1 = r_b0 - r_a0, r_b0_error_2 = r_b0 - r_b0_error_1,
+      r_b0_error_3 = r_a0 - r_b0_error_2, r_b0_error_4 = r_b1 - r_b0_error_1,
+      r_b0_error = r_b0_error_3 + r_b0_error_4;
+  const double r_low_1 = r_b2_error + r_b3_error, r_low_2 = r_b1_error + r_low_1,
+      r_low_value = r_b0_error + r_low_2;
+  *r = r_b0;
+  *r_low = r_low_value;
+  return quadrant_value;
+}
+
+#ifndef KSL_TWO_OVER_PI
+#define KSL_TWO_OVER_PI
+/* 2/pi is the sum of chunks of 26 bits.  Returns 2^768 times the one that is n after the first that
+   matters to x modulo 2 pi, |x| >= 4 or not finite; for 0 <= n <= 9. */
+static inline double ksl_two_over_pi(const double x, const int n) {
+  static const double chunks[49] = {
+    0.0, 1.552518092300709e+231, -5.641543713876639e+230, -6.396016207391955e+222,
+    1.1126113092409047e+215, -8.436669302237339e+206, 1.5807217683269026e+199,
+    4.880580955706536e+191, -7.185865841686167e+183, 1.63221799194198e+175, 1.4693593606398383e+168,
+    -3.715978157723569e+159, 3.7407297269622413e+152, -5.4349642156801825e+144,
+    -2.3240991502638365e+136, -7.402069681053744e+128, 4.056081919863044e+120,
+    -2.8984041972202763e+113, -2.825206553789984e+105, -2.3319926745997907e+96,
+    7.585087249414347e+89, -5.55745127382766e+81, -1.7591066618906454e+74, -1.2244638908582199e+66,
+    7.688706724690006e+57, -6.642335162327314e+50, 5.0486372198203834e+42, 2.2707088482197588e+34,
+    -6.272424989160333e+26, -1.614298573854212e+19, -570064896.0, 6159.934326171875,
+    -1.4213062968337908e-05, -1.7819479073734323e-12, 2.312672511709599e-20, 1.9128857412445226e-28,
+    -4.7275159220664295e-36, -7.857766278129624e-44, 1.0013967854884192e-51, -6.748739759997069e-60,
+    2.9382392389751967e-67, 3.275166641861633e-75, 2.9838823028238618e-83, 5.698810044393321e-91,
+    -7.348167503787565e-99, 1.224385720857395e-106, 2.1156250393735652e-115,
+    -2.378423370797896e-122, -4.1290598927684836e-130
+  };
+  uint64_t encoded;
+  memcpy(&encoded, &x, sizeof encoded);
+  const int biased = (int)(encoded >> 52 & 0x7ff);
+  return chunks[(biased - 1025) / 26 + n];
+}
+#endif
+
+/* Its reduction of any larger angle. */
+static KSL_COLD double ksl_sincos_error_far(const double x, double *r, double *r_low) {
+  const double scaled = KSL_MUL(x, 6.441148769597133e-232);
+  const double x_high_1 = KSL_MUL(scaled, 134217729.0), x_high_2 = x_high_1 - scaled,
+      x_high = x_high_1 - x_high_2;
+  const double x_low = scaled - x_high;
+  const double chunk0 = ksl_two_over_pi(x, 0);
+  const double chunk1 = ksl_two_over_pi(x, 1);
+  const double chunk2 = ksl_two_over_pi(x, 2);
+  const double chunk3 = ksl_two_over_pi(x, 3);
+  const double chunk4 = ksl_two_over_pi(x, 4);
+  const double chunk5 = ksl_two_over_pi(x, 5);
+  const double chunk6 = ksl_two_over_pi(x, 6);
+  const double chunk7 = ksl_two_over_pi(x, 7);
+  const double chunk8 = ksl_two_over_pi(x, 8);
+  const double chunk9 = ksl_two_over_pi(x, 9);
+  const double t0_1 = KSL_MUL(x_low, chunk0), t0_2 = KSL_MUL(x_high, chunk1), t0 = t0_1 + t0_2;
+  const double t1_1 = KSL_MUL(x_low, chunk1), t1_2 = KSL_MUL(x_high, chunk2), t1 = t1_1 + t1_2;
+  const double t2_1 = KSL_MUL(x_low, chunk2), t2_2 = KSL_MUL(x_high, chunk3), t2 = t2_1 + t2_2;
+  const double t3_1 = KSL_MUL(x_low, chunk3), t3_2 = KSL_MUL(x_high, chunk4), t3 = t3_1 + t3_2;
+  const double t4_1 = KSL_MUL(x_low, chunk4), t4_2 = KSL_MUL(x_high, chunk5), t4 = t4_1 + t4_2;
+  const double t5_1 = KSL_MUL(x_low, chunk5), t5_2 = KSL_MUL(x_high, chunk6), t5 = t5_1 + t5_2;
+  const double t6_1 = KSL_MUL(x_low, chunk6), t6_2 = KSL_MUL(x_high, chunk7), t6 = t6_1 + t6_2;
+  const double t7_1 = KSL_MUL(x_low, chunk7), t7_2 = KSL_MUL(x_high, chunk8), t7 = t7_1 + t7_2;
+  const double t8_1 = KSL_MUL(x_low, chunk8), t8_2 = KSL_MUL(x_high, chunk9), t8 = t8_1 + t8_2;
+  const double rest0_1 = t0 + 5.404319552844595e+16, rest0_2 = rest0_1 - 5.404319552844595e+16,
+      rest0 = t0 - rest0_2;
+  const double rest4_1 = rest0 + 2.7021597764222976e+16, rest4_2 = rest4_1 - 2.7021597764222976e+16,
+      rest4 = rest0 - rest4_2;
+  const double k1_1 = t1 + 6755399441055744.0, k1 = k1_1 - 6755399441055744.0;
+  const double sum2_1 = t1 - k1, sum2_2 = rest4 + sum2_1, sum2 = sum2_2 + t2;
+  const double sum2_error_1 = sum2 - sum2_2, sum2_error_2 = sum2 - sum2_error_1,
+      sum2_error_3 = sum2_2 - sum2_error_2, sum2_error_4 = t2 - sum2_error_1,
+      sum2_error = sum2_error_3 + sum2_error_4;
+  const double k2_1 = sum2 + 6755399441055744.0, k2 = k2_1 - 6755399441055744.0;
+  const double sum2_rest = sum2 - k2;
+  const double f_a6 = t7 + t8;
+  const double f_a6_error_1 = f_a6 - t7, f_a6_error_2 = f_a6 - f_a6_error_1,
+      f_a6_error_3 = t7 - f_a6_error_2, f_a6_error_4 = t8 - f_a6_error_1,
+      f_a6_error = f_a6_error_3 + f_a6_error_4;
+  const double f_a5 = t6 + f_a6;
+  const double f_a5_error_1 = f_a5 - t6, f_a5_error_2 = f_a5 - f_a5_error_1,
+      f_a5_error_3 = t6 - f_a5_error_2, f_a5_error_4 = f_a6 - f_a5_error_1,
+      f_a5_error = f_a5_error_3 + f_a5_error_4;
+  const double f_a4 = t5 + f_a5;
+  const double f_a4_error_1 = f_a4 - t5, f_a4_error_2 = f_a4 - f_a4_error_1,
+      f_a4_error_3 = t5 - f_a4_error_2, f_a4_error_4 = f_a5 - f_a4_error_1,
+      f_a4_error = f_a4_error_3 + f_a4_error_4;
+  const double f_a3 = t4 + f_a4;
+  const double f_a3_error_1 = f_a3 - t4, f_a3_error_2 = f_a3 - f_a3_error_1,
+      f_a3_error_3 = t4 - f_a3_error_2, f_a3_error_4 = f_a4 - f_a3_error_1,
+      f_a3_error = f_a3_error_3 + f_a3_error_4;
+  const double f_a2 = sum2_error + f_a3;
+  const double f_a2_error_1 = f_a2 - sum2_error, f_a2_error_2 = f_a2 - f_a2_error_1,
+      f_a2_error_3 = sum2_error - f_a2_error_2, f_a2_error_4 = f_a3 - f_a2_error_1,
+      f_a2_error = f_a2_error_3 + f_a2_error_4;
+  const double f_a1 = t3 + f_a2;
+  const double f_a1_error_1 = f_a1 - t3, f_a1_error_2 = f_a1 - f_a1_error_1,
+      f_a1_error_3 = t3 - f_a1_error_2, f_a1_error_4 = f_a2 - f_a1_error_1,
+      f_a1_error = f_a1_error_3 + f_a1_error_4;
+  const double f_a0 = sum2_rest + f_a1;
+  const double f_a0_error_1 = f_a0 - sum2_rest, f_a0_error_2 = f_a0 - f_a0_error_1,
+      f_a0_error_3 = sum2_rest - f_a0_error_2, f_a0_error_4 = f_a1 - f_a0_error_1,
+      f_a0_error = f_a0_error_3 + f_a0_error_4;
+  const double f_b6 = f_a5_error + f_a6_error;
+  const double f_b6_error_1 = f_b6 - f_a5_error, f_b6_error_2 = f_b6 - f_b6_error_1,
+      f_b6_error_3 = f_a5_error - f_b6_error_2, f_b6_error_4 = f_a6_error - f_b6_error_1,
+      f_b6_error = f_b6_error_3 + f_b6_error_4;
+  const double f_b5 = f_a4_error + f_b6;
+  const double f_b5_error_1 = f_b5 - f_a4_error, f_b5_error_2 = f_b5 - f_b5_error_1,
+      f_b5_error_3 = f_a4_error - f_b5_error_2, f_b5_error_4 = f_b6 - f_b5_error_1,
+      f_b5_error = f_b5_error_3 + f_b5_error_4;
+  const double f_b4 = f_a3_error + f_b5;
+  const double f_b4_error_1 = f_b4 - f_a3_error, f_b4_error_2 = f_b4 - f_b4_error_1,
+      f_b4_error_3 = f_a3_error - f_b4_error_2, f_b4_error_4 = f_b5 - f_b4_error_1,
+      f_b4_error = f_b4_error_3 + f_b4_error_4;
+  const double f_b3 = f_a2_error + f_b4;
+  const double f_b3_error_1 = f_b3 - f_a2_error, f_b3_error_2 = f_b3 - f_b3_error_1,
+      f_b3_error_3 = f_a2_error - f_b3_error_2, f_b3_error_4 = f_b4 - f_b3_error_1,
+      f_b3_error = f_b3_error_3 + f_b3_error_4;
+  const double f_b2 = f_a1_error + f_b3;
+  const double f_b2_error_1 = f_b2 - f_a1_error, f_b2_error_2 = f_b2 - f_b2_error_1,
+      f_b2_error_3 = f_a1_error - f_b2_error_2, f_b2_error_4 = f_b3 - f_b2_error_1,
+      f_b2_error = f_b2_error_3 + f_b2_error_4;
+  const double f_b1 = f_a0_error + f_b2;
+  const double f_b1_error_1 = f_b1 - f_a0_error, f_b1_error_2 = f_b1 - f_b1_error_1,
+      f_b1_error_3 = f_a0_error - f_b1_error_2, f_b1_error_4 = f_b2 - f_b1_error_1,
+      f_b1_error = f_b1_error_3 + f_b1_error_4;
+  const double f_b0 = f_a0 + f_b1;
+  const double f_b0_error_1 = f_b0 - f_a0, f_b0_error_2 = f_b0 - f_b0_error_1,
+      f_b0_error_3 = f_a0 - f_b0_error_2, f_b0_error_4 = f_b1 - f_b0_error_1,
+      f_b0_error = f_b0_error_3 + f_b0_error_4;
+  const double f_low_1 = f_b5_error + f_b6_error, f_low_2 = f_b4_error + f_low_1,
+      f_low_3 = f_b3_error + f_low_2, f_low_4 = f_b2_error + f_low_3,
+      f_low_5 = f_b1_error + f_low_4, f_low = f_b0_error + f_low_5;
+  const double angle = KSL_MUL(f_b0, 1.5707963267948966);
+  const double angle_error = ksl_product_error(f_b0, 1.5707963267948966, angle);
+  const double angle_low_1 = KSL_MUL(f_b0, 6.123233995736766e-17),
+      angle_low_2 = KSL_MUL(f_low, 1.5707963267948966), angle_low_3 = angle_low_1 + angle_low_2,
+      angle_low = angle_error + angle_low_3;
+  const double r_value = angle + angle_low;
+  const double r_low_1 = r_value - angle, r_low_value = angle_low - r_low_1;
+  const double quadrant_value = k1 + k2;
+  *r = r_value;
+  *r_low = r_low_value;
+  return quadrant_value;
+}
+
+/* (s_error, c_error) = (sin x - s, cos x - c), (s, c) as sincos has them.
+   x = k pi/2 + r, r as a pair; Taylor polynomials of degrees 29 and 28 in pairs; s + s_error and
+     c + c_error are within 2^-100.9 of sin x and cos x, relative to these (proved), for every
+     finite x.
+   79 mul, 155 add, 21 product error, 2 abs, 1 less, 1 select. */
+static inline double ksl_sincos_error(const double x, const double s, const double c,
+    double *c_error) {
+  double r, r_low,
+      quadrant = ksl_sincos_error_near(x, &r, &r_low);
+  if (fabs(x) > 6588396.0) {
+    double far_r, far_r_low;
+    quadrant = ksl_sincos_error_far(x, &far_r, &far_r_low);
+    r = far_r;
+    r_low = far_r_low;
+  }
+  const double angle_1 = fabs(r), angle = angle_1 < 5.551115123125783e-17 ? 0.0 : r;
+  const double z = KSL_MUL(angle, angle);
+  const double z_error = ksl_product_error(angle, angle, z);
+  const double z_low_1 = KSL_MUL(angle, r_low), z_low_2 = KSL_MUL(r_low, angle),
+      z_low_3 = z_low_1 + z_low_2, z_low = z_error + z_low_3;
+  const double sin13_1 = KSL_MUL(z, 1.1309962886447716e-31),
+      sin13 = -9.183689863795546e-29 + sin13_1;
+  const double sin12_1 = KSL_MUL(z, sin13), sin12 = 6.446950284384474e-26 + sin12_1;
+  const double sin11_1 = KSL_MUL(z, sin12), sin11 = -3.868170170630684e-23 + sin11_1;
+  const double sin10_1 = KSL_MUL(z, sin11), sin10 = 1.9572941063391263e-20 + sin10_1;
+  const double sin9_1 = KSL_MUL(z, sin10), sin9 = -8.22063524662433e-18 + sin9_1;
+  const double sin8_z = KSL_MUL(z, sin9);
+  const double sin8_z_error = ksl_product_error(z, sin9, sin8_z);
+  const double sin8_z_low_1 = KSL_MUL(z_low, sin9), sin8_z_low = sin8_z_error + sin8_z_low_1;
+  const double sin8 = 2.8114572543455206e-15 + sin8_z;
+  const double sin8_error_1 = sin8 - 2.8114572543455206e-15, sin8_error = sin8_z - sin8_error_1;
+  const double sin8_low_1 = sin8_z_low + 1.6508842730861433e-31, sin8_low = sin8_error + sin8_low_1;
+  const double sin7_z = KSL_MUL(z, sin8);
+  const double sin7_z_error = ksl_product_error(z, sin8, sin7_z);
+  const double sin7_z_low_1 = KSL_MUL(z, sin8_low), sin7_z_low_2 = KSL_MUL(z_low, sin8),
+      sin7_z_low_3 = sin7_z_low_1 + sin7_z_low_2, sin7_z_low = sin7_z_error + sin7_z_low_3;
+  const double sin7 = -7.647163731819816e-13 + sin7_z;
+  const double sin7_error_1 = sin7 - -7.647163731819816e-13, sin7_error = sin7_z - sin7_error_1;
+  const double sin7_low_1 = sin7_z_low + -7.03872877733453e-30, sin7_low = sin7_error + sin7_low_1;
+  const double sin6_z = KSL_MUL(z, sin7);
+  const double sin6_z_error = ksl_product_error(z, sin7, sin6_z);
+  const double sin6_z_low_1 = KSL_MUL(z, sin7_low), sin6_z_low_2 = KSL_MUL(z_low, sin7),
+      sin6_z_low_3 = sin6_z_low_1 + sin6_z_low_2, sin6_z_low = sin6_z_error + sin6_z_low_3;
+  const double sin6 = 1.6059043836821613e-10 + sin6_z;
+  const double sin6_error_1 = sin6 - 1.6059043836821613e-10, sin6_error = sin6_z - sin6_error_1;
+  const double sin6_low_1 = sin6_z_low + 1.2585294588752098e-26, sin6_low = sin6_error + sin6_low_1;
+  const double sin5_z = KSL_MUL(z, sin6);
+  const double sin5_z_error = ksl_product_error(z, sin6, sin5_z);
+  const double sin5_z_low_1 = KSL_MUL(z, sin6_low), sin5_z_low_2 = KSL_MUL(z_low, sin6),
+      sin5_z_low_3 = sin5_z_low_1 + sin5_z_low_2, sin5_z_low = sin5_z_error + sin5_z_low_3;
+  const double sin5 = -2.505210838544172e-08 + sin5_z;
+  const double sin5_error_1 = sin5 - -2.505210838544172e-08, sin5_error = sin5_z - sin5_error_1;
+  const double sin5_low_1 = sin5_z_low + 1.448814070935912e-24, sin5_low = sin5_error + sin5_low_1;
+  const double sin4_z = KSL_MUL(z, sin5);
+  const double sin4_z_error = ksl_product_error(z, sin5, sin4_z);
+  const double sin4_z_low_1 = KSL_MUL(z, sin5_low), sin4_z_low_2 = KSL_MUL(z_low, sin5),
+      sin4_z_low_3 = sin4_z_low_1 + sin4_z_low_2, sin4_z_low = sin4_z_error + sin4_z_low_3;
+  const double sin4 = 2.7557319223985893e-06 + sin4_z;
+  const double sin4_error_1 = sin4 - 2.7557319223985893e-06, sin4_error = sin4_z - sin4_error_1;
+  const double sin4_low_1 = sin4_z_low + -1.858393274046472e-22, sin4_low = sin4_error + sin4_low_1;
+  const double sin3_z = KSL_MUL(z, sin4);
+  const double sin3_z_error = ksl_product_error(z, sin4, sin3_z);
+  const double sin3_z_low_1 = KSL_MUL(z, sin4_low), sin3_z_low_2 = KSL_MUL(z_low, sin4),
+      sin3_z_low_3 = sin3_z_low_1 + sin3_z_low_2, sin3_z_low = sin3_z_error + sin3_z_low_3;
+  const double sin3 = -0.0001984126984126984 + sin3_z;
+  const double sin3_error_1 = sin3 - -0.0001984126984126984, sin3_error = sin3_z - sin3_error_1;
+  const double sin3_low_1 = sin3_z_low + -1.7209558293420705e-22,
+      sin3_low = sin3_error + sin3_low_1;
+  const double sin2_z = KSL_MUL(z, sin3);
+  const double sin2_z_error = ksl_product_error(z, sin3, sin2_z);
+  const double sin2_z_low_1 = KSL_MUL(z, sin3_low), sin2_z_low_2 = KSL_MUL(z_low, sin3),
+      sin2_z_low_3 = sin2_z_low_1 + sin2_z_low_2, sin2_z_low = sin2_z_error + sin2_z_low_3;
+  const double sin2 = 0.008333333333333333 + sin2_z;
+  const double sin2_error_1 = sin2 - 0.008333333333333333, sin2_error = sin2_z - sin2_error_1;
+  const double sin2_low_1 = sin2_z_low + 1.1564823173178714e-19, sin2_low = sin2_error + sin2_low_1;
+  const double sin1_z = KSL_MUL(z, sin2);
+  const double sin1_z_error = ksl_product_error(z, sin2, sin1_z);
+  const double sin1_z_low_1 = KSL_MUL(z, sin2_low), sin1_z_low_2 = KSL_MUL(z_low, sin2),
+      sin1_z_low_3 = sin1_z_low_1 + sin1_z_low_2, sin1_z_low = sin1_z_error + sin1_z_low_3;
+  const double sin1 = -0.16666666666666666 + sin1_z;
+  const double sin1_error_1 = sin1 - -0.16666666666666666, sin1_error = sin1_z - sin1_error_1;
+  const double sin1_low_1 = sin1_z_low + -9.25185853854297e-18, sin1_low = sin1_error + sin1_low_1;
+  const double sin_sum = KSL_MUL(z, sin1);
+  const double sin_sum_error = ksl_product_error(z, sin1, sin_sum);
+  const double sin_sum_low_1 = KSL_MUL(z, sin1_low), sin_sum_low_2 = KSL_MUL(z_low, sin1),
+      sin_sum_low_3 = sin_sum_low_1 + sin_sum_low_2, sin_sum_low = sin_sum_error + sin_sum_low_3;
+  const double sin_r_more = KSL_MUL(r, sin_sum);
+  const double sin_r_more_error = ksl_product_error(r, sin_sum, sin_r_more);
+  const double sin_r_more_low_1 = KSL_MUL(r, sin_sum_low),
+      sin_r_more_low_2 = KSL_MUL(r_low, sin_sum),
+      sin_r_more_low_3 = sin_r_more_low_1 + sin_r_more_low_2,
+      sin_r_more_low = sin_r_more_error + sin_r_more_low_3;
+  const double sin_r = r + sin_r_more;
+  const double sin_r_error_1 = sin_r - r, sin_r_error = sin_r_more - sin_r_error_1;
+  const double sin_r_low_1 = sin_r_more_low + r_low, sin_r_low = sin_r_error + sin_r_low_1;
+  const double cos13_1 = KSL_MUL(z, 3.279889237069838e-30),
+      cos13 = -2.4795962632247976e-27 + cos13_1;
+  const double cos12_1 = KSL_MUL(z, cos13), cos12 = 1.6117375710961184e-24 + cos12_1;
+  const double cos11_1 = KSL_MUL(z, cos12), cos11 = -8.896791392450574e-22 + cos11_1;
+  const double cos10_1 = KSL_MUL(z, cos11), cos10 = 4.110317623312165e-19 + cos10_1;
+  const double cos9_z = KSL_MUL(z, cos10);
+  const double cos9_z_error = ksl_product_error(z, cos10, cos9_z);
+  const double cos9_z_low_1 = KSL_MUL(z_low, cos10), cos9_z_low = cos9_z_error + cos9_z_low_1;
+  const double cos9 = -1.5619206968586225e-16 + cos9_z;
+  const double cos9_error_1 = cos9 - -1.5619206968586225e-16, cos9_error = cos9_z - cos9_error_1;
+  const double cos9_low_1 = cos9_z_low + -1.1910679660273754e-32,
+      cos9_low = cos9_error + cos9_low_1;
+  const double cos8_z = KSL_MUL(z, cos9);
+  const double cos8_z_error = ksl_product_error(z, cos9, cos8_z);
+  const double cos8_z_low_1 = KSL_MUL(z, cos9_low), cos8_z_low_2 = KSL_MUL(z_low, cos9),
+      cos8_z_low_3 = cos8_z_low_1 + cos8_z_low_2, cos8_z_low = cos8_z_error + cos8_z_low_3;
+  const double cos8 = 4.779477332387385e-14 + cos8_z;
+  const double cos8_error_1 = cos8 - 4.779477332387385e-14, cos8_error = cos8_z - cos8_error_1;
+  const double cos8_low_1 = cos8_z_low + 4.399205485834081e-31, cos8_low = cos8_error + cos8_low_1;
+  const double cos7_z = KSL_MUL(z, cos8);
+  const double cos7_z_error = ksl_product_error(z, cos8, cos7_z);
+  const double cos7_z_low_1 = KSL_MUL(z, cos8_low), cos7_z_low_2 = KSL_MUL(z_low, cos8),
+      cos7_z_low_3 = cos7_z_low_1 + cos7_z_low_2, cos7_z_low = cos7_z_error + cos7_z_low_3;
+  const double cos7 = -1.1470745597729725e-11 + cos7_z;
+  const double cos7_error_1 = cos7 - -1.1470745597729725e-11, cos7_error = cos7_z - cos7_error_1;
+  const double cos7_low_1 = cos7_z_low + -2.0655512752830745e-28,
+      cos7_low = cos7_error + cos7_low_1;
+  const double cos6_z = KSL_MUL(z, cos7);
+  const double cos6_z_error = ksl_product_error(z, cos7, cos6_z);
+  const double cos6_z_low_1 = KSL_MUL(z, cos7_low), cos6_z_low_2 = KSL_MUL(z_low, cos7),
+      cos6_z_low_3 = cos6_z_low_1 + cos6_z_low_2, cos6_z_low = cos6_z_error + cos6_z_low_3;
+  const double cos6 = 2.08767569878681e-09 + cos6_z;
+  const double cos6_error_1 = cos6 - 2.08767569878681e-09, cos6_error = cos6_z - cos6_error_1;
+  const double cos6_low_1 = cos6_z_low + -1.20734505911326e-25, cos6_low = cos6_error + cos6_low_1;
+  const double cos5_z = KSL_MUL(z, cos6);
+  const double cos5_z_error = ksl_product_error(z, cos6, cos5_z);
+  const double cos5_z_low_1 = KSL_MUL(z, cos6_low), cos5_z_low_2 = KSL_MUL(z_low, cos6),
+      cos5_z_low_3 = cos5_z_low_1 + cos5_z_low_2, cos5_z_low = cos5_z_error + cos5_z_low_3;
+  const double cos5 = -2.755731922398589e-07 + cos5_z;
+  const double cos5_error_1 = cos5 - -2.755731922398589e-07, cos5_error = cos5_z - cos5_error_1;
+  const double cos5_low_1 = cos5_z_low + -2.3767714622250297e-23,
+      cos5_low = cos5_error + cos5_low_1;
+  const double cos4_z = KSL_MUL(z, cos5);
+  const double cos4_z_error = ksl_product_error(z, cos5, cos4_z);
+  const double cos4_z_low_1 = KSL_MUL(z, cos5_low), cos4_z_low_2 = KSL_MUL(z_low, cos5),
+      cos4_z_low_3 = cos4_z_low_1 + cos4_z_low_2, cos4_z_low = cos4_z_error + cos4_z_low_3;
+  const double cos4 = 2.48015873015873e-05 + cos4_z;
+  const double cos4_error_1 = cos4 - 2.48015873015873e-05, cos4_error = cos4_z - cos4_error_1;
+  const double cos4_low_1 = cos4_z_low + 2.1511947866775882e-23, cos4_low = cos4_error + cos4_low_1;
+  const double cos3_z = KSL_MUL(z, cos4);
+  const double cos3_z_error = ksl_product_error(z, cos4, cos3_z);
+  const double cos3_z_low_1 = KSL_MUL(z, cos4_low), cos3_z_low_2 = KSL_MUL(z_low, cos4),
+      cos3_z_low_3 = cos3_z_low_1 + cos3_z_low_2, cos3_z_low = cos3_z_error + cos3_z_low_3;
+  const double cos3 = -0.001388888888888889 + cos3_z;
+  const double cos3_error_1 = cos3 - -0.001388888888888889, cos3_error = cos3_z - cos3_error_1;
+  const double cos3_low_1 = cos3_z_low + 5.300543954373577e-20, cos3_low = cos3_error + cos3_low_1;
+  const double cos2_z = KSL_MUL(z, cos3);
+  const double cos2_z_error = ksl_product_error(z, cos3, cos2_z);
+  const double cos2_z_low_1 = KSL_MUL(z, cos3_low), cos2_z_low_2 = KSL_MUL(z_low, cos3),
+      cos2_z_low_3 = cos2_z_low_1 + cos2_z_low_2, cos2_z_low = cos2_z_error + cos2_z_low_3;
+  const double cos2 = 0.041666666666666664 + cos2_z;
+  const double cos2_error_1 = cos2 - 0.041666666666666664, cos2_error = cos2_z - cos2_error_1;
+  const double cos2_low_1 = cos2_z_low + 2.3129646346357427e-18, cos2_low = cos2_error + cos2_low_1;
+  const double cos1_z = KSL_MUL(z, cos2);
+  const double cos1_z_error = ksl_product_error(z, cos2, cos1_z);
+  const double cos1_z_low_1 = KSL_MUL(z, cos2_low), cos1_z_low_2 = KSL_MUL(z_low, cos2),
+      cos1_z_low_3 = cos1_z_low_1 + cos1_z_low_2, cos1_z_low = cos1_z_error + cos1_z_low_3;
+  const double cos1 = -0.5 + cos1_z;
+  const double cos1_error_1 = cos1 - -0.5, cos1_error = cos1_z - cos1_error_1;
+  const double cos1_low = cos1_error + cos1_z_low;
+  const double cos_sum = KSL_MUL(z, cos1);
+  const double cos_sum_error = ksl_product_error(z, cos1, cos_sum);
+  const double cos_sum_low_1 = KSL_MUL(z, cos1_low), cos_sum_low_2 = KSL_MUL(z_low, cos1),
+      cos_sum_low_3 = cos_sum_low_1 + cos_sum_low_2, cos_sum_low = cos_sum_error + cos_sum_low_3;
+  const double cos_r = 1.0 + cos_sum;
+  const double cos_r_error_1 = cos_r - 1.0, cos_r_error = cos_sum - cos_r_error_1;
+  const double cos_r_low = cos_r_error + cos_sum_low;
+  const double q_1 = quadrant + 2.7021597764222976e+16, q_2 = q_1 - 2.7021597764222976e+16,
+      q = q_2 - quadrant;
+  const double cos_k_1 = fabs(q), cos_k = 1.0 - cos_k_1;
+  const double minus_sin_k_1 = 1.0 + cos_k, minus_sin_k = KSL_MUL(q, minus_sin_k_1);
+  const double sin_x_1 = KSL_MUL(sin_r, cos_k), sin_x_2 = KSL_MUL(cos_r, minus_sin_k),
+      sin_x = sin_x_1 - sin_x_2;
+  const double sin_x_low_1 = KSL_MUL(sin_r_low, cos_k),
+      sin_x_low_2 = KSL_MUL(cos_r_low, minus_sin_k), sin_x_low = sin_x_low_1 - sin_x_low_2;
+  const double cos_x_1 = KSL_MUL(cos_r, cos_k), cos_x_2 = KSL_MUL(sin_r, minus_sin_k),
+      cos_x = cos_x_1 + cos_x_2;
+  const double cos_x_low_1 = KSL_MUL(cos_r_low, cos_k),
+      cos_x_low_2 = KSL_MUL(sin_r_low, minus_sin_k), cos_x_low = cos_x_low_1 + cos_x_low_2;
+  const double s_error_1 = sin_x - s, s_error_value = s_error_1 + sin_x_low;
+  const double c_error_1 = cos_x - c, c_error_value = c_error_1 + cos_x_low;
+  *c_error = c_error_value;
+  return s_error_value;
+}
+
+/* sin x - s, as ksl_sincos_error. */
+static inline double ksl_sin_error(const double x, const double s) {
+  double c_error;
+  return ksl_sincos_error(x, s, s, &c_error);
+}
+
+/* cos x - c, as ksl_sincos_error. */
+static inline double ksl_cos_error(const double x, const double c) {
+  double c_error;
+  (void)ksl_sincos_error(x, c, c, &c_error);
+  return c_error;
+}
+
+#endif
+
+#ifndef KSL_SINCOS_ERRORF
+#define KSL_SINCOS_ERRORF
+/* Its reduction of angles up to 1607.0f. */
+static inline float ksl_sincos_error_nearf(const float x, float *r, float *r_low) {
+  const float quadrant_1 = KSL_MULF(x, 0.63661975f), quadrant_2 = quadrant_1 + 1.2582912e+07f,
+      quadrant_value = quadrant_2 - 1.2582912e+07f;
+  const float high_1 = KSL_MULF(quadrant_value, 1.5706787f), high_2 = x - high_1,
+      high_3 = KSL_MULF(quadrant_value, 0.000117599964f), high = high_2 - high_3;
+  const float part3 = KSL_MULF(quadrant_value, -1.589251e-08f);
+  const float part4 = KSL_MULF(quadrant_value, -7.44349e-13f);
+  const float part5 = KSL_MULF(quadrant_value, -5.7208605e-18f);
+  const float part6 = KSL_MULF(quadrant_value, -3.2820037e-22f);
+  const float r_a3 = part5 + part6;
+  const float r_a3_error_1 = r_a3 - part5, r_a3_error_2 = r_a3 - r_a3_error_1,
+      r_a3_error_3 = part5 - r_a3_error_2, r_a3_error_4 = part6 - r_a3_error_1,
+      r_a3_error = r_a3_error_3 + r_a3_error_4;
+  const float r_a2 = part4 + r_a3;
+  const float r_a2_error_1 = r_a2 - part4, r_a2_error_2 = r_a2 - r_a2_error_1,
+      r_a2_error_3 = part4 - r_a2_error_2, r_a2_error_4 = r_a3 - r_a2_error_1,
+      r_a2_error = r_a2_error_3 + r_a2_error_4;
+  const float r_a1 = part3 + r_a2;
+  const float r_a1_error_1 = r_a1 - part3, r_a1_error_2 = r_a1 - r_a1_error_1,
+      r_a1_error_3 = part3 - r_a1_error_2, r_a1_error_4 = r_a2 - r_a1_error_1,
+      r_a1_error = r_a1_error_3 + r_a1_error_4;
+  const float r_a0 = high + r_a1;
+  const float r_a0_error_1 = r_a0 - high, r_a0_error_2 = r_a0 - r_a0_error_1,
+      r_a0_error_3 = high - r_a0_error_2, r_a0_error_4 = r_a1 - r_a0_error_1,
+      r_a0_error = r_a0_error_3 + r_a0_error_4;
+  const float r_b3 = r_a2_error + r_a3_error;
+  const float r_b3_error_1 = r_b3 - r_a2_error, r_b3_error_2 = r_b3 - r_b3_error_1,
+      r_b3_error_3 = r_a2_error - r_b3_error_2, r_b3_error_4 = r_a3_error - r_b3_error_1,
+      r_b3_error = r_b3_error_3 + r_b3_error_4;
+  const float r_b2 = r_a1_error + r_b3;
+  const float r_b2_error_1 = r_b2 - r_a1_error, r_b2_error_2 = r_b2 - r_b2_error_1,
+      r_b2_error_3 = r_a1_error - r_b2_error_2, r_b2_error_4 = r_b3 - r_b2_error_1,
+      r_b2_error = r_b2_error_3 + r_b2_error_4;
+  const float r_b1 = r_a0_error + r_b2;
+  const float r_b1_error_1 = r_b1 - r_a0_error, r_b1_error_2 = r_b1 - r_b1_error_1,
+      r_b1_error_3 = r_a0_error - r_b1_error_2, r_b1_error_4 = r_b2 - r_b1_error_1,
+      r_b1_error = r_b1_error_3 + r_b1_error_4;
+  const float r_b0 = r_a0 + r_b1;
+  const float r_b0_error_1 = r_b0 - r_a0, r_b0_error_2 = r_b0 - r_b0_error_1,
+      r_b0_error_3 = r_a0 - r_b0_error_2, r_b0_error_4 = r_b1 - r_b0_error_1,
+      r_b0_error = r_b0_error_3 + r_b0_error_4;
+  const float r_low_1 = r_b2_error + r_b3_error, r_low_2 = r_b1_error + r_low_1,
+      r_low_value = r_b0_error + r_low_2;
+  *r = r_b0;
+  *r_low = r_low_value;
+  return quadrant_value;
+}
+
+#ifndef KSL_TWO_OVER_PIF
+#define KSL_TWO_OVER_PIF
+/* 2/pi is the sum of chunks of 12 bits.  Returns 2^96 times the one that is n after the first that
+   matters to x modulo 2 pi, |x| >= 2 or not finite; for 0 <= n <= 9. */
+static inline float ksl_two_over_pif(const float x, const int n) {
+  static const float chunks[20] = {
+    0.0f, 7.9228163e+28f, -2.8782106e+28f, -7.843851e+24f, 2.0349065e+21f, -1.2497489e+17f,
+    2.3295903e+13f, -2.5836913e+10f, 2.576384e+06f, 2002.0f, -0.042236328f, 7.426739e-05f,
+    -1.4697434e-08f, -4.195755e-12f, -1.4762497e-15f, -3.6676527e-19f, 5.588639e-23f, 8.330371e-28f,
+    -8.3200174e-32f, 2.6782463e-34f
+  };
+  uint32_t encoded;
+  memcpy(&encoded, &x, sizeof encoded);
+  const int biased = (int)(encoded >> 23 & 0xff);
+  return chunks[(biased - 128) / 12 + n];
+}
+#endif
+
+/* Its reduction of any larger angle. */
+static KSL_COLD float ksl_sincos_error_farf(const float x, float *r, float *r_low) {
+  const float scaled = KSL_MULF(x, 1.2621775e-29f);
+  const float x_high_1 = KSL_MULF(scaled, 4097.0f), x_high_2 = x_high_1 - scaled,
+      x_high = x_high_1 - x_high_2;
+  const float x_low = scaled - x_high;
+  const float chunk0 = ksl_two_over_pif(x, 0);
+  const float chunk1 = ksl_two_over_pif(x, 1);
+  const float chunk2 = ksl_two_over_pif(x, 2);
+  const float chunk3 = ksl_two_over_pif(x, 3);
+  const float chunk4 = ksl_two_over_pif(x, 4);
+  const float chunk5 = ksl_two_over_pif(x, 5);
+  const float chunk6 = ksl_two_over_pif(x, 6);
+  const float chunk7 = ksl_two_over_pif(x, 7);
+  const float chunk8 = ksl_two_over_pif(x, 8);
+  const float chunk9 = ksl_two_over_pif(x, 9);
+  const float t0_1 = KSL_MULF(x_low, chunk0), t0_2 = KSL_MULF(x_high, chunk1), t0 = t0_1 + t0_2;
+  const float t1_1 = KSL_MULF(x_low, chunk1), t1_2 = KSL_MULF(x_high, chunk2), t1 = t1_1 + t1_2;
+  const float t2_1 = KSL_MULF(x_low, chunk2), t2_2 = KSL_MULF(x_high, chunk3), t2 = t2_1 + t2_2;
+  const float t3_1 = KSL_MULF(x_low, chunk3), t3_2 = KSL_MULF(x_high, chunk4), t3 = t3_1 + t3_2;
+  const float t4_1 = KSL_MULF(x_low, chunk4), t4_2 = KSL_MULF(x_high, chunk5), t4 = t4_1 + t4_2;
+  const float t5_1 = KSL_MULF(x_low, chunk5), t5_2 = KSL_MULF(x_high, chunk6), t5 = t5_1 + t5_2;
+  const float t6_1 = KSL_MULF(x_low, chunk6), t6_2 = KSL_MULF(x_high, chunk7), t6 = t6_1 + t6_2;
+  const float t7_1 = KSL_MULF(x_low, chunk7), t7_2 = KSL_MULF(x_high, chunk8), t7 = t7_1 + t7_2;
+  const float t8_1 = KSL_MULF(x_low, chunk8), t8_2 = KSL_MULF(x_high, chunk9), t8 = t8_1 + t8_2;
+  const float rest0_1 = t0 + 1.006633e+08f, rest0_2 = rest0_1 - 1.006633e+08f, rest0 = t0 - rest0_2;
+  const float rest4_1 = rest0 + 5.033165e+07f, rest4_2 = rest4_1 - 5.033165e+07f,
+      rest4 = rest0 - rest4_2;
+  const float k1_1 = t1 + 1.2582912e+07f, k1 = k1_1 - 1.2582912e+07f;
+  const float sum2_1 = t1 - k1, sum2_2 = rest4 + sum2_1, sum2 = sum2_2 + t2;
+  const float sum2_error_1 = sum2 - sum2_2, sum2_error_2 = sum2 - sum2_error_1,
+      sum2_error_3 = sum2_2 - sum2_error_2, sum2_error_4 = t2 - sum2_error_1,
+      sum2_error = sum2_error_3 + sum2_error_4;
+  const float k2_1 = sum2 + 1.2582912e+07f, k2 = k2_1 - 1.2582912e+07f;
+  const float sum2_rest = sum2 - k2;
+  const float f_a6 = t7 + t8;
+  const float f_a6_error_1 = f_a6 - t7, f_a6_error_2 = f_a6 - f_a6_error_1,
+      f_a6_error_3 = t7 - f_a6_error_2, f_a6_error_4 = t8 - f_a6_error_1,
+      f_a6_error = f_a6_error_3 + f_a6_error_4;
+  const float f_a5 = t6 + f_a6;
+  const float f_a5_error_1 = f_a5 - t6, f_a5_error_2 = f_a5 - f_a5_error_1,
+      f_a5_error_3 = t6 - f_a5_error_2, f_a5_error_4 = f_a6 - f_a5_error_1,
+      f_a5_error = f_a5_error_3 + f_a5_error_4;
+  const float f_a4 = t5 + f_a5;
+  const float f_a4_error_1 = f_a4 - t5, f_a4_error_2 = f_a4 - f_a4_error_1,
+      f_a4_error_3 = t5 - f_a4_error_2, f_a4_error_4 = f_a5 - f_a4_error_1,
+      f_a4_error = f_a4_error_3 + f_a4_error_4;
+  const float f_a3 = t4 + f_a4;
+  const float f_a3_error_1 = f_a3 - t4, f_a3_error_2 = f_a3 - f_a3_error_1,
+      f_a3_error_3 = t4 - f_a3_error_2, f_a3_error_4 = f_a4 - f_a3_error_1,
+      f_a3_error = f_a3_error_3 + f_a3_error_4;
+  const float f_a2 = sum2_error + f_a3;
+  const float f_a2_error_1 = f_a2 - sum2_error, f_a2_error_2 = f_a2 - f_a2_error_1,
+      f_a2_error_3 = sum2_error - f_a2_error_2, f_a2_error_4 = f_a3 - f_a2_error_1,
+      f_a2_error = f_a2_error_3 + f_a2_error_4;
+  const float f_a1 = t3 + f_a2;
+  const float f_a1_error_1 = f_a1 - t3, f_a1_error_2 = f_a1 - f_a1_error_1,
+      f_a1_error_3 = t3 - f_a1_error_2, f_a1_error_4 = f_a2 - f_a1_error_1,
+      f_a1_error = f_a1_error_3 + f_a1_error_4;
+  const float f_a0 = sum2_rest + f_a1;
+  const float f_a0_error_1 = f_a0 - sum2_rest, f_a0_error_2 = f_a0 - f_a0_error_1,
+      f_a0_error_3 = sum2_rest - f_a0_error_2, f_a0_error_4 = f_a1 - f_a0_error_1,
+      f_a0_error = f_a0_error_3 + f_a0_error_4;
+  const float f_b6 = f_a5_error + f_a6_error;
+  const float f_b6_error_1 = f_b6 - f_a5_error, f_b6_error_2 = f_b6 - f_b6_error_1,
+      f_b6_error_3 = f_a5_error - f_b6_error_2, f_b6_error_4 = f_a6_error - f_b6_error_1,
+      f_b6_error = f_b6_error_3 + f_b6_error_4;
+  const float f_b5 = f_a4_error + f_b6;
+  const float f_b5_error_1 = f_b5 - f_a4_error, f_b5_error_2 = f_b5 - f_b5_error_1,
+      f_b5_error_3 = f_a4_error - f_b5_error_2, f_b5_error_4 = f_b6 - f_b5_error_1,
+      f_b5_error = f_b5_error_3 + f_b5_error_4;
+  const float f_b4 = f_a3_error + f_b5;
+  const float f_b4_error_1 = f_b4 - f_a3_error, f_b4_error_2 = f_b4 - f_b4_error_1,
+      f_b4_error_3 = f_a3_error - f_b4_error_2, f_b4_error_4 = f_b5 - f_b4_error_1,
+      f_b4_error = f_b4_error_3 + f_b4_error_4;
+  const float f_b3 = f_a2_error + f_b4;
+  const float f_b3_error_1 = f_b3 - f_a2_error, f_b3_error_2 = f_b3 - f_b3_error_1,
+      f_b3_error_3 = f_a2_error - f_b3_error_2, f_b3_error_4 = f_b4 - f_b3_error_1,
+      f_b3_error = f_b3_error_3 + f_b3_error_4;
+  const float f_b2 = f_a1_error + f_b3;
+  const float f_b2_error_1 = f_b2 - f_a1_error, f_b2_error_2 = f_b2 - f_b2_error_1,
+      f_b2_error_3 = f_a1_error - f_b2_error_2, f_b2_error_4 = f_b3 - f_b2_error_1,
+      f_b2_error = f_b2_error_3 + f_b2_error_4;
+  const float f_b1 = f_a0_error + f_b2;
+  const float f_b1_error_1 = f_b1 - f_a0_error, f_b1_error_2 = f_b1 - f_b1_error_1,
+      f_b1_error_3 = f_a0_error - f_b1_error_2, f_b1_error_4 = f_b2 - f_b1_error_1,
+      f_b1_error = f_b1_error_3 + f_b1_error_4;
+  const float f_b0 = f_a0 + f_b1;
+  const float f_b0_error_1 = f_b0 - f_a0, f_b0_error_2 = f_b0 - f_b0_error_1,
+      f_b0_error_3 = f_a0 - f_b0_error_2, f_b0_error_4 = f_b1 - f_b0_error_1,
+      f_b0_error = f_b0_error_3 + f_b0_error_4;
+  const float f_low_1 = f_b5_error + f_b6_error, f_low_2 = f_b4_error + f_low_1,
+      f_low_3 = f_b3_error + f_low_2, f_low_4 = f_b2_error + f_low_3,
+      f_low_5 = f_b1_error + f_low_4, f_low = f_b0_error + f_low_5;
+  const float angle = KSL_MULF(f_b0, 1.5707964f);
+  const float angle_error = ksl_product_errorf(f_b0, 1.5707964f, angle);
+  const float angle_low_1 = KSL_MULF(f_b0, -4.371139e-08f),
+      angle_low_2 = KSL_MULF(f_low, 1.5707964f), angle_low_3 = angle_low_1 + angle_low_2,
+      angle_low = angle_error + angle_low_3;
+  const float r_value = angle + angle_low;
+  const float r_low_1 = r_value - angle, r_low_value = angle_low - r_low_1;
+  const float quadrant_value = k1 + k2;
+  *r = r_value;
+  *r_low = r_low_value;
+  return quadrant_value;
+}
+
+/* (s_error, c_error) = (sin x - s, cos x - c), (s, c) as sincos has them.
+   x = k pi/2 + r, r as a pair; Taylor polynomials of degrees 17 and 16 in pairs; s + s_error and
+     c + c_error are within 2^-42.9 of sin x and cos x, relative to these (proved), for every
+     finite x.
+   53 mul, 101 add, 14 product error, 2 abs, 1 less, 1 select. */
+static inline float ksl_sincos_errorf(const float x, const float s, const float c, float *c_error) {
+  float r, r_low,
+      quadrant = ksl_sincos_error_nearf(x, &r, &r_low);
+  if (fabsf(x) > 1607.0f) {
+    float far_r, far_r_low;
+    quadrant = ksl_sincos_error_farf(x, &far_r, &far_r_low);
+    r = far_r;
+    r_low = far_r_low;
+  }
+  const float angle_1 = fabsf(r), angle = angle_1 < 2.9802322e-08f ? 0.0f : r;
+  const float z = KSL_MULF(angle, angle);
+  const float z_error = ksl_product_errorf(angle, angle, z);
+  const float z_low_1 = KSL_MULF(angle, r_low), z_low_2 = KSL_MULF(r_low, angle),
+      z_low_3 = z_low_1 + z_low_2, z_low = z_error + z_low_3;
+  const float sin7_1 = KSL_MULF(z, 2.8114574e-15f), sin7 = -7.6471636e-13f + sin7_1;
+  const float sin6_1 = KSL_MULF(z, sin7), sin6 = 1.6059044e-10f + sin6_1;
+  const float sin5_z = KSL_MULF(z, sin6);
+  const float sin5_z_error = ksl_product_errorf(z, sin6, sin5_z);
+  const float sin5_z_low_1 = KSL_MULF(z_low, sin6), sin5_z_low = sin5_z_error + sin5_z_low_1;
+  const float sin5 = -2.5052108e-08f + sin5_z;
+  const float sin5_error_1 = sin5 - -2.5052108e-08f, sin5_error = sin5_z - sin5_error_1;
+  const float sin5_low_1 = sin5_z_low + -4.417623e-16f, sin5_low = sin5_error + sin5_low_1;
+  const float sin4_z = KSL_MULF(z, sin5);
+  const float sin4_z_error = ksl_product_errorf(z, sin5, sin4_z);
+  const float sin4_z_low_1 = KSL_MULF(z, sin5_low), sin4_z_low_2 = KSL_MULF(z_low, sin5),
+      sin4_z_low_3 = sin4_z_low_1 + sin4_z_low_2, sin4_z_low = sin4_z_error + sin4_z_low_3;
+  const float sin4 = 2.7557319e-06f + sin4_z;
+  const float sin4_error_1 = sin4 - 2.7557319e-06f, sin4_error = sin4_z - sin4_error_1;
+  const float sin4_low_1 = sin4_z_low + 3.7935712e-14f, sin4_low = sin4_error + sin4_low_1;
+  const float sin3_z = KSL_MULF(z, sin4);
+  const float sin3_z_error = ksl_product_errorf(z, sin4, sin3_z);
+  const float sin3_z_low_1 = KSL_MULF(z, sin4_low), sin3_z_low_2 = KSL_MULF(z_low, sin4),
+      sin3_z_low_3 = sin3_z_low_1 + sin3_z_low_2, sin3_z_low = sin3_z_error + sin3_z_low_3;
+  const float sin3 = -0.0001984127f + sin3_z;
+  const float sin3_error_1 = sin3 - -0.0001984127f, sin3_error = sin3_z - sin3_error_1;
+  const float sin3_low_1 = sin3_z_low + 2.7255969e-12f, sin3_low = sin3_error + sin3_low_1;
+  const float sin2_z = KSL_MULF(z, sin3);
+  const float sin2_z_error = ksl_product_errorf(z, sin3, sin2_z);
+  const float sin2_z_low_1 = KSL_MULF(z, sin3_low), sin2_z_low_2 = KSL_MULF(z_low, sin3),
+      sin2_z_low_3 = sin2_z_low_1 + sin2_z_low_2, sin2_z_low = sin2_z_error + sin2_z_low_3;
+  const float sin2 = 0.008333334f + sin2_z;
+  const float sin2_error_1 = sin2 - 0.008333334f, sin2_error = sin2_z - sin2_error_1;
+  const float sin2_low_1 = sin2_z_low + -4.346172e-10f, sin2_low = sin2_error + sin2_low_1;
+  const float sin1_z = KSL_MULF(z, sin2);
+  const float sin1_z_error = ksl_product_errorf(z, sin2, sin1_z);
+  const float sin1_z_low_1 = KSL_MULF(z, sin2_low), sin1_z_low_2 = KSL_MULF(z_low, sin2),
+      sin1_z_low_3 = sin1_z_low_1 + sin1_z_low_2, sin1_z_low = sin1_z_error + sin1_z_low_3;
+  const float sin1 = -0.16666667f + sin1_z;
+  const float sin1_error_1 = sin1 - -0.16666667f, sin1_error = sin1_z - sin1_error_1;
+  const float sin1_low_1 = sin1_z_low + 4.967054e-09f, sin1_low = sin1_error + sin1_low_1;
+  const float sin_sum = KSL_MULF(z, sin1);
+  const float sin_sum_error = ksl_product_errorf(z, sin1, sin_sum);
+  const float sin_sum_low_1 = KSL_MULF(z, sin1_low), sin_sum_low_2 = KSL_MULF(z_low, sin1),
+      sin_sum_low_3 = sin_sum_low_1 + sin_sum_low_2, sin_sum_low = sin_sum_error + sin_sum_low_3;
+  const float sin_r_more = KSL_MULF(r, sin_sum);
+  const float sin_r_more_error = ksl_product_errorf(r, sin_sum, sin_r_more);
+  const float sin_r_more_low_1 = KSL_MULF(r, sin_sum_low),
+      sin_r_more_low_2 = KSL_MULF(r_low, sin_sum),
+      sin_r_more_low_3 = sin_r_more_low_1 + sin_r_more_low_2,
+      sin_r_more_low = sin_r_more_error + sin_r_more_low_3;
+  const float sin_r = r + sin_r_more;
+  const float sin_r_error_1 = sin_r - r, sin_r_error = sin_r_more - sin_r_error_1;
+  const float sin_r_low_1 = sin_r_more_low + r_low, sin_r_low = sin_r_error + sin_r_low_1;
+  const float cos7_1 = KSL_MULF(z, 4.7794773e-14f), cos7 = -1.1470745e-11f + cos7_1;
+  const float cos6_1 = KSL_MULF(z, cos7), cos6 = 2.0876756e-09f + cos6_1;
+  const float cos5_z = KSL_MULF(z, cos6);
+  const float cos5_z_error = ksl_product_errorf(z, cos6, cos5_z);
+  const float cos5_z_low_1 = KSL_MULF(z_low, cos6), cos5_z_low = cos5_z_error + cos5_z_low_1;
+  const float cos5 = -2.755732e-07f + cos5_z;
+  const float cos5_error_1 = cos5 - -2.755732e-07f, cos5_error = cos5_z - cos5_error_1;
+  const float cos5_low_1 = cos5_z_low + 7.575112e-15f, cos5_low = cos5_error + cos5_low_1;
+  const float cos4_z = KSL_MULF(z, cos5);
+  const float cos4_z_error = ksl_product_errorf(z, cos5, cos4_z);
+  const float cos4_z_low_1 = KSL_MULF(z, cos5_low), cos4_z_low_2 = KSL_MULF(z_low, cos5),
+      cos4_z_low_3 = cos4_z_low_1 + cos4_z_low_2, cos4_z_low = cos4_z_error + cos4_z_low_3;
+  const float cos4 = 2.4801588e-05f + cos4_z;
+  const float cos4_error_1 = cos4 - 2.4801588e-05f, cos4_error = cos4_z - cos4_error_1;
+  const float cos4_low_1 = cos4_z_low + -3.406996e-13f, cos4_low = cos4_error + cos4_low_1;
+  const float cos3_z = KSL_MULF(z, cos4);
+  const float cos3_z_error = ksl_product_errorf(z, cos4, cos3_z);
+  const float cos3_z_low_1 = KSL_MULF(z, cos4_low), cos3_z_low_2 = KSL_MULF(z_low, cos4),
+      cos3_z_low_3 = cos3_z_low_1 + cos3_z_low_2, cos3_z_low = cos3_z_error + cos3_z_low_3;
+  const float cos3 = -0.0013888889f + cos3_z;
+  const float cos3_error_1 = cos3 - -0.0013888889f, cos3_error = cos3_z - cos3_error_1;
+  const float cos3_low_1 = cos3_z_low + 3.3631094e-11f, cos3_low = cos3_error + cos3_low_1;
+  const float cos2_z = KSL_MULF(z, cos3);
+  const float cos2_z_error = ksl_product_errorf(z, cos3, cos2_z);
+  const float cos2_z_low_1 = KSL_MULF(z, cos3_low), cos2_z_low_2 = KSL_MULF(z_low, cos3),
+      cos2_z_low_3 = cos2_z_low_1 + cos2_z_low_2, cos2_z_low = cos2_z_error + cos2_z_low_3;
+  const float cos2 = 0.041666668f + cos2_z;
+  const float cos2_error_1 = cos2 - 0.041666668f, cos2_error = cos2_z - cos2_error_1;
+  const float cos2_low_1 = cos2_z_low + -1.2417635e-09f, cos2_low = cos2_error + cos2_low_1;
+  const float cos1_z = KSL_MULF(z, cos2);
+  const float cos1_z_error = ksl_product_errorf(z, cos2, cos1_z);
+  const float cos1_z_low_1 = KSL_MULF(z, cos2_low), cos1_z_low_2 = KSL_MULF(z_low, cos2),
+      cos1_z_low_3 = cos1_z_low_1 + cos1_z_low_2, cos1_z_low = cos1_z_error + cos1_z_low_3;
+  const float cos1 = -0.5f + cos1_z;
+  const float cos1_error_1 = cos1 - -0.5f, cos1_error = cos1_z - cos1_error_1;
+  const float cos1_low = cos1_error + cos1_z_low;
+  const float cos_sum = KSL_MULF(z, cos1);
+  const float cos_sum_error = ksl_product_errorf(z, cos1, cos_sum);
+  const float cos_sum_low_1 = KSL_MULF(z, cos1_low), cos_sum_low_2 = KSL_MULF(z_low, cos1),
+      cos_sum_low_3 = cos_sum_low_1 + cos_sum_low_2, cos_sum_low = cos_sum_error + cos_sum_low_3;
+  const float cos_r = 1.0f + cos_sum;
+  const float cos_r_error_1 = cos_r - 1.0f, cos_r_error = cos_sum - cos_r_error_1;
+  const float cos_r_low = cos_r_error + cos_sum_low;
+  const float q_1 = quadrant + 5.033165e+07f, q_2 = q_1 - 5.033165e+07f, q = q_2 - quadrant;
+  const float cos_k_1 = fabsf(q), cos_k = 1.0f - cos_k_1;
+  const float minus_sin_k_1 = 1.0f + cos_k, minus_sin_k = KSL_MULF(q, minus_sin_k_1);
+  const float sin_x_1 = KSL_MULF(sin_r, cos_k), sin_x_2 = KSL_MULF(cos_r, minus_sin_k),
+      sin_x = sin_x_1 - sin_x_2;
+  const float sin_x_low_1 = KSL_MULF(sin_r_low, cos_k),
+      sin_x_low_2 = KSL_MULF(cos_r_low, minus_sin_k), sin_x_low = sin_x_low_1 - sin_x_low_2;
+  const float cos_x_1 = KSL_MULF(cos_r, cos_k), cos_x_2 = KSL_MULF(sin_r, minus_sin_k),
+      cos_x = cos_x_1 + cos_x_2;
+  const float cos_x_low_1 = KSL_MULF(cos_r_low, cos_k),
+      cos_x_low_2 = KSL_MULF(sin_r_low, minus_sin_k), cos_x_low = cos_x_low_1 + cos_x_low_2;
+  const float s_error_1 = sin_x - s, s_error_value = s_error_1 + sin_x_low;
+  const float c_error_1 = cos_x - c, c_error_value = c_error_1 + cos_x_low;
+  *c_error = c_error_value;
+  return s_error_value;
+}
+
+/* sin x - s, as ksl_sincos_errorf. */
+static inline float ksl_sin_errorf(const float x, const float s) {
+  float c_error;
+  return ksl_sincos_errorf(x, s, s, &c_error);
+}
+
+/* cos x - c, as ksl_sincos_errorf. */
+static inline float ksl_cos_errorf(const float x, const float c) {
+  float c_error;
+  (void)ksl_sincos_errorf(x, c, c, &c_error);
+  return c_error;
+}
+
+#endif
+
+
+#endif
