@@ -109,7 +109,9 @@ class _Certifier(Sizes):
 
     def _certain(self, x: Operand, size: Operand) -> Operand:
         """|x̂|; 0 if B may be larger than a fourth of it.  That of a constant never is."""
-        return size if isinstance(x, Constant) else self.do(Op.SELECT, self._is_certain(x, size), size, ZERO)
+        if isinstance(x, Constant):
+            return size
+        return self.do(Op.SELECT, self._is_certain(x, size), size, ZERO)
 
     def _is_certain(self, x: Operand, size: Operand) -> Operand:
         four = self.do(Op.MUL, self.some_bound(x), constant(Fraction(4)))

@@ -17,9 +17,9 @@ from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
 from coscrew_codegen.simulate.load import Kernels, kernels_for
-from tests.scenes.test_scene_accuracy import arm, inverse, motions
 from tests.support.each import each_precision
 from tests.support.scenes import mechanisms as m
+from tests.support.scenes.arms import arm, inverse, motions
 from tests.support.scenes.scene_values import same_bits
 from tests.support.scenes.tiers import DIGITS, flat, states, truths
 
