@@ -1,6 +1,6 @@
 """The accurate tier of scenes keeps its promise: against 60 digits, a component is right to one
 unit of its last digit as long as its condition is below 1e13, and in single precision it is the
-nearest number, but for rare ties.
+nearest number, except near ties.
 
 Truth of inverse and forward dynamics of arms is a Newton-Euler method of the tests' own, in the
 world's frame; of other functions, the plain Program in 60 digits.
