@@ -79,7 +79,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "d5755cb02e744fcd") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "73e3434e9ac391df") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);

@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "d5755cb02e744fcd")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "73e3434e9ac391df")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (
