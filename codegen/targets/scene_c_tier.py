@@ -67,7 +67,7 @@ def files(made: SceneTier, banner: str) -> Files:
         f"{made.stem}.h": render("scene/tier.h", about=comment_of(_about(made)), **shared),
         f"{made.stem}.c": render(
             "scene/tier.c", names=[comment_of(names)] if names else [], products=precisions,
-            exact=made.tier.exact, parts=any(x.parts.cuts for x in sections),
+            exact=made.exact, parts=any(x.parts.cuts for x in sections),
             elementary=[(p, c_elementary.written(p, called, nested=True))
                         for p, called in elementary.items() if called], **shared)}
 

@@ -315,7 +315,7 @@ def of_scene(program: Program, precision: Precision) -> Program:
     """The plain program of a scene's function, whose constants are decimals: hi + lo in double; in
     single precision doubles."""
     if precision == DOUBLE:
-        program = _compensated(program, _OfScene(program))
+        program = _compensated(program, OfScene(program))
     steps = tuple(replace(step, operands=tuple(map(_rounded, step.operands)))
                   for step in program.instructions)
     return replace(program, instructions=steps, results=tuple(map(_rounded, program.results)),
@@ -342,7 +342,7 @@ _ONCE = {Op.ADD, Op.SUB, Op.MUL, Op.DIV, Op.SQRT}
 _RESTING = {Op.DIV, Op.SQRT, Op.ATAN2, Op.SIN, Op.COS, Op.EXP, Op.TANH}
 
 
-class _OfScene(_Accurate):
+class OfScene(_Accurate):
     """Of a function of a scene: products of sums are long chains there, and names are numbered.
 
     After cancellation the lo of a sum is not small, nor is that of a product of such a sum: in a
@@ -368,7 +368,7 @@ class _OfScene(_Accurate):
                 name_of(x) in self._cancelled and name_of(x) not in self._normal
                 for x in step.operands):
             self._cancelled.add(step.name)
-        if step.op in _ONCE and all(self.low(step, x) is None for x in step.operands):
+        if step.op in _ONCE and all(map(self.is_exact, step.operands)):
             self._nearest.add(step.name)
         super().compensate(step)
 

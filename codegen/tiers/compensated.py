@@ -135,6 +135,10 @@ class Compensator:
                                        self.issue(own, Op.ADD, (error, cross), "lo"))
         return self._known(x)
 
+    def is_exact(self, x: Operand) -> bool:
+        """Whether an operand has no lo."""
+        return self._known(x) is None and name_of(x) not in self._products
+
     def _known(self, x: Operand) -> Operand | None:
         """lo of an operand, as far as it is known."""
         return rest_of(x) if isinstance(x, Constant) else self._low.get(name_of(x))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, Op, Operand, Program
 from coscrew_codegen.program.ops import POLYNOMIAL
+from coscrew_codegen.quantity import Argument
 
 if TYPE_CHECKING:  # with it comes SymPy, for which `coscrew simulate` need not wait
     from coscrew_codegen.operations import Operation
@@ -31,6 +32,11 @@ def _is_rounded(operand: Operand) -> bool:
     """Whether the operand is a constant that is not a binary fraction."""
     denominator = operand.double.denominator if isinstance(operand, Constant) else 1
     return bool(denominator & (denominator - 1))
+
+
+def bounds_of_outputs(outputs: tuple[Argument, ...]) -> tuple[Argument, ...]:
+    """The outputs that hold the bounds: `co_bound` for `co`."""
+    return tuple(Argument(f"{a.name}_bound", a.quantity) for a in outputs)
 
 
 @dataclass(frozen=True, eq=False)

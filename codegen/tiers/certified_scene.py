@@ -1,0 +1,206 @@
+"""The certified tier of scenes' functions: the plain results, bit for bit, and bounds of their
+errors that always hold.  The true model has the exact decimals.  One pass forward serves all
+results.
+
+An error computed beside each value is all but the true one (errors.py); sizes bound what it lacks
+(sizes.py, with the rules for sums and products and the meaning of s, k, m, h, A, B, κ).  The other
+rules:
+
+    q = a / b    d = fl((a - q̂ b̂ + d_a - q̂ d_b) / b̂), where a - q̂ b̂ is exact, has 4 roundings.
+                 s = fl(|q̂| + Z A_b / |b̂|), Z = (s_a + |q̂| s_b) / |b̂|, k = max(k_a, k_b) + 1,
+                 m = max(m_a, m_b) + 4 k + 4/3 κ k if B_b <= |b̂| / 4: then 1/b differs from 1/b̂ by
+                 4/3 B_b / |b̂| <= 4/3 κ u A_b / |b̂| at most.  Else there is no statement.
+                 s_a is padded even for an exact a: P covers what underflows in a - q̂ b̂.
+    y = √a       d = (a - ŷ² + d_a) / 2 ŷ alike, s = fl(ŷ + s_a / ŷ · A_a / â), m = m_a / 2 +
+                 (3 + κ) k if B_a <= â / 4.  Else |√a - √â| <= √B_a, which is added.
+    |a|          where the sign is uncertain, 2 (B - |â|) is added.
+    t ? a : b    d and s of the chosen one.  Where |x̂ - ŷ| <= B_x + B_y, the comparison x < y may
+                 have the other result: |â - b̂| + B_a + B_b is added, so that the bound stays small
+                 where the choice is continuous, and covers a jump where it is not.
+    sin, cos     d is what the function errs by, and slope d_x; s = 1 + s_x (1 + B_x / κ u): the
+                 square of x's error is at most κ u (1 + B_x / κ u) k u s_x; tanh alike, with |ŷ|
+                 for 1, and an ulp added, by which it errs;
+    exp          s = ŷ (1 + s_x (1 + B_x / κ u)) if B_x <= 1/4, and an ulp.
+
+To add e to a bound is to add e / m u² to s.  Inf and NaN are no statement.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+
+from coscrew_codegen.formats import Precision
+from coscrew_codegen.program import (
+    Constant,
+    Instruction,
+    NotANumber,
+    Op,
+    Operand,
+    Program,
+    Ref,
+    without_dead_steps,
+)
+from coscrew_codegen.program.program import name_of
+from coscrew_codegen.tiers.errors import ONE, ZERO, constant
+from coscrew_codegen.tiers.sizes import SPREAD, Size, Sizes
+from coscrew_codegen.tiers.tier import bounds_of_outputs
+
+REST = 256
+"""What is computed as a sine's or cosine's error is right to REST u² of it."""
+
+
+def of_scene(program: Program, precision: Precision) -> Program:
+    """The plain program of a scene's function, extended by bounds of its results' errors."""
+    certifier = _Certifier(program, precision)
+    for step in program.instructions:
+        certifier.compensate(step)
+    bounds = tuple(map(certifier.of_result, program.results))
+
+    def near(x: Operand) -> Operand:
+        return certifier.nearest(x) if isinstance(x, Constant) else x
+
+    steps = tuple(replace(step, operands=tuple(map(near, step.operands)))
+                  for step in certifier.steps)
+    return without_dead_steps(replace(
+        program, outputs=(*program.outputs, *bounds_of_outputs(program.outputs)),
+        instructions=steps, results=(*map(near, program.results), *bounds)))
+
+
+class _Certifier(Sizes):
+    """Follows all operations of scenes."""
+
+    def __init__(self, program: Program, precision: Precision) -> None:
+        super().__init__(program, precision)
+        self._tests: dict[str, Instruction] = {}
+        self._size_of: dict[Op, Callable[[Instruction], Size]] = {
+            Op.ADD: self.of_sum, Op.SUB: self.of_sum, Op.MUL: self.of_product,
+            Op.NEG: lambda step: self.size(step.operands[0]), Op.ABS: self._of_absolute,
+            Op.DIV: self._of_quotient, Op.SQRT: self._of_root, Op.SELECT: self._of_choice,
+            Op.SIN: self._of_angle, Op.COS: self._of_angle, Op.TANH: self._of_tangent,
+            Op.EXP: self._of_exponential}
+
+    def compensate(self, step: Instruction) -> None:
+        """Issue a plain instruction, its error and its size."""
+        self._at = step
+        super().compensate(step)
+        if step.op in (Op.LESS, Op.EQUAL):
+            self._tests[step.name] = step
+        else:
+            self.follow(step, self._size_of[step.op](step))
+
+    def of_result(self, x: Operand) -> Operand:
+        """The bound of a result's error."""
+        self._at = Instruction(name_of(x) or "result", Op.ADD, (), self.last)
+        return x if isinstance(x, NotANumber) else self.bound(x) or ZERO
+
+    def _of_quotient(self, step: Instruction) -> Size:
+        (x, y), q, u = step.operands, Ref(step.name), self.u
+        a, b = self.padded(x, even_exact=True), self.padded(y)
+        size, divisor = self.do(Op.ABS, q), self.magnitude(y)
+        total = self.do(Op.ADD, a.s, self.do(Op.MUL, size, b.s))
+        k, m = max(a.k, b.k), max(a.m, b.m)
+        more = Fraction(0)
+        if not b.exact:
+            total = self.do(Op.DIV, total, self._certain(y, divisor))
+            total = self.do(Op.MUL, total, self.reach(y))
+            more = Fraction(4, 3) * SPREAD * (1 + k + u * m)
+        s = self.do(Op.ADD, size, self.do(Op.DIV, total, divisor))
+        return Size(s, (1 + 64 * u) * (k + 1), (1 + 64 * u) * (m + 4 * (k + 1) + more), self.slack)
+
+    def _certain(self, x: Operand, size: Operand) -> Operand:
+        """|x̂|; 0 if B may be larger than a fourth of it."""
+        return self.do(Op.SELECT, self._is_certain(x, size), size, ZERO)
+
+    def _is_certain(self, x: Operand, size: Operand) -> Operand:
+        four = self.do(Op.MUL, self.some_bound(x), constant(Fraction(4)))
+        return self.do(Op.LESS, four, size)
+
+    def _of_root(self, step: Instruction) -> Size:
+        (x,), y, u = step.operands, Ref(step.name), self.u
+        a = self.padded(x, even_exact=True)
+        k = (1 + 64 * u) * (2 + a.k + a.m * u) / 2
+        m = (1 + 64 * u) * (a.m / 2 + (3 + SPREAD) * k)
+        if a.exact:
+            zero = self.do(Op.EQUAL, y, ZERO)
+            part = self.do(Op.DIV, a.s, self.do(Op.SELECT, zero, ONE, y))
+        else:
+            near = self.do(Op.DIV, self.do(Op.DIV, a.s, y), x)
+            near = self.do(Op.MUL, near, self.reach(x))
+            far = self.do(Op.SQRT, self.some_bound(x))
+            low = self.low(step, y)
+            if low is not None:
+                far = self.do(Op.ADD, far, self.do(Op.ABS, low))
+            far = self._in_size(far, m)
+            part = self.do(Op.SELECT, self._is_certain(x, x), near, far)
+        return Size(self.do(Op.ADD, y, part), k, m, self.slack)
+
+    def _in_size(self, error: Operand, m: Fraction) -> Operand:
+        """What s grows by if the bound shall by this error."""
+        return self.do(Op.MUL, error, self.rounded_up((1 + 32 * self.u) / (m * self.u**2)))
+
+    def _widened(self, size: Size, error: Operand) -> Size:
+        """With a further error."""
+        k, grown = max(size.k, Fraction(1)), 1 + 4 * self.u
+        m = max(size.m, 256 * k)  # of which the 8 k that bounds add are little
+        return Size(self.do(Op.ADD, size.s, self._in_size(error, m)), grown * k, grown * m,
+                    size.h + self.slack)
+
+    def _of_absolute(self, step: Instruction) -> Size:
+        (x,), bound = step.operands, self.bound(step.operands[0])
+        if bound is None:
+            return Size(Ref(step.name))
+        gap = self.do(Op.SUB, Ref(step.name), bound)
+        return self._widened(self.size(x), self.do(Op.SUB, self.do(Op.ABS, gap), gap))
+
+    def _of_choice(self, step: Instruction) -> Size:
+        test, *options = step.operands
+        a, b = map(self.size, options)
+        s = a.s if a.s == b.s else self.do(Op.SELECT, test, a.s, b.s)
+        chosen = Size(s, max(a.k, b.k), max(a.m, b.m), max(a.h, b.h))
+        compared = self._tests[name_of(test)].operands
+        bounds = self._bounds_of(compared)
+        if not bounds:
+            return chosen
+        close = bounds[0] if len(bounds) == 1 else self.do(Op.ADD, *bounds)
+        certain = self.do(Op.LESS, close, self._distance(*compared))
+        other = self._distance(*options)
+        for bound in self._bounds_of(options):
+            other = self.do(Op.ADD, other, bound)
+        return self._widened(chosen, self.do(Op.SELECT, certain, ZERO, other))
+
+    def _bounds_of(self, values: tuple[Operand, ...] | list[Operand]) -> list[Operand]:
+        return [bound for x in values if (bound := self.bound(x)) is not None]
+
+    def _distance(self, x: Operand, y: Operand) -> Operand:
+        return self.do(Op.ABS, self.do(Op.SUB, x, y))
+
+    def _of_angle(self, step: Instruction) -> Size:
+        return replace(self._curved(step, ONE), h=Fraction(0))
+
+    def _of_tangent(self, step: Instruction) -> Size:
+        size = self.do(Op.ABS, Ref(step.name))
+        return self._with_ulp(step, size, self._curved(step, size))
+
+    def _of_exponential(self, step: Instruction) -> Size:
+        (x,), y = step.operands, Ref(step.name)
+        if self.size(x).exact:
+            return self._with_ulp(step, y, self._curved(step, y))
+        size = self._curved(step, ONE)
+        s = self.do(Op.MUL, y, self.do(Op.DIV, size.s, self._certain(x, ONE)))
+        return self._with_ulp(step, y, replace(size, s=s))
+
+    def _with_ulp(self, step: Instruction, y: Operand, size: Size) -> Size:
+        """With an ulp of y, unless the function's error is in d."""
+        if step.op not in self.inexact:
+            return size
+        return self._widened(size, self.do(Op.MUL, y, constant(2 * self.u)))
+
+    def _curved(self, step: Instruction, least: Operand) -> Size:
+        """Of a function with derivatives of at most 1, whose result is at most `least`."""
+        (x,), u = step.operands, self.u
+        a, s = self.padded(x), least
+        if not a.exact:
+            spread = self.do(Op.MUL, a.s, self.do(Op.ADD, ONE, self.units(x)))
+            s = self.do(Op.ADD, least, spread)
+        m = a.m + SPREAD * (a.k + u * a.m) + 8 * (a.k + 2) + REST
+        return Size(s, (1 + 64 * u) * (a.k + 2), (1 + 64 * u) * m, self.slack)

@@ -1,0 +1,69 @@
+"""The errors of a plain program's values, computed beside them: each value's d ~ true - plain.
+
+This is the accurate tier's compensated program, except that hi stays the plain value, bit for bit:
+nothing is normalized, and comparisons are those of the plain program.  Constants are the model's
+decimals, hi + lo in the given precision.
+"""
+
+from collections.abc import Callable
+from fractions import Fraction
+
+from coscrew_codegen.formats import Precision
+from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.tiers.accurate import OfScene
+
+
+def constant(value: Fraction) -> Constant:
+    """A number that is the same in both precisions."""
+    return Constant(value, value)
+
+
+ZERO, ONE = constant(Fraction(0)), constant(Fraction(1))
+
+
+class Errors(OfScene):
+    """Issues the plain instructions and d of each result; `low` returns it."""
+
+    last = "bounds of the errors:"
+
+    def __init__(self, program: Program, precision: Precision) -> None:
+        super().__init__(program)
+        self.precision = precision
+        self.circular = {(step.op, step.operands): step for step in program.instructions
+                         if step.op in (Op.SIN, Op.COS)}
+        inexact = {Op.TANH: self._tangent, Op.EXP: self._exponential}
+        self.inexact = inexact.keys() - self._rules.keys()  # d lacks what the function errs by
+        self._rules = {**inexact, **self._rules}
+
+    def compensate(self, step: Instruction) -> None:
+        """Issue a plain instruction, unless it has been, and d of its result."""
+        super(OfScene, self).compensate(step)
+
+    def nearest(self, x: Constant) -> Constant:
+        """The constant in this precision."""
+        return constant(Fraction(float(self.precision.rounded(self.precision.value(x)))))
+
+    def _known(self, x: Operand) -> Operand | None:
+        if not isinstance(x, Constant):
+            return super()._known(x)
+        rest = self.nearest(constant(self.precision.value(x) - self.nearest(x).double))
+        return rest if rest.double else None
+
+    def _normalized(self, step: Instruction, operand: Operand) -> Operand:
+        """Itself: hi is the plain value."""
+        return operand
+
+    def _exponential(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
+        return self._moved(step, low, lambda: Ref(step.name))
+
+    def _tangent(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
+        def slope() -> Ref:
+            square = self.issue(step, Op.MUL, (Ref(step.name), Ref(step.name)), "square")
+            return self.issue(step, Op.SUB, (ONE, square), "slope")
+
+        return self._moved(step, low, slope)
+
+    def _moved(self, step: Instruction, low: list[Operand | None],
+               slope: Callable[[], Operand]) -> Operand | None:
+        """The slope times d of the operand."""
+        return None if low[0] is None else self.issue(step, Op.MUL, (slope(), low[0]), "lo")

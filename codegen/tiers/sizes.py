@@ -1,0 +1,207 @@
+"""How far computed errors may be from the true ones: sizes of a plain program's values.
+
+Let x̂ be a value of the plain program, exactly x, and d the error computed for it (errors.py).  A
+size s is computed such that, with constants k, m and h known in advance,
+
+    |x̂| <= s,    |d| <= k u S,    |x - x̂ - d| <= m u² S,    S = s + h;
+
+so |d| + m u² S bounds the error of x̂.  Since d is the error to first order, that is hardly more
+than the error itself, however generous m and s are; s costs about one operation per plain one.
+u is the unit roundoff, η half the least subnormal number, |fl(z) - z| <= u |fl(z)| + η.
+
+    exact x           s = |x|, k = m = h = 0
+    constant          s = |x̂|, k = m = 1: d is the rest, rounded
+    c = a ± b         s = fl(s_a + s_b), k = max(k_a, k_b) + 1, m = max(m_a, m_b) + 6 k + 54:
+                      d is the sum of the two parts of the rounding error, each at most
+                      4 u S + u² S, of d_a and d_b, in at most 6 roundings: of parts that contain
+                      a product's error, of the sum of two products' other terms, of the total
+    c = a b           s = fl(s_a s_b), k = k_a + k_b + 1,
+                      m = k_a k_b + m_a + m_b + u (m_a k_b + k_a m_b) + u² m_a m_b
+                          + 3 (k_a + k_b) + 2:
+                      d_a d_b is neglected, d has 3 roundings
+    c = a b           s = fl(A_a s_b + A_b s_a), k = max(k_a, k_b) + 1,
+                      m = (1 + 2 κ u) max(m_a, m_b) + κ min(k_a, k_b) + 3 max(k_a, k_b) + 2,
+                      where |x̂| <= A and |x - x̂| <= κ u A: |d_a d_b| <= κ k_b u² A_a s_b
+
+Factors 1 + 64 u cover terms of higher order.  The first rule for products multiplies what sizes are
+too large by; so it is used if one factor has k <= CLOSE, which is a number as it is, a constant, or
+the sine or cosine of one.  For the second rule A is fl(|x̂| + B / κ u), B the bound of |x - x̂|;
+up to κ = SPREAD units of relative error it is hardly more than |x̂|.
+
+Underflow.  Every operation adds h_0 = 16 η / u² to h: m u² h_0 is more than what its own underflows
+and those of d, in which products' errors are computed to 8 η, can lose.  A product would multiply h
+by its other factor; so first s' = fl(s + P), P the least normal number / u², and then h = 0:
+s + h <= (1 + 2 u) s'.  A product with a constant does not need it.  Bounds are fl(|d| + fl(C s')),
+C >= (1 + 32 u) (m + 8 k) u²; C s' is a normal number; 8 k covers the rounding of this sum, and
+makes it at least (1 + 4 u) |x - x̂|.
+
+Where something overflows, s or d and with them the bound are infinite or NaN: no statement is made.
+"""
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from coscrew_codegen.formats import Format, Precision
+from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.tiers.errors import ONE, ZERO, Errors, constant
+
+CLOSE = 4
+SPREAD = 64
+_BRIEF = Format(24, 0)  # k, m and h are rounded up to so many digits
+
+
+@dataclass(frozen=True)
+class Size:
+    """s, k, m and h of a value."""
+
+    s: Operand
+    k: Fraction = Fraction(0)
+    m: Fraction = Fraction(0)
+    h: Fraction = Fraction(0)
+
+    @property
+    def exact(self) -> bool:
+        """Whether the plain value has no error."""
+        return not self.k
+
+
+class Sizes(Errors):
+    """Issues sizes and bounds beside values and errors, each once."""
+
+    def __init__(self, program: Program, precision: Precision) -> None:
+        super().__init__(program, precision)
+        u = self.u = precision.u
+        self.slack = 16 * precision.eta / u**2  # h_0
+        self._padding = precision.smallest_normal / u**2  # P
+        self._at = Instruction("", Op.ADD, (), "")  # the plain instruction that is followed
+        self._sizes: dict[Operand, Size] = {}
+        self._bounds: dict[Operand, Operand] = {}
+        self._done: dict[tuple[Op, tuple[Operand, ...]], Operand] = {}
+
+    def follow(self, step: Instruction, size: Size) -> None:
+        """Keep the size of a plain instruction's result."""
+        k, m, h = (_BRIEF.rounded_up(x) if x else x for x in (size.k, size.m, size.h))
+        x = Ref(step.name)
+        self._sizes[x] = Size(size.s, k, m, h)
+        if 4 * h > self._padding:
+            self._sizes[x] = self.padded(x)
+
+    def size(self, x: Operand) -> Size:
+        """The size of a value."""
+        if isinstance(x, Constant):
+            return self._of_constant(x)
+        if x not in self._sizes:
+            self._sizes[x] = Size(self.do(Op.ABS, x))
+        return self._sizes[x]
+
+    def _of_constant(self, x: Constant) -> Size:
+        value, near = self.precision.value(x), self.nearest(x).double
+        if value == near:
+            return Size(constant(abs(near)))
+        tiny = abs(value) * self.u**2 < self.precision.smallest_normal  # lo may be subnormal
+        return Size(constant(abs(near)), Fraction(1), Fraction(1), self.slack * tiny)
+
+    def padded(self, x: Operand, even_exact: bool = False) -> Size:
+        """With h = 0; where there was none, unpadded, unless `even_exact`."""
+        size, grown = self.size(x), 1 + 2 * self.u
+        if not size.h and not even_exact:
+            return size
+        if size.h > self._padding:
+            raise ValueError("more underflow than the padding covers")
+        s = self.do(Op.ADD, size.s, constant(self._padding), name="padded")
+        return Size(s, grown * size.k, grown * size.m)
+
+    def of_sum(self, step: Instruction) -> Size:
+        """Of a + b or a - b."""
+        a, b = map(self.size, step.operands)
+        k, m, u = max(a.k, b.k), max(a.m, b.m), self.u
+        return Size(self.do(Op.ADD, a.s, b.s), (1 + 64 * u) * (k + 1),
+                    (1 + 64 * u) * (m + 6 * k + 54), a.h + b.h + self.slack)
+
+    def of_product(self, step: Instruction) -> Size:
+        """Of a b."""
+        a, b = map(self.size, step.operands)
+        if min(a.k, b.k) > CLOSE:
+            return self._of_far_product(*step.operands)
+        h, u = self._slack_of_product(a, b), self.u
+        if h is None:
+            a, b = map(self.padded, step.operands)
+        m = (a.k * b.k + a.m + b.m + u * (a.m * b.k + a.k * b.m) + u**2 * a.m * b.m
+             + 3 * (a.k + b.k) + 2)
+        return Size(self.do(Op.MUL, a.s, b.s), (1 + 64 * u) * (a.k + b.k + 1),
+                    (1 + 64 * u) * m, (h or 0) + self.slack)
+
+    def _slack_of_product(self, a: Size, b: Size) -> Fraction | None:
+        """The factors' h in their product if one has a constant size and the other's is not made
+        too large; else None."""
+        for one, other in ((a, b), (b, a)):
+            if isinstance(one.s, Constant) and not one.h:
+                h = (1 + 2 * self.u) * one.s.double * other.h
+                return h if 2 * h <= self._padding else None
+        return None
+
+    def _of_far_product(self, x: Operand, y: Operand) -> Size:
+        (a, b), u = map(self.padded, (x, y)), self.u
+        terms = self.do(Op.MUL, self.reach(x), b.s), self.do(Op.MUL, self.reach(y), a.s)
+        k, m = max(a.k, b.k), max(a.m, b.m)
+        return Size(self.do(Op.ADD, *terms), (1 + 64 * u) * (k + 1), (1 + 64 * u) * (
+            (1 + 2 * SPREAD * u) * m + SPREAD * min(a.k, b.k) + 3 * k + 2), self.slack)
+
+    def reach(self, x: Operand) -> Operand:
+        """A of an inexact value."""
+        return self.do(Op.ADD, self.magnitude(x), self.units(x), name="reach")
+
+    def units(self, x: Operand) -> Operand:
+        """B / κ u of an inexact value."""
+        factor = constant(1 / (SPREAD * self.u))
+        return self.do(Op.MUL, self.some_bound(x), factor, name="units")
+
+    def magnitude(self, x: Operand) -> Operand:
+        """|x̂|."""
+        return constant(abs(self.nearest(x).double)) if isinstance(x, Constant) else \
+            self.do(Op.ABS, x)
+
+    def bound(self, x: Operand) -> Operand | None:
+        """B >= (1 + 4 u) |x - x̂|; None for 0."""
+        if x not in self._bounds:
+            size = self.size(x)
+            if size.exact:
+                return None
+            self._bounds[x] = self._bound(x, size)
+        return self._bounds[x]
+
+    def _bound(self, x: Operand, size: Size) -> Operand:
+        if isinstance(x, Constant):
+            error = abs(self.precision.value(x) - self.nearest(x).double)
+            return self.rounded_up((1 + 4 * self.u) * error)
+        low, size = self.low(self._at, x), self.padded(x)
+        factor = self.rounded_up((1 + 32 * self.u) * (size.m + 8 * size.k) * self.u**2)
+        rest = self.do(Op.MUL, factor, size.s, name="rest")
+        return rest if low is None else self.do(
+            Op.ADD, self.do(Op.ABS, low, name="error"), rest, name="bound")
+
+    def some_bound(self, x: Operand) -> Operand:
+        """B of an inexact value."""
+        bound = self.bound(x)
+        assert bound is not None
+        return bound
+
+    def rounded_up(self, value: Fraction) -> Constant:
+        """A constant no less than the value."""
+        return constant(self.precision.rounded_up(value))
+
+    def do(self, op: Op, *operands: Operand, name: str = "size") -> Operand:
+        """Issue an instruction, once.  Sums and products of sizes that are constants are computed
+        here; 0 and 1 cost nothing."""
+        if op.meaning.commutes:
+            operands = tuple(sorted(operands, key=str))
+        if op in (Op.ADD, Op.MUL):
+            neutral = ZERO if op is Op.ADD else ONE
+            if neutral in operands:
+                return operands[operands[0] == neutral]
+            numbers = [x.double for x in operands if isinstance(x, Constant)]
+            if len(numbers) == 2:
+                return self.rounded_up(sum(numbers) if op is Op.ADD else numbers[0] * numbers[1])
+        if (op, operands) not in self._done:
+            self._done[op, operands] = self.issue(self._at, op, operands, name)
+        return self._done[op, operands]

@@ -1,0 +1,149 @@
+"""The accurate tier of scenes keeps its promise: against 60 digits, a component is right to one
+unit of its last digit as long as its condition is below 1e13, and in single precision it is the
+nearest number, but for rare ties.
+
+Truth of inverse and forward dynamics of arms is a Newton-Euler method of the tests' own, in the
+world's frame; of other functions, the plain Program in 60 digits.
+"""
+
+from collections.abc import Sequence
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+
+import mpmath
+import numpy as np
+import pytest
+
+from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.scene.model import Model
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene_files.toml_scene import SceneOverrides, read_scene
+from coscrew_codegen.simulate.load import kernels_for
+from tests.support.each import each_precision
+from tests.support.scenes import mechanisms as m
+from tests.support.scenes.tiers import DIGITS, Result, results, states
+from tests.support.truth.condition import conditions
+from tests.support.truth.newton_euler import inverse_dynamics
+
+EXAMPLES = Path(__file__).parents[2] / "examples" / "scenes"
+GRAVITY = (Fraction(0), Fraction(0), Fraction("-9.81"))
+LARGEST = {"double": 1e13, "single": 1e5}
+"""Conditions up to which the promise holds; in single precision, that of nearest numbers."""
+NEAREST = 0.5001
+
+
+def broken(found: Sequence[Result], precision: Precision) -> list[tuple[int, float, float]]:
+    """Place, condition and error of every result that is worse than promised."""
+    most = 1.0 if precision == DOUBLE else NEAREST
+    return [(x.place, x.condition, x.ulps(precision)) for x in found
+            if x.true and x.condition < LARGEST[precision.name] and x.ulps(precision) > most]
+
+
+@cache
+def example(name: str) -> Scene:
+    """An example with all its functions, in the accurate tier."""
+    return read_scene(EXAMPLES / f"{name}.toml", overrides=SceneOverrides(
+        "both", functions=("default",), tiers=("accurate",)))
+
+
+@each_precision
+@pytest.mark.parametrize("name", ("pendulum", "wingnut"))
+def test_every_function_of_the_examples(name: str, precision: Precision):
+    kernels = kernels_for(example(name))
+    count = 60 if name == "arm6" else 12
+    tiered = getattr(kernels.accurate, precision.name)
+    public = [f for f in kernels.functions.functions if not f.internal]
+    assert sorted(f.name for f in public) == sorted(tiered)
+    for function in public:
+        given = states(kernels.functions, function, count, precision)
+        found = list(results(function.program, given, getattr(tiered, function.name)(*given)))
+        assert not broken(found, precision), function.name
+        assert all(x.found == 0 for x in found if not x.true and x.condition == 0)
+
+
+def arm(scale: Fraction = Fraction(1)) -> Model:
+    """Seven joints, as the arms of industry; each link's mass and size are `scale` times those of
+    the link before."""
+    axes = ((m.Z, 0), (m.Y, "0.333"), (m.Z, 0), (m.Y, "0.316"), (m.Z, "0.0825"), (m.Y, "0.384"),
+            (m.Z, "0.088"))
+    links = []
+    for n, (axis, length) in enumerate(axes):
+        k = scale**n
+        com = (Fraction("0.01") * k, Fraction("-0.02") * k, Fraction("0.07") * k)
+        moments = tuple(Fraction(x) * k**3 for x in (
+            "0.013", "0.011", "0.009", "0.0004", "-0.0011", "0.0007"))
+        links.append((m.Kind.REVOLUTE, axis, m.at(0, "0.01", Fraction(length) * k),
+                      m.inertia(Fraction("3.1") * k, com, moments)))
+    return m.chain(*links, name="arm")
+
+
+def motions(count: int, precision: Precision) -> np.ndarray:
+    """Random q, v, a, in rows of three."""
+    draw = np.random.default_rng(7)
+    return draw.uniform(-2, 2, (count, 3, 7)).astype(precision.numpy_type)
+
+
+def exact(row: np.ndarray) -> list[mpmath.mpf]:
+    return [mpmath.mpf(float(x)) for x in row]
+
+
+def inverse(model: Model, q: np.ndarray, v: np.ndarray, a: np.ndarray) -> list[mpmath.mpf]:
+    with mpmath.workdps(DIGITS):
+        return inverse_dynamics(model, GRAVITY, *map(exact, (q, v, a)))
+
+
+@each_precision
+def test_inverse_dynamics_is_that_of_newton_and_euler(precision: Precision):
+    model = arm()
+    scene = Scene("arm", model, (m.gravity(),), functions=("inverse_dynamics",),
+                  tiers=("accurate",))
+    kernels, given = kernels_for(scene), motions(60, precision)
+    function = kernels.functions.named("inverse_dynamics")
+    columns = [given[:, k] for k in range(3)]
+    found = getattr(kernels.accurate, precision.name).inverse_dynamics(*columns)
+    size = conditions(function.program, [list(x.T.astype(float)) for x in columns])
+    judged = [Result(j, found[k, j], true, float(size[j][k])) for k in range(60)
+              for j, true in enumerate(inverse(model, *given[k]))]
+    assert not broken(judged, precision)
+    plain = getattr(kernels, precision.name).inverse_dynamics(*columns)
+    errors = [Result(x.place, y, x.true, 0).ulps(precision)
+              for x, y in zip(judged, plain.ravel(), strict=True)]
+    assert max(errors) > 5, "plain is accurate enough"
+
+
+def forward(model: Model, q: np.ndarray, v: np.ndarray, tau: np.ndarray
+            ) -> tuple[list[mpmath.mpf], mpmath.mpf]:
+    """a with M a + bias = τ by elimination, and the condition of M."""
+    with mpmath.workdps(2 * DIGITS):
+        still, n = [mpmath.mpf(0)] * len(q), len(q)
+        bias = inverse_dynamics(model, GRAVITY, exact(q), exact(v), still)
+        columns = [inverse_dynamics(model, (Fraction(0),) * 3, exact(q), still, [
+            mpmath.mpf(k == j) for k in range(n)]) for j in range(n)]
+        M = mpmath.matrix(columns).T
+        right = mpmath.matrix([x - y for x, y in zip(exact(tau), bias, strict=True)])
+        norms = [mpmath.mnorm(x, mpmath.inf) for x in (M, M**-1)]
+        return list(mpmath.lu_solve(M, right)), norms[0] * norms[1]
+
+
+@pytest.mark.parametrize("scale, least", ((Fraction(1), 1e2), (Fraction("0.15"), 1e10)))
+def test_forward_dynamics_of_an_ill_conditioned_arm_is_right_to_one_unit(scale, least):
+    """The mass matrix has a condition of 1e10 and more; a component within 1 u."""
+    model = arm(scale)
+    scene = Scene("arm", model, (m.gravity(),), functions=("forward_dynamics",),
+                  tiers=("accurate",))
+    kernels, given = kernels_for(scene), motions(12, DOUBLE)
+    found = kernels.accurate.double.forward_dynamics(*(given[:, k] for k in range(3)))
+    for row, numbers in zip(given, found, strict=True):
+        true, condition = forward(model, *row)
+        assert condition > least
+        for place, (x, y) in enumerate(zip(numbers, true, strict=True)):
+            assert abs(mpmath.mpf(float(x)) - y) <= 2.0**-53 * abs(y), (place, float(x).hex())
+
+
+def test_functions_are_those_of_the_scene():
+    """Nothing is left out but steps."""
+    scene = example("wingnut")
+    names = {f.name for f in derive(scene).functions if not f.internal}
+    assert {*kernels_for(scene).accurate.double} == names

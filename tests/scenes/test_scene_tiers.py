@@ -1,0 +1,271 @@
+"""Tiers of scenes: their selection, their files, and the same bits in C and NumPy, with fma and
+without."""
+
+import functools
+import importlib
+import os
+import pickle
+import re
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import coscrew_codegen
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.formats import PRECISIONS
+from coscrew_codegen.layout import scene_files
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.parameter import Parameter
+from coscrew_codegen.scene.model import HERE, Kind
+from coscrew_codegen.scene.tiers import TiersError, known, selected
+from coscrew_codegen.scene_files.errors import SceneError
+from coscrew_codegen.scene_functions import SceneFunctions
+from coscrew_codegen.scene_tiers import NoFunctionsError, in_tier
+from coscrew_codegen.simulate import calls, native
+from coscrew_codegen.simulate.load import kernels_of, library_of
+from coscrew_codegen.targets import scene_c_tier, scene_calls
+from coscrew_codegen.tiers import OF_SCENES, tier_named
+from tests.support.compiled.c_harness import C11, COMPILERS, CXX17, STRICT
+from tests.support.compiled.c_harness import run as command
+from tests.support.compiled.flags import FMA, HASWELL, UNHEEDED
+from tests.support.each import each_precision
+from tests.support.scenes.generated_scenes import BANNER, CASES
+from tests.support.scenes.mechanisms import (
+    Y,
+    Z,
+    applied,
+    at,
+    chain,
+    gravity,
+    inertia,
+    scene,
+)
+from tests.support.scenes.scene_values import same_bits
+from tests.support.scenes.tiers import states
+
+FILE = """name = "swing"
+{}
+[bodies.bob]
+mass = 0.1
+com = [0, 0.01, -0.3]
+inertia = [0.02, 0.03, 0.04]
+[joints.hinge]
+type = "revolute"
+child = "bob"
+axis = [0, 1, 0]
+[effects.gravity]
+"""
+
+
+@functools.cache
+def carrier_scene() -> SceneFunctions:
+    """A free body with another one on a joint, on which effects act."""
+    half, moments = Fraction(1, 2), (3, 4, 5, Fraction(1, 2), Fraction(1, 3), Fraction(-1, 4))
+    model = chain((Kind.FREE, Z, HERE, inertia(5, (half, 0, 1), moments)),
+                  (Kind.REVOLUTE, Y, at(1, 0, half), inertia("2.1", (0, "0.3", 1), moments)),
+                  name="carrier")
+    damping = Parameter("viscous.j1.d", 0, Fraction(2))
+    effects = (
+        applied("armature", "j1", rotor=1, gear=2), applied("spring", "j1", k=7, q0=1),
+        applied("limit", "j1", lower=-half, upper=half, k=9, alpha=half),
+        applied("viscous", "j1", d=damping), gravity())
+    return derive(replace(scene(model, *effects, parameters=(damping,)), functions=()))
+
+
+MARKED = [tier for tier in OF_SCENES if tier.marked]
+each_tier = pytest.mark.parametrize("tier", MARKED, ids=lambda tier: tier.name)
+
+
+@pytest.fixture
+def write(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[str], Path]:
+    """Writes a scene with further lines."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+
+    def write(more: str = "") -> Path:
+        path = tmp_path / "swing.toml"
+        path.write_text(FILE.format(more))
+        return path
+
+    return write
+
+
+def contents(folder: Path) -> dict[str, str]:
+    return {str(x.relative_to(folder)): x.read_text() for x in folder.rglob("*") if x.is_file()}
+
+
+# selection
+
+
+def test_files_options_and_load_scene_select_tiers(write, tmp_path: Path):
+    """What a tier adds is the same by file and by option; nothing else changes but its mention."""
+    assert main(["generate", str(write()), "-o", str(tmp_path / "plain")]) == 0
+    assert main(["generate", str(write('tiers = ["plain", "accurate"]')), "-o",
+                 str(tmp_path / "file")]) == 0
+    assert main(["generate", str(write()), "--tier", "accurate", "-o",
+                 str(tmp_path / "option")]) == 0
+    plain, file, option = (contents(tmp_path / x) for x in ("plain", "file", "option"))
+    assert {*file} == {*option} == {*plain} | {
+        "swing_accurate.h", "swing_accurate.c", *(f"swing/accurate/{x}.py" for x in (
+            "__init__", "double", "single", "_exact", "_elementary_double"))}
+    for name, text in plain.items():
+        assert name == "swing/__init__.py" or file[name] == text
+    assert "--tier accurate" in option["swing.c"].splitlines()[0]
+    of_file, of_option = (x["swing_accurate.c"].split("\n", 1)[1] for x in (file, option))
+    assert of_file == of_option
+    told = coscrew_codegen.load_scene(write(), tiers=["accurate"])
+    again = coscrew_codegen.load_scene(told.scene)
+    one = coscrew_codegen.load_scene(write('tiers = ["accurate"]'), precision="double")
+    for kernels in (told, again, one):
+        assert "inverse_dynamics" in kernels.accurate.double
+    assert not [*one.accurate.single]
+
+
+@pytest.mark.parametrize("given, problem", (
+    ('["acurate"]', "'acurate' is no tier of scenes; did you mean 'accurate'?"),
+    ('["fused"]', "'fused' is no tier of scenes; the library alone has it; wanted one of plain, "),
+    ("[]", "an empty list; wanted names"), ('"accurate"', "the text 'accurate'; wanted a list"),
+    ('["accurate", "accurate"]', "'accurate' occurs twice")))
+def test_names_are_checked(write, given: str, problem: str):
+    with pytest.raises(SceneError, match=re.escape(f"tiers: {problem}")):
+        coscrew_codegen.load_scene(write(f"tiers = {given}"))
+
+
+def test_what_is_not_there_is_named(write, capsys: pytest.CaptureFixture[str]):
+    with pytest.raises(TiersError, match="did you mean 'accurate'"):
+        coscrew_codegen.load_scene(write(), tiers=["accurat"])
+    with pytest.raises(TypeError, match="tiers: wanted a list of names"):
+        coscrew_codegen.load_scene(write(), tiers="accurate")
+    plain = coscrew_codegen.load_scene(write(), functions=["energy"])
+    with pytest.raises(AttributeError, match=r"it was not selected: tiers=\['accurate'\]"):
+        plain.accurate
+    with pytest.raises(AttributeError, match="have no attribute 'acurate'"):
+        plain.acurate
+    tiered = coscrew_codegen.load_scene(write(), tiers=["accurate"]).accurate
+    with pytest.raises(AttributeError, match="'step_leapfrog'; steps have no tier"):
+        tiered.double.step_leapfrog
+    with pytest.raises(AttributeError, match="double precision, accurate tier has no function "
+                                             "'enrgy'; did you mean 'energy'"):
+        tiered.double.enrgy
+    alone = coscrew_codegen.load_scene(write(), tiers=["accurate"], functions=["step_rk4"])
+    with pytest.raises(NoFunctionsError, match="swing: the accurate tier needs a function; steps"):
+        alone.accurate
+    assert main(["generate", "--tier", "accurate"]) == 2
+    assert "--tier selects tiers of a scene, and no scene is given" in capsys.readouterr().err
+
+
+def test_plain_is_always_there():
+    assert selected(()) == selected(("plain",)) == ()
+    assert selected(known()) == tuple(tier.name for tier in MARKED)
+    assert known()[0] == "plain"
+
+
+# files
+
+
+@each_tier
+def test_internal_functions_and_steps_have_no_tier(tier):
+    found = in_tier(CASES["spinner"](), tier)
+    for _, tiered in found.in_precisions:
+        assert not tiered.steps and not any(f.internal for f in tiered.functions)
+        assert [f.name for f in tiered.functions] == [
+            f.name for f in found.plain.functions if not f.internal]
+
+
+@each_tier
+@pytest.mark.parametrize("flags", (C11, CXX17), ids=" ".join)
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_c_compiles_without_a_warning(tier, compiler: str, flags: tuple[str, ...], tmp_path: Path):
+    """Alone, and next to the scene's own; also where fma is no instruction."""
+    files = scene_files(replace(carrier_scene(), tiers=(tier.name,)))
+    for name, text in files.items():
+        if name.endswith((".c", ".h")):
+            (tmp_path / name).write_text(text)
+    stem = f"{carrier_scene().name}_{tier.mark}"
+    both = f'#include "{stem}.c"\n#include "{carrier_scene().name}.c"\n'
+    (tmp_path / "both.c").write_text(both)
+    for source, more in ((f"{stem}.c", ()), ("both.c", FMA)):
+        command([compiler, *flags, *STRICT, *more, "-O1", "-c", tmp_path / source, "-o",
+                 tmp_path / "x.o"])
+
+
+# bits
+
+FLAGS = {"gcc": (("-O0",), ("-O3", "-march=native", "-ffp-contract=fast"),
+                 ("-std=c11", "-O2", *FMA, "-ffp-contract=fast", UNHEEDED),
+                 ("-O2", *HASWELL, "-DKSL_HAS_FMA=0", "-ffp-contract=fast")),
+         "clang": (("-O1",), ("-O3", "-march=native", "-ffp-contract=fast"),
+                   ("-O2", *HASWELL, "-DKSL_CONTRACT_OFF"))}
+BUILDS = tuple((compiler, flags) for compiler in COMPILERS for flags in FLAGS[compiler])
+
+
+@pytest.fixture(scope="module")
+def carrier(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[SceneFunctions, object]]:
+    """A free body, a joint and all effects of joints; its package, with all tiers."""
+    folder = tmp_path_factory.mktemp("carrier")
+    of_all = replace(carrier_scene(), tiers=tuple(tier.name for tier in MARKED))
+    for name, text in scene_files(of_all).items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    sys.path.insert(0, str(folder))
+    yield of_all, importlib.import_module(of_all.name)
+    sys.path.remove(str(folder))
+
+
+@each_tier
+@pytest.mark.parametrize("compiler, flags", BUILDS,
+                         ids=[" ".join((name, *flags)) for name, flags in BUILDS])
+def test_bits_are_the_same_in_c_and_numpy(carrier, tier, compiler: str, flags: tuple[str, ...],
+                                          tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    of_all, package = carrier
+    made = in_tier(of_all, tier)
+    using = native.Compiler((compiler,), compiler, ("-fPIC", *flags))
+    files = scene_c_tier.files(made, BANNER) | scene_calls.tier_files(made, BANNER)
+    library = library_of(files, of_all, made.stem, using, tuple(p.name for p in PRECISIONS))
+    found = scene_calls.tier_interface(made)
+    for p in PRECISIONS:
+        twins = importlib.import_module(f"{package.__name__}.{tier.mark}.{p.name}")
+        for described in found.signatures:
+            call = calls.compiled(found, library.opened, described, p)
+            given = states(of_all, of_all.named(described.name), 40, p)
+            assert same_bits(call(None, *given), getattr(twins, described.name)(*given)), (
+                described.name, p.name)
+
+
+@each_precision
+def test_numbers_of_any_kind_give_the_same_bits(precision, tmp_path: Path,
+                                                monkeypatch: pytest.MonkeyPatch):
+    """Zeros, infinities, NaN, the least and large numbers, in rational arithmetic."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    slider = replace(CASES["slider"](), tiers=("accurate",))
+    compiled = getattr(kernels_of(slider).accurate, precision.name)
+    monkeypatch.setenv("CC", "no-such-compiler")
+    with pytest.warns(RuntimeWarning, match="pure NumPy"):
+        pure = getattr(kernels_of(slider).accurate, precision.name)
+    draw = np.random.default_rng(5)
+    kinds = (0.0, -0.0, 1.0, -1.5, 1e-300, 1e30, 5e-324, np.inf, -np.inf, np.nan, 0.1)
+    for f in in_tier(slider, tier_named("accurate")).first.functions:
+        with np.errstate(all="ignore"):
+            given = [draw.choice(kinds, (300, *a.quantity.shape)).astype(precision.numpy_type)
+                     for a in f.program.inputs]
+        assert same_bits(getattr(compiled, f.name)(*given), getattr(pure, f.name)(*given)), f.name
+
+
+def test_kernels_of_a_tier_are_cached_and_pickled(write):
+    path = write('tiers = ["accurate"]')
+    wanted = coscrew_codegen.load_scene(path).accurate.double.inverse_dynamics([1], [2], [3])
+    kernels = coscrew_codegen.load_scene(path)
+    assert kernels.accurate is kernels.accurate and kernels.accurate.plain is kernels
+    copied = pickle.loads(pickle.dumps(kernels.accurate))
+    assert same_bits(copied.double.inverse_dynamics([1], [2], [3]), wanted)
+    script = ("import sys; from coscrew_codegen import load_scene; "
+              f"load_scene({str(path)!r}).accurate.double.inverse_dynamics([1], [2], [3]); "
+              "assert 'coscrew_codegen.mechanics' not in sys.modules")
+    subprocess.run([sys.executable, "-c", script], check=True, env={**os.environ})

@@ -1,0 +1,54 @@
+"""Conditions of a Program's results: Σ |adjoint · value| / |result| over all results of roundings.
+
+u times this is how far the roundings of the plain program can move a result, to first order.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
+from coscrew_codegen.program.differentiate import adjoint
+from coscrew_codegen.program.interpreter import by_operation, exactly
+from tests.support.scenes.generated_scenes import argument
+
+ARRAYS = by_operation(lambda x: np.float64(float(x.double)), {
+    **exactly(np), Op.SELECT: np.where, Op.ATAN2: np.arctan2}, np.float64(np.nan))
+
+
+class Functions:
+    """What partial derivatives need, of arrays."""
+
+    sin, cos = staticmethod(np.sin), staticmethod(np.cos)
+    less, where = staticmethod(np.less), staticmethod(np.where)
+
+
+def perturbed(program: Program) -> Program:
+    """The program with every rounded result multiplied by an element of a further input."""
+    rounding = [step for step in program.instructions if step.op.rounds]
+    place, steps = len(program.inputs), []
+    numbers = {step.name: k for k, step in enumerate(rounding)}
+    for step in program.instructions:
+        if step.name not in numbers:
+            steps.append(step)
+            continue
+        steps += [replace(step, name=f"{step.name}__"), Instruction(
+            step.name, Op.MUL, (Ref(f"{step.name}__"), Input(place, numbers[step.name])),
+            step.component)]
+    return replace(program, inputs=(*program.inputs, argument("by", len(rounding))),
+                   instructions=tuple(steps))
+
+
+def conditions(program: Program, inputs: Sequence[Sequence[np.ndarray]]) -> list[np.ndarray]:
+    """Of each result, for arrays of states; inf or NaN where there is no derivative."""
+    changed, count = perturbed(program), len(program.results)
+    given = [*inputs, [np.float64(1)] * changed.inputs[-1].quantity.size]
+    found = []
+    with np.errstate(all="ignore"):
+        for k in range(count):
+            weights = [np.float64(k == n) for n in range(count)]
+            results, slopes = adjoint(changed, ARRAYS, Functions(), given, weights)
+            total = sum((abs(x) for x in slopes[-1] if x is not None), np.float64(0))
+            found.append(np.divide(total, abs(results[k])) if np.any(total) else np.float64(0))
+    return found

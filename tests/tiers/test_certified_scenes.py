@@ -1,0 +1,188 @@
+"""The certified tier of scenes' functions: no bound is broken, in formats with so few digits that
+what is neglected matters; and each part of the proof is needed."""
+
+import sys
+from collections.abc import Callable
+from functools import cache
+from importlib.util import module_from_spec, spec_from_loader
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.program import Op, Operand, Program, Ref
+from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.tiers import certified_scene, sizes
+from tests.support.scenes.generated_scenes import Writer, argument
+from tests.support.truth.toys import Toy, climbs, judge
+
+TOYS = Toy(11, -40), Toy(16, -200)
+NAMES = "abcd"
+Build = Callable[[Writer, Operand, Operand, Operand, Operand], Operand]
+
+
+def _close(w: Writer, a: Operand, b: Operand, name: str) -> Operand:
+    """What is left of a/3 + b."""
+    return w.do(name, Op.ADD, w.do(f"{name}_third", Op.MUL, "1/3", a), b)
+
+
+def _difference(w: Writer, a: Operand, b: Operand, c: Operand) -> Operand:
+    """((a/3) c) c + (b c) (c/3), whose errors may exceed what is left."""
+    left = w.do("acc", Op.MUL, w.do("ac", Op.MUL, w.do("a_third", Op.MUL, "1/3", a), c), c)
+    right = w.do("bcc", Op.MUL, w.do("bc", Op.MUL, b, c), w.do("c_third", Op.MUL, "1/3", c))
+    return w.do("x", Op.ADD, left, right)
+
+
+def _power(w: Writer, x: Operand, name: str, times: int = 3) -> Operand:
+    for n in range(times):
+        x = w.do(f"{name}{n}", Op.MUL, x, x)
+    return x
+
+
+def _mean(w: Writer, a: Operand, b: Operand, c: Operand, d: Operand) -> Operand:
+    x, y = _close(w, a, b, "x"), _close(w, c, d, "y")
+    return w.do("m", Op.ADD, w.do("xx", Op.MUL, x, x), w.do("yy", Op.MUL, y, y))
+
+
+def _far(w: Writer, a: Operand, b: Operand, c: Operand, d: Operand) -> Operand:
+    """A product of two values of many roundings, each with a large relative error."""
+    x, y = _close(w, a, b, "x"), _close(w, c, d, "y")
+    for n in range(8):
+        x = w.do(f"x{n}", Op.SUB if n % 2 else Op.ADD, x, a)
+        y = w.do(f"y{n}", Op.SUB if n % 2 else Op.ADD, y, c)
+    return w.do("r", Op.MUL, x, y)
+
+
+def _quotient(w: Writer, a: Operand, b: Operand, c: Operand, d: Operand) -> Operand:
+    return w.do("r", Op.DIV, _close(w, a, b, "x"), _close(w, c, d, "y"))
+
+
+FORMULAS: dict[str, Build] = {
+    "sum": lambda w, a, b, c, d: w.do("r", Op.ADD, _close(w, a, b, "x"), _close(w, c, d, "y")),
+    "product": lambda w, a, b, c, d: w.do("r", Op.MUL, _close(w, a, b, "x"), _close(w, c, d, "y")),
+    "products": lambda w, a, b, c, d: w.do("r", Op.SUB, w.do("ab", Op.MUL, a, b),
+                                          w.do("cd", Op.MUL, c, d)),
+    "chain": lambda w, a, b, c, d: w.do("r", Op.MUL, d, w.do("abc", Op.MUL, c, w.do(
+        "ab", Op.MUL, a, b))),
+    "squares": _mean,
+    "power": lambda w, a, b, c, d: _power(w, _close(w, a, b, "x"), "p"),
+    "far product": _far,
+    "exact quotient": lambda w, a, b, c, d: w.do("r", Op.DIV, a, b),
+    "quotient": _quotient,
+    "square of a quotient": lambda w, a, b, c, d: _power(w, _quotient(w, a, b, c, d), "p", 1),
+    "exact root": lambda w, a, b, c, d: w.do("r", Op.SQRT, w.do("s", Op.ABS, a)),
+    "root": lambda w, a, b, c, d: w.do("r", Op.SQRT, _mean(w, a, b, c, d)),
+    "divisor": lambda w, a, b, c, d: w.do("r", Op.DIV, d, _difference(w, a, b, c)),
+    "size": lambda w, a, b, c, d: w.do("r", Op.ADD, c, w.do("s", Op.ABS, _close(w, a, b, "x"))),
+    "positive part": lambda w, a, b, c, d: w.do("r", Op.ADD, w.do(
+        "s", Op.ABS, _difference(w, a, b, c)), Ref("x")),
+    "limit": lambda w, a, b, c, d: w.do("r", Op.SELECT, w.do("t", Op.LESS, a, "1/3"), c, w.do(
+        "o", Op.SELECT, w.do("l", Op.LESS, "1/3", a), d, b)),
+    "square of a difference": lambda w, a, b, c, d: _power(w, _difference(w, a, b, c), "p", 1),
+    "step": lambda w, a, b, c, d: w.do("r", Op.SELECT, w.do("t", Op.LESS, w.do(
+        "x", Op.MUL, "1/3", a), b), d, w.do("n", Op.NEG, d)),
+    "smaller": lambda w, a, b, c, d: w.do("r", Op.SELECT, w.do("t", Op.LESS, _close(
+        w, a, b, "x"), _close(w, c, d, "y")), _close(w, a, b, "x2"), _close(w, c, d, "y2")),
+    "equal": lambda w, a, b, c, d: w.do("r", Op.SELECT, w.do("t", Op.EQUAL, _close(
+        w, a, b, "x"), "1/3"), c, d),
+    "sine": lambda w, a, b, c, d: w.do("r", Op.SIN, _close(w, a, b, "x")),
+    "circle": lambda w, a, b, c, d: w.do("r", Op.ADD, w.do("ac", Op.MUL, a, w.do(
+        "c", Op.COS, c)), w.do("bs", Op.MUL, b, w.do("s", Op.SIN, c))),
+    "tanh": lambda w, a, b, c, d: w.do("r", Op.MUL, d, w.do("t", Op.TANH, _close(w, a, b, "x"))),
+    "exp": lambda w, a, b, c, d: w.do("r", Op.EXP, _close(w, a, b, "x")),
+}
+
+
+@cache
+def program_of(formula: str) -> Program:
+    w = Writer(*map(argument, NAMES))
+    result = FORMULAS[formula](w, *map(w.at, NAMES))
+    return w.function("f", "f", (argument("r"),), [result]).program
+
+
+def _searched(plain: Program, certified: Program, toy: Toy, rounds: int) -> tuple[float, int]:
+    """The largest error in bounds, the number of outputs judged."""
+    width, worst, outputs = sum(a.quantity.size for a in plain.inputs), 0.0, 0
+    for found in climbs(judge(plain, certified, toy), width, toy, 0, rounds):
+        assert found.same
+        worst, outputs = max(worst, found.worst), outputs + found.outputs
+    return worst, outputs
+
+
+@pytest.mark.parametrize("toy", TOYS, ids=str)
+@pytest.mark.parametrize("formula", FORMULAS)
+def test_no_bound_is_broken_by_a_formula(formula: str, toy: Toy):
+    plain = program_of(formula)
+    worst, outputs = _searched(plain, certified_scene.of_scene(plain, toy), toy, 40)
+    assert worst <= 1 and outputs > 5000
+    assert worst > 0.4  # and the search comes close
+
+
+EXAMPLES = Path(__file__).parents[2] / "examples/scenes"
+FUNCTIONS = ("inverse_dynamics", "forward_dynamics", "mass_matrix", "energy", "body_poses",
+             "body_twists", "integrated", "implicit_acceleration")
+
+
+@pytest.mark.parametrize("scene", ("arm6", "pendulum", "quadruped", "stick_slip", "wingnut"))
+def test_no_bound_is_broken_by_a_scene(scene: str):
+    toy, total = Toy(21, -300), 0
+    for function in derive(read_scene(EXAMPLES / f"{scene}.toml"), FUNCTIONS).functions:
+        plain = function.program
+        if plain.instructions:
+            worst, outputs = _searched(plain, certified_scene.of_scene(plain, toy), toy, 2)
+            total += outputs
+            assert worst <= 1, function.name
+    assert total > 1000
+
+
+# What the proof needs.  Where a constant is weakened, a search breaks a bound.
+
+MUTATIONS = {
+    "slack": ("sizes", "self.slack = 16 *", "self.slack = 0 *", "products"),
+    "padding": ("sizes", "self.do(Op.ADD, size.s, constant(self._padding), name=\"padded\")",
+                "size.s", "chain"),
+    "last factor": ("sizes", "(size.m + 8 * size.k)", "(size.m / 2**12)", "products"),
+    "reach of factors": ("sizes", "Op.ADD, self.magnitude(x), self.units(x), name=\"reach\"",
+                         "Op.ABS, x", "square of a difference"),
+    "divisor near zero": ("certified_scene", "constant(Fraction(4))", "ZERO", "divisor"),
+    "spread of divisors": ("certified_scene", "total = self.do(Op.MUL, total, self.reach(y))",
+                           "total = self.do(Op.MUL, total, divisor)", "quotient"),
+    "underflow of a - q b": ("certified_scene", "self.padded(x, even_exact=True), self.padded(y)",
+                             "self.padded(x), self.padded(y)", "exact quotient"),
+    "underflow of a - s s": ("certified_scene", "a = self.padded(x, even_exact=True)\n        k",
+                             "a = self.padded(x)\n        k", "exact root"),
+    "root near zero": ("certified_scene", "far = self._in_size(far, m)", "far = ZERO", "root"),
+    "sign": ("certified_scene", "self.do(Op.SUB, self.do(Op.ABS, gap), gap)", "ZERO",
+             "positive part"),
+    "choice": ("certified_scene", "self.do(Op.SELECT, certain, ZERO, other)", "ZERO", "step"),
+    "distance of options": ("certified_scene", "other = self._distance(*options)", "other = ZERO",
+                            "step"),
+    "functions": ("certified_scene", " + REST", "", "circle"),
+}
+
+
+def _mutated(module: str, old: str, new: str) -> ModuleType:
+    """The tier with one of its two modules changed."""
+    changed = {}
+    for name, original in (("sizes", sizes), ("certified_scene", certified_scene)):
+        source = Path(original.__file__ or "").read_text(encoding="utf-8")
+        if name == module:
+            assert source.count(old) == 1, old
+            source = source.replace(old, new)
+        source = source.replace("coscrew_codegen.tiers.sizes", "mutated_sizes")
+        spec = spec_from_loader(f"mutated_{name}", None)
+        assert spec
+        changed[name] = sys.modules[spec.name] = module_from_spec(spec)
+        exec(compile(source, name, "exec"), vars(changed[name]))
+    return changed["certified_scene"]
+
+
+@pytest.mark.parametrize("mutation", MUTATIONS)
+def test_a_weaker_constant_is_noticed(mutation: str, monkeypatch: pytest.MonkeyPatch):
+    module, old, new, formula = MUTATIONS[mutation]
+    for name in ("sizes", "certified_scene"):
+        monkeypatch.setitem(sys.modules, f"mutated_{name}", None)
+    plain = program_of(formula)
+    weak = _mutated(module, old, new).of_scene
+    assert max(_searched(plain, weak(plain, toy), toy, 120)[0] for toy in TOYS) > 1
