@@ -38,7 +38,7 @@ from coscrew_codegen.tiers.tier import Tier, rounds_by
 
 _ZERO, _HALF, _ONE = (Constant(Fraction(n, 2), Fraction(n, 2)) for n in (0, 1, 2))
 _PARTNER = {Op.SIN: Op.COS, Op.COS: Op.SIN}
-_NONLINEAR = {Op.DIV, Op.SQRT, Op.SCALE, Op.ATAN2, Op.SIN, Op.COS}
+_NONLINEAR = {Op.DIV, Op.SQRT, Op.SCALE, *ERROR_OF}
 _JUDGING = {Op.ABS, Op.LESS, Op.EQUAL}  # after cancellation hi may be 0 and lo the whole value
 COMPENSATED = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG, Op.ABS, Op.LESS, Op.EQUAL, Op.SELECT,
                          *_NONLINEAR})
@@ -78,7 +78,7 @@ def _made(program: Program, precision: Precision) -> Program:
 
 def _has(program: Program) -> bool:
     """Whether all is compensated; the rounding of an arctangent alone cannot be."""
-    return rounds_by(COMPENSATED - _PARTNER.keys(), program) and any(
+    return rounds_by(COMPENSATED - {Op.SIN, Op.COS, Op.EXP, Op.TANH}, program) and any(
         op.rounds for op in program.counts.keys() - {Op.ATAN2})
 
 
@@ -109,6 +109,7 @@ class _Accurate(Compensator):
         self._partners: dict[str, Ref] = {}  # a sine's cosine, a cosine's sine
         self._rules = {
             Op.SIN: self._sine_or_cosine, Op.COS: self._sine_or_cosine,
+            Op.EXP: self._exponential, Op.TANH: self._hyperbolic_tangent,
             Op.DIV: self._quotient, Op.SQRT: self._root, Op.ATAN2: self._arctangent,
             Op.SCALE: self._scaled, Op.ABS: self._absolute, Op.SELECT: self._selected,
             Op.LESS: self._comparison, Op.EQUAL: self._comparison,
@@ -212,15 +213,40 @@ class _Accurate(Compensator):
         more = self.issue(step, Op.MUL, (slope, x_lo), "more")
         return self.issue(step, Op.ADD if sine else Op.SUB, (error, more), "lo")
 
+    def _exponential(self, step: Instruction, low: list[Operand | None]) -> Operand:
+        """lo of y = exp x: exp x - y + y (x_lo + x_lo²/2); the square matters for large x."""
+        error = self._error(step)
+        x_lo, = low
+        if x_lo is None:
+            return error
+        half = self.issue(step, Op.MUL, (x_lo, _HALF), "half")
+        bend = self.issue(step, Op.MUL, (half, x_lo), "bend")
+        shift = self.issue(step, Op.ADD, (bend, x_lo), "shift")
+        more = self.issue(step, Op.MUL, (Ref(step.name), shift), "more")
+        return self.issue(step, Op.ADD, (error, more), "lo")
+
+    def _hyperbolic_tangent(self, step: Instruction, low: list[Operand | None]) -> Operand:
+        """lo of y = tanh x: tanh x - y + (1 - y) (1 + y) x_lo."""
+        error, y = self._error(step), Ref(step.name)
+        x_lo, = low
+        if x_lo is None:
+            return error
+        factors = (self.issue(step, Op.SUB, (_ONE, y), "below"),
+                   self.issue(step, Op.ADD, (_ONE, y), "above"))
+        slope = self.issue(step, Op.MUL, factors, "slope")
+        more = self.issue(step, Op.MUL, (slope, x_lo), "more")
+        return self.issue(step, Op.ADD, (error, more), "lo")
+
     def _error(self, step: Instruction) -> Ref:
         """What an elementary function errs by."""
         return self.issue(step, ERROR_OF[step.op], (*step.operands, Ref(step.name)), "own_error")
 
-    def _arctangent(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
-        """lo of atan2(y, x): (x y_lo - y x_lo) / (x² + y²), computed with x / m and y / m,
-        m = max(|x|, |y|), so that squares don't overflow."""
+    def _arctangent(self, step: Instruction, low: list[Operand | None]) -> Operand:
+        """lo of atan2(y, x): what it errs by, and (x y_lo - y x_lo) / (x² + y²), computed with
+        x / m and y / m, m = max(|x|, |y|), so that squares don't overflow."""
+        error = self._error(step)
         if low == [None, None]:
-            return None
+            return error
         sizes = [self.issue(step, Op.ABS, (z,), f"size{n}") for n, z in enumerate(step.operands)]
         larger = self.issue(step, Op.LESS, (sizes[0], sizes[1]), "larger")
         m = self.issue(step, Op.SELECT, (larger, sizes[1], sizes[0]), "most")
@@ -236,7 +262,8 @@ class _Accurate(Compensator):
         square = self.issue(step, Op.ADD, squares, "square")
         divisor = self.issue(step, Op.MUL, (m, square), "divisor2")
         safe = self.issue(step, Op.SELECT, (zero, _ONE, divisor), "safe")
-        return self.issue(step, Op.DIV, (total, safe), "lo")
+        more = self.issue(step, Op.DIV, (total, safe), "more")
+        return self.issue(step, Op.ADD, (error, more), "lo")
 
     def _scaled(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
         """lo of p = a s, s a power of two: (a - p / s + a_lo) s if p has lost digits by underflow;

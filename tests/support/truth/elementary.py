@@ -1,6 +1,7 @@
 """Elementary functions' Programs on NumPy's arrays, and their errors against MPFR."""
 
 from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
 from functools import cache, partial
 from pathlib import Path
 from typing import Any
@@ -66,7 +67,7 @@ def _chunk(x: Array, n: int, precision: Precision) -> Array:
 
 
 def _product_error(a: Array, b: Array, p: Array, precision: Precision) -> Array:
-    """a b - p by Veltkamp's splitting, as the NumPy kernels compute it."""
+    """a b - p rounded once: by Veltkamp's splitting, or where that underflows in rationals."""
     factor = getattr(np, precision.numpy_type)(2**((precision.digits + 1) // 2) + 1)
 
     def split(x: Array) -> tuple[Array, Array]:
@@ -75,7 +76,13 @@ def _product_error(a: Array, b: Array, p: Array, precision: Precision) -> Array:
         return high, x - high
 
     (ah, al), (bh, bl) = split(a), split(b)
-    return al * bl - (((p - ah * bh) - al * bh) - ah * bl)
+    found = np.array(al * bl - (((p - ah * bh) - al * bh) - ah * bl))
+    small = (np.abs(p) < 2.0**(precision.least_exponent + 2 * precision.digits)) & (a != 0) & (
+        b != 0) & np.isfinite(p)
+    rows = zip(*(np.broadcast_to(x, found.shape)[small].tolist() for x in (a, b, p)), strict=True)
+    found[small] = [float(precision.rounded(Fraction(x) * Fraction(y) - Fraction(z)))
+                    for x, y, z in rows]
+    return found
 
 
 @cache
@@ -132,15 +139,16 @@ def errors(name: str, precision: Precision, got: Array, *inputs: Array) -> Array
     return found
 
 
-def remaining(name: str, got: Array, rest: Array, *inputs: Array) -> Array:
-    """log2 of |got + rest - true| / |true|: of what a result and its error err by together."""
+def remaining(name: str, got: Array, rest: Array, *inputs: Array, slack: float = 0) -> Array:
+    """log2 of |got + rest - true| / |true|: of what a result and its error err by together, beyond
+    an absolute slack."""
     with gmpy2.context(precision=2 * BITS, emax=10**6, emin=-10**6):
         found = np.empty(len(got))
         for i, (value, more, *given) in enumerate(zip(
                 got.tolist(), rest.tolist(), *(x.tolist() for x in inputs), strict=True)):
             true = truth(name, given)
-            error = abs(gmpy2.mpfr(value) + gmpy2.mpfr(more) - true)
-            found[i] = gmpy2.log2(error / abs(true)) if error else -np.inf
+            error = abs(gmpy2.mpfr(value) + gmpy2.mpfr(more) - true) - gmpy2.mpfr(slack)
+            found[i] = gmpy2.log2(error / abs(true)) if error > 0 else -np.inf
         return found
 
 
