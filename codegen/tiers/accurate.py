@@ -30,7 +30,7 @@ from coscrew_codegen.program import (
     without_dead_steps,
 )
 from coscrew_codegen.program.bounds import bounds_of
-from coscrew_codegen.program.ops import ERROR_OF, Rounding
+from coscrew_codegen.program.ops import ERROR_OF
 from coscrew_codegen.program.program import name_of
 from coscrew_codegen.tiers.compensated import Compensator, rounded_constant
 from coscrew_codegen.tiers.negation import negating_terms
@@ -339,7 +339,7 @@ def _beyond(x: Operand, above: bool) -> Operand:
 
 _NUMBER = re.compile(r"_[0-9]+$")
 _ONCE = {Op.ADD, Op.SUB, Op.MUL, Op.DIV, Op.SQRT}
-_RESTING = {Op.DIV, Op.SQRT, Op.ATAN2, Op.SIN, Op.COS, Op.EXP, Op.TANH}
+_RESTING = {Op.DIV, Op.SQRT, *ERROR_OF}
 
 
 class OfScene(_Accurate):
@@ -360,8 +360,6 @@ class OfScene(_Accurate):
 
     def compensate(self, step: Instruction) -> None:
         """As of its base; a result may have cancelled if it is a sum or is made of one."""
-        if step.op.meaning.rounding is Rounding.FUNCTION and step.op not in self._rules:
-            raise ValueError(f"{step.op.value} has no error in the accurate tier")
         if step.op is Op.LESS:
             step = replace(step, operands=tuple(map(_beyond, step.operands, (False, True))))
         if step.op in (Op.ADD, Op.SUB) or step.op not in _RESTING and any(

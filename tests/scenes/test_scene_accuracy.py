@@ -49,7 +49,7 @@ def example(name: str) -> Scene:
 
 
 @each_precision
-@pytest.mark.parametrize("name", ("pendulum", "wingnut"))
+@pytest.mark.parametrize("name", ("arm6", "pendulum", "quadruped", "stick_slip", "wingnut"))
 def test_every_function_of_the_examples(name: str, precision: Precision):
     kernels = kernels_for(example(name))
     count = 60 if name == "arm6" else 12
