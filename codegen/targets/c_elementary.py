@@ -9,8 +9,9 @@ from coscrew_codegen.elementary import ELEMENTARY, ERRORS, Elementary
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.program import Constant, Input, Op, Program, counts_in_words, renamed
 from coscrew_codegen.quantity import Argument
-from coscrew_codegen.targets import two_over_pi
+from coscrew_codegen.targets import c_lanes, two_over_pi
 from coscrew_codegen.targets.c_function import Body, Stored
+from coscrew_codegen.targets.c_lanes import SEVERAL
 from coscrew_codegen.targets.c_nested import language
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
 from coscrew_codegen.targets.nesting import planned
@@ -27,7 +28,8 @@ CALLABLE = {group: (*(name for name, of in ALONE.items() if of in {x.name for x 
                     *(x.name for x in functions))
             for group, functions in ((HEADER, ELEMENTARY), (ERROR_HEADER, ERRORS))}
 """The names of what each header defines."""
-_CALL = re.compile(rf"\bksl_({'|'.join(name for x in CALLABLE.values() for name in x)})f?\(")
+_NAMES = [*SEVERAL, *(name for names in CALLABLE.values() for name in names)]
+_CALL = re.compile(rf"\bksl_({'|'.join(_NAMES)})f?\(")
 
 
 @dataclass(frozen=True)
@@ -46,6 +48,7 @@ class Written:
     inlined: bool = False
     power: bool = False  # whether it is the first to call ksl_power
     alone: Collection[str] = ()  # those of its results that have a function of their own
+    several: str = ""  # functions that compute it for several arguments
 
 
 def called(texts: Iterable[str]) -> frozenset[str]:
@@ -55,11 +58,18 @@ def called(texts: Iterable[str]) -> frozenset[str]:
 
 def written(precision: Precision, names: Collection[str], nested: bool = False) -> list[Written]:
     """What defines these names."""
-    needed = {ALONE.get(name, name) for name in names}
+    of = {**ALONE, **dict.fromkeys(SEVERAL, "sincos")}
+    needed = {of.get(name, name) for name in names}
     wanted = [x for x in (*ELEMENTARY, *ERRORS) if x.name in needed]
     powers = [x for x in wanted if Op.POWER in x.kernel(precision).counts]
-    return [replace(_written(function, precision, nested), alone=ALONE.keys() & names,
-                    power=function in powers[:1]) for function in wanted]
+    return [replace(_written(x, precision, nested), power=x in powers[:1],
+                    alone=[name for name in ALONE if name in names and of[name] == x.name],
+                    several=_several(x, precision, names)) for x in wanted]
+
+
+def _several(function: Elementary, precision: Precision, names: Collection[str]) -> str:
+    wanted = [n for name, n in SEVERAL.items() if name in names and function.name == "sincos"]
+    return c_lanes.written(function, precision, wanted) if wanted else ""
 
 
 def _written(function: Elementary, precision: Precision, nested: bool) -> Written:

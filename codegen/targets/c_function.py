@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.program import Input, Operand, Program, by_component
-from coscrew_codegen.targets.c_nested import declarations, language
+from coscrew_codegen.targets.c_nested import declarations, language, together
 from coscrew_codegen.targets.c_statements import WIDTH, Statements, broken, comment_of
 from coscrew_codegen.targets.nesting import Plan
 
@@ -79,7 +79,7 @@ class Body:
         results = [self._narrowed(x, text)
                    for x, text in zip(program.results, nesting.results, strict=True)]
         working = DOUBLE if program.wide else self.precision
-        return declarations(nesting.assigned, working, WIDTH - 2), results
+        return declarations(together(nesting.assigned), working, WIDTH - 2), results
 
     def _stores(self, results: Sequence[str]) -> Iterator[str]:
         pairs = list(zip(self.stored.targets, results, strict=True))

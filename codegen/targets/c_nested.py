@@ -6,12 +6,18 @@ spite of every pragma.
 """
 
 from collections.abc import Iterator, Sequence
-from itertools import groupby
+from dataclasses import dataclass
+from itertools import groupby, pairwise
 
 from coscrew_codegen.formats import DOUBLE, Precision
-from coscrew_codegen.program import Constant, Instruction, Op, Program, Ref
+from coscrew_codegen.program import Constant, Input, Instruction, Op, Program, Ref
 from coscrew_codegen.program.ops import COMPARISONS
-from coscrew_codegen.targets.c_statements import ELEMENTARY, chunk_of_two_over_pi, sine_and_cosine
+from coscrew_codegen.targets.c_statements import (
+    ELEMENTARY,
+    chunk_of_two_over_pi,
+    listed,
+    sine_and_cosine,
+)
 from coscrew_codegen.targets.nesting import (
     CALL,
     CHOICE,
@@ -37,6 +43,7 @@ _SPELLING = {
     **{op: (pattern.replace("{f}", "%s"), CALL) for op, pattern in ELEMENTARY.items()},
 }
 _ROUNDED = "RN({} * {})", CALL
+LANES = 4  # angles whose sines and cosines are computed at once
 _SUMS = frozenset({Op.ADD, Op.SUB, Op.EXACT_ADD, Op.EXACT_SUB, Op.PRODUCT_ERROR, Op.PRODUCT_REST})
 _TRANSPARENT = frozenset({Op.NEG, Op.ABS, Op.SELECT})
 """Operations through which a sum still has a product as operand."""
@@ -79,12 +86,56 @@ def _doubles(step: Instruction) -> bool:
         isinstance(x, Constant) and abs(x.double) == 2 for x in step.operands)
 
 
-def declarations(assigned: Sequence[Assignment | str], precision: Precision,
+@dataclass(frozen=True)
+class Together:
+    """Sines and cosines that are computed by one call."""
+
+    pairs: Sequence[Assignment]
+
+    @property
+    def step(self) -> Instruction:
+        """The first of them."""
+        return self.pairs[0].step
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """All that is assigned."""
+        return tuple(name for pair in self.pairs for name in pair.names)
+
+    def statements(self, precision: Precision, width: int) -> str:
+        """The call, and declarations of what it stores in arrays."""
+        real, arrays = precision.c_type, [f"{x}_of_{self.names[0]}" for x in ("sines", "cosines")]
+        angles = [pair.expression for pair in self.pairs]
+        call = listed(f"ksl_sincos_{len(angles)}{precision.suffix}(", [*angles, *arrays], ");",
+                      width)
+        values = (f"{array}[{n}]" for n in range(len(angles)) for array in arrays)
+        return "\n".join((
+            f"{real} {', '.join(f'{x}[{LANES}]' for x in arrays)};", call,
+            listed(f"const {real} ", [f"{name} = {value}" for name, value in zip(
+                self.names, values, strict=True)], ";", width)))
+
+
+def together(assigned: Sequence[Assignment | str]) -> list[Assignment | Together | str]:
+    """With the sines and cosines of inputs first, several together; headings below which nothing is
+    left are left out."""
+    pairs = [x for x in assigned if isinstance(x, Assignment) and x.cosine
+             and x.step.op is Op.SIN and isinstance(x.step.operands[0], Input)]
+    groups = [pairs[n:n + LANES] for n in range(0, len(pairs), LANES)]
+    moved = {x.step.name for group in groups if len(group) > 1 for x in group}
+    rest = [x for x in assigned if isinstance(x, str) or x.step.name not in moved]
+    kept = [x for x, following in pairwise((*rest, ""))
+            if not (isinstance(x, str) and isinstance(following, str))]
+    return [*(Together(group) for group in groups if len(group) > 1), *kept]
+
+
+def declarations(assigned: Sequence[Assignment | Together | str], precision: Precision,
                  width: int) -> Iterator[str]:
     """Declarations and headings; declarations of the same component are one statement."""
-    def kind(x: Assignment | str) -> tuple[str, str]:
+    def kind(x: Assignment | Together | str) -> tuple[str, str]:
         if isinstance(x, str):
             return "", f"/* {x} */"
+        if isinstance(x, Together):
+            return "", x.statements(precision, width)
         if x.cosine:
             return "", sine_and_cosine(x.step, x.cosine, x.expression, precision)
         return ("int" if x.step.op in COMPARISONS else precision.c_type), x.step.component

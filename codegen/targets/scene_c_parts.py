@@ -15,7 +15,7 @@ from coscrew_codegen.recording.recorder import headings
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.targets import scene_c_arguments as arguments
 from coscrew_codegen.targets.c_function import Body, CFunction, Stored, read_by
-from coscrew_codegen.targets.c_nested import declarations, language
+from coscrew_codegen.targets.c_nested import declarations, language, together
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
 from coscrew_codegen.targets.nesting import Assignment, Nesting, Plan, named_constants
 from coscrew_codegen.targets.scene_text import VALUE_WIDTH, access, c_name, outputs, printable
@@ -92,11 +92,11 @@ class Parts:
         above = {place: self._words.get(words, printable(words)) for place, words in headings(part)}
         nesting = self._plans[part.name].printed(
             language(part, precision), self._read(part, precision), above)
-        for _, run in groupby(nesting.assigned, lambda x: x if isinstance(x, str)
+        for _, run in groupby(together(nesting.assigned), lambda x: x if isinstance(x, str)
                               else x.step.component):
             assigned = list(run)
             yield from declarations(assigned, self._working(precision), WIDTH - 2)
-            names = [name for x in assigned if isinstance(x, Assignment) for name in x.names]
+            names = [name for x in assigned if not isinstance(x, str) for name in x.names]
             yield from (f"{group.name}->{x} = {x};" for x in names if x in kept)
 
     def _planned(self, part: Program, named: frozenset[str]) -> Plan:

@@ -432,8 +432,8 @@ typedef enum ksl_axis_enum_t {
 
 #include <stdint.h>
 
-/* Rare paths are never inlined; sine and cosine always are, unless the compiler optimises for size:
-   then those of several joints are computed at the same time. */
+/* Rare paths are never inlined; sine and cosine always are, unless the compiler optimises for size,
+   so that processors compute several at the same time. */
 #ifndef KSL_COLD
 #ifdef __GNUC__
 #define KSL_COLD __attribute__((noinline, cold, unused))
@@ -441,7 +441,9 @@ typedef enum ksl_axis_enum_t {
 #define KSL_COLD
 #endif
 #if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
-#define KSL_INLINED inline __attribute__((always_inline))
+#define KSL_INLINED inline __attribute__((always_inline, unused))
+#elif defined(__GNUC__)
+#define KSL_INLINED inline __attribute__((unused))
 #else
 #define KSL_INLINED inline
 #endif
@@ -687,11 +689,13 @@ static KSL_COLD double ksl_sincos_far(const double x, double *r, double *r_exces
      to 2^-57.8; with all roundings within 0.824 ulp (both proved), for every finite x.
    23 mul, 25 add, 1 abs. */
 static KSL_INLINED double ksl_sincos(const double x, double *c) {
-  double quadrant, r, r_excess;
+  double r, r_excess,
+      quadrant = ksl_sincos_near(x, &r, &r_excess);
   if (fabs(x) > 6588396.0) {
-    quadrant = ksl_sincos_far(x, &r, &r_excess);
-  } else {
-    quadrant = ksl_sincos_near(x, &r, &r_excess);
+    double far_r, far_r_excess;
+    quadrant = ksl_sincos_far(x, &far_r, &far_r_excess);
+    r = far_r;
+    r_excess = far_r_excess;
   }
   const double z = KSL_MUL(r, r);
   const double z2 = KSL_MUL(z, z);
@@ -1006,11 +1010,13 @@ static KSL_COLD float ksl_sincos_farf(const float x, float *r, float *r_excess) 
      2^-27.8; with all roundings within 0.85 ulp (both proved), for every finite x.
    17 mul, 19 add, 1 abs. */
 static KSL_INLINED float ksl_sincosf(const float x, float *c) {
-  float quadrant, r, r_excess;
+  float r, r_excess,
+      quadrant = ksl_sincos_nearf(x, &r, &r_excess);
   if (fabsf(x) > 1607.0f) {
-    quadrant = ksl_sincos_farf(x, &r, &r_excess);
-  } else {
-    quadrant = ksl_sincos_nearf(x, &r, &r_excess);
+    float far_r, far_r_excess;
+    quadrant = ksl_sincos_farf(x, &far_r, &far_r_excess);
+    r = far_r;
+    r_excess = far_r_excess;
   }
   const float z = KSL_MULF(r, r);
   const float z2 = KSL_MULF(z, z);
@@ -1798,11 +1804,13 @@ static KSL_COLD double ksl_sincos_error_far(const double x, double *r, double *r
    78 mul, 154 add, 21 product error, 2 abs, 1 less, 1 select. */
 static inline double ksl_sincos_error(const double x, const double s, const double c,
     double *c_error) {
-  double quadrant, r, r_low;
+  double r, r_low,
+      quadrant = ksl_sincos_error_near(x, &r, &r_low);
   if (fabs(x) > 6588396.0) {
-    quadrant = ksl_sincos_error_far(x, &r, &r_low);
-  } else {
-    quadrant = ksl_sincos_error_near(x, &r, &r_low);
+    double far_r, far_r_low;
+    quadrant = ksl_sincos_error_far(x, &far_r, &far_r_low);
+    r = far_r;
+    r_low = far_r_low;
   }
   const double argument_1 = fabs(r), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r;
   const double z = KSL_MUL(argument, argument);
@@ -2662,11 +2670,13 @@ static KSL_COLD float ksl_sincos_error_farf(const float x, float *r, float *r_lo
      finite x.
    53 mul, 101 add, 14 product error, 2 abs, 1 less, 1 select. */
 static inline float ksl_sincos_errorf(const float x, const float s, const float c, float *c_error) {
-  float quadrant, r, r_low;
+  float r, r_low,
+      quadrant = ksl_sincos_error_nearf(x, &r, &r_low);
   if (fabsf(x) > 1607.0f) {
-    quadrant = ksl_sincos_error_farf(x, &r, &r_low);
-  } else {
-    quadrant = ksl_sincos_error_nearf(x, &r, &r_low);
+    float far_r, far_r_low;
+    quadrant = ksl_sincos_error_farf(x, &far_r, &far_r_low);
+    r = far_r;
+    r_low = far_r_low;
   }
   const float argument_1 = fabsf(r), argument = argument_1 < 2.9802322e-08f ? 0.0f : r;
   const float z = KSL_MULF(argument, argument);

@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "73e3434e9ac391df")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "3ebd7b841fba158a")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

@@ -9,8 +9,8 @@
 
 #include <stdint.h>
 
-/* Rare paths are never inlined; sine and cosine always are, unless the compiler optimises for size:
-   then those of several joints are computed at the same time. */
+/* Rare paths are never inlined; sine and cosine always are, unless the compiler optimises for size,
+   so that processors compute several at the same time. */
 #ifndef KSL_COLD
 #ifdef __GNUC__
 #define KSL_COLD __attribute__((noinline, cold, unused))
@@ -18,7 +18,9 @@
 #define KSL_COLD
 #endif
 #if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
-#define KSL_INLINED inline __attribute__((always_inline))
+#define KSL_INLINED inline __attribute__((always_inline, unused))
+#elif defined(__GNUC__)
+#define KSL_INLINED inline __attribute__((unused))
 #else
 #define KSL_INLINED inline
 #endif
@@ -264,11 +266,13 @@ static KSL_COLD double ksl_sincos_far(const double x, double *r, double *r_exces
      to 2^-57.8; with all roundings within 0.824 ulp (both proved), for every finite x.
    23 mul, 25 add, 1 abs. */
 static KSL_INLINED double ksl_sincos(const double x, double *c) {
-  double quadrant, r, r_excess;
+  double r, r_excess,
+      quadrant = ksl_sincos_near(x, &r, &r_excess);
   if (fabs(x) > 6588396.0) {
-    quadrant = ksl_sincos_far(x, &r, &r_excess);
-  } else {
-    quadrant = ksl_sincos_near(x, &r, &r_excess);
+    double far_r, far_r_excess;
+    quadrant = ksl_sincos_far(x, &far_r, &far_r_excess);
+    r = far_r;
+    r_excess = far_r_excess;
   }
   const double z = KSL_MUL(r, r);
   const double z2 = KSL_MUL(z, z);
@@ -583,11 +587,13 @@ static KSL_COLD float ksl_sincos_farf(const float x, float *r, float *r_excess) 
      2^-27.8; with all roundings within 0.85 ulp (both proved), for every finite x.
    17 mul, 19 add, 1 abs. */
 static KSL_INLINED float ksl_sincosf(const float x, float *c) {
-  float quadrant, r, r_excess;
+  float r, r_excess,
+      quadrant = ksl_sincos_nearf(x, &r, &r_excess);
   if (fabsf(x) > 1607.0f) {
-    quadrant = ksl_sincos_farf(x, &r, &r_excess);
-  } else {
-    quadrant = ksl_sincos_nearf(x, &r, &r_excess);
+    float far_r, far_r_excess;
+    quadrant = ksl_sincos_farf(x, &far_r, &far_r_excess);
+    r = far_r;
+    r_excess = far_r_excess;
   }
   const float z = KSL_MULF(r, r);
   const float z2 = KSL_MULF(z, z);

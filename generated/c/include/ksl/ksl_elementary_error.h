@@ -636,11 +636,13 @@ static KSL_COLD double ksl_sincos_error_far(const double x, double *r, double *r
    78 mul, 154 add, 21 product error, 2 abs, 1 less, 1 select. */
 static inline double ksl_sincos_error(const double x, const double s, const double c,
     double *c_error) {
-  double quadrant, r, r_low;
+  double r, r_low,
+      quadrant = ksl_sincos_error_near(x, &r, &r_low);
   if (fabs(x) > 6588396.0) {
-    quadrant = ksl_sincos_error_far(x, &r, &r_low);
-  } else {
-    quadrant = ksl_sincos_error_near(x, &r, &r_low);
+    double far_r, far_r_low;
+    quadrant = ksl_sincos_error_far(x, &far_r, &far_r_low);
+    r = far_r;
+    r_low = far_r_low;
   }
   const double argument_1 = fabs(r), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r;
   const double z = KSL_MUL(argument, argument);
@@ -1500,11 +1502,13 @@ static KSL_COLD float ksl_sincos_error_farf(const float x, float *r, float *r_lo
      finite x.
    53 mul, 101 add, 14 product error, 2 abs, 1 less, 1 select. */
 static inline float ksl_sincos_errorf(const float x, const float s, const float c, float *c_error) {
-  float quadrant, r, r_low;
+  float r, r_low,
+      quadrant = ksl_sincos_error_nearf(x, &r, &r_low);
   if (fabsf(x) > 1607.0f) {
-    quadrant = ksl_sincos_error_farf(x, &r, &r_low);
-  } else {
-    quadrant = ksl_sincos_error_nearf(x, &r, &r_low);
+    float far_r, far_r_low;
+    quadrant = ksl_sincos_error_farf(x, &far_r, &far_r_low);
+    r = far_r;
+    r_low = far_r_low;
   }
   const float argument_1 = fabsf(r), argument = argument_1 < 2.9802322e-08f ? 0.0f : r;
   const float z = KSL_MULF(argument, argument);

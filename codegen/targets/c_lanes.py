@@ -1,0 +1,80 @@
+"""Sine and cosine of several angles at once, in the C of scenes: on vectors where the processor has
+them, with the bits of one angle alone."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from coscrew_codegen.elementary import Elementary
+from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, renamed
+from coscrew_codegen.render import render
+from coscrew_codegen.targets.c_nested import LANES, declarations, language
+from coscrew_codegen.targets.c_statements import WIDTH, listed
+from coscrew_codegen.targets.nesting import CALL, Language, planned
+
+SEVERAL = {f"sincos_{n}": n for n in range(2, LANES + 1)}
+"""How many angles each of the functions takes."""
+
+
+def written(function: Elementary, precision: Precision, wanted: Sequence[int]) -> str:
+    """The functions for so many angles."""
+    assert function.near and function.limit
+    limit = function.limit(precision)
+    near, kernel = (_on_vectors(make(precision), precision)
+                    for make in (function.near, function.kernel))
+    return render("c/lanes", precision=precision, near=near, kernel=kernel, lanes=LANES,
+                  size=LANES * precision.bytes, padded={n: _padded(n) for n in wanted},
+                  heads={n: _head(n, precision) for n in (LANES, *wanted)},
+                  limit=precision.literal(Constant(limit, limit)) + precision.suffix,
+                  reduced=[a.name for a in function.near(precision).outputs],
+                  mask=hex(2**(8 * precision.bytes - 1) - 1))
+
+
+def _head(count: int, precision: Precision) -> str:
+    real = precision.c_type
+    return listed(f"void ksl_sincos_{count}{precision.suffix}(",
+                  [*(f"const {real} x{n}" for n in range(count)),
+                   f"{real} s[{LANES}]", f"{real} c[{LANES}]"], ")", WIDTH - 20)
+
+
+def _padded(count: int) -> str:
+    """So many angles, the last of them repeated."""
+    return ", ".join(f"x{min(n, count - 1)}" for n in range(LANES))
+
+
+def _on_vectors(program: Program, precision: Precision) -> tuple[Sequence[str], Sequence[str]]:
+    """Declarations, and the results.  Constants have no names: no vector is initialised with a
+    number."""
+    outputs = {a.name for a in program.outputs}
+    program = _without_names_of_constants(renamed(program, {
+        step.name: f"{step.name}_value" if step.name in outputs else step.name
+        for step in program.instructions}))
+    vectors = replace(precision, c_type=f"ksl_lanes{precision.suffix}")
+
+    def access(x: Input) -> str:
+        return program.inputs[x.argument].name
+
+    plan = planned(program, language(program, DOUBLE), access, 150)
+    text = plan.printed(_language(plan.program, precision), access, {})
+    return list(declarations(text.assigned, vectors, WIDTH - 2)), text.results
+
+
+def _language(program: Program, precision: Precision) -> Language:
+    """C on vectors."""
+    scalar, f = language(program, precision), precision.suffix.upper()
+
+    def spelling(step: Instruction) -> tuple[str, int]:
+        if step.op is Op.ABS:
+            return f"KSL_ABS_LANES{f}({{}})", CALL
+        pattern, binding = scalar.spelling(step)
+        return pattern.replace("RN(", f"KSL_RN_LANES{f}("), binding
+
+    return replace(scalar, spelling=spelling)
+
+
+def _without_names_of_constants(program: Program) -> Program:
+    def other(x: Operand) -> Operand:
+        return replace(x, name="") if isinstance(x, Constant) else x
+
+    return replace(program, instructions=tuple(
+        replace(step, operands=tuple(map(other, step.operands))) for step in program.instructions))
