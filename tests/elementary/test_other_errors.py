@@ -8,10 +8,15 @@ import pytest
 from coscrew_codegen.elementary import ELEMENTARY, ERRORS, Elementary, atan2, exp_error, tanh_error
 from coscrew_codegen.elementary.minimax import ln2
 from coscrew_codegen.formats import Precision
-from tests.elementary.test_atan2 import samples
-from tests.elementary.test_exp import ENDS
 from tests.support.each import each_precision
-from tests.support.truth.elementary import Array, remaining, results, worst_cases
+from tests.support.truth.elementary import (
+    EXP_ENDS,
+    Array,
+    quotients,
+    remaining,
+    results,
+    worst_cases,
+)
 
 OTHERS = [x for x in ERRORS if x.name != "sincos_error"]
 
@@ -28,13 +33,13 @@ def inputs(name: str, precision: Precision) -> tuple[Array, ...]:
     """Of all magnitudes, next to the ends of pieces, worst cases found."""
     rng = np.random.default_rng(12)
     if name == "atan2":
-        y, x = (a.astype(precision.numpy_type)[::4] for a in samples(precision))
+        y, x = (a.astype(precision.numpy_type)[::4] for a in quotients(precision))
         finite = np.isfinite(y) & np.isfinite(x)
         wide = 2.0**rng.uniform(precision.least_exponent, precision.bias, (2, 3000))
         more = (wide * rng.choice((-1, 1), wide.shape)).astype(precision.numpy_type)
         return np.concatenate([y[finite], more[0]]), np.concatenate([x[finite], more[1]])
     tiny = 2.0**rng.uniform(precision.least_exponent, 0, 2000) * rng.choice((-1, 1), 2000)
-    ends = ENDS[precision.name] if name == "exp" else (-22, 22)
+    ends = EXP_ENDS[precision.name] if name == "exp" else (-22, 22)
     switches = (rng.integers(-20, 20, 1000) + 0.5) * np.log(2) / (1 if name == "exp" else 2)
     x = np.concatenate([tiny, rng.uniform(-1, 1, 3000), rng.uniform(ends[0], ends[-1], 3000),
                         switches, np.nextafter(0.625, [0, 1]), *worst_cases(name, precision)])
