@@ -49,7 +49,7 @@ def inputs(name: str, precision: Precision) -> tuple[Array, ...]:
 @each_precision
 @pytest.mark.parametrize("error", OTHERS, ids=lambda x: x.name)
 def test_results_with_their_errors_have_twice_the_digits(error: Elementary, precision: Precision):
-    """But for half the least subnormal number, where the error has no more digits."""
+    """Except for half the least subnormal number, where the error has no more digits."""
     name = error.name.removesuffix("_error")
     given = inputs(name, precision)
     got, rest = computed(error, precision, *given)
