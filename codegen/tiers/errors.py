@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
-from coscrew_codegen.tiers.accurate import OfScene
+from coscrew_codegen.tiers.accurate_scene import OfScene
 
 
 def constant(value: Fraction) -> Constant:

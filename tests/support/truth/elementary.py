@@ -19,6 +19,8 @@ from coscrew_codegen.program.two_over_pi import chunks
 
 Array = NDArray[Any]
 BITS = 240  # of the truth
+EXP_ENDS = {"double": (-745.1332191019412, -708.3964185322641, 709.782712893384),
+            "single": (-103.97208, -87.33654, 88.72284)}  # of results above 0, normal, finite
 _CASES = Path(__file__).parents[2] / "elementary" / "worst_cases.txt"
 
 
@@ -165,3 +167,20 @@ def worst_cases(name: str, precision: Precision) -> list[Array]:
     found = [[float.fromhex(x) for x in row[2:]] for row in rows
              if row[:2] == [name, precision.name]]
     return [np.array(column, precision.numpy_type) for column in zip(*found, strict=True)]
+
+
+def quotients(precision: Precision) -> tuple[np.ndarray, np.ndarray]:
+    """Quotients near 0, 1/2, 1 and 2; all magnitudes, so that results have all, too."""
+    rng = np.random.default_rng(8)
+    n, low = 4000, precision.least_exponent
+    near = rng.choice((0.5, 1.0, 2.0), n) * (1 + rng.normal(0, 1, n) * 2.0**rng.uniform(-50, 0, n))
+    ratios = np.concatenate([rng.uniform(0, 2.5, 4 * n), rng.uniform(0.4, 0.6, 3 * n), near,
+                             2.0**rng.uniform(low, -low, 2 * n)])
+    wide = rng.uniform(low - 10, -low, len(ratios) - 6 * n)
+    scales = 2.0**np.concatenate([np.zeros(6 * n), wide])
+    x = (rng.uniform(1, 2, len(ratios)) * scales).astype(precision.numpy_type)
+    with np.errstate(all="ignore"):
+        y = (x * ratios).astype(precision.numpy_type)
+    x, y = (np.concatenate([a, b]) for a, b in zip(
+        (x, y), worst_cases("atan2", precision)[::-1], strict=True))
+    return y * rng.choice((-1, 1), len(y)), x * rng.choice((-1, 1), len(x))
