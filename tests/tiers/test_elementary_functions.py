@@ -34,7 +34,8 @@ def arguments() -> list[Array]:
     return [a, b, c, d]
 
 
-@pytest.mark.parametrize("ops", [(Op.SIN, Op.COS), (Op.COS, Op.SIN), (Op.SIN,), (Op.COS,)],
+@pytest.mark.parametrize("ops", [(Op.SIN, Op.COS), (Op.COS, Op.SIN), (Op.SIN,), (Op.COS,),
+                                 (Op.EXP,), (Op.TANH,), (Op.ATAN2,)],
                          ids=lambda ops: " ".join(op.value for op in ops))
 def test_of_a_sum_they_are_rounded_once(ops: tuple[Op, ...]):
     """Half an ulp of the function of the exact sum, and 2^-40 of that."""

@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "5a3e47cad758af9c")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "3ebd7b841fba158a")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (
