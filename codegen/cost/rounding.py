@@ -4,6 +4,7 @@ times."""
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import mpmath
 import numpy as np
@@ -86,8 +87,8 @@ def measured(found: Sequence[Variant], box: Box, trajectory: Trajectory,
 def _states(function: str, found: Sequence[Variant], box: Box, trajectory: Trajectory) -> Values:
     plain = [x for x in found if x.tier == "plain"]
     judge = next(x for x in found if (x.tier, x.precision) == ("accurate", "double"))
-    worst = [searched(box, lambda states, x=x: _apart(function, x, judge, states),
-                      PLACES["search"] // len(plain)) for x in plain]
+    worst = [searched(box, partial(_apart, function, x, judge), PLACES["search"] // len(plain))
+             for x in plain]
     return joined((of_run(box.system, trajectory, PLACES["run"]),
                    box.drawn(np.random.default_rng(2), PLACES["limits"]), *worst))
 
@@ -95,7 +96,8 @@ def _states(function: str, found: Sequence[Variant], box: Box, trajectory: Traje
 def _apart(function: str, one: Variant, other: Variant, states: Values) -> Reals:
     """The largest difference of a component, for each state."""
     a, b = (_rows(x.system.call(function, **states), len(states["t"])) for x in (one, other))
-    return np.abs(a - b).max(axis=1, initial=0)
+    largest: Reals = np.abs(a - b).max(axis=1, initial=0)
+    return largest
 
 
 def _rows(found: np.ndarray, count: int) -> Reals:

@@ -20,25 +20,24 @@ def table(costs: Costs) -> str:
     """The figure's numbers and more: functions, effects, accuracy."""
     parts = [f"{costs.scene}: {costs.compiler}\nns per call in C: median (95 % interval) of rounds "
              "in which all parts and both precisions take turns",
-             _roundings(costs), _functions(costs), _effects(costs), _accuracy(costs)]
+             roundings(costs.roundings), _functions(costs), _effects(costs), _accuracy(costs)]
     return "\n\n".join(x for x in parts if x)
 
 
-def _roundings(costs: Costs) -> str:
+def roundings(found: Sequence[Rounding]) -> str:
     """Errors and times in each tier and precision, and what the next better choice gains."""
-    places = ", ".join(f"{count} of the {place}" for place, count in PLACES.items())
-    head = (f"Rounding: errors of the largest component against {DIGITS} digits, typical (the "
-            f"median) and worst,\nat states {places} (between the limits of the joints); digits "
-            "that are right there.")
-    tables = []
+    tables = [f"Rounding: the largest error of a component, against {DIGITS} digits: at "
+              f"{PLACES['run']} states of the run, {PLACES['limits']} between\nthe limits of the "
+              f"joints and {PLACES['search']} that a search found there; digits that are right of "
+              "the largest component."]
     for name, unit in UNITS.items():
-        rows = [x for x in costs.roundings if x.function == name]
+        rows = [x for x in found if x.function == name]
         lines = [(f"{x.precision} {x.tier}", x.typical, x.worst, f"{x.digits:.1f}", x.place,
                   _in_words(x.time), "" if _worse(x, rows) else "*") for x in rows]
-        headers = (f"{name}, {unit}", "typical", "worst", "digits", "found in", "ns", "best")
+        headers = (f"{name}, {unit}", "median", "worst", "digits", "found in", "ns", "best")
         if rows:
             tables += [str(tabulate(lines, headers, floatfmt=".2g")), *_advice(rows)]
-    return "\n\n".join((head, *tables))
+    return "\n\n".join(tables)
 
 
 def _worse(one: Rounding, rows: Sequence[Rounding]) -> bool:
