@@ -11,6 +11,7 @@ from coscrew_codegen.elementary.minimax import ln2
 from coscrew_codegen.elementary.pairs import Pair, Pairs, Series, power_of_two, upward
 from coscrew_codegen.elementary.polynomial import integer_shift
 from coscrew_codegen.elementary.reduction import nearest
+from coscrew_codegen.elementary.reduction_proof import exponent_of
 from coscrew_codegen.elementary.steps import Steps, Value
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Op, Program
@@ -25,7 +26,8 @@ GROWTH = Series(exp.INTERVAL[1], 2, 1, 1)  # e^r - 1 = r + r (…)
 class Parts:
     """ln 2 in parts whose products with any k are exact, and a rounded rest."""
 
-    parts: tuple[Fraction, ...]
+    first: Fraction
+    second: Fraction
     rest: Fraction
     missing: Fraction
     most: int  # |k|
@@ -33,18 +35,15 @@ class Parts:
 
 @cache
 def parts(precision: Precision) -> Parts:
-    """The leading part that `exp` has, and two more."""
+    """The leading part that `exp` has, and one more."""
     low, high = ln2()
     most = 3 * max(map(abs, exp.DATA[precision].limits)) // 2 + 1
-    found = [exp.DATA[precision].ln2[0]]
-    for _ in range(2):
-        rest = low - sum(found)
-        unit = Fraction(2)**((rest * 2**1200).__floor__().bit_length() - 1200
-                             - precision.digits + most.bit_length())
-        found.append(rest // unit * unit)
-    rest = nearest(low - sum(found), precision)
-    missing = upward(max(abs(x - sum(found) - rest) for x in (low, high)))
-    return Parts(tuple(found), rest, missing, most)
+    first = exp.DATA[precision].ln2[0]
+    unit = Fraction(2)**(exponent_of(low - first) + 1 + most.bit_length() - precision.digits)
+    second = (low - first) // unit * unit
+    rest = nearest(low - first - second, precision)
+    missing = upward(max(abs(x - first - second - rest) for x in (low, high)))
+    return Parts(first, second, rest, missing, most)
 
 
 def reduced(x: Value, precision: Precision) -> tuple[Value, Value, Pair]:
@@ -53,17 +52,14 @@ def reduced(x: Value, precision: Precision) -> tuple[Value, Value, Pair]:
     shift = integer_shift(precision)
     shifted = steps.named("shifted", x * exp.DATA[precision].to_binary + shift)
     k = steps.named("k", shifted - shift)
-    first, second, third = data.parts
-    high = Pair(steps.named("high", x - k * first), None,
-                upward(exp.INTERVAL[1] + data.most * (ln2()[1] - first)))
-    parts_ = [steps.named(f"part{n}", k * -part)
-              for n, part in ((2, second), (3, third), (4, data.rest))]
-    sizes = [data.most * part for part in (second, third, data.rest)]
-    low = steps.named("part3_low", parts_[1] + parts_[2])
-    wrong = pairs.rounding(sizes[2]) + pairs.rounding(sizes[1] + 2 * sizes[2])
-    rest = Pair(parts_[0], low, sizes[0], sizes[1] + 2 * sizes[2],
-                wrong + data.most * data.missing)
-    r = pairs.sum("r", high, rest)
+    high = Pair(steps.named("high", x - k * data.first), None,
+                upward(exp.INTERVAL[1] + data.most * (ln2()[1] - data.first)))
+    second, rest = (steps.named(name, k * -part) for name, part in (
+        ("second", data.second), ("rest", data.rest)))
+    size = data.most * data.rest
+    low = Pair(second, rest, data.most * data.second, size + pairs.rounding(size),
+               pairs.rounding(size) + data.most * data.missing)
+    r = pairs.sum("r", high, low)
     size = exp.INTERVAL[1] * (1 + 2 * precision.u)
     return shifted, k, replace(r, size=min(r.size, size))
 

@@ -477,7 +477,7 @@ def atan2_error(y, x, angle):
 def exp_error(x, y):
     """y_error = exp x - y, y as exp has it.  x = k ln 2 + r, r as a pair; a Taylor polynomial of
     degree 23 in pairs; y + y_error is within 2^-101.8 of exp x, relative to it (proved), and
-    0.51 of the least subnormal number; 0 where y is 0 or infinite.  62 mul, 130 add, 15 product
+    0.51 of the least subnormal number; 0 where y is 0 or infinite.  61 mul, 129 add, 15 product
     error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select.
     """
     within_2 = where(710.0 < x, 710.0, x)
@@ -485,14 +485,12 @@ def exp_error(x, y):
     shifted = within * 1.4426950408889634 + 6755399441055744.0
     k = shifted - 6755399441055744.0
     high = within - k * 0.6931471805598903
-    part2 = k * -5.49792301870721e-14
-    part3 = k * -1.1612227229361786e-26
-    part4 = k * -7.45592228304103e-40
-    part3_low = part3 + part4
-    r = high + part2
+    second = k * -5.49792301870721e-14
+    rest = k * -1.1612227229362532e-26
+    r = high + second
     r_error_1 = r - high
-    r_error = high - (r - r_error_1) + (part2 - r_error_1)
-    r_low = r_error + part3_low
+    r_error = high - (r - r_error_1) + (second - r_error_1)
+    r_low = r_error + rest
     argument = where(absolute(r) < 5.551115123125783e-17, 0.0, r)
     term21 = 8.896791392450574e-22 + argument * 3.868170170630684e-23
     term20 = 1.9572941063391263e-20 + argument * term21
@@ -901,7 +899,7 @@ def cos_error(x, c):
 def tanh_error(x, y):
     """y_error = tanh x - y, y as tanh has it.  m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as
     pairs; y + y_error is within 2^-99.2 of tanh x, relative to it (proved); 0 for |x| below
-    2^-54 and above 40.  62 mul, 140 add, 16 product error, 1 div, 1 power of two, 3 abs, 1
+    2^-54 and above 40.  61 mul, 139 add, 16 product error, 1 div, 1 power of two, 3 abs, 1
     copysign, 3 less, 6 select.
     """
     size = absolute(x)
@@ -913,14 +911,12 @@ def tanh_error(x, y):
     shifted = twice * 1.4426950408889634 + 6755399441055744.0
     k = shifted - 6755399441055744.0
     high = twice - k * 0.6931471805598903
-    part2 = k * -5.49792301870721e-14
-    part3 = k * -1.1612227229361786e-26
-    part4 = k * -7.45592228304103e-40
-    part3_low = part3 + part4
-    r = high + part2
+    second = k * -5.49792301870721e-14
+    rest = k * -1.1612227229362532e-26
+    r = high + second
     r_error_1 = r - high
-    r_error = high - (r - r_error_1) + (part2 - r_error_1)
-    r_low = r_error + part3_low
+    r_error = high - (r - r_error_1) + (second - r_error_1)
+    r_low = r_error + rest
     power = power_of_two(shifted)
     whole = power + -1.0
     whole_error = -1.0 - (whole - power)

@@ -270,21 +270,19 @@ static inline double ksl_power(const double shifted) {
    x = k ln 2 + r, r as a pair; a Taylor polynomial of degree 23 in pairs; y + y_error is within
      2^-101.8 of exp x, relative to it (proved), and 0.51 of the least subnormal number; 0 where
      y is 0 or infinite.
-   62 mul, 130 add, 15 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
+   61 mul, 129 add, 15 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
 static inline double ksl_exp_error(const double x, const double y) {
   const double within_2 = 710.0 < x ? 710.0 : x, within = within_2 < -746.0 ? -746.0 : within_2;
   const double shifted_1 = KSL_MUL(within, 1.4426950408889634),
       shifted = shifted_1 + 6755399441055744.0;
   const double k = shifted - 6755399441055744.0;
   const double high_1 = KSL_MUL(k, 0.6931471805598903), high = within - high_1;
-  const double part2 = KSL_MUL(k, -5.49792301870721e-14);
-  const double part3 = KSL_MUL(k, -1.1612227229361786e-26);
-  const double part4 = KSL_MUL(k, -7.45592228304103e-40);
-  const double part3_low = part3 + part4;
-  const double r = high + part2;
+  const double second = KSL_MUL(k, -5.49792301870721e-14);
+  const double rest = KSL_MUL(k, -1.1612227229362532e-26);
+  const double r = high + second;
   const double r_error_1 = r - high, r_error_2 = r - r_error_1, r_error_3 = high - r_error_2,
-      r_error_4 = part2 - r_error_1, r_error = r_error_3 + r_error_4;
-  const double r_low = r_error + part3_low;
+      r_error_4 = second - r_error_1, r_error = r_error_3 + r_error_4;
+  const double r_low = r_error + rest;
   const double argument_1 = fabs(r), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r;
   const double term21_1 = KSL_MUL(argument, 3.868170170630684e-23),
       term21 = 8.896791392450574e-22 + term21_1;
@@ -837,7 +835,7 @@ static inline double ksl_cos_error(const double x, const double c) {
 /* y_error = tanh x - y, y as tanh has it.
    m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-99.2 of tanh
      x, relative to it (proved); 0 for |x| below 2^-54 and above 40.
-   62 mul, 140 add, 16 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
+   61 mul, 139 add, 16 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
 static inline double ksl_tanh_error(const double x, const double y) {
   const double size = fabs(x);
   const double within_1 = size < 5.551115123125783e-17 ? 1.0 : size,
@@ -848,14 +846,12 @@ static inline double ksl_tanh_error(const double x, const double y) {
       shifted = shifted_1 + 6755399441055744.0;
   const double k = shifted - 6755399441055744.0;
   const double high_1 = KSL_MUL(k, 0.6931471805598903), high = twice - high_1;
-  const double part2 = KSL_MUL(k, -5.49792301870721e-14);
-  const double part3 = KSL_MUL(k, -1.1612227229361786e-26);
-  const double part4 = KSL_MUL(k, -7.45592228304103e-40);
-  const double part3_low = part3 + part4;
-  const double r = high + part2;
+  const double second = KSL_MUL(k, -5.49792301870721e-14);
+  const double rest = KSL_MUL(k, -1.1612227229362532e-26);
+  const double r = high + second;
   const double r_error_1 = r - high, r_error_2 = r - r_error_1, r_error_3 = high - r_error_2,
-      r_error_4 = part2 - r_error_1, r_error = r_error_3 + r_error_4;
-  const double r_low = r_error + part3_low;
+      r_error_4 = second - r_error_1, r_error = r_error_3 + r_error_4;
+  const double r_low = r_error + rest;
   const double power = ksl_power(shifted);
   const double whole = power + -1.0;
   const double whole_error_1 = whole - power, whole_error = -1.0 - whole_error_1;
@@ -1220,20 +1216,18 @@ static inline float ksl_powerf(const float shifted) {
    x = k ln 2 + r, r as a pair; a Taylor polynomial of degree 13 in pairs; y + y_error is within
      2^-43.7 of exp x, relative to it (proved), and 0.51 of the least subnormal number; 0 where y
      is 0 or infinite.
-   40 mul, 84 add, 9 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
+   39 mul, 83 add, 9 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
 static inline float ksl_exp_errorf(const float x, const float y) {
   const float within_2 = 89.0f < x ? 89.0f : x, within = within_2 < -104.0f ? -104.0f : within_2;
   const float shifted_1 = KSL_MULF(within, 1.442695f), shifted = shifted_1 + 1.2582912e+07f;
   const float k = shifted - 1.2582912e+07f;
   const float high_1 = KSL_MULF(k, 0.69314575f), high = within - high_1;
-  const float part2 = KSL_MULF(k, -1.4285906e-06f);
-  const float part3 = KSL_MULF(k, -1.6198154e-11f);
-  const float part4 = KSL_MULF(k, -3.5625737e-16f);
-  const float part3_low = part3 + part4;
-  const float r = high + part2;
+  const float second = KSL_MULF(k, -1.4285906e-06f);
+  const float rest = KSL_MULF(k, -1.619851e-11f);
+  const float r = high + second;
   const float r_error_1 = r - high, r_error_2 = r - r_error_1, r_error_3 = high - r_error_2,
-      r_error_4 = part2 - r_error_1, r_error = r_error_3 + r_error_4;
-  const float r_low = r_error + part3_low;
+      r_error_4 = second - r_error_1, r_error = r_error_3 + r_error_4;
+  const float r_low = r_error + rest;
   const float argument_1 = fabsf(r), argument = argument_1 < 2.9802322e-08f ? 0.0f : r;
   const float term11_1 = KSL_MULF(argument, 1.6059044e-10f), term11 = 2.0876756e-09f + term11_1;
   const float term10_1 = KSL_MULF(argument, term11), term10 = 2.5052108e-08f + term10_1;
@@ -1643,7 +1637,7 @@ static inline float ksl_cos_errorf(const float x, const float c) {
 /* y_error = tanh x - y, y as tanh has it.
    m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-41.2 of tanh
      x, relative to it (proved); 0 for |x| below 2^-25 and above 20.
-   40 mul, 94 add, 10 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
+   39 mul, 93 add, 10 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
 static inline float ksl_tanh_errorf(const float x, const float y) {
   const float size = fabsf(x);
   const float within_1 = size < 2.9802322e-08f ? 1.0f : size,
@@ -1653,14 +1647,12 @@ static inline float ksl_tanh_errorf(const float x, const float y) {
   const float shifted_1 = KSL_MULF(twice, 1.442695f), shifted = shifted_1 + 1.2582912e+07f;
   const float k = shifted - 1.2582912e+07f;
   const float high_1 = KSL_MULF(k, 0.69314575f), high = twice - high_1;
-  const float part2 = KSL_MULF(k, -1.4285906e-06f);
-  const float part3 = KSL_MULF(k, -1.6198154e-11f);
-  const float part4 = KSL_MULF(k, -3.5625737e-16f);
-  const float part3_low = part3 + part4;
-  const float r = high + part2;
+  const float second = KSL_MULF(k, -1.4285906e-06f);
+  const float rest = KSL_MULF(k, -1.619851e-11f);
+  const float r = high + second;
   const float r_error_1 = r - high, r_error_2 = r - r_error_1, r_error_3 = high - r_error_2,
-      r_error_4 = part2 - r_error_1, r_error = r_error_3 + r_error_4;
-  const float r_low = r_error + part3_low;
+      r_error_4 = second - r_error_1, r_error = r_error_3 + r_error_4;
+  const float r_low = r_error + rest;
   const float power = ksl_powerf(shifted);
   const float whole = power + -1.0f;
   const float whole_error_1 = whole - power, whole_error = -1.0f - whole_error_1;
