@@ -12,9 +12,10 @@ from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.native.buffers import aligned
 from coscrew_codegen.native.timing import Loop, driver, pointers
 from coscrew_codegen.render import render
-from coscrew_codegen.scene_functions import Function, Step
+from coscrew_codegen.scene_functions import Function, SceneFunctions, Step
+from coscrew_codegen.scene_tiers import SceneTier
 from coscrew_codegen.simulate.native import Compiler, library
-from coscrew_codegen.targets import scene_c, scene_calls
+from coscrew_codegen.targets import scene_c, scene_c_tier, scene_calls
 from coscrew_codegen.targets.scene_text import banner_of, c_name, outputs, size
 
 ELEMENTS = 64  # states of a loop: few enough for the first-level cache
@@ -29,9 +30,9 @@ class Compiled:
     library: ctypes.PyDLL
 
     def loop(self, function: Function, precision: Precision,
-             inputs: Sequence[np.ndarray]) -> Loop:
+             inputs: Sequence[np.ndarray], tier: str = "") -> Loop:
         """A function's loop over `inputs`, ELEMENTS of each."""
-        return self._loop(function, precision, inputs, _made(function, precision))
+        return self._loop(function, precision, inputs, _made(function, precision), tier)
 
     def once(self, function: Function, precision: Precision, inputs: Sequence[np.ndarray]
              ) -> list[np.ndarray]:
@@ -42,8 +43,8 @@ class Compiled:
         return made
 
     def _loop(self, function: Function, precision: Precision, inputs: Sequence[np.ndarray],
-              made: list[np.ndarray]) -> Loop:
-        return Loop(getattr(self.library, _loop(function.name, precision)), ELEMENTS,
+              made: list[np.ndarray], tier: str = "") -> Loop:
+        return Loop(getattr(self.library, _loop(function.name, precision, tier)), ELEMENTS,
                     pointers((*_given(inputs, precision), *made)))
 
     def run(self, step: Step, precision: Precision, steps: int, h: float, p: Sequence[float],
@@ -69,29 +70,36 @@ def _made(function: Function, precision: Precision) -> list[np.ndarray]:
             for a in outputs(function)]
 
 
-def compiled(part: Part, functions: Sequence[Function], compiler: Compiler) -> Compiled:
-    """A part's loops over these functions, compiled as load_scene does.  Raises CompilationError.
-    """
+def compiled(part: Part, functions: Sequence[Function], compiler: Compiler,
+             tiers: Sequence[SceneTier] = ()) -> Compiled:
+    """A part's loops over these functions, and over all of these tiers, compiled as load_scene
+    does.  Raises CompilationError."""
     name, banner = part.functions.name, banner_of(part.functions.name)
     files = {**scene_c.files(part.functions, banner), **scene_calls.files(part.functions, banner),
-             "loops.c": text(part, functions), "driver.c": driver()}
+             "loops.c": text(part, functions, tiers), "driver.c": driver()}
     scene = f"{name}_calls.c" if part.words == WHOLE else f"{name}.c"  # only the whole scene runs
     units = {"scene": (scene,), "loops": ("loops.c",), "driver": ("driver.c",)}
+    for tier in tiers:
+        files |= scene_c_tier.files(tier, banner)
+        units[tier.tier.name] = (f"{tier.stem}.c",)
     return Compiled(part, library(units, files, compiler).opened)
 
 
-def text(part: Part, functions: Sequence[Function]) -> str:
+def text(part: Part, functions: Sequence[Function], tiers: Sequence[SceneTier] = ()) -> str:
     """The C text of the loops."""
-    loops = [{"name": _loop(f.name, precision), **_over_states(part, f, precision)}
-             for f in functions for precision in PRECISIONS]
-    return render("cost/loops.c", name=part.functions.name, loops=loops)
+    chosen = [(part.functions, functions), *((x.first, x.first.functions) for x in tiers)]
+    loops = [{"name": _loop(f.name, precision, scene.mark), **_over_states(scene, f, precision)}
+             for scene, some in chosen for f in some for precision in PRECISIONS]
+    return render("cost/loops.c", headers=[part.functions.name, *(x.stem for x in tiers)],
+                  loops=loops)
 
 
-def _loop(function: str, precision: Precision) -> str:
-    return f"coscrew_loop_{function}{precision.suffix}"
+def _loop(function: str, precision: Precision, tier: str) -> str:
+    return "_".join(filter(None, ("coscrew_loop", function, tier))) + precision.suffix
 
 
-def _over_states(part: Part, function: Function, precision: Precision) -> dict[str, object]:
+def _over_states(scene: SceneFunctions, function: Function, precision: Precision
+                 ) -> dict[str, object]:
     """The declarations of the loop's arrays, a row an element, and the call for row i."""
     declared, passed = [], []
     arguments = [*((a, "const ") for a in function.program.inputs),
@@ -100,6 +108,6 @@ def _over_states(part: Part, function: Function, precision: Precision) -> dict[s
         row = f"(*{a.name})[{max(size(a), 1)}]" if a.quantity.shape else f"*{a.name}"
         declared.append(f"{const}{precision.c_type} {row} = arguments[{number}];")
         passed.append(f"{a.name}[i]" if a.quantity.shape or const else f"&{a.name}[i]")
-    call = f"{c_name(part.functions, function.name, precision)}({', '.join(passed)});"
+    call = f"{c_name(scene, function.name, precision)}({', '.join(passed)});"
     return {"pointers": declared, "call": call}
 

@@ -3,7 +3,7 @@ against time."""
 
 import sys
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeVar
 
 import numpy as np
@@ -12,6 +12,8 @@ from tqdm import tqdm
 from coscrew_codegen.cost import CostError
 from coscrew_codegen.cost.leaving_out import SHOWN, WHOLE, Part, parts
 from coscrew_codegen.cost.loops import ELEMENTS, Compiled, compiled
+from coscrew_codegen.cost.rounding import UNITS, Rounding, Variant, measured, variants
+from coscrew_codegen.cost.states import Values, box_of
 from coscrew_codegen.cost.work_precision import Point, Reference, reference, work_precision
 from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.native.intervals import Interval
@@ -19,14 +21,16 @@ from coscrew_codegen.native.timing import timed_loops
 from coscrew_codegen.program import counts_in_words
 from coscrew_codegen.program.flops import flops
 from coscrew_codegen.scene_functions import Function
+from coscrew_codegen.scene_tiers import SceneTier, in_tier
 from coscrew_codegen.simulate import native
-from coscrew_codegen.simulate.load import Kernels
+from coscrew_codegen.simulate.load import Kernels, kernels_for
 from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.plan import Trajectory, plan
 from coscrew_codegen.simulate.progress import Progress
 from coscrew_codegen.simulate.record import accelerations
 from coscrew_codegen.simulate.run import integrate
-from coscrew_codegen.simulate.system import System, system
+from coscrew_codegen.simulate.system import System, scene_of, system
+from coscrew_codegen.tiers import PLAIN, tier_named
 
 _SECONDS = 0.02  # of timing for each function of each part in each precision
 
@@ -53,6 +57,7 @@ class Costs:
     rows: tuple[Row, ...]
     reference: Reference | None
     points: tuple[Point, ...]
+    roundings: tuple[Rounding, ...] = ()
 
     def known(self, point: Point) -> bool:
         """Whether a run's error exceeds the reference's; if not, it is only known to be small."""
@@ -67,8 +72,9 @@ def measure(kernels: Kernels, overrides: RunOverrides, digits: int | None) -> Co
     try:
         using = native.compiler()
         chosen = parts(scene)
-        built = tuple(_progress((compiled(x, _functions(x), using) for x in chosen), "compiling",
-                                len(chosen)))
+        tiers = _tiers(chosen[0])
+        built = tuple(_progress((compiled(x, _functions(x), using, tiers if x is chosen[0] else ())
+                                 for x in chosen), "compiling", len(chosen)))
     except native.CompilationError as error:
         raise CostError(f"cost times C, and that cannot be compiled: {error}") from None
     states = _states(kernels, overrides)
@@ -78,8 +84,35 @@ def measure(kernels: Kernels, overrides: RunOverrides, digits: int | None) -> Co
     planned = plan(its, overrides.until, overrides.step, overrides.integrator)
     truth = reference(its, planned.until, digits)
     points = work_precision(kernels, built[0], planned, overrides, truth) if truth else ()
+    roundings = _roundings(kernels, overrides, states[1], built[0])
     return Costs(scene.name, str(using), rows, truth,
-                 tuple(_progress(points, "integrating", None)))
+                 tuple(_progress(points, "integrating", None)), roundings)
+
+
+def _tiers(part: Part) -> tuple[SceneTier, ...]:
+    """The accurate tier of the functions whose rounding is measured."""
+    some = replace(part.functions, steps=(), functions=tuple(
+        f for f in part.public if f.name in UNITS))
+    return (in_tier(some, tier_named("accurate")),)
+
+
+def _roundings(kernels: Kernels, overrides: RunOverrides, run: Trajectory, built: Compiled
+               ) -> tuple[Rounding, ...]:
+    """Errors of rounding, in plain functions and in those of the accurate tier."""
+    scene = replace(scene_of(kernels), tiers=("accurate",))
+    found = variants(kernels_for(scene, tuple(UNITS)), dict(overrides.settings))
+    functions = {f.name: f for f in built.part.public}
+
+    def timed(name: str, chosen: Sequence[Variant], states: Values) -> list[Interval]:
+        some = {**states, "p": np.tile(np.array(found[0].system.p), (len(states["t"]), 1))}
+        inputs = [np.resize(some[a.name], (ELEMENTS, *some[a.name].shape[1:]))
+                  for a in functions[name].program.inputs]
+        loops = [built.loop(functions[name], x.system.precision, inputs,
+                            "" if x.tier == PLAIN.name else x.tier) for x in chosen]
+        return [x.time for x in timed_loops(built.library, loops, 1e9 * _SECONDS * len(loops))]
+
+    box = box_of(found[0].system, float(run.t[-1]))
+    return tuple(measured(found, box, run, timed))
 
 
 def _functions(part: Part) -> tuple[Function, ...]:

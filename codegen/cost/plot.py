@@ -1,4 +1,5 @@
-"""A scene's costs as a figure: time of forward dynamics by effect, and accuracy against time."""
+"""A scene's costs as a figure: rounding errors against time, time of forward dynamics by effect,
+errors of runs against time."""
 
 import math
 from collections.abc import Sequence
@@ -9,11 +10,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from coscrew_codegen.cost.measure import Costs
+from coscrew_codegen.cost.rounding import UNITS
 from coscrew_codegen.cost.work_precision import Point
 from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.plots import STYLE
 from coscrew_codegen.simulate.write import delivered
+from coscrew_codegen.tiers import PLAIN
 
 _MARKERS = "osD^v"
 _SHOWN = "forward_dynamics"
@@ -22,12 +25,37 @@ _SHOWN = "forward_dynamics"
 def plot(costs: Costs, path: Path) -> None:
     """Draw the costs to an SVG or PNG.  Raises SimulateError."""
     with matplotlib.rc_context(STYLE), delivered(path) as temporary:
-        figure = Figure(figsize=(13, 4.6), layout="constrained")
-        left, right = figure.subplots(1, 2, width_ratios=(2, 3))
-        _bars(left, costs)
+        figure = Figure(figsize=(18, 4.6), layout="constrained")
+        left, middle, right = figure.subplots(1, 3, width_ratios=(3, 2, 3))
+        _rounding(left, costs)
+        _bars(middle, costs)
         _accuracy(right, costs)
         kept = {"Date": None, "Creator": None} if path.suffix == ".svg" else {"Software": None}
         figure.savefig(temporary, metadata=kept)
+
+
+def _rounding(axes: Axes, costs: Costs) -> None:
+    """A point for each function, tier and precision: the worst error, a line from the typical."""
+    for x in costs.roundings:
+        colour = next(p.colour for p in PRECISIONS if p.name == x.precision)
+        marker, plain = _MARKERS[list(UNITS).index(x.function)], x.tier == PLAIN.name
+        axes.plot([x.time.median] * 2, [x.typical, x.worst], color=colour, linewidth=1)
+        axes.plot([x.time.median], [x.worst], marker, color=colour, markersize=6,
+                  markerfacecolor="white" if plain else colour,
+                  gid=f"rounding {x.function} {x.tier} {x.precision}")
+    if not costs.roundings:
+        return
+    for n, (name, unit) in enumerate(UNITS.items()):
+        axes.plot((), (), _MARKERS[n], color="#5b6475", label=f"{name}, {unit}")
+    for p in PRECISIONS:
+        axes.plot((), (), color=p.colour, label=p.name)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_xlabel("ns per call in C")
+    axes.set_ylabel("largest error of a component")
+    axes.set_title("rounding: from the typical error to the worst")
+    axes.legend(frameon=False, fontsize=7, title="hollow: plain; full: accurate",
+                title_fontsize=7)
 
 
 def _bars(axes: Axes, costs: Costs) -> None:

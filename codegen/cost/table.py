@@ -1,11 +1,14 @@
 """A scene's costs as tables."""
 
 import math
+from collections.abc import Sequence
+from itertools import pairwise
 
 from tabulate import tabulate
 
 from coscrew_codegen.cost.leaving_out import SHOWN
 from coscrew_codegen.cost.measure import Costs
+from coscrew_codegen.cost.rounding import DIGITS, PLACES, UNITS, Rounding
 from coscrew_codegen.cost.work_precision import Point
 from coscrew_codegen.native.intervals import Interval
 
@@ -17,8 +20,37 @@ def table(costs: Costs) -> str:
     """The figure's numbers and more: functions, effects, accuracy."""
     parts = [f"{costs.scene}: {costs.compiler}\nns per call in C: median (95 % interval) of rounds "
              "in which all parts and both precisions take turns",
-             _functions(costs), _effects(costs), _accuracy(costs)]
+             roundings(costs.roundings), _functions(costs), _effects(costs), _accuracy(costs)]
     return "\n\n".join(x for x in parts if x)
+
+
+def roundings(found: Sequence[Rounding]) -> str:
+    """Errors and times in each tier and precision, and what the next better choice gains."""
+    tables = [f"Rounding: the largest error of a component, against {DIGITS} digits: at "
+              f"{PLACES['run']} states of the run, {PLACES['limits']} between\nthe limits of the "
+              f"joints and {PLACES['search']} that a search found there; digits that are right of "
+              "the largest component."]
+    for name, unit in UNITS.items():
+        rows = [x for x in found if x.function == name]
+        lines = [(f"{x.precision} {x.tier}", x.typical, x.worst, f"{x.digits:.1f}", x.place,
+                  _in_words(x.time), "" if _worse(x, rows) else "*") for x in rows]
+        headers = (f"{name}, {unit}", "median", "worst", "digits", "found in", "ns", "best")
+        if rows:
+            tables += [str(tabulate(lines, headers, floatfmt=".2g")), *_advice(rows)]
+    return "\n\n".join(tables)
+
+
+def _worse(one: Rounding, rows: Sequence[Rounding]) -> bool:
+    return any(other.better(one) for other in rows)
+
+
+def _advice(rows: Sequence[Rounding]) -> list[str]:
+    """What each step to a more accurate choice gains and costs, the fastest first."""
+    best = sorted((x for x in rows if not _worse(x, rows)), key=lambda x: -x.worst)
+    steps = [f"{b.precision} {b.tier} instead of {a.precision} {a.tier}: "
+             f"{a.worst / b.worst:.3g} times less error in {b.time.median / a.time.median:.2f} "
+             "times the time" for a, b in pairwise(best) if b.worst]
+    return ["\n".join(steps)] if steps else []
 
 
 def _functions(costs: Costs) -> str:

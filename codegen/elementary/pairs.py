@@ -7,6 +7,7 @@ parts are exact together with their errors (PRODUCT_ERROR; Knuth, Dekker)."""
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from math import ceil, factorial, log2
 
 from coscrew_codegen.elementary.reduction import nearest, two_sum
 from coscrew_codegen.elementary.steps import Steps, Value
@@ -14,6 +15,21 @@ from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Op
 
 _ZERO = Fraction(0)
+
+
+def upward(x: Fraction) -> Fraction:
+    """x >= 0 rounded up to about 48 bits, so that bounds stay short."""
+    unit = Fraction(2)**(x.numerator.bit_length() - x.denominator.bit_length() - 48)
+    return ceil(x / unit) * unit
+
+
+def _bounded(high: Value, low: Value | None, *bounds: Fraction) -> "Pair":
+    return Pair(high, low, *map(upward, bounds))
+
+
+def power_of_two(x: Fraction) -> str:
+    """2^-100.9: x, rounded up."""
+    return f"2^-{int(-log2(x) * 10) / 10:g}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,6 +51,35 @@ class Pair:
         """The same in a unit in which its size is this one: for errors relative to a number."""
         factor = size / self.size
         return replace(self, size=size, rest=self.rest * factor, error=self.error * factor)
+
+
+    def less(self, error: Fraction) -> "Pair":
+        """The same for a number that differs by at most this."""
+        return replace(self, error=self.error + error)
+
+
+@dataclass(frozen=True)
+class Series:
+    """Σ ± x^n / n! / x^(first - step) for n = first, first + step, …, |x| <= size < 1; with
+    alternating signs if `sign` is negative."""
+
+    size: Fraction
+    first: int
+    step: int
+    sign: int
+
+    def terms(self, precision: Precision) -> tuple[Fraction, ...]:
+        """As many coefficients as matter to twice the digits."""
+        count = 1
+        while self.left_out(count) > precision.u**2 / 32:
+            count += 1
+        return tuple(self.sign**(n + 1) / Fraction(factorial(self.first + n * self.step))
+                     for n in range(count))
+
+    def left_out(self, count: int) -> Fraction:
+        """A bound of the terms after the first ones, each being less than half the one before."""
+        n = self.first + count * self.step
+        return 2 * self.size**(n - self.first + self.step) / factorial(n)
 
 
 @dataclass(frozen=True)
@@ -78,7 +123,7 @@ class Pairs:
             low = steps.named(f"{name}_low", low + cross)
             error += self.rounding(rest + size)
             rest += size + self.rounding(rest + size)
-        return Pair(high, low, a.size * b.size + self.rounding(a.size * b.size), rest, error)
+        return _bounded(high, low, a.size * b.size + self.rounding(a.size * b.size), rest, error)
 
     def constant(self, steps: Steps, x: Fraction) -> Pair:
         """A number as a pair."""
@@ -107,7 +152,7 @@ class Pairs:
             low = steps.named(f"{name}_low", low + more)
             error += self.rounding(rest + extent)
             rest += extent + self.rounding(rest + extent)
-        return Pair(high, low, size, rest, error)
+        return _bounded(high, low, size, rest, error)
 
     def normal(self, name: str, x: Pair) -> Pair:
         """high is high + low rounded, low what that misses: at most u of it."""
@@ -115,7 +160,7 @@ class Pairs:
         high = x.high.steps.named(name, x.high + x.low)
         low = x.high.steps.named(f"{name}_low", x.low - (high - x.high))
         size = x.most + self.rounding(x.most)
-        return Pair(high, low, size, self.rounding(x.most), x.error)
+        return _bounded(high, low, size, self.rounding(x.most), x.error)
 
     def series(self, name: str, coefficients: Sequence[Fraction], z: Pair) -> Pair:
         """c1 z + c2 z² + …, as it is added to 1: without low parts where they matter less than the
@@ -141,8 +186,8 @@ class Pairs:
         size = abs(near) + product + self.rounding(product)
         error = (abs(c - near) + (z.rest + z.error) * value.most + z.size * value.error
                  + self.rounding(product) + self.rounding(size))
-        return Pair(z.high.steps.named(name, near + z.high * value.high), None,
-                    size + self.rounding(size), error=error)
+        return _bounded(z.high.steps.named(name, near + z.high * value.high), None,
+                        size + self.rounding(size), _ZERO, error)
 
     def grown(self, name: str, r: Pair, series: Pair) -> Pair:
         """r + r series, |series| < 1/2, in the unit of r."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 
-from coscrew_codegen.elementary.pairs import Pair, Pairs
+from coscrew_codegen.elementary.pairs import Pair, Pairs, upward
 from coscrew_codegen.elementary.reduction import (
     HALF_PI,
     X,
@@ -142,7 +142,7 @@ def collected(sizes: Sequence[Fraction], least: Fraction, precision: Precision) 
     for size in reversed(bounds[1:-1]):
         low = _plus(low, size, 1 + u)
         error = _plus(error, (low[0] * u, low[1] * u), Fraction(1))
-    return Spread(*(a + b / least for a, b in (bounds[0], low, error)))
+    return Spread(*(upward(a + b / least) for a, b in (bounds[0], low, error)))
 
 
 def _plus(a: tuple[Fraction, Fraction], b: tuple[Fraction, Fraction], factor: Fraction
@@ -161,7 +161,7 @@ def near_spread(precision: Precision) -> Spread:
     sizes = [Fraction(1), *(k * part for part in data.parts[2:]), k * data.rest * (1 + precision.u)]
     found = collected(sizes, least, precision)
     wrong = k * (data.missing + precision.u * data.rest) + TINY
-    return Spread(found.high, found.low, found.error + wrong / least * (1 + found.error))
+    return Spread(found.high, found.low, upward(found.error + wrong / least * (1 + found.error)))
 
 
 @cache
@@ -175,7 +175,7 @@ def _far_fraction(precision: Precision) -> Spread:
     sizes = [Fraction(3, 4) * 2**digits * Fraction(2)**(grid - bits * n) for n in range(LEVELS)]
     low = precision.u * (3 + sizes[2])  # of the sum of the first three levels' fractions
     found = collected([Fraction(1, 2), sizes[3], low, *sizes[4:]], least, precision)
-    return Spread(found.high, found.low, found.error + wrong / least)
+    return Spread(found.high, found.low, upward(found.error + wrong / least))
 
 
 @cache

@@ -6,9 +6,9 @@ from functools import cache
 
 from coscrew_codegen.elementary import reduction, reduction_pairs, sincos
 from coscrew_codegen.elementary.function import Elementary
-from coscrew_codegen.elementary.pairs import Pair, Pairs
+from coscrew_codegen.elementary.pairs import Pair, Pairs, Series, power_of_two
 from coscrew_codegen.elementary.reduction import X, to_integer
-from coscrew_codegen.elementary.reduction_pairs import REDUCED
+from coscrew_codegen.elementary.reduction_pairs import REDUCED, Spread
 from coscrew_codegen.elementary.steps import Steps, Value
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Program
@@ -17,6 +17,8 @@ from coscrew_codegen.quantity import SCALAR, Argument
 OUTPUTS = Argument("s_error", SCALAR), Argument("c_error", SCALAR)
 ANGLE = Fraction(78704, 100000)
 """More than any |r|: that of `sincos`."""
+SINES = Series(ANGLE, 3, 2, -1)  # sin r = r + r (…)
+COSINES = Series(ANGLE, 2, 2, -1)  # cos r = 1 + …
 
 
 @dataclass(frozen=True)
@@ -27,49 +29,19 @@ class Computed:
     cosine: Pair
 
 
-def series(precision: Precision, size: Fraction, first: int, step: int, sign: int
-           ) -> tuple[Fraction, ...]:
-    """x^n / n! for n = first, first + step, …, signs alternating if `sign` is negative, divided by
-    x^(first - step): as many as matter to twice the digits for |x| <= size."""
-    found, term, power = list[Fraction](), Fraction(1), 1
-    for n in range(1, 99):
-        term /= n
-        if n >= first and (n - first) % step == 0:
-            power *= sign
-            found.append(power * term)
-        if found and term * size**n < precision.u**2 / 64:
-            return tuple(found)
-    raise ValueError("no series of these terms is this long")
-
-
-def left_out(precision: Precision, size: Fraction, count: int, first: int, step: int) -> Fraction:
-    """A bound of the terms after the first `count` of such a series, size < 1."""
-    n, term = first + step * count, Fraction(1)
-    for i in range(1, n + 1):
-        term /= i
-    return 2 * term * size**(n - first + step)
-
-
-def computed(r: Value, r_low: Value, precision: Precision) -> Computed:
-    """The steps from r to its sine and cosine."""
-    steps, pairs, spread = r.steps, Pairs(precision), reduction_pairs.spread(precision)
+def computed(r: Value, r_low: Value, spread: Spread, precision: Precision) -> Computed:
+    """The steps from r, of which the spread is proved, to its sine and cosine."""
+    steps, pairs = r.steps, Pairs(precision)
     one = Pair(r, r_low, spread.high, spread.low, spread.error)
     angle = one.scaled(ANGLE)
-    angle = Pair(pairs.vanishing("angle", angle), r_low, ANGLE, angle.rest, angle.error)
+    angle = Pair(pairs.vanishing("argument", angle), r_low, ANGLE, angle.rest, angle.error)
     z = pairs.product("z", angle, angle)
-    size = z.size
-    sines = series(precision, ANGLE, 3, 2, -1)
-    cosines = series(precision, ANGLE, 2, 2, -1)
-    sine = pairs.grown("sin_r", one, _with(
-        pairs.series("sin", sines, z), left_out(precision, size, len(sines), 3, 2) + pairs.tiny**2))
-    cosine = pairs.sum("cos_r", pairs.constant(steps, Fraction(1)), _with(
-        pairs.series("cos", cosines, z),
-        left_out(precision, size, len(cosines), 2, 2) + pairs.tiny**2), ordered=True)
+    sines, cosines = SINES.terms(precision), COSINES.terms(precision)
+    sine = pairs.grown("sin_r", one, pairs.series(
+        "sin", sines, z).less(SINES.left_out(len(sines)) + pairs.tiny**2))
+    cosine = pairs.sum("cos_r", pairs.constant(steps, Fraction(1)), pairs.series(
+        "cos", cosines, z).less(COSINES.left_out(len(cosines)) + pairs.tiny**2), ordered=True)
     return Computed(sine, cosine)
-
-
-def _with(x: Pair, error: Fraction) -> Pair:
-    return Pair(x.high, x.low, x.size, x.rest, x.error + error)
 
 
 @cache
@@ -78,8 +50,11 @@ def kernel(precision: Precision) -> Program:
     results = sincos.SIN_COS
     steps = Steps(*REDUCED, *results)
     k, r, r_low, s, c = steps.inputs()
-    return steps.program("kernel", OUTPUTS, _errors(k, computed(r, r_low, precision), s, c,
-                                                    precision))
+    found = computed(r, r_low, reduction_pairs.spread(precision), precision)
+    sine, cosine = turned(k, found, precision)
+    return steps.program("kernel", OUTPUTS, (
+        steps.named("s_error", (sine[0] - s) + sine[1]),
+        steps.named("c_error", (cosine[0] - c) + cosine[1])))
 
 
 def turned(k: Value, of: Computed, precision: Precision
@@ -98,39 +73,32 @@ def turned(k: Value, of: Computed, precision: Precision
     return (sines[0], sines[1]), (cosines[0], cosines[1])
 
 
-def _errors(k: Value, of: Computed, s: Value, c: Value, precision: Precision
-            ) -> tuple[Value, Value]:
-    sine, cosine = turned(k, of, precision)
-    return (k.steps.named("s_error", (sine[0] - s) + sine[1]),
-            k.steps.named("c_error", (cosine[0] - c) + cosine[1]))
-
-
-@cache
-def relative(precision: Precision) -> tuple[Fraction, Fraction]:
-    """Bounds, proved, of the relative errors of the pairs for sin r and cos r."""
-    steps = Steps(*REDUCED)
-    _, r, r_low = steps.inputs()
-    found = computed(r, r_low, precision)
-    most = ANGLE**2
-    return found.sine.error / (1 - most / 6), found.cosine.error / (1 - most / 2)
+def relative(spread: Spread, precision: Precision) -> tuple[Pair, Pair]:
+    """sin r and cos r in units of what they are at least: with bounds, proved, of the relative
+    errors."""
+    _, r, r_low = Steps(*REDUCED).inputs()
+    found = computed(r, r_low, spread, precision)
+    least = 1 - ANGLE**2 / 6, 1 - ANGLE**2 / 2
+    return (found.sine.scaled(found.sine.size / least[0]),
+            found.cosine.scaled(found.cosine.size / least[1]))
 
 
 @cache
 def error(precision: Precision) -> Fraction:
     """A bound, proved: |s + s_error - sin x| / |sin x|, and the same of the cosine.
 
-    sin_x - s is exact, both being close; its sum with sin_x_low, at most 3 ulps, is rounded."""
-    return max(relative(precision)) + 8 * precision.u**2
+    sin_x - s, at most an ulp and what sin_x errs by, is exact, both being close; its sum with
+    sin_x_low is rounded."""
+    u, spread = precision.u, reduction_pairs.spread(precision)
+    return max(x.error + u * (3 * u + x.rest) for x in relative(spread, precision))
 
 
 def comment(precision: Precision) -> str:
-    from math import log2
-    count = len(series(precision, ANGLE, 3, 2, -1))
-    stated = -log2(error(precision))
-    return (f"x = k pi/2 + r, r as a pair; Taylor polynomials of degrees {2 * count + 1} and "
-            f"{2 * len(series(precision, ANGLE, 2, 2, -1))} in pairs; s + s_error and c + c_error "
-            f"are within 2^-{int(stated * 10) / 10:g} of sin x and cos x, relative to these "
-            "(proved), for every finite x.")
+    degrees = 2 * len(SINES.terms(precision)) + 1, 2 * len(COSINES.terms(precision))
+    return (f"x = k pi/2 + r, r as a pair; Taylor polynomials of degrees {degrees[0]} and "
+            f"{degrees[1]} in pairs; s + s_error and c + c_error are within "
+            f"{power_of_two(error(precision))} of sin x and cos x, relative to these (proved), for "
+            "every finite x.")
 
 
 ERROR = Elementary(

@@ -11,7 +11,7 @@ from fractions import Fraction
 from coscrew_codegen.formats import SINGLE, Precision
 from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.program import name_of
-from coscrew_codegen.tiers.accurate import OfScene
+from coscrew_codegen.tiers.accurate_scene import OfScene
 
 
 def constant(value: Fraction) -> Constant:
@@ -33,8 +33,8 @@ class Errors(OfScene):
         self.circular = {(step.op, step.operands): step for step in program.instructions
                          if step.op in (Op.SIN, Op.COS)}
         inexact = {Op.TANH: self._tangent, Op.EXP: self._exponential}
-        self.inexact = inexact.keys() - self._rules.keys()  # d lacks what the function errs by
-        self._rules = {**inexact, **self._rules}
+        self.inexact = inexact.keys()  # d lacks what the function errs by
+        self._rules |= inexact
 
     def compensate(self, step: Instruction) -> None:
         """Issue a plain instruction, unless it has been, and d of its result."""

@@ -1,9 +1,10 @@
 """Run all benchmarks: `python -m tests.benchmarks`."""
 
-from tests.benchmarks import accuracy, dynamics, gufuncs, header_kernels, tiers
+from tests.benchmarks import accuracy, dynamics, gufuncs, header_kernels, scene_tiers, tiers
 
 header_kernels.main()
 gufuncs.main()
 tiers.main()
+scene_tiers.main()
 accuracy.main()
 dynamics.main()

@@ -7,7 +7,7 @@ import numpy as np
 from coscrew_codegen.elementary import atan2
 from coscrew_codegen.formats import Precision
 from tests.support.each import each_precision
-from tests.support.truth.elementary import errors, same, values, worst_cases
+from tests.support.truth.elementary import errors, quotients, same, values
 
 
 def angles(precision: Precision, y: np.ndarray, x: np.ndarray) -> np.ndarray:
@@ -28,27 +28,11 @@ def test_special_values(precision: Precision):
     assert same(angles(precision, zero, -zero), pi) and same(angles(precision, -zero, -zero), -pi)
 
 
-def samples(precision: Precision) -> tuple[np.ndarray, np.ndarray]:
-    """Quotients near 0, 1/2, 1 and 2; all magnitudes, so that results have all, too."""
-    rng = np.random.default_rng(8)
-    n, low = 4000, precision.least_exponent
-    near = rng.choice((0.5, 1.0, 2.0), n) * (1 + rng.normal(0, 1, n) * 2.0**rng.uniform(-50, 0, n))
-    ratios = np.concatenate([rng.uniform(0, 2.5, 4 * n), rng.uniform(0.4, 0.6, 3 * n), near,
-                             2.0**rng.uniform(low, -low, 2 * n)])
-    wide = rng.uniform(low - 10, -low, len(ratios) - 6 * n)
-    scales = 2.0**np.concatenate([np.zeros(6 * n), wide])
-    x = (rng.uniform(1, 2, len(ratios)) * scales).astype(precision.numpy_type)
-    with np.errstate(all="ignore"):
-        y = (x * ratios).astype(precision.numpy_type)
-    x, y = (np.concatenate([a, b]) for a, b in zip(
-        (x, y), worst_cases("atan2", precision)[::-1], strict=True))
-    return y * rng.choice((-1, 1), len(y)), x * rng.choice((-1, 1), len(x))
-
 
 @each_precision
 def test_errors_are_below_the_proved_bound(precision: Precision):
     """And below a normal result, of half an ulp of the least subnormal and a little."""
-    y, x = (a.astype(precision.numpy_type) for a in samples(precision))
+    y, x = (a.astype(precision.numpy_type) for a in quotients(precision))
     finite = np.isfinite(y) & np.isfinite(x)
     y, x = y[finite], x[finite]
     got = angles(precision, y, x)
@@ -62,6 +46,6 @@ def test_errors_are_below_the_proved_bound(precision: Precision):
 @each_precision
 def test_atan2_is_symmetric(precision: Precision):
     """atan2(-y, x) = -atan2(y, x), also where products have no exact error."""
-    y, x = (np.abs(a).astype(precision.numpy_type) for a in samples(precision))
+    y, x = (np.abs(a).astype(precision.numpy_type) for a in quotients(precision))
     for side in (1, -1):
         assert same(angles(precision, -y, side * x), -angles(precision, y, side * x))

@@ -1,6 +1,6 @@
 """The accurate tier of scenes keeps its promise: against 60 digits, a component is right to one
 unit of its last digit as long as its condition is below 1e13, and in single precision it is the
-nearest number, but for rare ties.
+nearest number, except near ties.
 
 Truth of inverse and forward dynamics of arms is a Newton-Euler method of the tests' own, in the
 world's frame; of other functions, the plain Program in 60 digits.
@@ -49,7 +49,7 @@ def example(name: str) -> Scene:
 
 
 @each_precision
-@pytest.mark.parametrize("name", ("pendulum", "wingnut"))
+@pytest.mark.parametrize("name", ("arm6", "pendulum", "quadruped", "stick_slip", "wingnut"))
 def test_every_function_of_the_examples(name: str, precision: Precision):
     kernels = kernels_for(example(name))
     count = 60 if name == "arm6" else 12

@@ -1,7 +1,6 @@
 """Tiers of scenes: their selection, their files, and the same bits in C and NumPy, with fma and
 without."""
 
-import functools
 import importlib
 import os
 import pickle
@@ -10,7 +9,6 @@ import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -20,9 +18,6 @@ import coscrew_codegen
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.layout import scene_files
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.parameter import Parameter
-from coscrew_codegen.scene.model import HERE, Kind
 from coscrew_codegen.scene.tiers import TiersError, known, selected
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_functions import SceneFunctions
@@ -35,17 +30,8 @@ from tests.support.compiled.c_harness import C11, COMPILERS, CXX17, STRICT
 from tests.support.compiled.c_harness import run as command
 from tests.support.compiled.flags import FMA, HASWELL, UNHEEDED
 from tests.support.each import each_precision
+from tests.support.scenes import scene_bits
 from tests.support.scenes.generated_scenes import BANNER, CASES
-from tests.support.scenes.mechanisms import (
-    Y,
-    Z,
-    applied,
-    at,
-    chain,
-    gravity,
-    inertia,
-    scene,
-)
 from tests.support.scenes.scene_values import same_bits
 from tests.support.scenes.tiers import states
 
@@ -61,22 +47,6 @@ child = "bob"
 axis = [0, 1, 0]
 [effects.gravity]
 """
-
-
-@functools.cache
-def carrier_scene() -> SceneFunctions:
-    """A free body with another one on a joint, on which effects act."""
-    half, moments = Fraction(1, 2), (3, 4, 5, Fraction(1, 2), Fraction(1, 3), Fraction(-1, 4))
-    model = chain((Kind.FREE, Z, HERE, inertia(5, (half, 0, 1), moments)),
-                  (Kind.REVOLUTE, Y, at(1, 0, half), inertia("2.1", (0, "0.3", 1), moments)),
-                  name="carrier")
-    damping = Parameter("viscous.j1.d", 0, Fraction(2))
-    effects = (
-        applied("armature", "j1", rotor=1, gear=2), applied("spring", "j1", k=7, q0=1),
-        applied("limit", "j1", lower=-half, upper=half, k=9, alpha=half),
-        applied("viscous", "j1", d=damping), gravity())
-    return derive(replace(scene(model, *effects, parameters=(damping,)), functions=()))
-
 
 MARKED = [tier for tier in OF_SCENES if tier.marked]
 each_tier = pytest.mark.parametrize("tier", MARKED, ids=lambda tier: tier.name)
@@ -182,12 +152,12 @@ def test_internal_functions_and_steps_have_no_tier(tier):
 @pytest.mark.parametrize("compiler", COMPILERS)
 def test_c_compiles_without_a_warning(tier, compiler: str, flags: tuple[str, ...], tmp_path: Path):
     """Alone, and next to the scene's own; also where fma is no instruction."""
-    files = scene_files(replace(carrier_scene(), tiers=(tier.name,)))
+    files = scene_files(replace(scene_bits.functions(), tiers=(tier.name,)))
     for name, text in files.items():
         if name.endswith((".c", ".h")):
             (tmp_path / name).write_text(text)
-    stem = f"{carrier_scene().name}_{tier.mark}"
-    both = f'#include "{stem}.c"\n#include "{carrier_scene().name}.c"\n'
+    stem = f"{scene_bits.functions().name}_{tier.mark}"
+    both = f'#include "{stem}.c"\n#include "{scene_bits.functions().name}.c"\n'
     (tmp_path / "both.c").write_text(both)
     for source, more in ((f"{stem}.c", ()), ("both.c", FMA)):
         command([compiler, *flags, *STRICT, *more, "-O1", "-c", tmp_path / source, "-o",
@@ -208,7 +178,7 @@ BUILDS = tuple((compiler, flags) for compiler in COMPILERS for flags in FLAGS[co
 def carrier(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[SceneFunctions, object]]:
     """A free body, a joint and all effects of joints; its package, with all tiers."""
     folder = tmp_path_factory.mktemp("carrier")
-    of_all = replace(carrier_scene(), tiers=tuple(tier.name for tier in MARKED))
+    of_all = replace(scene_bits.functions(), tiers=tuple(tier.name for tier in MARKED))
     for name, text in scene_files(of_all).items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)

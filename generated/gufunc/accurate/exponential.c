@@ -229,9 +229,9 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.\n"
-    "40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16\n"
-    "less, 10 equal, 58 select.  Error <= vo: 7 u of its largest component for R a rotation;\n"
-    "searched, not proved.\n",
+    "40 mul, 221 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 1 atan2 error, 12\n"
+    "neg, 5 abs, 16 less, 10 equal, 58 select.  Error <= vo: 7 u of its largest component for R a\n"
+    "rotation; searched, not proved.\n",
    1, 1, SO3_log_loops},
   {"mat3x3_orthonormalize", "(3,3)->(3,3)",
     "self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.\n"

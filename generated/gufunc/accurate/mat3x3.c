@@ -857,18 +857,18 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "[-π/2, π/2]; c = 0 in gimbal lock.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
-    "25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 1 neg, 4 abs, 2\n"
-    "less, 6 equal, 14 select.  The rotation by these angles differs from R by at most 12 u in\n"
-    "each entry, near gimbal lock too; searched, not proved.\n",
+    "25 mul, 65 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 3 atan2 error, 1\n"
+    "neg, 4 abs, 2 less, 7 equal, 16 select.  The rotation by these angles differs from R by at\n"
+    "most 12 u in each entry, near gimbal lock too; searched, not proved.\n",
    1, 1, euler_xyz_from_mat3x3_loops},
   {"euler_xyx_from_mat3x3", "(3,3)->(3)",
     "angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in\n"
     "[0, π]; c = 0 in gimbal lock.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
-    "25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 4 abs, 2 less, 6\n"
-    "equal, 14 select.  The rotation by these angles differs from R by at most 12 u in each\n"
-    "entry, near gimbal lock too; searched, not proved.\n",
+    "25 mul, 65 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 3 atan2 error, 4\n"
+    "abs, 2 less, 7 equal, 16 select.  The rotation by these angles differs from R by at most 12\n"
+    "u in each entry, near gimbal lock too; searched, not proved.\n",
    1, 1, euler_xyx_from_mat3x3_loops},
   {"mat3x3_jacobi", "(3,3),(3,3)->(3,3),(3,3)",
     "A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes\n"
@@ -884,9 +884,9 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.\n"
     "\n"
     "(3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.\n"
-    "35 mul, 235 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16\n"
-    "less, 11 equal, 61 select.  Error <= angle: 8 u, axis: 5 u of its largest component for R a\n"
-    "rotation; searched, not proved.\n",
+    "35 mul, 236 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 1 atan2 error, 12\n"
+    "neg, 5 abs, 16 less, 11 equal, 61 select.  Error <= angle: 8 u, axis: 5 u of its largest\n"
+    "component for R a rotation; searched, not proved.\n",
    1, 2, axis_angle_from_mat3x3_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

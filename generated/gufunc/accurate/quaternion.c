@@ -4331,17 +4331,18 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "angle is 0; any multiple of a quaternion.\n"
     "\n"
     "(4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.\n"
-    "27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14\n"
-    "less, 8 equal, 29 select.  Error <= angle: 6 u, axis: 4 u of its largest component;\n"
-    "searched, not proved.\n",
+    "27 mul, 56 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 1 atan2 error, 4\n"
+    "neg, 9 abs, 14 less, 8 equal, 29 select.  Error <= angle: 6 u, axis: 4 u of its largest\n"
+    "component; searched, not proved.\n",
    1, 2, axis_angle_from_quaternion_loops},
   {"quaternion_log", "(4)->(3)",
     "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of\n"
     "it.\n"
     "\n"
     "(4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.\n"
-    "29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14\n"
-    "less, 7 equal, 26 select.  Error <= vo: 6 u of its largest component; searched, not proved.\n",
+    "29 mul, 59 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 1 atan2 error, 4\n"
+    "neg, 9 abs, 14 less, 7 equal, 26 select.  Error <= vo: 6 u of its largest component;\n"
+    "searched, not proved.\n",
    1, 1, quaternion_log_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

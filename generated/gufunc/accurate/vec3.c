@@ -2013,8 +2013,8 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "angle = atan2(|v1 × v2|, v1·v2), in [0, π].\n"
     "\n"
     "(3),(3)->().  v1, v2: vector; angle: number.\n"
-    "42 mul, 120 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 3 neg, 11 abs, 22\n"
-    "less, 7 equal, 32 select.\n",
+    "42 mul, 121 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 1 atan2 error, 3\n"
+    "neg, 11 abs, 22 less, 7 equal, 32 select.\n",
    2, 1, angle_vv_loops},
   {"dot_vv", "(3),(3)->()",
     "v1·v2.\n"

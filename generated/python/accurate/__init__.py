@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "5a3e47cad758af9c")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "34c3593bd9213ea9")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

@@ -93,8 +93,8 @@ def angle_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ..
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    42 mul, 120 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 3 neg, 11 abs, 22
-    less, 7 equal, 32 select.
+    42 mul, 121 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 1 atan2 error, 3
+    neg, 11 abs, 22 less, 7 equal, 32 select.
     """
 
 def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -278,9 +278,9 @@ def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) 
     [-π/2, π/2]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 1 neg, 4 abs, 2
-    less, 6 equal, 14 select.  The rotation by these angles differs from R by at most 12 u in
-    each entry, near gimbal lock too; searched, not proved.
+    25 mul, 65 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 3 atan2 error, 1
+    neg, 4 abs, 2 less, 7 equal, 16 select.  The rotation by these angles differs from R by at
+    most 12 u in each entry, near gimbal lock too; searched, not proved.
     """
 
 def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -288,9 +288,9 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) 
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 4 abs, 2 less, 6
-    equal, 14 select.  The rotation by these angles differs from R by at most 12 u in each
-    entry, near gimbal lock too; searched, not proved.
+    25 mul, 65 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 3 atan2 error, 4
+    abs, 2 less, 7 equal, 16 select.  The rotation by these angles differs from R by at most 12
+    u in each entry, near gimbal lock too; searched, not proved.
     """
 
 def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
@@ -1644,9 +1644,9 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.floating] | N
     angle is 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14
-    less, 8 equal, 29 select.  Error <= angle: 6 u, axis: 4 u of its largest component;
-    searched, not proved.
+    27 mul, 56 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 1 atan2 error, 4
+    neg, 9 abs, 14 less, 8 equal, 29 select.  Error <= angle: 6 u, axis: 4 u of its largest
+    component; searched, not proved.
     """
 
 def quaternion_log(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -1654,26 +1654,27 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDAr
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14
-    less, 7 equal, 26 select.  Error <= vo: 6 u of its largest component; searched, not proved.
+    29 mul, 59 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 1 atan2 error, 4
+    neg, 9 abs, 14 less, 7 equal, 26 select.  Error <= vo: 6 u of its largest component;
+    searched, not proved.
     """
 
 def SO3_log(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
-    less, 10 equal, 58 select.  Error <= vo: 7 u of its largest component for R a rotation;
-    searched, not proved.
+    40 mul, 221 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 1 atan2 error, 12
+    neg, 5 abs, 16 less, 10 equal, 58 select.  Error <= vo: 7 u of its largest component for R a
+    rotation; searched, not proved.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    35 mul, 235 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
-    less, 11 equal, 61 select.  Error <= angle: 8 u, axis: 5 u of its largest component for R a
-    rotation; searched, not proved.
+    35 mul, 236 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 1 atan2 error, 12
+    neg, 5 abs, 16 less, 11 equal, 61 select.  Error <= angle: 8 u, axis: 5 u of its largest
+    component for R a rotation; searched, not proved.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:

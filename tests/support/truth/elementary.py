@@ -1,6 +1,7 @@
 """Elementary functions' Programs on NumPy's arrays, and their errors against MPFR."""
 
 from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
 from functools import cache, partial
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,8 @@ from coscrew_codegen.program.two_over_pi import chunks
 
 Array = NDArray[Any]
 BITS = 240  # of the truth
+EXP_ENDS = {"double": (-745.1332191019412, -708.3964185322641, 709.782712893384),
+            "single": (-103.97208, -87.33654, 88.72284)}  # of results above 0, normal, finite
 _CASES = Path(__file__).parents[2] / "elementary" / "worst_cases.txt"
 
 
@@ -66,7 +69,7 @@ def _chunk(x: Array, n: int, precision: Precision) -> Array:
 
 
 def _product_error(a: Array, b: Array, p: Array, precision: Precision) -> Array:
-    """a b - p by Veltkamp's splitting, as the NumPy kernels compute it."""
+    """a b - p rounded once: by Veltkamp's splitting, or where that underflows in rationals."""
     factor = getattr(np, precision.numpy_type)(2**((precision.digits + 1) // 2) + 1)
 
     def split(x: Array) -> tuple[Array, Array]:
@@ -75,7 +78,13 @@ def _product_error(a: Array, b: Array, p: Array, precision: Precision) -> Array:
         return high, x - high
 
     (ah, al), (bh, bl) = split(a), split(b)
-    return al * bl - (((p - ah * bh) - al * bh) - ah * bl)
+    found = np.array(al * bl - (((p - ah * bh) - al * bh) - ah * bl))
+    small = (np.abs(p) < 2.0**(precision.least_exponent + 2 * precision.digits)) & (a != 0) & (
+        b != 0) & np.isfinite(p)
+    rows = zip(*(np.broadcast_to(x, found.shape)[small].tolist() for x in (a, b, p)), strict=True)
+    found[small] = [float(precision.rounded(Fraction(x) * Fraction(y) - Fraction(z)))
+                    for x, y, z in rows]
+    return found
 
 
 @cache
@@ -132,15 +141,16 @@ def errors(name: str, precision: Precision, got: Array, *inputs: Array) -> Array
     return found
 
 
-def remaining(name: str, got: Array, rest: Array, *inputs: Array) -> Array:
-    """log2 of |got + rest - true| / |true|: of what a result and its error err by together."""
+def remaining(name: str, got: Array, rest: Array, *inputs: Array, slack: float = 0) -> Array:
+    """log2 of |got + rest - true| / |true|: of what a result and its error err by together, beyond
+    an absolute slack."""
     with gmpy2.context(precision=2 * BITS, emax=10**6, emin=-10**6):
         found = np.empty(len(got))
         for i, (value, more, *given) in enumerate(zip(
                 got.tolist(), rest.tolist(), *(x.tolist() for x in inputs), strict=True)):
             true = truth(name, given)
-            error = abs(gmpy2.mpfr(value) + gmpy2.mpfr(more) - true)
-            found[i] = gmpy2.log2(error / abs(true)) if error else -np.inf
+            error = abs(gmpy2.mpfr(value) + gmpy2.mpfr(more) - true) - gmpy2.mpfr(slack)
+            found[i] = gmpy2.log2(error / abs(true)) if error > 0 else -np.inf
         return found
 
 
@@ -157,3 +167,20 @@ def worst_cases(name: str, precision: Precision) -> list[Array]:
     found = [[float.fromhex(x) for x in row[2:]] for row in rows
              if row[:2] == [name, precision.name]]
     return [np.array(column, precision.numpy_type) for column in zip(*found, strict=True)]
+
+
+def quotients(precision: Precision) -> tuple[np.ndarray, np.ndarray]:
+    """Quotients near 0, 1/2, 1 and 2; all magnitudes, so that results have all, too."""
+    rng = np.random.default_rng(8)
+    n, low = 4000, precision.least_exponent
+    near = rng.choice((0.5, 1.0, 2.0), n) * (1 + rng.normal(0, 1, n) * 2.0**rng.uniform(-50, 0, n))
+    ratios = np.concatenate([rng.uniform(0, 2.5, 4 * n), rng.uniform(0.4, 0.6, 3 * n), near,
+                             2.0**rng.uniform(low, -low, 2 * n)])
+    wide = rng.uniform(low - 10, -low, len(ratios) - 6 * n)
+    scales = 2.0**np.concatenate([np.zeros(6 * n), wide])
+    x = (rng.uniform(1, 2, len(ratios)) * scales).astype(precision.numpy_type)
+    with np.errstate(all="ignore"):
+        y = (x * ratios).astype(precision.numpy_type)
+    x, y = (np.concatenate([a, b]) for a, b in zip(
+        (x, y), worst_cases("atan2", precision)[::-1], strict=True))
+    return y * rng.choice((-1, 1), len(y)), x * rng.choice((-1, 1), len(x))

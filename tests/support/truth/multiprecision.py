@@ -136,7 +136,9 @@ _FUNCTIONS: dict[str, Callable[..., Number]] = {
     "abs": lambda x: x._with(abs), "sqrt": Number.sqrt, "sin": lambda x: x._with(mp.sin),
     "cos": lambda x: x._with(mp.cos), "atan2": lambda y, x: y._with(mp.atan2, x)}
 
-_ELEMENTARY = ("sin", "cos", "atan2")
+_FUNCTIONS["atan2_error"] = lambda y, x, angle: _FUNCTIONS["atan2"](y, x) - angle
+
+_ELEMENTARY = ("sin", "cos", "atan2", "atan2_error")
 
 _SYMPY: dict[type[sp.Basic], Callable[..., Number | bool]] = {
     sp.Equality: operator.eq, scaled: operator.mul, sp.Abs: _FUNCTIONS["abs"],

@@ -8,11 +8,12 @@
 
 #include "ksl_exact.h"
 #include "elementary.h"
+#include "ksl_elementary_error.h"
 
 /* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
    R: rotation or other 3×3 matrix; vo: vector.
-   40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
-     less, 10 equal, 58 select.
+   40 mul, 221 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 1 atan2 error, 12
+     neg, 5 abs, 16 less, 10 equal, 58 select.
    Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
@@ -226,8 +227,9 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       half_of_upper_3_left_rest = upper_3 - half_of_upper_3_left,
       half_of_upper_3_right_rest = upper_3_lo - half_of_upper_3_right,
       half_of_upper_3_lo = half_of_upper_3_left_rest + half_of_upper_3_right_rest,
-      half = ksl_atan2(half_of_n, half_of_upper_3), half_size0 = fabs(half_of_n),
-      half_size1 = fabs(half_of_upper_3),
+      half = ksl_atan2(half_of_n, half_of_upper_3),
+      half_own_error = ksl_atan2_error(half_of_n, half_of_upper_3, half),
+      half_size0 = fabs(half_of_n), half_size1 = fabs(half_of_upper_3),
       half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
       half_part1 = half_of_upper_3 / half_divisor, half_cross1 = KSL_MUL(half_part1, half_of_n_lo),
@@ -235,7 +237,8 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
       half_square1 = KSL_MUL(half_part1, half_part1),
       half_square2 = KSL_MUL(half_part0, half_part0), half_cross = half_cross1 - half_cross2,
       half_square = half_square1 + half_square2, half_divisor2 = KSL_MUL(half_divisor, half_square),
-      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
+      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_more = half_cross / half_safe,
+      half_lo = half_own_error + half_more;
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double theta = KSL_MUL(2.0, half), theta_cross2 = KSL_MUL(2.0, half_lo);

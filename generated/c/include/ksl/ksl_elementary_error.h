@@ -8,6 +8,437 @@
 #include "elementary.h"
 #include "ksl_exact.h"
 
+#ifndef KSL_ATAN2_ERROR
+#define KSL_ATAN2_ERROR
+/* angle_error = atan2(y, x) - angle, angle as atan2 has it.
+   (y c - x s) / (x c + y s), s and c the angle's sine and cosine as pairs; angle + angle_error
+     is within 2^-99.3 of atan2(y, x), relative to it (proved), and 0.51 of the least subnormal
+     number; 0 where the angle is 0.
+   93 mul, 211 add, 23 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
+static inline double ksl_atan2_error(const double y, const double x, const double angle) {
+  const double quadrant_1 = KSL_MUL(angle, 0.6366197723675814),
+      quadrant_2 = quadrant_1 + 6755399441055744.0, quadrant = quadrant_2 - 6755399441055744.0;
+  const double high_1 = KSL_MUL(quadrant, 1.5707963267341256), high_2 = angle - high_1,
+      high_3 = KSL_MUL(quadrant, 6.077094383272197e-11), high = high_2 - high_3;
+  const double part3 = KSL_MUL(quadrant, -6.12323399409214e-17);
+  const double part4 = KSL_MUL(quadrant, -1.6446256929076394e-26);
+  const double part5 = KSL_MUL(quadrant, -7.247864188442001e-36);
+  const double part6 = KSL_MUL(quadrant, -4.916232119866224e-45);
+  const double r_a3 = part5 + part6;
+  const double r_a3_error_1 = r_a3 - part5, r_a3_error_2 = r_a3 - r_a3_error_1,
+      r_a3_error_3 = part5 - r_a3_error_2, r_a3_error_4 = part6 - r_a3_error_1,
+      r_a3_error = r_a3_error_3 + r_a3_error_4;
+  const double r_a2 = part4 + r_a3;
+  const double r_a2_error_1 = r_a2 - part4, r_a2_error_2 = r_a2 - r_a2_error_1,
+      r_a2_error_3 = part4 - r_a2_error_2, r_a2_error_4 = r_a3 - r_a2_error_1,
+      r_a2_error = r_a2_error_3 + r_a2_error_4;
+  const double r_a1 = part3 + r_a2;
+  const double r_a1_error_1 = r_a1 - part3, r_a1_error_2 = r_a1 - r_a1_error_1,
+      r_a1_error_3 = part3 - r_a1_error_2, r_a1_error_4 = r_a2 - r_a1_error_1,
+      r_a1_error = r_a1_error_3 + r_a1_error_4;
+  const double r_a0 = high + r_a1;
+  const double r_a0_error_1 = r_a0 - high, r_a0_error_2 = r_a0 - r_a0_error_1,
+      r_a0_error_3 = high - r_a0_error_2, r_a0_error_4 = r_a1 - r_a0_error_1,
+      r_a0_error = r_a0_error_3 + r_a0_error_4;
+  const double r_b3 = r_a2_error + r_a3_error;
+  const double r_b3_error_1 = r_b3 - r_a2_error, r_b3_error_2 = r_b3 - r_b3_error_1,
+      r_b3_error_3 = r_a2_error - r_b3_error_2, r_b3_error_4 = r_a3_error - r_b3_error_1,
+      r_b3_error = r_b3_error_3 + r_b3_error_4;
+  const double r_b2 = r_a1_error + r_b3;
+  const double r_b2_error_1 = r_b2 - r_a1_error, r_b2_error_2 = r_b2 - r_b2_error_1,
+      r_b2_error_3 = r_a1_error - r_b2_error_2, r_b2_error_4 = r_b3 - r_b2_error_1,
+      r_b2_error = r_b2_error_3 + r_b2_error_4;
+  const double r_b1 = r_a0_error + r_b2;
+  const double r_b1_error_1 = r_b1 - r_a0_error, r_b1_error_2 = r_b1 - r_b1_error_1,
+      r_b1_error_3 = r_a0_error - r_b1_error_2, r_b1_error_4 = r_b2 - r_b1_error_1,
+      r_b1_error = r_b1_error_3 + r_b1_error_4;
+  const double r_b0 = r_a0 + r_b1;
+  const double r_b0_error_1 = r_b0 - r_a0, r_b0_error_2 = r_b0 - r_b0_error_1,
+      r_b0_error_3 = r_a0 - r_b0_error_2, r_b0_error_4 = r_b1 - r_b0_error_1,
+      r_b0_error = r_b0_error_3 + r_b0_error_4;
+  const double r_low_1 = r_b2_error + r_b3_error, r_low_2 = r_b1_error + r_low_1,
+      r_low = r_b0_error + r_low_2;
+  const double argument_1 = fabs(r_b0), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r_b0;
+  const double z = KSL_MUL(argument, argument);
+  const double z_error = ksl_product_error(argument, argument, z);
+  const double z_low_1 = KSL_MUL(argument, r_low), z_low_2 = KSL_MUL(r_low, argument),
+      z_low_3 = z_low_1 + z_low_2, z_low = z_error + z_low_3;
+  const double sin12_1 = KSL_MUL(z, -9.183689863795546e-29),
+      sin12 = 6.446950284384474e-26 + sin12_1;
+  const double sin11_1 = KSL_MUL(z, sin12), sin11 = -3.868170170630684e-23 + sin11_1;
+  const double sin10_1 = KSL_MUL(z, sin11), sin10 = 1.9572941063391263e-20 + sin10_1;
+  const double sin9_1 = KSL_MUL(z, sin10), sin9 = -8.22063524662433e-18 + sin9_1;
+  const double sin8_z = KSL_MUL(z, sin9);
+  const double sin8_z_error = ksl_product_error(z, sin9, sin8_z);
+  const double sin8_z_low_1 = KSL_MUL(z_low, sin9), sin8_z_low = sin8_z_error + sin8_z_low_1;
+  const double sin8 = 2.8114572543455206e-15 + sin8_z;
+  const double sin8_error_1 = sin8 - 2.8114572543455206e-15, sin8_error = sin8_z - sin8_error_1;
+  const double sin8_low_1 = sin8_z_low + 1.6508842730861433e-31, sin8_low = sin8_error + sin8_low_1;
+  const double sin7_z = KSL_MUL(z, sin8);
+  const double sin7_z_error = ksl_product_error(z, sin8, sin7_z);
+  const double sin7_z_low_1 = KSL_MUL(z, sin8_low), sin7_z_low_2 = KSL_MUL(z_low, sin8),
+      sin7_z_low_3 = sin7_z_low_1 + sin7_z_low_2, sin7_z_low = sin7_z_error + sin7_z_low_3;
+  const double sin7 = -7.647163731819816e-13 + sin7_z;
+  const double sin7_error_1 = sin7 - -7.647163731819816e-13, sin7_error = sin7_z - sin7_error_1;
+  const double sin7_low_1 = sin7_z_low + -7.03872877733453e-30, sin7_low = sin7_error + sin7_low_1;
+  const double sin6_z = KSL_MUL(z, sin7);
+  const double sin6_z_error = ksl_product_error(z, sin7, sin6_z);
+  const double sin6_z_low_1 = KSL_MUL(z, sin7_low), sin6_z_low_2 = KSL_MUL(z_low, sin7),
+      sin6_z_low_3 = sin6_z_low_1 + sin6_z_low_2, sin6_z_low = sin6_z_error + sin6_z_low_3;
+  const double sin6 = 1.6059043836821613e-10 + sin6_z;
+  const double sin6_error_1 = sin6 - 1.6059043836821613e-10, sin6_error = sin6_z - sin6_error_1;
+  const double sin6_low_1 = sin6_z_low + 1.2585294588752098e-26, sin6_low = sin6_error + sin6_low_1;
+  const double sin5_z = KSL_MUL(z, sin6);
+  const double sin5_z_error = ksl_product_error(z, sin6, sin5_z);
+  const double sin5_z_low_1 = KSL_MUL(z, sin6_low), sin5_z_low_2 = KSL_MUL(z_low, sin6),
+      sin5_z_low_3 = sin5_z_low_1 + sin5_z_low_2, sin5_z_low = sin5_z_error + sin5_z_low_3;
+  const double sin5 = -2.505210838544172e-08 + sin5_z;
+  const double sin5_error_1 = sin5 - -2.505210838544172e-08, sin5_error = sin5_z - sin5_error_1;
+  const double sin5_low_1 = sin5_z_low + 1.448814070935912e-24, sin5_low = sin5_error + sin5_low_1;
+  const double sin4_z = KSL_MUL(z, sin5);
+  const double sin4_z_error = ksl_product_error(z, sin5, sin4_z);
+  const double sin4_z_low_1 = KSL_MUL(z, sin5_low), sin4_z_low_2 = KSL_MUL(z_low, sin5),
+      sin4_z_low_3 = sin4_z_low_1 + sin4_z_low_2, sin4_z_low = sin4_z_error + sin4_z_low_3;
+  const double sin4 = 2.7557319223985893e-06 + sin4_z;
+  const double sin4_error_1 = sin4 - 2.7557319223985893e-06, sin4_error = sin4_z - sin4_error_1;
+  const double sin4_low_1 = sin4_z_low + -1.858393274046472e-22, sin4_low = sin4_error + sin4_low_1;
+  const double sin3_z = KSL_MUL(z, sin4);
+  const double sin3_z_error = ksl_product_error(z, sin4, sin3_z);
+  const double sin3_z_low_1 = KSL_MUL(z, sin4_low), sin3_z_low_2 = KSL_MUL(z_low, sin4),
+      sin3_z_low_3 = sin3_z_low_1 + sin3_z_low_2, sin3_z_low = sin3_z_error + sin3_z_low_3;
+  const double sin3 = -0.0001984126984126984 + sin3_z;
+  const double sin3_error_1 = sin3 - -0.0001984126984126984, sin3_error = sin3_z - sin3_error_1;
+  const double sin3_low_1 = sin3_z_low + -1.7209558293420705e-22,
+      sin3_low = sin3_error + sin3_low_1;
+  const double sin2_z = KSL_MUL(z, sin3);
+  const double sin2_z_error = ksl_product_error(z, sin3, sin2_z);
+  const double sin2_z_low_1 = KSL_MUL(z, sin3_low), sin2_z_low_2 = KSL_MUL(z_low, sin3),
+      sin2_z_low_3 = sin2_z_low_1 + sin2_z_low_2, sin2_z_low = sin2_z_error + sin2_z_low_3;
+  const double sin2 = 0.008333333333333333 + sin2_z;
+  const double sin2_error_1 = sin2 - 0.008333333333333333, sin2_error = sin2_z - sin2_error_1;
+  const double sin2_low_1 = sin2_z_low + 1.1564823173178714e-19, sin2_low = sin2_error + sin2_low_1;
+  const double sin1_z = KSL_MUL(z, sin2);
+  const double sin1_z_error = ksl_product_error(z, sin2, sin1_z);
+  const double sin1_z_low_1 = KSL_MUL(z, sin2_low), sin1_z_low_2 = KSL_MUL(z_low, sin2),
+      sin1_z_low_3 = sin1_z_low_1 + sin1_z_low_2, sin1_z_low = sin1_z_error + sin1_z_low_3;
+  const double sin1 = -0.16666666666666666 + sin1_z;
+  const double sin1_error_1 = sin1 - -0.16666666666666666, sin1_error = sin1_z - sin1_error_1;
+  const double sin1_low_1 = sin1_z_low + -9.25185853854297e-18, sin1_low = sin1_error + sin1_low_1;
+  const double sin_sum = KSL_MUL(z, sin1);
+  const double sin_sum_error = ksl_product_error(z, sin1, sin_sum);
+  const double sin_sum_low_1 = KSL_MUL(z, sin1_low), sin_sum_low_2 = KSL_MUL(z_low, sin1),
+      sin_sum_low_3 = sin_sum_low_1 + sin_sum_low_2, sin_sum_low = sin_sum_error + sin_sum_low_3;
+  const double sin_r_more = KSL_MUL(r_b0, sin_sum);
+  const double sin_r_more_error = ksl_product_error(r_b0, sin_sum, sin_r_more);
+  const double sin_r_more_low_1 = KSL_MUL(r_b0, sin_sum_low),
+      sin_r_more_low_2 = KSL_MUL(r_low, sin_sum),
+      sin_r_more_low_3 = sin_r_more_low_1 + sin_r_more_low_2,
+      sin_r_more_low = sin_r_more_error + sin_r_more_low_3;
+  const double sin_r = r_b0 + sin_r_more;
+  const double sin_r_error_1 = sin_r - r_b0, sin_r_error = sin_r_more - sin_r_error_1;
+  const double sin_r_low_1 = sin_r_more_low + r_low, sin_r_low = sin_r_error + sin_r_low_1;
+  const double cos13_1 = KSL_MUL(z, 3.279889237069838e-30),
+      cos13 = -2.4795962632247976e-27 + cos13_1;
+  const double cos12_1 = KSL_MUL(z, cos13), cos12 = 1.6117375710961184e-24 + cos12_1;
+  const double cos11_1 = KSL_MUL(z, cos12), cos11 = -8.896791392450574e-22 + cos11_1;
+  const double cos10_1 = KSL_MUL(z, cos11), cos10 = 4.110317623312165e-19 + cos10_1;
+  const double cos9_z = KSL_MUL(z, cos10);
+  const double cos9_z_error = ksl_product_error(z, cos10, cos9_z);
+  const double cos9_z_low_1 = KSL_MUL(z_low, cos10), cos9_z_low = cos9_z_error + cos9_z_low_1;
+  const double cos9 = -1.5619206968586225e-16 + cos9_z;
+  const double cos9_error_1 = cos9 - -1.5619206968586225e-16, cos9_error = cos9_z - cos9_error_1;
+  const double cos9_low_1 = cos9_z_low + -1.1910679660273754e-32,
+      cos9_low = cos9_error + cos9_low_1;
+  const double cos8_z = KSL_MUL(z, cos9);
+  const double cos8_z_error = ksl_product_error(z, cos9, cos8_z);
+  const double cos8_z_low_1 = KSL_MUL(z, cos9_low), cos8_z_low_2 = KSL_MUL(z_low, cos9),
+      cos8_z_low_3 = cos8_z_low_1 + cos8_z_low_2, cos8_z_low = cos8_z_error + cos8_z_low_3;
+  const double cos8 = 4.779477332387385e-14 + cos8_z;
+  const double cos8_error_1 = cos8 - 4.779477332387385e-14, cos8_error = cos8_z - cos8_error_1;
+  const double cos8_low_1 = cos8_z_low + 4.399205485834081e-31, cos8_low = cos8_error + cos8_low_1;
+  const double cos7_z = KSL_MUL(z, cos8);
+  const double cos7_z_error = ksl_product_error(z, cos8, cos7_z);
+  const double cos7_z_low_1 = KSL_MUL(z, cos8_low), cos7_z_low_2 = KSL_MUL(z_low, cos8),
+      cos7_z_low_3 = cos7_z_low_1 + cos7_z_low_2, cos7_z_low = cos7_z_error + cos7_z_low_3;
+  const double cos7 = -1.1470745597729725e-11 + cos7_z;
+  const double cos7_error_1 = cos7 - -1.1470745597729725e-11, cos7_error = cos7_z - cos7_error_1;
+  const double cos7_low_1 = cos7_z_low + -2.0655512752830745e-28,
+      cos7_low = cos7_error + cos7_low_1;
+  const double cos6_z = KSL_MUL(z, cos7);
+  const double cos6_z_error = ksl_product_error(z, cos7, cos6_z);
+  const double cos6_z_low_1 = KSL_MUL(z, cos7_low), cos6_z_low_2 = KSL_MUL(z_low, cos7),
+      cos6_z_low_3 = cos6_z_low_1 + cos6_z_low_2, cos6_z_low = cos6_z_error + cos6_z_low_3;
+  const double cos6 = 2.08767569878681e-09 + cos6_z;
+  const double cos6_error_1 = cos6 - 2.08767569878681e-09, cos6_error = cos6_z - cos6_error_1;
+  const double cos6_low_1 = cos6_z_low + -1.20734505911326e-25, cos6_low = cos6_error + cos6_low_1;
+  const double cos5_z = KSL_MUL(z, cos6);
+  const double cos5_z_error = ksl_product_error(z, cos6, cos5_z);
+  const double cos5_z_low_1 = KSL_MUL(z, cos6_low), cos5_z_low_2 = KSL_MUL(z_low, cos6),
+      cos5_z_low_3 = cos5_z_low_1 + cos5_z_low_2, cos5_z_low = cos5_z_error + cos5_z_low_3;
+  const double cos5 = -2.755731922398589e-07 + cos5_z;
+  const double cos5_error_1 = cos5 - -2.755731922398589e-07, cos5_error = cos5_z - cos5_error_1;
+  const double cos5_low_1 = cos5_z_low + -2.3767714622250297e-23,
+      cos5_low = cos5_error + cos5_low_1;
+  const double cos4_z = KSL_MUL(z, cos5);
+  const double cos4_z_error = ksl_product_error(z, cos5, cos4_z);
+  const double cos4_z_low_1 = KSL_MUL(z, cos5_low), cos4_z_low_2 = KSL_MUL(z_low, cos5),
+      cos4_z_low_3 = cos4_z_low_1 + cos4_z_low_2, cos4_z_low = cos4_z_error + cos4_z_low_3;
+  const double cos4 = 2.48015873015873e-05 + cos4_z;
+  const double cos4_error_1 = cos4 - 2.48015873015873e-05, cos4_error = cos4_z - cos4_error_1;
+  const double cos4_low_1 = cos4_z_low + 2.1511947866775882e-23, cos4_low = cos4_error + cos4_low_1;
+  const double cos3_z = KSL_MUL(z, cos4);
+  const double cos3_z_error = ksl_product_error(z, cos4, cos3_z);
+  const double cos3_z_low_1 = KSL_MUL(z, cos4_low), cos3_z_low_2 = KSL_MUL(z_low, cos4),
+      cos3_z_low_3 = cos3_z_low_1 + cos3_z_low_2, cos3_z_low = cos3_z_error + cos3_z_low_3;
+  const double cos3 = -0.001388888888888889 + cos3_z;
+  const double cos3_error_1 = cos3 - -0.001388888888888889, cos3_error = cos3_z - cos3_error_1;
+  const double cos3_low_1 = cos3_z_low + 5.300543954373577e-20, cos3_low = cos3_error + cos3_low_1;
+  const double cos2_z = KSL_MUL(z, cos3);
+  const double cos2_z_error = ksl_product_error(z, cos3, cos2_z);
+  const double cos2_z_low_1 = KSL_MUL(z, cos3_low), cos2_z_low_2 = KSL_MUL(z_low, cos3),
+      cos2_z_low_3 = cos2_z_low_1 + cos2_z_low_2, cos2_z_low = cos2_z_error + cos2_z_low_3;
+  const double cos2 = 0.041666666666666664 + cos2_z;
+  const double cos2_error_1 = cos2 - 0.041666666666666664, cos2_error = cos2_z - cos2_error_1;
+  const double cos2_low_1 = cos2_z_low + 2.3129646346357427e-18, cos2_low = cos2_error + cos2_low_1;
+  const double cos1_z = KSL_MUL(z, cos2);
+  const double cos1_z_error = ksl_product_error(z, cos2, cos1_z);
+  const double cos1_z_low_1 = KSL_MUL(z, cos2_low), cos1_z_low_2 = KSL_MUL(z_low, cos2),
+      cos1_z_low_3 = cos1_z_low_1 + cos1_z_low_2, cos1_z_low = cos1_z_error + cos1_z_low_3;
+  const double cos1 = -0.5 + cos1_z;
+  const double cos1_error_1 = cos1 - -0.5, cos1_error = cos1_z - cos1_error_1;
+  const double cos1_low = cos1_error + cos1_z_low;
+  const double cos_sum = KSL_MUL(z, cos1);
+  const double cos_sum_error = ksl_product_error(z, cos1, cos_sum);
+  const double cos_sum_low_1 = KSL_MUL(z, cos1_low), cos_sum_low_2 = KSL_MUL(z_low, cos1),
+      cos_sum_low_3 = cos_sum_low_1 + cos_sum_low_2, cos_sum_low = cos_sum_error + cos_sum_low_3;
+  const double cos_r = 1.0 + cos_sum;
+  const double cos_r_error_1 = cos_r - 1.0, cos_r_error = cos_sum - cos_r_error_1;
+  const double cos_r_low = cos_r_error + cos_sum_low;
+  const double q_1 = quadrant + 2.7021597764222976e+16, q_2 = q_1 - 2.7021597764222976e+16,
+      q = q_2 - quadrant;
+  const double cos_k_1 = fabs(q), cos_k = 1.0 - cos_k_1;
+  const double minus_sin_k_1 = 1.0 + cos_k, minus_sin_k = KSL_MUL(q, minus_sin_k_1);
+  const double sin_x_1 = KSL_MUL(sin_r, cos_k), sin_x_2 = KSL_MUL(cos_r, minus_sin_k),
+      sin_x = sin_x_1 - sin_x_2;
+  const double sin_x_low_1 = KSL_MUL(sin_r_low, cos_k),
+      sin_x_low_2 = KSL_MUL(cos_r_low, minus_sin_k), sin_x_low = sin_x_low_1 - sin_x_low_2;
+  const double cos_x_1 = KSL_MUL(cos_r, cos_k), cos_x_2 = KSL_MUL(sin_r, minus_sin_k),
+      cos_x = cos_x_1 + cos_x_2;
+  const double cos_x_low_1 = KSL_MUL(cos_r_low, cos_k),
+      cos_x_low_2 = KSL_MUL(sin_r_low, minus_sin_k), cos_x_low = cos_x_low_1 + cos_x_low_2;
+  const double size_1 = fabs(y), size_2 = fabs(x), size = size_1 < size_2 ? size_2 : size_1;
+  const double scale_3 = 1.0463951242053392e+298 < size ? 9.094947017729282e-13 : 1.0,
+      scale_4 = size < 1.152921504606847e+18 ? 9.076030935533344e+279 : scale_3,
+      scale = 1.7976931348623157e+308 < size ? 0.0 : scale_4;
+  const double scaled_y_1 = copysign(1.0, y), scaled_y_2 = copysign(1.0, x), scaled_y_3 = fabs(y),
+      scaled_y_5 = KSL_MUL(y, scale),
+      scaled_y = 1.7976931348623157e+308 < scaled_y_3 ? scaled_y_1 : scaled_y_5;
+  const double scaled_x_1 = fabs(x), scaled_x_3 = KSL_MUL(x, scale),
+      scaled_x_4 = 1.7976931348623157e+308 < scaled_x_1 ? scaled_y_2 : scaled_x_3,
+      scaled_x = size == 0.0 ? scaled_y_2 : scaled_x_4;
+  const double upward = KSL_MUL(scaled_y, cos_x);
+  const double across = KSL_MUL(scaled_x, sin_x);
+  const double upward_rest = ksl_product_error(scaled_y, cos_x, upward);
+  const double across_rest = ksl_product_error(scaled_x, sin_x, across);
+  const double low_1 = upward_rest - across_rest, low_2 = KSL_MUL(scaled_y, cos_x_low),
+      low_3 = KSL_MUL(scaled_x, sin_x_low), low_4 = low_2 - low_3, low = low_1 + low_4;
+  const double turn_1 = upward - across, turn_2 = turn_1 + low, turn_3 = KSL_MUL(scaled_x, cos_x),
+      turn_4 = KSL_MUL(scaled_y, sin_x), turn_5 = turn_3 + turn_4, turn = turn_2 / turn_5;
+  const double angle_error_value = angle == 0.0 ? 0.0 : turn;
+  return angle_error_value;
+}
+
+#endif
+
+#ifndef KSL_POWER
+#define KSL_POWER
+/* 2^k by its bits, from 1.5 · 2^52 + k. */
+static inline double ksl_power(const double shifted) {
+  const uint64_t one = ((uint64_t)1023) << 52;
+  uint64_t bits;
+  double power;
+  memcpy(&bits, &shifted, sizeof bits);
+  bits = (bits << 52) + one;
+  memcpy(&power, &bits, sizeof power);
+  return power;
+}
+#endif
+
+#ifndef KSL_EXP_ERROR
+#define KSL_EXP_ERROR
+/* y_error = exp x - y, y as exp has it.
+   x = k ln 2 + r, r as a pair; a Taylor polynomial of degree 23 in pairs; y + y_error is within
+     2^-101.8 of exp x, relative to it (proved), and 0.51 of the least subnormal number; 0 where
+     y is 0 or infinite.
+   61 mul, 129 add, 15 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
+static inline double ksl_exp_error(const double x, const double y) {
+  const double within_2 = 710.0 < x ? 710.0 : x, within = within_2 < -746.0 ? -746.0 : within_2;
+  const double shifted_1 = KSL_MUL(within, 1.4426950408889634),
+      shifted = shifted_1 + 6755399441055744.0;
+  const double k = shifted - 6755399441055744.0;
+  const double high_1 = KSL_MUL(k, 0.6931471805598903), high = within - high_1;
+  const double second = KSL_MUL(k, -5.49792301870721e-14);
+  const double rest = KSL_MUL(k, -1.1612227229362532e-26);
+  const double r = high + second;
+  const double r_error_1 = r - high, r_error_2 = r - r_error_1, r_error_3 = high - r_error_2,
+      r_error_4 = second - r_error_1, r_error = r_error_3 + r_error_4;
+  const double r_low = r_error + rest;
+  const double argument_1 = fabs(r), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r;
+  const double term21_1 = KSL_MUL(argument, 3.868170170630684e-23),
+      term21 = 8.896791392450574e-22 + term21_1;
+  const double term20_1 = KSL_MUL(argument, term21), term20 = 1.9572941063391263e-20 + term20_1;
+  const double term19_1 = KSL_MUL(argument, term20), term19 = 4.110317623312165e-19 + term19_1;
+  const double term18_1 = KSL_MUL(argument, term19), term18 = 8.22063524662433e-18 + term18_1;
+  const double term17_1 = KSL_MUL(argument, term18), term17 = 1.5619206968586225e-16 + term17_1;
+  const double term16_1 = KSL_MUL(argument, term17), term16 = 2.8114572543455206e-15 + term16_1;
+  const double term15_1 = KSL_MUL(argument, term16), term15 = 4.779477332387385e-14 + term15_1;
+  const double term14_1 = KSL_MUL(argument, term15), term14 = 7.647163731819816e-13 + term14_1;
+  const double term13_z = KSL_MUL(argument, term14);
+  const double term13_z_error = ksl_product_error(argument, term14, term13_z);
+  const double term13_z_low_1 = KSL_MUL(r_low, term14),
+      term13_z_low = term13_z_error + term13_z_low_1;
+  const double term13 = 1.1470745597729725e-11 + term13_z;
+  const double term13_error_1 = term13 - 1.1470745597729725e-11,
+      term13_error = term13_z - term13_error_1;
+  const double term13_low_1 = term13_z_low + 2.0655512752830745e-28,
+      term13_low = term13_error + term13_low_1;
+  const double term12_z = KSL_MUL(argument, term13);
+  const double term12_z_error = ksl_product_error(argument, term13, term12_z);
+  const double term12_z_low_1 = KSL_MUL(argument, term13_low),
+      term12_z_low_2 = KSL_MUL(r_low, term13), term12_z_low_3 = term12_z_low_1 + term12_z_low_2,
+      term12_z_low = term12_z_error + term12_z_low_3;
+  const double term12 = 1.6059043836821613e-10 + term12_z;
+  const double term12_error_1 = term12 - 1.6059043836821613e-10,
+      term12_error = term12_z - term12_error_1;
+  const double term12_low_1 = term12_z_low + 1.2585294588752098e-26,
+      term12_low = term12_error + term12_low_1;
+  const double term11_z = KSL_MUL(argument, term12);
+  const double term11_z_error = ksl_product_error(argument, term12, term11_z);
+  const double term11_z_low_1 = KSL_MUL(argument, term12_low),
+      term11_z_low_2 = KSL_MUL(r_low, term12), term11_z_low_3 = term11_z_low_1 + term11_z_low_2,
+      term11_z_low = term11_z_error + term11_z_low_3;
+  const double term11 = 2.08767569878681e-09 + term11_z;
+  const double term11_error_1 = term11 - 2.08767569878681e-09,
+      term11_error = term11_z - term11_error_1;
+  const double term11_low_1 = term11_z_low + -1.20734505911326e-25,
+      term11_low = term11_error + term11_low_1;
+  const double term10_z = KSL_MUL(argument, term11);
+  const double term10_z_error = ksl_product_error(argument, term11, term10_z);
+  const double term10_z_low_1 = KSL_MUL(argument, term11_low),
+      term10_z_low_2 = KSL_MUL(r_low, term11), term10_z_low_3 = term10_z_low_1 + term10_z_low_2,
+      term10_z_low = term10_z_error + term10_z_low_3;
+  const double term10 = 2.505210838544172e-08 + term10_z;
+  const double term10_error_1 = term10 - 2.505210838544172e-08,
+      term10_error = term10_z - term10_error_1;
+  const double term10_low_1 = term10_z_low + -1.448814070935912e-24,
+      term10_low = term10_error + term10_low_1;
+  const double term9_z = KSL_MUL(argument, term10);
+  const double term9_z_error = ksl_product_error(argument, term10, term9_z);
+  const double term9_z_low_1 = KSL_MUL(argument, term10_low),
+      term9_z_low_2 = KSL_MUL(r_low, term10), term9_z_low_3 = term9_z_low_1 + term9_z_low_2,
+      term9_z_low = term9_z_error + term9_z_low_3;
+  const double term9 = 2.755731922398589e-07 + term9_z;
+  const double term9_error_1 = term9 - 2.755731922398589e-07, term9_error = term9_z - term9_error_1;
+  const double term9_low_1 = term9_z_low + 2.3767714622250297e-23,
+      term9_low = term9_error + term9_low_1;
+  const double term8_z = KSL_MUL(argument, term9);
+  const double term8_z_error = ksl_product_error(argument, term9, term8_z);
+  const double term8_z_low_1 = KSL_MUL(argument, term9_low), term8_z_low_2 = KSL_MUL(r_low, term9),
+      term8_z_low_3 = term8_z_low_1 + term8_z_low_2, term8_z_low = term8_z_error + term8_z_low_3;
+  const double term8 = 2.7557319223985893e-06 + term8_z;
+  const double term8_error_1 = term8 - 2.7557319223985893e-06,
+      term8_error = term8_z - term8_error_1;
+  const double term8_low_1 = term8_z_low + -1.858393274046472e-22,
+      term8_low = term8_error + term8_low_1;
+  const double term7_z = KSL_MUL(argument, term8);
+  const double term7_z_error = ksl_product_error(argument, term8, term7_z);
+  const double term7_z_low_1 = KSL_MUL(argument, term8_low), term7_z_low_2 = KSL_MUL(r_low, term8),
+      term7_z_low_3 = term7_z_low_1 + term7_z_low_2, term7_z_low = term7_z_error + term7_z_low_3;
+  const double term7 = 2.48015873015873e-05 + term7_z;
+  const double term7_error_1 = term7 - 2.48015873015873e-05, term7_error = term7_z - term7_error_1;
+  const double term7_low_1 = term7_z_low + 2.1511947866775882e-23,
+      term7_low = term7_error + term7_low_1;
+  const double term6_z = KSL_MUL(argument, term7);
+  const double term6_z_error = ksl_product_error(argument, term7, term6_z);
+  const double term6_z_low_1 = KSL_MUL(argument, term7_low), term6_z_low_2 = KSL_MUL(r_low, term7),
+      term6_z_low_3 = term6_z_low_1 + term6_z_low_2, term6_z_low = term6_z_error + term6_z_low_3;
+  const double term6 = 0.0001984126984126984 + term6_z;
+  const double term6_error_1 = term6 - 0.0001984126984126984, term6_error = term6_z - term6_error_1;
+  const double term6_low_1 = term6_z_low + 1.7209558293420705e-22,
+      term6_low = term6_error + term6_low_1;
+  const double term5_z = KSL_MUL(argument, term6);
+  const double term5_z_error = ksl_product_error(argument, term6, term5_z);
+  const double term5_z_low_1 = KSL_MUL(argument, term6_low), term5_z_low_2 = KSL_MUL(r_low, term6),
+      term5_z_low_3 = term5_z_low_1 + term5_z_low_2, term5_z_low = term5_z_error + term5_z_low_3;
+  const double term5 = 0.001388888888888889 + term5_z;
+  const double term5_error_1 = term5 - 0.001388888888888889, term5_error = term5_z - term5_error_1;
+  const double term5_low_1 = term5_z_low + -5.300543954373577e-20,
+      term5_low = term5_error + term5_low_1;
+  const double term4_z = KSL_MUL(argument, term5);
+  const double term4_z_error = ksl_product_error(argument, term5, term4_z);
+  const double term4_z_low_1 = KSL_MUL(argument, term5_low), term4_z_low_2 = KSL_MUL(r_low, term5),
+      term4_z_low_3 = term4_z_low_1 + term4_z_low_2, term4_z_low = term4_z_error + term4_z_low_3;
+  const double term4 = 0.008333333333333333 + term4_z;
+  const double term4_error_1 = term4 - 0.008333333333333333, term4_error = term4_z - term4_error_1;
+  const double term4_low_1 = term4_z_low + 1.1564823173178714e-19,
+      term4_low = term4_error + term4_low_1;
+  const double term3_z = KSL_MUL(argument, term4);
+  const double term3_z_error = ksl_product_error(argument, term4, term3_z);
+  const double term3_z_low_1 = KSL_MUL(argument, term4_low), term3_z_low_2 = KSL_MUL(r_low, term4),
+      term3_z_low_3 = term3_z_low_1 + term3_z_low_2, term3_z_low = term3_z_error + term3_z_low_3;
+  const double term3 = 0.041666666666666664 + term3_z;
+  const double term3_error_1 = term3 - 0.041666666666666664, term3_error = term3_z - term3_error_1;
+  const double term3_low_1 = term3_z_low + 2.3129646346357427e-18,
+      term3_low = term3_error + term3_low_1;
+  const double term2_z = KSL_MUL(argument, term3);
+  const double term2_z_error = ksl_product_error(argument, term3, term2_z);
+  const double term2_z_low_1 = KSL_MUL(argument, term3_low), term2_z_low_2 = KSL_MUL(r_low, term3),
+      term2_z_low_3 = term2_z_low_1 + term2_z_low_2, term2_z_low = term2_z_error + term2_z_low_3;
+  const double term2 = 0.16666666666666666 + term2_z;
+  const double term2_error_1 = term2 - 0.16666666666666666, term2_error = term2_z - term2_error_1;
+  const double term2_low_1 = term2_z_low + 9.25185853854297e-18,
+      term2_low = term2_error + term2_low_1;
+  const double term1_z = KSL_MUL(argument, term2);
+  const double term1_z_error = ksl_product_error(argument, term2, term1_z);
+  const double term1_z_low_1 = KSL_MUL(argument, term2_low), term1_z_low_2 = KSL_MUL(r_low, term2),
+      term1_z_low_3 = term1_z_low_1 + term1_z_low_2, term1_z_low = term1_z_error + term1_z_low_3;
+  const double term1 = 0.5 + term1_z;
+  const double term1_error_1 = term1 - 0.5, term1_error = term1_z - term1_error_1;
+  const double term1_low = term1_error + term1_z_low;
+  const double term_sum = KSL_MUL(argument, term1);
+  const double term_sum_error = ksl_product_error(argument, term1, term_sum);
+  const double term_sum_low_1 = KSL_MUL(argument, term1_low),
+      term_sum_low_2 = KSL_MUL(r_low, term1), term_sum_low_3 = term_sum_low_1 + term_sum_low_2,
+      term_sum_low = term_sum_error + term_sum_low_3;
+  const double grown_more = KSL_MUL(r, term_sum);
+  const double grown_more_error = ksl_product_error(r, term_sum, grown_more);
+  const double grown_more_low_1 = KSL_MUL(r, term_sum_low),
+      grown_more_low_2 = KSL_MUL(r_low, term_sum),
+      grown_more_low_3 = grown_more_low_1 + grown_more_low_2,
+      grown_more_low = grown_more_error + grown_more_low_3;
+  const double grown = r + grown_more;
+  const double grown_error_1 = grown - r, grown_error = grown_more - grown_error_1;
+  const double grown_low_1 = grown_more_low + r_low, grown_low = grown_error + grown_low_1;
+  const double e_r = 1.0 + grown;
+  const double e_r_error_1 = e_r - 1.0, e_r_error = grown - e_r_error_1;
+  const double e_r_low = e_r_error + grown_low;
+  const double first_shifted_1 = KSL_MUL(k, 0.5),
+      first_shifted = first_shifted_1 + 6755399441055744.0;
+  const double k_first = first_shifted - 6755399441055744.0;
+  const double k_second = k - k_first;
+  const double down0_1 = 6755399441055744.0 - k_first, down0 = ksl_power(down0_1);
+  const double down1_1 = 6755399441055744.0 - k_second, down1 = ksl_power(down1_1);
+  const double up0_1 = 6755399441055744.0 + k_first, up0 = ksl_power(up0_1);
+  const double up1_1 = 6755399441055744.0 + k_second, up1 = ksl_power(up1_1);
+  const double y_scaled_1 = KSL_MUL(y, down0), y_scaled = KSL_MUL(y_scaled_1, down1);
+  const double error_1 = e_r - y_scaled, error = error_1 + e_r_low;
+  const double scaled_1 = KSL_MUL(error, up0), scaled = KSL_MUL(scaled_1, up1);
+  const double y_error_2 = 1.7976931348623157e+308 < y ? 0.0 : scaled,
+      y_error_value = y == 0.0 ? 0.0 : y_error_2;
+  return y_error_value;
+}
+
+#endif
 #ifndef KSL_SINCOS_ERROR
 #define KSL_SINCOS_ERROR
 /* Its reduction of angles up to 6588396.0. */
@@ -197,10 +628,10 @@ static KSL_COLD double ksl_sincos_error_far(const double x, double *r, double *r
 }
 
 /* (s_error, c_error) = (sin x - s, cos x - c), (s, c) as sincos has them.
-   x = k pi/2 + r, r as a pair; Taylor polynomials of degrees 29 and 28 in pairs; s + s_error and
+   x = k pi/2 + r, r as a pair; Taylor polynomials of degrees 27 and 28 in pairs; s + s_error and
      c + c_error are within 2^-100.9 of sin x and cos x, relative to these (proved), for every
      finite x.
-   79 mul, 155 add, 21 product error, 2 abs, 1 less, 1 select. */
+   78 mul, 154 add, 21 product error, 2 abs, 1 less, 1 select. */
 static inline double ksl_sincos_error(const double x, const double s, const double c,
     double *c_error) {
   double r, r_low,
@@ -211,14 +642,13 @@ static inline double ksl_sincos_error(const double x, const double s, const doub
     r = far_r;
     r_low = far_r_low;
   }
-  const double angle_1 = fabs(r), angle = angle_1 < 5.551115123125783e-17 ? 0.0 : r;
-  const double z = KSL_MUL(angle, angle);
-  const double z_error = ksl_product_error(angle, angle, z);
-  const double z_low_1 = KSL_MUL(angle, r_low), z_low_2 = KSL_MUL(r_low, angle),
+  const double argument_1 = fabs(r), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r;
+  const double z = KSL_MUL(argument, argument);
+  const double z_error = ksl_product_error(argument, argument, z);
+  const double z_low_1 = KSL_MUL(argument, r_low), z_low_2 = KSL_MUL(r_low, argument),
       z_low_3 = z_low_1 + z_low_2, z_low = z_error + z_low_3;
-  const double sin13_1 = KSL_MUL(z, 1.1309962886447716e-31),
-      sin13 = -9.183689863795546e-29 + sin13_1;
-  const double sin12_1 = KSL_MUL(z, sin13), sin12 = 6.446950284384474e-26 + sin12_1;
+  const double sin12_1 = KSL_MUL(z, -9.183689863795546e-29),
+      sin12 = 6.446950284384474e-26 + sin12_1;
   const double sin11_1 = KSL_MUL(z, sin12), sin11 = -3.868170170630684e-23 + sin11_1;
   const double sin10_1 = KSL_MUL(z, sin11), sin10 = 1.9572941063391263e-20 + sin10_1;
   const double sin9_1 = KSL_MUL(z, sin10), sin9 = -8.22063524662433e-18 + sin9_1;
@@ -400,7 +830,490 @@ static inline double ksl_cos_error(const double x, const double c) {
 }
 
 #endif
+#ifndef KSL_TANH_ERROR
+#define KSL_TANH_ERROR
+/* y_error = tanh x - y, y as tanh has it.
+   m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-99.2 of tanh
+     x, relative to it (proved); 0 for |x| below 2^-54 and above 40.
+   61 mul, 139 add, 16 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
+static inline double ksl_tanh_error(const double x, const double y) {
+  const double size = fabs(x);
+  const double within_1 = size < 5.551115123125783e-17 ? 1.0 : size,
+      within = 40.0 < size ? 40.0 : within_1;
+  const double result_1 = fabs(y), result = size < 5.551115123125783e-17 ? 1.0 : result_1;
+  const double twice = within + within;
+  const double shifted_1 = KSL_MUL(twice, 1.4426950408889634),
+      shifted = shifted_1 + 6755399441055744.0;
+  const double k = shifted - 6755399441055744.0;
+  const double high_1 = KSL_MUL(k, 0.6931471805598903), high = twice - high_1;
+  const double second = KSL_MUL(k, -5.49792301870721e-14);
+  const double rest = KSL_MUL(k, -1.1612227229362532e-26);
+  const double r = high + second;
+  const double r_error_1 = r - high, r_error_2 = r - r_error_1, r_error_3 = high - r_error_2,
+      r_error_4 = second - r_error_1, r_error = r_error_3 + r_error_4;
+  const double r_low = r_error + rest;
+  const double power = ksl_power(shifted);
+  const double whole = power + -1.0;
+  const double whole_error_1 = whole - power, whole_error = -1.0 - whole_error_1;
+  const double argument_1 = fabs(r), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r;
+  const double term21_1 = KSL_MUL(argument, 3.868170170630684e-23),
+      term21 = 8.896791392450574e-22 + term21_1;
+  const double term20_1 = KSL_MUL(argument, term21), term20 = 1.9572941063391263e-20 + term20_1;
+  const double term19_1 = KSL_MUL(argument, term20), term19 = 4.110317623312165e-19 + term19_1;
+  const double term18_1 = KSL_MUL(argument, term19), term18 = 8.22063524662433e-18 + term18_1;
+  const double term17_1 = KSL_MUL(argument, term18), term17 = 1.5619206968586225e-16 + term17_1;
+  const double term16_1 = KSL_MUL(argument, term17), term16 = 2.8114572543455206e-15 + term16_1;
+  const double term15_1 = KSL_MUL(argument, term16), term15 = 4.779477332387385e-14 + term15_1;
+  const double term14_1 = KSL_MUL(argument, term15), term14 = 7.647163731819816e-13 + term14_1;
+  const double term13_z = KSL_MUL(argument, term14);
+  const double term13_z_error = ksl_product_error(argument, term14, term13_z);
+  const double term13_z_low_1 = KSL_MUL(r_low, term14),
+      term13_z_low = term13_z_error + term13_z_low_1;
+  const double term13 = 1.1470745597729725e-11 + term13_z;
+  const double term13_error_1 = term13 - 1.1470745597729725e-11,
+      term13_error = term13_z - term13_error_1;
+  const double term13_low_1 = term13_z_low + 2.0655512752830745e-28,
+      term13_low = term13_error + term13_low_1;
+  const double term12_z = KSL_MUL(argument, term13);
+  const double term12_z_error = ksl_product_error(argument, term13, term12_z);
+  const double term12_z_low_1 = KSL_MUL(argument, term13_low),
+      term12_z_low_2 = KSL_MUL(r_low, term13), term12_z_low_3 = term12_z_low_1 + term12_z_low_2,
+      term12_z_low = term12_z_error + term12_z_low_3;
+  const double term12 = 1.6059043836821613e-10 + term12_z;
+  const double term12_error_1 = term12 - 1.6059043836821613e-10,
+      term12_error = term12_z - term12_error_1;
+  const double term12_low_1 = term12_z_low + 1.2585294588752098e-26,
+      term12_low = term12_error + term12_low_1;
+  const double term11_z = KSL_MUL(argument, term12);
+  const double term11_z_error = ksl_product_error(argument, term12, term11_z);
+  const double term11_z_low_1 = KSL_MUL(argument, term12_low),
+      term11_z_low_2 = KSL_MUL(r_low, term12), term11_z_low_3 = term11_z_low_1 + term11_z_low_2,
+      term11_z_low = term11_z_error + term11_z_low_3;
+  const double term11 = 2.08767569878681e-09 + term11_z;
+  const double term11_error_1 = term11 - 2.08767569878681e-09,
+      term11_error = term11_z - term11_error_1;
+  const double term11_low_1 = term11_z_low + -1.20734505911326e-25,
+      term11_low = term11_error + term11_low_1;
+  const double term10_z = KSL_MUL(argument, term11);
+  const double term10_z_error = ksl_product_error(argument, term11, term10_z);
+  const double term10_z_low_1 = KSL_MUL(argument, term11_low),
+      term10_z_low_2 = KSL_MUL(r_low, term11), term10_z_low_3 = term10_z_low_1 + term10_z_low_2,
+      term10_z_low = term10_z_error + term10_z_low_3;
+  const double term10 = 2.505210838544172e-08 + term10_z;
+  const double term10_error_1 = term10 - 2.505210838544172e-08,
+      term10_error = term10_z - term10_error_1;
+  const double term10_low_1 = term10_z_low + -1.448814070935912e-24,
+      term10_low = term10_error + term10_low_1;
+  const double term9_z = KSL_MUL(argument, term10);
+  const double term9_z_error = ksl_product_error(argument, term10, term9_z);
+  const double term9_z_low_1 = KSL_MUL(argument, term10_low),
+      term9_z_low_2 = KSL_MUL(r_low, term10), term9_z_low_3 = term9_z_low_1 + term9_z_low_2,
+      term9_z_low = term9_z_error + term9_z_low_3;
+  const double term9 = 2.755731922398589e-07 + term9_z;
+  const double term9_error_1 = term9 - 2.755731922398589e-07, term9_error = term9_z - term9_error_1;
+  const double term9_low_1 = term9_z_low + 2.3767714622250297e-23,
+      term9_low = term9_error + term9_low_1;
+  const double term8_z = KSL_MUL(argument, term9);
+  const double term8_z_error = ksl_product_error(argument, term9, term8_z);
+  const double term8_z_low_1 = KSL_MUL(argument, term9_low), term8_z_low_2 = KSL_MUL(r_low, term9),
+      term8_z_low_3 = term8_z_low_1 + term8_z_low_2, term8_z_low = term8_z_error + term8_z_low_3;
+  const double term8 = 2.7557319223985893e-06 + term8_z;
+  const double term8_error_1 = term8 - 2.7557319223985893e-06,
+      term8_error = term8_z - term8_error_1;
+  const double term8_low_1 = term8_z_low + -1.858393274046472e-22,
+      term8_low = term8_error + term8_low_1;
+  const double term7_z = KSL_MUL(argument, term8);
+  const double term7_z_error = ksl_product_error(argument, term8, term7_z);
+  const double term7_z_low_1 = KSL_MUL(argument, term8_low), term7_z_low_2 = KSL_MUL(r_low, term8),
+      term7_z_low_3 = term7_z_low_1 + term7_z_low_2, term7_z_low = term7_z_error + term7_z_low_3;
+  const double term7 = 2.48015873015873e-05 + term7_z;
+  const double term7_error_1 = term7 - 2.48015873015873e-05, term7_error = term7_z - term7_error_1;
+  const double term7_low_1 = term7_z_low + 2.1511947866775882e-23,
+      term7_low = term7_error + term7_low_1;
+  const double term6_z = KSL_MUL(argument, term7);
+  const double term6_z_error = ksl_product_error(argument, term7, term6_z);
+  const double term6_z_low_1 = KSL_MUL(argument, term7_low), term6_z_low_2 = KSL_MUL(r_low, term7),
+      term6_z_low_3 = term6_z_low_1 + term6_z_low_2, term6_z_low = term6_z_error + term6_z_low_3;
+  const double term6 = 0.0001984126984126984 + term6_z;
+  const double term6_error_1 = term6 - 0.0001984126984126984, term6_error = term6_z - term6_error_1;
+  const double term6_low_1 = term6_z_low + 1.7209558293420705e-22,
+      term6_low = term6_error + term6_low_1;
+  const double term5_z = KSL_MUL(argument, term6);
+  const double term5_z_error = ksl_product_error(argument, term6, term5_z);
+  const double term5_z_low_1 = KSL_MUL(argument, term6_low), term5_z_low_2 = KSL_MUL(r_low, term6),
+      term5_z_low_3 = term5_z_low_1 + term5_z_low_2, term5_z_low = term5_z_error + term5_z_low_3;
+  const double term5 = 0.001388888888888889 + term5_z;
+  const double term5_error_1 = term5 - 0.001388888888888889, term5_error = term5_z - term5_error_1;
+  const double term5_low_1 = term5_z_low + -5.300543954373577e-20,
+      term5_low = term5_error + term5_low_1;
+  const double term4_z = KSL_MUL(argument, term5);
+  const double term4_z_error = ksl_product_error(argument, term5, term4_z);
+  const double term4_z_low_1 = KSL_MUL(argument, term5_low), term4_z_low_2 = KSL_MUL(r_low, term5),
+      term4_z_low_3 = term4_z_low_1 + term4_z_low_2, term4_z_low = term4_z_error + term4_z_low_3;
+  const double term4 = 0.008333333333333333 + term4_z;
+  const double term4_error_1 = term4 - 0.008333333333333333, term4_error = term4_z - term4_error_1;
+  const double term4_low_1 = term4_z_low + 1.1564823173178714e-19,
+      term4_low = term4_error + term4_low_1;
+  const double term3_z = KSL_MUL(argument, term4);
+  const double term3_z_error = ksl_product_error(argument, term4, term3_z);
+  const double term3_z_low_1 = KSL_MUL(argument, term4_low), term3_z_low_2 = KSL_MUL(r_low, term4),
+      term3_z_low_3 = term3_z_low_1 + term3_z_low_2, term3_z_low = term3_z_error + term3_z_low_3;
+  const double term3 = 0.041666666666666664 + term3_z;
+  const double term3_error_1 = term3 - 0.041666666666666664, term3_error = term3_z - term3_error_1;
+  const double term3_low_1 = term3_z_low + 2.3129646346357427e-18,
+      term3_low = term3_error + term3_low_1;
+  const double term2_z = KSL_MUL(argument, term3);
+  const double term2_z_error = ksl_product_error(argument, term3, term2_z);
+  const double term2_z_low_1 = KSL_MUL(argument, term3_low), term2_z_low_2 = KSL_MUL(r_low, term3),
+      term2_z_low_3 = term2_z_low_1 + term2_z_low_2, term2_z_low = term2_z_error + term2_z_low_3;
+  const double term2 = 0.16666666666666666 + term2_z;
+  const double term2_error_1 = term2 - 0.16666666666666666, term2_error = term2_z - term2_error_1;
+  const double term2_low_1 = term2_z_low + 9.25185853854297e-18,
+      term2_low = term2_error + term2_low_1;
+  const double term1_z = KSL_MUL(argument, term2);
+  const double term1_z_error = ksl_product_error(argument, term2, term1_z);
+  const double term1_z_low_1 = KSL_MUL(argument, term2_low), term1_z_low_2 = KSL_MUL(r_low, term2),
+      term1_z_low_3 = term1_z_low_1 + term1_z_low_2, term1_z_low = term1_z_error + term1_z_low_3;
+  const double term1 = 0.5 + term1_z;
+  const double term1_error_1 = term1 - 0.5, term1_error = term1_z - term1_error_1;
+  const double term1_low = term1_error + term1_z_low;
+  const double term_sum = KSL_MUL(argument, term1);
+  const double term_sum_error = ksl_product_error(argument, term1, term_sum);
+  const double term_sum_low_1 = KSL_MUL(argument, term1_low),
+      term_sum_low_2 = KSL_MUL(r_low, term1), term_sum_low_3 = term_sum_low_1 + term_sum_low_2,
+      term_sum_low = term_sum_error + term_sum_low_3;
+  const double grown_more = KSL_MUL(r, term_sum);
+  const double grown_more_error = ksl_product_error(r, term_sum, grown_more);
+  const double grown_more_low_1 = KSL_MUL(r, term_sum_low),
+      grown_more_low_2 = KSL_MUL(r_low, term_sum),
+      grown_more_low_3 = grown_more_low_1 + grown_more_low_2,
+      grown_more_low = grown_more_error + grown_more_low_3;
+  const double grown = r + grown_more;
+  const double grown_error_1 = grown - r, grown_error = grown_more - grown_error_1;
+  const double grown_low_1 = grown_more_low + r_low, grown_low = grown_error + grown_low_1;
+  const double more = KSL_MUL(grown, power);
+  const double more_low = KSL_MUL(grown_low, power);
+  const double m = whole + more;
+  const double m_error_1 = m - whole, m_error_2 = m - m_error_1, m_error_3 = whole - m_error_2,
+      m_error_4 = more - m_error_1, m_error = m_error_3 + m_error_4;
+  const double m_low_1 = more_low + whole_error, m_low = m_error + m_low_1;
+  const double d = 2.0 + m;
+  const double d_error_1 = d - 2.0, d_error_2 = d - d_error_1, d_error_3 = 2.0 - d_error_2,
+      d_error_4 = m - d_error_1, d_error = d_error_3 + d_error_4;
+  const double d_low = d_error + m_low;
+  const double product = KSL_MUL(result, d);
+  const double product_rest = ksl_product_error(result, d, product);
+  const double error_1 = m - product, error_2 = error_1 - product_rest,
+      error_3 = KSL_MUL(result, d_low), error_4 = m_low - error_3, error_5 = error_2 + error_4,
+      error = error_5 / d;
+  const double known_1 = 40.0 < size ? 0.0 : error,
+      known = size < 5.551115123125783e-17 ? 0.0 : known_1;
+  const double y_error_1 = copysign(1.0, x), y_error_value = KSL_MUL(known, y_error_1);
+  return y_error_value;
+}
 
+#endif
+
+#ifndef KSL_ATAN2_ERRORF
+#define KSL_ATAN2_ERRORF
+/* angle_error = atan2(y, x) - angle, angle as atan2 has it.
+   (y c - x s) / (x c + y s), s and c the angle's sine and cosine as pairs; angle + angle_error
+     is within 2^-41.3 of atan2(y, x), relative to it (proved), and 0.51 of the least subnormal
+     number; 0 where the angle is 0.
+   68 mul, 158 add, 16 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
+static inline float ksl_atan2_errorf(const float y, const float x, const float angle) {
+  const float quadrant_1 = KSL_MULF(angle, 0.63661975f), quadrant_2 = quadrant_1 + 1.2582912e+07f,
+      quadrant = quadrant_2 - 1.2582912e+07f;
+  const float high_1 = KSL_MULF(quadrant, 1.5706787f), high_2 = angle - high_1,
+      high_3 = KSL_MULF(quadrant, 0.000117599964f), high = high_2 - high_3;
+  const float part3 = KSL_MULF(quadrant, -1.589251e-08f);
+  const float part4 = KSL_MULF(quadrant, -7.44349e-13f);
+  const float part5 = KSL_MULF(quadrant, -5.7208605e-18f);
+  const float part6 = KSL_MULF(quadrant, -3.2820037e-22f);
+  const float r_a3 = part5 + part6;
+  const float r_a3_error_1 = r_a3 - part5, r_a3_error_2 = r_a3 - r_a3_error_1,
+      r_a3_error_3 = part5 - r_a3_error_2, r_a3_error_4 = part6 - r_a3_error_1,
+      r_a3_error = r_a3_error_3 + r_a3_error_4;
+  const float r_a2 = part4 + r_a3;
+  const float r_a2_error_1 = r_a2 - part4, r_a2_error_2 = r_a2 - r_a2_error_1,
+      r_a2_error_3 = part4 - r_a2_error_2, r_a2_error_4 = r_a3 - r_a2_error_1,
+      r_a2_error = r_a2_error_3 + r_a2_error_4;
+  const float r_a1 = part3 + r_a2;
+  const float r_a1_error_1 = r_a1 - part3, r_a1_error_2 = r_a1 - r_a1_error_1,
+      r_a1_error_3 = part3 - r_a1_error_2, r_a1_error_4 = r_a2 - r_a1_error_1,
+      r_a1_error = r_a1_error_3 + r_a1_error_4;
+  const float r_a0 = high + r_a1;
+  const float r_a0_error_1 = r_a0 - high, r_a0_error_2 = r_a0 - r_a0_error_1,
+      r_a0_error_3 = high - r_a0_error_2, r_a0_error_4 = r_a1 - r_a0_error_1,
+      r_a0_error = r_a0_error_3 + r_a0_error_4;
+  const float r_b3 = r_a2_error + r_a3_error;
+  const float r_b3_error_1 = r_b3 - r_a2_error, r_b3_error_2 = r_b3 - r_b3_error_1,
+      r_b3_error_3 = r_a2_error - r_b3_error_2, r_b3_error_4 = r_a3_error - r_b3_error_1,
+      r_b3_error = r_b3_error_3 + r_b3_error_4;
+  const float r_b2 = r_a1_error + r_b3;
+  const float r_b2_error_1 = r_b2 - r_a1_error, r_b2_error_2 = r_b2 - r_b2_error_1,
+      r_b2_error_3 = r_a1_error - r_b2_error_2, r_b2_error_4 = r_b3 - r_b2_error_1,
+      r_b2_error = r_b2_error_3 + r_b2_error_4;
+  const float r_b1 = r_a0_error + r_b2;
+  const float r_b1_error_1 = r_b1 - r_a0_error, r_b1_error_2 = r_b1 - r_b1_error_1,
+      r_b1_error_3 = r_a0_error - r_b1_error_2, r_b1_error_4 = r_b2 - r_b1_error_1,
+      r_b1_error = r_b1_error_3 + r_b1_error_4;
+  const float r_b0 = r_a0 + r_b1;
+  const float r_b0_error_1 = r_b0 - r_a0, r_b0_error_2 = r_b0 - r_b0_error_1,
+      r_b0_error_3 = r_a0 - r_b0_error_2, r_b0_error_4 = r_b1 - r_b0_error_1,
+      r_b0_error = r_b0_error_3 + r_b0_error_4;
+  const float r_low_1 = r_b2_error + r_b3_error, r_low_2 = r_b1_error + r_low_1,
+      r_low = r_b0_error + r_low_2;
+  const float argument_1 = fabsf(r_b0), argument = argument_1 < 2.9802322e-08f ? 0.0f : r_b0;
+  const float z = KSL_MULF(argument, argument);
+  const float z_error = ksl_product_errorf(argument, argument, z);
+  const float z_low_1 = KSL_MULF(argument, r_low), z_low_2 = KSL_MULF(r_low, argument),
+      z_low_3 = z_low_1 + z_low_2, z_low = z_error + z_low_3;
+  const float sin7_1 = KSL_MULF(z, 2.8114574e-15f), sin7 = -7.6471636e-13f + sin7_1;
+  const float sin6_1 = KSL_MULF(z, sin7), sin6 = 1.6059044e-10f + sin6_1;
+  const float sin5_z = KSL_MULF(z, sin6);
+  const float sin5_z_error = ksl_product_errorf(z, sin6, sin5_z);
+  const float sin5_z_low_1 = KSL_MULF(z_low, sin6), sin5_z_low = sin5_z_error + sin5_z_low_1;
+  const float sin5 = -2.5052108e-08f + sin5_z;
+  const float sin5_error_1 = sin5 - -2.5052108e-08f, sin5_error = sin5_z - sin5_error_1;
+  const float sin5_low_1 = sin5_z_low + -4.417623e-16f, sin5_low = sin5_error + sin5_low_1;
+  const float sin4_z = KSL_MULF(z, sin5);
+  const float sin4_z_error = ksl_product_errorf(z, sin5, sin4_z);
+  const float sin4_z_low_1 = KSL_MULF(z, sin5_low), sin4_z_low_2 = KSL_MULF(z_low, sin5),
+      sin4_z_low_3 = sin4_z_low_1 + sin4_z_low_2, sin4_z_low = sin4_z_error + sin4_z_low_3;
+  const float sin4 = 2.7557319e-06f + sin4_z;
+  const float sin4_error_1 = sin4 - 2.7557319e-06f, sin4_error = sin4_z - sin4_error_1;
+  const float sin4_low_1 = sin4_z_low + 3.7935712e-14f, sin4_low = sin4_error + sin4_low_1;
+  const float sin3_z = KSL_MULF(z, sin4);
+  const float sin3_z_error = ksl_product_errorf(z, sin4, sin3_z);
+  const float sin3_z_low_1 = KSL_MULF(z, sin4_low), sin3_z_low_2 = KSL_MULF(z_low, sin4),
+      sin3_z_low_3 = sin3_z_low_1 + sin3_z_low_2, sin3_z_low = sin3_z_error + sin3_z_low_3;
+  const float sin3 = -0.0001984127f + sin3_z;
+  const float sin3_error_1 = sin3 - -0.0001984127f, sin3_error = sin3_z - sin3_error_1;
+  const float sin3_low_1 = sin3_z_low + 2.7255969e-12f, sin3_low = sin3_error + sin3_low_1;
+  const float sin2_z = KSL_MULF(z, sin3);
+  const float sin2_z_error = ksl_product_errorf(z, sin3, sin2_z);
+  const float sin2_z_low_1 = KSL_MULF(z, sin3_low), sin2_z_low_2 = KSL_MULF(z_low, sin3),
+      sin2_z_low_3 = sin2_z_low_1 + sin2_z_low_2, sin2_z_low = sin2_z_error + sin2_z_low_3;
+  const float sin2 = 0.008333334f + sin2_z;
+  const float sin2_error_1 = sin2 - 0.008333334f, sin2_error = sin2_z - sin2_error_1;
+  const float sin2_low_1 = sin2_z_low + -4.346172e-10f, sin2_low = sin2_error + sin2_low_1;
+  const float sin1_z = KSL_MULF(z, sin2);
+  const float sin1_z_error = ksl_product_errorf(z, sin2, sin1_z);
+  const float sin1_z_low_1 = KSL_MULF(z, sin2_low), sin1_z_low_2 = KSL_MULF(z_low, sin2),
+      sin1_z_low_3 = sin1_z_low_1 + sin1_z_low_2, sin1_z_low = sin1_z_error + sin1_z_low_3;
+  const float sin1 = -0.16666667f + sin1_z;
+  const float sin1_error_1 = sin1 - -0.16666667f, sin1_error = sin1_z - sin1_error_1;
+  const float sin1_low_1 = sin1_z_low + 4.967054e-09f, sin1_low = sin1_error + sin1_low_1;
+  const float sin_sum = KSL_MULF(z, sin1);
+  const float sin_sum_error = ksl_product_errorf(z, sin1, sin_sum);
+  const float sin_sum_low_1 = KSL_MULF(z, sin1_low), sin_sum_low_2 = KSL_MULF(z_low, sin1),
+      sin_sum_low_3 = sin_sum_low_1 + sin_sum_low_2, sin_sum_low = sin_sum_error + sin_sum_low_3;
+  const float sin_r_more = KSL_MULF(r_b0, sin_sum);
+  const float sin_r_more_error = ksl_product_errorf(r_b0, sin_sum, sin_r_more);
+  const float sin_r_more_low_1 = KSL_MULF(r_b0, sin_sum_low),
+      sin_r_more_low_2 = KSL_MULF(r_low, sin_sum),
+      sin_r_more_low_3 = sin_r_more_low_1 + sin_r_more_low_2,
+      sin_r_more_low = sin_r_more_error + sin_r_more_low_3;
+  const float sin_r = r_b0 + sin_r_more;
+  const float sin_r_error_1 = sin_r - r_b0, sin_r_error = sin_r_more - sin_r_error_1;
+  const float sin_r_low_1 = sin_r_more_low + r_low, sin_r_low = sin_r_error + sin_r_low_1;
+  const float cos7_1 = KSL_MULF(z, 4.7794773e-14f), cos7 = -1.1470745e-11f + cos7_1;
+  const float cos6_1 = KSL_MULF(z, cos7), cos6 = 2.0876756e-09f + cos6_1;
+  const float cos5_z = KSL_MULF(z, cos6);
+  const float cos5_z_error = ksl_product_errorf(z, cos6, cos5_z);
+  const float cos5_z_low_1 = KSL_MULF(z_low, cos6), cos5_z_low = cos5_z_error + cos5_z_low_1;
+  const float cos5 = -2.755732e-07f + cos5_z;
+  const float cos5_error_1 = cos5 - -2.755732e-07f, cos5_error = cos5_z - cos5_error_1;
+  const float cos5_low_1 = cos5_z_low + 7.575112e-15f, cos5_low = cos5_error + cos5_low_1;
+  const float cos4_z = KSL_MULF(z, cos5);
+  const float cos4_z_error = ksl_product_errorf(z, cos5, cos4_z);
+  const float cos4_z_low_1 = KSL_MULF(z, cos5_low), cos4_z_low_2 = KSL_MULF(z_low, cos5),
+      cos4_z_low_3 = cos4_z_low_1 + cos4_z_low_2, cos4_z_low = cos4_z_error + cos4_z_low_3;
+  const float cos4 = 2.4801588e-05f + cos4_z;
+  const float cos4_error_1 = cos4 - 2.4801588e-05f, cos4_error = cos4_z - cos4_error_1;
+  const float cos4_low_1 = cos4_z_low + -3.406996e-13f, cos4_low = cos4_error + cos4_low_1;
+  const float cos3_z = KSL_MULF(z, cos4);
+  const float cos3_z_error = ksl_product_errorf(z, cos4, cos3_z);
+  const float cos3_z_low_1 = KSL_MULF(z, cos4_low), cos3_z_low_2 = KSL_MULF(z_low, cos4),
+      cos3_z_low_3 = cos3_z_low_1 + cos3_z_low_2, cos3_z_low = cos3_z_error + cos3_z_low_3;
+  const float cos3 = -0.0013888889f + cos3_z;
+  const float cos3_error_1 = cos3 - -0.0013888889f, cos3_error = cos3_z - cos3_error_1;
+  const float cos3_low_1 = cos3_z_low + 3.3631094e-11f, cos3_low = cos3_error + cos3_low_1;
+  const float cos2_z = KSL_MULF(z, cos3);
+  const float cos2_z_error = ksl_product_errorf(z, cos3, cos2_z);
+  const float cos2_z_low_1 = KSL_MULF(z, cos3_low), cos2_z_low_2 = KSL_MULF(z_low, cos3),
+      cos2_z_low_3 = cos2_z_low_1 + cos2_z_low_2, cos2_z_low = cos2_z_error + cos2_z_low_3;
+  const float cos2 = 0.041666668f + cos2_z;
+  const float cos2_error_1 = cos2 - 0.041666668f, cos2_error = cos2_z - cos2_error_1;
+  const float cos2_low_1 = cos2_z_low + -1.2417635e-09f, cos2_low = cos2_error + cos2_low_1;
+  const float cos1_z = KSL_MULF(z, cos2);
+  const float cos1_z_error = ksl_product_errorf(z, cos2, cos1_z);
+  const float cos1_z_low_1 = KSL_MULF(z, cos2_low), cos1_z_low_2 = KSL_MULF(z_low, cos2),
+      cos1_z_low_3 = cos1_z_low_1 + cos1_z_low_2, cos1_z_low = cos1_z_error + cos1_z_low_3;
+  const float cos1 = -0.5f + cos1_z;
+  const float cos1_error_1 = cos1 - -0.5f, cos1_error = cos1_z - cos1_error_1;
+  const float cos1_low = cos1_error + cos1_z_low;
+  const float cos_sum = KSL_MULF(z, cos1);
+  const float cos_sum_error = ksl_product_errorf(z, cos1, cos_sum);
+  const float cos_sum_low_1 = KSL_MULF(z, cos1_low), cos_sum_low_2 = KSL_MULF(z_low, cos1),
+      cos_sum_low_3 = cos_sum_low_1 + cos_sum_low_2, cos_sum_low = cos_sum_error + cos_sum_low_3;
+  const float cos_r = 1.0f + cos_sum;
+  const float cos_r_error_1 = cos_r - 1.0f, cos_r_error = cos_sum - cos_r_error_1;
+  const float cos_r_low = cos_r_error + cos_sum_low;
+  const float q_1 = quadrant + 5.033165e+07f, q_2 = q_1 - 5.033165e+07f, q = q_2 - quadrant;
+  const float cos_k_1 = fabsf(q), cos_k = 1.0f - cos_k_1;
+  const float minus_sin_k_1 = 1.0f + cos_k, minus_sin_k = KSL_MULF(q, minus_sin_k_1);
+  const float sin_x_1 = KSL_MULF(sin_r, cos_k), sin_x_2 = KSL_MULF(cos_r, minus_sin_k),
+      sin_x = sin_x_1 - sin_x_2;
+  const float sin_x_low_1 = KSL_MULF(sin_r_low, cos_k),
+      sin_x_low_2 = KSL_MULF(cos_r_low, minus_sin_k), sin_x_low = sin_x_low_1 - sin_x_low_2;
+  const float cos_x_1 = KSL_MULF(cos_r, cos_k), cos_x_2 = KSL_MULF(sin_r, minus_sin_k),
+      cos_x = cos_x_1 + cos_x_2;
+  const float cos_x_low_1 = KSL_MULF(cos_r_low, cos_k),
+      cos_x_low_2 = KSL_MULF(sin_r_low, minus_sin_k), cos_x_low = cos_x_low_1 + cos_x_low_2;
+  const float size_1 = fabsf(y), size_2 = fabsf(x), size = size_1 < size_2 ? size_2 : size_1;
+  const float scale_3 = 1.2980742e+33f < size ? 9.536743e-07f : 1.0f,
+      scale_4 = size < 2.6843546e+08f ? 4.8357033e+24f : scale_3,
+      scale = 3.4028235e+38f < size ? 0.0f : scale_4;
+  const float scaled_y_1 = copysignf(1.0f, y), scaled_y_2 = copysignf(1.0f, x),
+      scaled_y_3 = fabsf(y), scaled_y_5 = KSL_MULF(y, scale),
+      scaled_y = 3.4028235e+38f < scaled_y_3 ? scaled_y_1 : scaled_y_5;
+  const float scaled_x_1 = fabsf(x), scaled_x_3 = KSL_MULF(x, scale),
+      scaled_x_4 = 3.4028235e+38f < scaled_x_1 ? scaled_y_2 : scaled_x_3,
+      scaled_x = size == 0.0f ? scaled_y_2 : scaled_x_4;
+  const float upward = KSL_MULF(scaled_y, cos_x);
+  const float across = KSL_MULF(scaled_x, sin_x);
+  const float upward_rest = ksl_product_errorf(scaled_y, cos_x, upward);
+  const float across_rest = ksl_product_errorf(scaled_x, sin_x, across);
+  const float low_1 = upward_rest - across_rest, low_2 = KSL_MULF(scaled_y, cos_x_low),
+      low_3 = KSL_MULF(scaled_x, sin_x_low), low_4 = low_2 - low_3, low = low_1 + low_4;
+  const float turn_1 = upward - across, turn_2 = turn_1 + low, turn_3 = KSL_MULF(scaled_x, cos_x),
+      turn_4 = KSL_MULF(scaled_y, sin_x), turn_5 = turn_3 + turn_4, turn = turn_2 / turn_5;
+  const float angle_error_value = angle == 0.0f ? 0.0f : turn;
+  return angle_error_value;
+}
+
+#endif
+
+#ifndef KSL_POWERF
+#define KSL_POWERF
+/* 2^k by its bits, from 1.5 · 2^23 + k. */
+static inline float ksl_powerf(const float shifted) {
+  const uint32_t one = ((uint32_t)127) << 23;
+  uint32_t bits;
+  float power;
+  memcpy(&bits, &shifted, sizeof bits);
+  bits = (bits << 23) + one;
+  memcpy(&power, &bits, sizeof power);
+  return power;
+}
+#endif
+
+#ifndef KSL_EXP_ERRORF
+#define KSL_EXP_ERRORF
+/* y_error = exp x - y, y as exp has it.
+   x = k ln 2 + r, r as a pair; a Taylor polynomial of degree 13 in pairs; y + y_error is within
+     2^-43.7 of exp x, relative to it (proved), and 0.51 of the least subnormal number; 0 where y
+     is 0 or infinite.
+   39 mul, 83 add, 9 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
+static inline float ksl_exp_errorf(const float x, const float y) {
+  const float within_2 = 89.0f < x ? 89.0f : x, within = within_2 < -104.0f ? -104.0f : within_2;
+  const float shifted_1 = KSL_MULF(within, 1.442695f), shifted = shifted_1 + 1.2582912e+07f;
+  const float k = shifted - 1.2582912e+07f;
+  const float high_1 = KSL_MULF(k, 0.69314575f), high = within - high_1;
+  const float second = KSL_MULF(k, -1.4285906e-06f);
+  const float rest = KSL_MULF(k, -1.619851e-11f);
+  const float r = high + second;
+  const float r_error_1 = r - high, r_error_2 = r - r_error_1, r_error_3 = high - r_error_2,
+      r_error_4 = second - r_error_1, r_error = r_error_3 + r_error_4;
+  const float r_low = r_error + rest;
+  const float argument_1 = fabsf(r), argument = argument_1 < 2.9802322e-08f ? 0.0f : r;
+  const float term11_1 = KSL_MULF(argument, 1.6059044e-10f), term11 = 2.0876756e-09f + term11_1;
+  const float term10_1 = KSL_MULF(argument, term11), term10 = 2.5052108e-08f + term10_1;
+  const float term9_1 = KSL_MULF(argument, term10), term9 = 2.755732e-07f + term9_1;
+  const float term8_1 = KSL_MULF(argument, term9), term8 = 2.7557319e-06f + term8_1;
+  const float term7_z = KSL_MULF(argument, term8);
+  const float term7_z_error = ksl_product_errorf(argument, term8, term7_z);
+  const float term7_z_low_1 = KSL_MULF(r_low, term8), term7_z_low = term7_z_error + term7_z_low_1;
+  const float term7 = 2.4801588e-05f + term7_z;
+  const float term7_error_1 = term7 - 2.4801588e-05f, term7_error = term7_z - term7_error_1;
+  const float term7_low_1 = term7_z_low + -3.406996e-13f, term7_low = term7_error + term7_low_1;
+  const float term6_z = KSL_MULF(argument, term7);
+  const float term6_z_error = ksl_product_errorf(argument, term7, term6_z);
+  const float term6_z_low_1 = KSL_MULF(argument, term7_low), term6_z_low_2 = KSL_MULF(r_low, term7),
+      term6_z_low_3 = term6_z_low_1 + term6_z_low_2, term6_z_low = term6_z_error + term6_z_low_3;
+  const float term6 = 0.0001984127f + term6_z;
+  const float term6_error_1 = term6 - 0.0001984127f, term6_error = term6_z - term6_error_1;
+  const float term6_low_1 = term6_z_low + -2.7255969e-12f, term6_low = term6_error + term6_low_1;
+  const float term5_z = KSL_MULF(argument, term6);
+  const float term5_z_error = ksl_product_errorf(argument, term6, term5_z);
+  const float term5_z_low_1 = KSL_MULF(argument, term6_low), term5_z_low_2 = KSL_MULF(r_low, term6),
+      term5_z_low_3 = term5_z_low_1 + term5_z_low_2, term5_z_low = term5_z_error + term5_z_low_3;
+  const float term5 = 0.0013888889f + term5_z;
+  const float term5_error_1 = term5 - 0.0013888889f, term5_error = term5_z - term5_error_1;
+  const float term5_low_1 = term5_z_low + -3.3631094e-11f, term5_low = term5_error + term5_low_1;
+  const float term4_z = KSL_MULF(argument, term5);
+  const float term4_z_error = ksl_product_errorf(argument, term5, term4_z);
+  const float term4_z_low_1 = KSL_MULF(argument, term5_low), term4_z_low_2 = KSL_MULF(r_low, term5),
+      term4_z_low_3 = term4_z_low_1 + term4_z_low_2, term4_z_low = term4_z_error + term4_z_low_3;
+  const float term4 = 0.008333334f + term4_z;
+  const float term4_error_1 = term4 - 0.008333334f, term4_error = term4_z - term4_error_1;
+  const float term4_low_1 = term4_z_low + -4.346172e-10f, term4_low = term4_error + term4_low_1;
+  const float term3_z = KSL_MULF(argument, term4);
+  const float term3_z_error = ksl_product_errorf(argument, term4, term3_z);
+  const float term3_z_low_1 = KSL_MULF(argument, term4_low), term3_z_low_2 = KSL_MULF(r_low, term4),
+      term3_z_low_3 = term3_z_low_1 + term3_z_low_2, term3_z_low = term3_z_error + term3_z_low_3;
+  const float term3 = 0.041666668f + term3_z;
+  const float term3_error_1 = term3 - 0.041666668f, term3_error = term3_z - term3_error_1;
+  const float term3_low_1 = term3_z_low + -1.2417635e-09f, term3_low = term3_error + term3_low_1;
+  const float term2_z = KSL_MULF(argument, term3);
+  const float term2_z_error = ksl_product_errorf(argument, term3, term2_z);
+  const float term2_z_low_1 = KSL_MULF(argument, term3_low), term2_z_low_2 = KSL_MULF(r_low, term3),
+      term2_z_low_3 = term2_z_low_1 + term2_z_low_2, term2_z_low = term2_z_error + term2_z_low_3;
+  const float term2 = 0.16666667f + term2_z;
+  const float term2_error_1 = term2 - 0.16666667f, term2_error = term2_z - term2_error_1;
+  const float term2_low_1 = term2_z_low + -4.967054e-09f, term2_low = term2_error + term2_low_1;
+  const float term1_z = KSL_MULF(argument, term2);
+  const float term1_z_error = ksl_product_errorf(argument, term2, term1_z);
+  const float term1_z_low_1 = KSL_MULF(argument, term2_low), term1_z_low_2 = KSL_MULF(r_low, term2),
+      term1_z_low_3 = term1_z_low_1 + term1_z_low_2, term1_z_low = term1_z_error + term1_z_low_3;
+  const float term1 = 0.5f + term1_z;
+  const float term1_error_1 = term1 - 0.5f, term1_error = term1_z - term1_error_1;
+  const float term1_low = term1_error + term1_z_low;
+  const float term_sum = KSL_MULF(argument, term1);
+  const float term_sum_error = ksl_product_errorf(argument, term1, term_sum);
+  const float term_sum_low_1 = KSL_MULF(argument, term1_low),
+      term_sum_low_2 = KSL_MULF(r_low, term1), term_sum_low_3 = term_sum_low_1 + term_sum_low_2,
+      term_sum_low = term_sum_error + term_sum_low_3;
+  const float grown_more = KSL_MULF(r, term_sum);
+  const float grown_more_error = ksl_product_errorf(r, term_sum, grown_more);
+  const float grown_more_low_1 = KSL_MULF(r, term_sum_low),
+      grown_more_low_2 = KSL_MULF(r_low, term_sum),
+      grown_more_low_3 = grown_more_low_1 + grown_more_low_2,
+      grown_more_low = grown_more_error + grown_more_low_3;
+  const float grown = r + grown_more;
+  const float grown_error_1 = grown - r, grown_error = grown_more - grown_error_1;
+  const float grown_low_1 = grown_more_low + r_low, grown_low = grown_error + grown_low_1;
+  const float e_r = 1.0f + grown;
+  const float e_r_error_1 = e_r - 1.0f, e_r_error = grown - e_r_error_1;
+  const float e_r_low = e_r_error + grown_low;
+  const float first_shifted_1 = KSL_MULF(k, 0.5f), first_shifted = first_shifted_1 + 1.2582912e+07f;
+  const float k_first = first_shifted - 1.2582912e+07f;
+  const float k_second = k - k_first;
+  const float down0_1 = 1.2582912e+07f - k_first, down0 = ksl_powerf(down0_1);
+  const float down1_1 = 1.2582912e+07f - k_second, down1 = ksl_powerf(down1_1);
+  const float up0_1 = 1.2582912e+07f + k_first, up0 = ksl_powerf(up0_1);
+  const float up1_1 = 1.2582912e+07f + k_second, up1 = ksl_powerf(up1_1);
+  const float y_scaled_1 = KSL_MULF(y, down0), y_scaled = KSL_MULF(y_scaled_1, down1);
+  const float error_1 = e_r - y_scaled, error = error_1 + e_r_low;
+  const float scaled_1 = KSL_MULF(error, up0), scaled = KSL_MULF(scaled_1, up1);
+  const float y_error_2 = 3.4028235e+38f < y ? 0.0f : scaled,
+      y_error_value = y == 0.0f ? 0.0f : y_error_2;
+  return y_error_value;
+}
+
+#endif
 #ifndef KSL_SINCOS_ERRORF
 #define KSL_SINCOS_ERRORF
 /* Its reduction of angles up to 1607.0f. */
@@ -591,10 +1504,10 @@ static inline float ksl_sincos_errorf(const float x, const float s, const float 
     r = far_r;
     r_low = far_r_low;
   }
-  const float angle_1 = fabsf(r), angle = angle_1 < 2.9802322e-08f ? 0.0f : r;
-  const float z = KSL_MULF(angle, angle);
-  const float z_error = ksl_product_errorf(angle, angle, z);
-  const float z_low_1 = KSL_MULF(angle, r_low), z_low_2 = KSL_MULF(r_low, angle),
+  const float argument_1 = fabsf(r), argument = argument_1 < 2.9802322e-08f ? 0.0f : r;
+  const float z = KSL_MULF(argument, argument);
+  const float z_error = ksl_product_errorf(argument, argument, z);
+  const float z_low_1 = KSL_MULF(argument, r_low), z_low_2 = KSL_MULF(r_low, argument),
       z_low_3 = z_low_1 + z_low_2, z_low = z_error + z_low_3;
   const float sin7_1 = KSL_MULF(z, 2.8114574e-15f), sin7 = -7.6471636e-13f + sin7_1;
   const float sin6_1 = KSL_MULF(z, sin7), sin6 = 1.6059044e-10f + sin6_1;
@@ -716,6 +1629,118 @@ static inline float ksl_cos_errorf(const float x, const float c) {
   float c_error;
   (void)ksl_sincos_errorf(x, c, c, &c_error);
   return c_error;
+}
+
+#endif
+#ifndef KSL_TANH_ERRORF
+#define KSL_TANH_ERRORF
+/* y_error = tanh x - y, y as tanh has it.
+   m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-41.2 of tanh
+     x, relative to it (proved); 0 for |x| below 2^-25 and above 20.
+   39 mul, 93 add, 10 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
+static inline float ksl_tanh_errorf(const float x, const float y) {
+  const float size = fabsf(x);
+  const float within_1 = size < 2.9802322e-08f ? 1.0f : size,
+      within = 20.0f < size ? 20.0f : within_1;
+  const float result_1 = fabsf(y), result = size < 2.9802322e-08f ? 1.0f : result_1;
+  const float twice = within + within;
+  const float shifted_1 = KSL_MULF(twice, 1.442695f), shifted = shifted_1 + 1.2582912e+07f;
+  const float k = shifted - 1.2582912e+07f;
+  const float high_1 = KSL_MULF(k, 0.69314575f), high = twice - high_1;
+  const float second = KSL_MULF(k, -1.4285906e-06f);
+  const float rest = KSL_MULF(k, -1.619851e-11f);
+  const float r = high + second;
+  const float r_error_1 = r - high, r_error_2 = r - r_error_1, r_error_3 = high - r_error_2,
+      r_error_4 = second - r_error_1, r_error = r_error_3 + r_error_4;
+  const float r_low = r_error + rest;
+  const float power = ksl_powerf(shifted);
+  const float whole = power + -1.0f;
+  const float whole_error_1 = whole - power, whole_error = -1.0f - whole_error_1;
+  const float argument_1 = fabsf(r), argument = argument_1 < 2.9802322e-08f ? 0.0f : r;
+  const float term11_1 = KSL_MULF(argument, 1.6059044e-10f), term11 = 2.0876756e-09f + term11_1;
+  const float term10_1 = KSL_MULF(argument, term11), term10 = 2.5052108e-08f + term10_1;
+  const float term9_1 = KSL_MULF(argument, term10), term9 = 2.755732e-07f + term9_1;
+  const float term8_1 = KSL_MULF(argument, term9), term8 = 2.7557319e-06f + term8_1;
+  const float term7_z = KSL_MULF(argument, term8);
+  const float term7_z_error = ksl_product_errorf(argument, term8, term7_z);
+  const float term7_z_low_1 = KSL_MULF(r_low, term8), term7_z_low = term7_z_error + term7_z_low_1;
+  const float term7 = 2.4801588e-05f + term7_z;
+  const float term7_error_1 = term7 - 2.4801588e-05f, term7_error = term7_z - term7_error_1;
+  const float term7_low_1 = term7_z_low + -3.406996e-13f, term7_low = term7_error + term7_low_1;
+  const float term6_z = KSL_MULF(argument, term7);
+  const float term6_z_error = ksl_product_errorf(argument, term7, term6_z);
+  const float term6_z_low_1 = KSL_MULF(argument, term7_low), term6_z_low_2 = KSL_MULF(r_low, term7),
+      term6_z_low_3 = term6_z_low_1 + term6_z_low_2, term6_z_low = term6_z_error + term6_z_low_3;
+  const float term6 = 0.0001984127f + term6_z;
+  const float term6_error_1 = term6 - 0.0001984127f, term6_error = term6_z - term6_error_1;
+  const float term6_low_1 = term6_z_low + -2.7255969e-12f, term6_low = term6_error + term6_low_1;
+  const float term5_z = KSL_MULF(argument, term6);
+  const float term5_z_error = ksl_product_errorf(argument, term6, term5_z);
+  const float term5_z_low_1 = KSL_MULF(argument, term6_low), term5_z_low_2 = KSL_MULF(r_low, term6),
+      term5_z_low_3 = term5_z_low_1 + term5_z_low_2, term5_z_low = term5_z_error + term5_z_low_3;
+  const float term5 = 0.0013888889f + term5_z;
+  const float term5_error_1 = term5 - 0.0013888889f, term5_error = term5_z - term5_error_1;
+  const float term5_low_1 = term5_z_low + -3.3631094e-11f, term5_low = term5_error + term5_low_1;
+  const float term4_z = KSL_MULF(argument, term5);
+  const float term4_z_error = ksl_product_errorf(argument, term5, term4_z);
+  const float term4_z_low_1 = KSL_MULF(argument, term5_low), term4_z_low_2 = KSL_MULF(r_low, term5),
+      term4_z_low_3 = term4_z_low_1 + term4_z_low_2, term4_z_low = term4_z_error + term4_z_low_3;
+  const float term4 = 0.008333334f + term4_z;
+  const float term4_error_1 = term4 - 0.008333334f, term4_error = term4_z - term4_error_1;
+  const float term4_low_1 = term4_z_low + -4.346172e-10f, term4_low = term4_error + term4_low_1;
+  const float term3_z = KSL_MULF(argument, term4);
+  const float term3_z_error = ksl_product_errorf(argument, term4, term3_z);
+  const float term3_z_low_1 = KSL_MULF(argument, term4_low), term3_z_low_2 = KSL_MULF(r_low, term4),
+      term3_z_low_3 = term3_z_low_1 + term3_z_low_2, term3_z_low = term3_z_error + term3_z_low_3;
+  const float term3 = 0.041666668f + term3_z;
+  const float term3_error_1 = term3 - 0.041666668f, term3_error = term3_z - term3_error_1;
+  const float term3_low_1 = term3_z_low + -1.2417635e-09f, term3_low = term3_error + term3_low_1;
+  const float term2_z = KSL_MULF(argument, term3);
+  const float term2_z_error = ksl_product_errorf(argument, term3, term2_z);
+  const float term2_z_low_1 = KSL_MULF(argument, term3_low), term2_z_low_2 = KSL_MULF(r_low, term3),
+      term2_z_low_3 = term2_z_low_1 + term2_z_low_2, term2_z_low = term2_z_error + term2_z_low_3;
+  const float term2 = 0.16666667f + term2_z;
+  const float term2_error_1 = term2 - 0.16666667f, term2_error = term2_z - term2_error_1;
+  const float term2_low_1 = term2_z_low + -4.967054e-09f, term2_low = term2_error + term2_low_1;
+  const float term1_z = KSL_MULF(argument, term2);
+  const float term1_z_error = ksl_product_errorf(argument, term2, term1_z);
+  const float term1_z_low_1 = KSL_MULF(argument, term2_low), term1_z_low_2 = KSL_MULF(r_low, term2),
+      term1_z_low_3 = term1_z_low_1 + term1_z_low_2, term1_z_low = term1_z_error + term1_z_low_3;
+  const float term1 = 0.5f + term1_z;
+  const float term1_error_1 = term1 - 0.5f, term1_error = term1_z - term1_error_1;
+  const float term1_low = term1_error + term1_z_low;
+  const float term_sum = KSL_MULF(argument, term1);
+  const float term_sum_error = ksl_product_errorf(argument, term1, term_sum);
+  const float term_sum_low_1 = KSL_MULF(argument, term1_low),
+      term_sum_low_2 = KSL_MULF(r_low, term1), term_sum_low_3 = term_sum_low_1 + term_sum_low_2,
+      term_sum_low = term_sum_error + term_sum_low_3;
+  const float grown_more = KSL_MULF(r, term_sum);
+  const float grown_more_error = ksl_product_errorf(r, term_sum, grown_more);
+  const float grown_more_low_1 = KSL_MULF(r, term_sum_low),
+      grown_more_low_2 = KSL_MULF(r_low, term_sum),
+      grown_more_low_3 = grown_more_low_1 + grown_more_low_2,
+      grown_more_low = grown_more_error + grown_more_low_3;
+  const float grown = r + grown_more;
+  const float grown_error_1 = grown - r, grown_error = grown_more - grown_error_1;
+  const float grown_low_1 = grown_more_low + r_low, grown_low = grown_error + grown_low_1;
+  const float more = KSL_MULF(grown, power);
+  const float more_low = KSL_MULF(grown_low, power);
+  const float m = whole + more;
+  const float m_error_1 = m - whole, m_error_2 = m - m_error_1, m_error_3 = whole - m_error_2,
+      m_error_4 = more - m_error_1, m_error = m_error_3 + m_error_4;
+  const float m_low_1 = more_low + whole_error, m_low = m_error + m_low_1;
+  const float d = 2.0f + m;
+  const float d_error_1 = d - 2.0f, d_error_2 = d - d_error_1, d_error_3 = 2.0f - d_error_2,
+      d_error_4 = m - d_error_1, d_error = d_error_3 + d_error_4;
+  const float d_low = d_error + m_low;
+  const float product = KSL_MULF(result, d);
+  const float product_rest = ksl_product_errorf(result, d, product);
+  const float error_1 = m - product, error_2 = error_1 - product_rest,
+      error_3 = KSL_MULF(result, d_low), error_4 = m_low - error_3, error_5 = error_2 + error_4,
+      error = error_5 / d;
+  const float known_1 = 20.0f < size ? 0.0f : error, known = size < 2.9802322e-08f ? 0.0f : known_1;
+  const float y_error_1 = copysignf(1.0f, x), y_error_value = KSL_MULF(known, y_error_1);
+  return y_error_value;
 }
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "ksl_exact.h"
 #include "elementary.h"
+#include "ksl_elementary_error.h"
 
 /* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
      acceleration of its point x, less that of its origin, is Ro x.
@@ -1938,8 +1939,8 @@ static inline void ksl_mat3x3_setFromAxisDC_accurate(ksl_mat3x3_t *R, const ksl_
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 1 neg, 4 abs, 2
-     less, 6 equal, 14 select.
+   25 mul, 65 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 3 atan2 error, 1
+     neg, 4 abs, 2 less, 7 equal, 16 select.
    The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
      too; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
@@ -1984,8 +1985,10 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       sine_rest = sine_a - sine_product, sine_exact = sine_rest - sine_product_error,
       sine_cross = KSL_MUL(sine, cosine_a_of_divisor_lo), sine_residual = sine_exact - sine_cross,
       sine_lo = sine_residual / cosine_a_of_divisor;
-  const double polar = ksl_atan2(sine_a, R->m00);
-  const double third = divisor_a_of_n == 0.0 ? 0.0 : polar;
+  const double polar = ksl_atan2(sine_a, R->m00),
+      polar_own_error = ksl_atan2_error(sine_a, R->m00, polar);
+  const double third = divisor_a_of_n == 0.0 ? 0.0 : polar,
+      third_lo = divisor_a_of_n == 0.0 ? 0.0 : polar_own_error;
   const double left_1a = KSL_MUL(R->m10, sine), left_1a_cross2 = KSL_MUL(R->m10, sine_lo),
       left_1b = KSL_MUL(R->m11, cosine), left_1b_cross2 = KSL_MUL(R->m11, cosine_lo),
       left_1 = left_1a + left_1b, left_1_right = left_1 - left_1a,
@@ -2015,6 +2018,7 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_of_left_1_right_rest = left_1_lo - angles_0_of_left_1_right,
       angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + angles_0_of_left_1_right_rest,
       angles_0 = ksl_atan2(angles_0_of_left_2, angles_0_of_left_1),
+      angles_0_own_error = ksl_atan2_error(angles_0_of_left_2, angles_0_of_left_1, angles_0),
       angles_0_size0 = fabs(angles_0_of_left_2), angles_0_size1 = fabs(angles_0_of_left_1),
       angles_0_most = angles_0_size0 < angles_0_size1 ? angles_0_size1 : angles_0_size0,
       angles_0_divisor = angles_0_most == 0.0 ? 1.0 : angles_0_most,
@@ -2028,9 +2032,11 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_square = angles_0_square1 + angles_0_square2,
       angles_0_divisor2 = KSL_MUL(angles_0_divisor, angles_0_square),
       angles_0_safe = angles_0_most == 0.0 ? 1.0 : angles_0_divisor2,
-      angles_0_lo = angles_0_cross / angles_0_safe;
-  const double angles_1 = ksl_atan2(R->m02, divisor_a_of_n), angles_1_size0 = fabs(R->m02),
-      angles_1_size1 = fabs(divisor_a_of_n),
+      angles_0_more = angles_0_cross / angles_0_safe,
+      angles_0_lo = angles_0_own_error + angles_0_more;
+  const double angles_1 = ksl_atan2(R->m02, divisor_a_of_n),
+      angles_1_own_error = ksl_atan2_error(R->m02, divisor_a_of_n, angles_1),
+      angles_1_size0 = fabs(R->m02), angles_1_size1 = fabs(divisor_a_of_n),
       angles_1_most = angles_1_size0 < angles_1_size1 ? angles_1_size1 : angles_1_size0,
       angles_1_divisor = angles_1_most == 0.0 ? 1.0 : angles_1_most,
       angles_1_part0 = R->m02 / angles_1_divisor,
@@ -2043,21 +2049,24 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_1_square = angles_1_square1 + angles_1_square2,
       angles_1_divisor2 = KSL_MUL(angles_1_divisor, angles_1_square),
       angles_1_safe = angles_1_most == 0.0 ? 1.0 : angles_1_divisor2,
-      angles_1_lo = angles_1_cross / angles_1_safe;
+      angles_1_more = angles_1_cross / angles_1_safe,
+      angles_1_lo = angles_1_own_error + angles_1_more;
   const double angles_0_rounded = angles_0 + angles_0_lo,
       angles_0_final = angles_0_rounded == angles_0_rounded ? angles_0_rounded : angles_0;
   const double angles_1_rounded = angles_1 + angles_1_lo,
       angles_1_final = angles_1_rounded == angles_1_rounded ? angles_1_rounded : angles_1;
+  const double third_rounded = third + third_lo,
+      third_final = third_rounded == third_rounded ? third_rounded : third;
   angles->x = angles_0_final;
   angles->y = angles_1_final;
-  angles->z = third;
+  angles->z = third_final;
 }
 
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 4 abs, 2 less, 6
-     equal, 14 select.
+   25 mul, 65 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 3 atan2 error, 4
+     abs, 2 less, 7 equal, 16 select.
    The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
      too; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
@@ -2102,8 +2111,10 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       sine_rest = R->m01 - sine_product, sine_exact = sine_rest - sine_product_error,
       sine_cross = KSL_MUL(sine, cosine_a_of_divisor_lo), sine_residual = sine_exact - sine_cross,
       sine_lo = sine_residual / cosine_a_of_divisor;
-  const double polar = ksl_atan2(R->m01, R->m02);
-  const double third = divisor_a_of_n == 0.0 ? 0.0 : polar;
+  const double polar = ksl_atan2(R->m01, R->m02),
+      polar_own_error = ksl_atan2_error(R->m01, R->m02, polar);
+  const double third = divisor_a_of_n == 0.0 ? 0.0 : polar,
+      third_lo = divisor_a_of_n == 0.0 ? 0.0 : polar_own_error;
   const double left_1a = KSL_MUL(R->m11, cosine), left_1a_cross2 = KSL_MUL(R->m11, cosine_lo),
       left_1b = KSL_MUL(R->m12, sine), left_1b_cross2 = KSL_MUL(R->m12, sine_lo),
       left_1 = left_1a - left_1b, left_1_right = left_1a - left_1,
@@ -2133,6 +2144,7 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_of_left_1_right_rest = left_1_lo - angles_0_of_left_1_right,
       angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + angles_0_of_left_1_right_rest,
       angles_0 = ksl_atan2(angles_0_of_left_2, angles_0_of_left_1),
+      angles_0_own_error = ksl_atan2_error(angles_0_of_left_2, angles_0_of_left_1, angles_0),
       angles_0_size0 = fabs(angles_0_of_left_2), angles_0_size1 = fabs(angles_0_of_left_1),
       angles_0_most = angles_0_size0 < angles_0_size1 ? angles_0_size1 : angles_0_size0,
       angles_0_divisor = angles_0_most == 0.0 ? 1.0 : angles_0_most,
@@ -2146,9 +2158,11 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_0_square = angles_0_square1 + angles_0_square2,
       angles_0_divisor2 = KSL_MUL(angles_0_divisor, angles_0_square),
       angles_0_safe = angles_0_most == 0.0 ? 1.0 : angles_0_divisor2,
-      angles_0_lo = angles_0_cross / angles_0_safe;
-  const double angles_1 = ksl_atan2(divisor_a_of_n, R->m00), angles_1_size0 = fabs(divisor_a_of_n),
-      angles_1_size1 = fabs(R->m00),
+      angles_0_more = angles_0_cross / angles_0_safe,
+      angles_0_lo = angles_0_own_error + angles_0_more;
+  const double angles_1 = ksl_atan2(divisor_a_of_n, R->m00),
+      angles_1_own_error = ksl_atan2_error(divisor_a_of_n, R->m00, angles_1),
+      angles_1_size0 = fabs(divisor_a_of_n), angles_1_size1 = fabs(R->m00),
       angles_1_most = angles_1_size0 < angles_1_size1 ? angles_1_size1 : angles_1_size0,
       angles_1_divisor = angles_1_most == 0.0 ? 1.0 : angles_1_most,
       angles_1_part0 = divisor_a_of_n / angles_1_divisor,
@@ -2161,14 +2175,17 @@ static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
       angles_1_square = angles_1_square1 + angles_1_square2,
       angles_1_divisor2 = KSL_MUL(angles_1_divisor, angles_1_square),
       angles_1_safe = angles_1_most == 0.0 ? 1.0 : angles_1_divisor2,
-      angles_1_lo = angles_1_cross / angles_1_safe;
+      angles_1_more = angles_1_cross / angles_1_safe,
+      angles_1_lo = angles_1_own_error + angles_1_more;
   const double angles_0_rounded = angles_0 + angles_0_lo,
       angles_0_final = angles_0_rounded == angles_0_rounded ? angles_0_rounded : angles_0;
   const double angles_1_rounded = angles_1 + angles_1_lo,
       angles_1_final = angles_1_rounded == angles_1_rounded ? angles_1_rounded : angles_1;
+  const double third_rounded = third + third_lo,
+      third_final = third_rounded == third_rounded ? third_rounded : third;
   angles->x = angles_0_final;
   angles->y = angles_1_final;
-  angles->z = third;
+  angles->z = third_final;
 }
 
 /* A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes
@@ -2381,8 +2398,8 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   35 mul, 235 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
-     less, 11 equal, 61 select.
+   35 mul, 236 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 1 atan2 error, 12
+     neg, 5 abs, 16 less, 11 equal, 61 select.
    Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
      proved. */
 static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
@@ -2597,8 +2614,9 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       half_of_upper_3_left_rest = upper_3 - half_of_upper_3_left,
       half_of_upper_3_right_rest = upper_3_lo - half_of_upper_3_right,
       half_of_upper_3_lo = half_of_upper_3_left_rest + half_of_upper_3_right_rest,
-      half = ksl_atan2(half_of_n, half_of_upper_3), half_size0 = fabs(half_of_n),
-      half_size1 = fabs(half_of_upper_3),
+      half = ksl_atan2(half_of_n, half_of_upper_3),
+      half_own_error = ksl_atan2_error(half_of_n, half_of_upper_3, half),
+      half_size0 = fabs(half_of_n), half_size1 = fabs(half_of_upper_3),
       half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
       half_part1 = half_of_upper_3 / half_divisor, half_cross1 = KSL_MUL(half_part1, half_of_n_lo),
@@ -2606,7 +2624,8 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       half_square1 = KSL_MUL(half_part1, half_part1),
       half_square2 = KSL_MUL(half_part0, half_part0), half_cross = half_cross1 - half_cross2,
       half_square = half_square1 + half_square2, half_divisor2 = KSL_MUL(half_divisor, half_square),
-      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
+      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_more = half_cross / half_safe,
+      half_lo = half_own_error + half_more;
   const double divisor = n_of_v_n == 0.0 ? 1.0 : n_of_v_n,
       divisor_lo = n_of_v_n == 0.0 ? 0.0 : n_of_v_n_lo;
   const double unit_0_of_v_y_0 = v_y_0 + v_y_0_lo, unit_0_of_v_y_0_right = unit_0_of_v_y_0 - v_y_0,

@@ -8,6 +8,7 @@
 
 #include "ksl_exact.h"
 #include "elementary.h"
+#include "ksl_elementary_error.h"
 
 /* self = a self.
    self: quaternion (x, y, z, w), the scalar last; a: number.
@@ -2627,8 +2628,8 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
      angle is 0; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
-   27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14
-     less, 8 equal, 29 select.
+   27 mul, 56 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 1 atan2 error, 4
+     neg, 9 abs, 14 less, 8 equal, 29 select.
    Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternion_t *q,
     ksl_vec3_t *axis) {
@@ -2691,14 +2692,16 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
       half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest,
-      half = ksl_atan2(half_of_n, upper_3), half_size0 = fabs(half_of_n),
+      half = ksl_atan2(half_of_n, upper_3),
+      half_own_error = ksl_atan2_error(half_of_n, upper_3, half), half_size0 = fabs(half_of_n),
       half_size1 = fabs(upper_3), half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
       half_part1 = upper_3 / half_divisor, half_cross1 = KSL_MUL(half_part1, half_of_n_lo),
       half_cross2 = KSL_MUL(half_part0, 0.0), half_square1 = KSL_MUL(half_part1, half_part1),
       half_square2 = KSL_MUL(half_part0, half_part0), half_cross = half_cross1 - half_cross2,
       half_square = half_square1 + half_square2, half_divisor2 = KSL_MUL(half_divisor, half_square),
-      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
+      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_more = half_cross / half_safe,
+      half_lo = half_own_error + half_more;
   const double divisor = n_of_v_n == 0.0 ? 1.0 : n_of_v_n,
       divisor_lo = n_of_v_n == 0.0 ? 0.0 : n_of_v_n_lo;
   const double unit_0_of_divisor = divisor + divisor_lo,
@@ -2746,8 +2749,8 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
-   29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14
-     less, 7 equal, 26 select.
+   29 mul, 59 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 1 atan2 error, 4 neg,
+     9 abs, 14 less, 7 equal, 26 select.
    Error <= vo: 6 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
   const double s_size_0 = fabs(q->x);
@@ -2809,14 +2812,16 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
       half_of_n_lo = half_of_n_left_rest + half_of_n_right_rest,
-      half = ksl_atan2(half_of_n, upper_3), half_size0 = fabs(half_of_n),
+      half = ksl_atan2(half_of_n, upper_3),
+      half_own_error = ksl_atan2_error(half_of_n, upper_3, half), half_size0 = fabs(half_of_n),
       half_size1 = fabs(upper_3), half_most = half_size0 < half_size1 ? half_size1 : half_size0,
       half_divisor = half_most == 0.0 ? 1.0 : half_most, half_part0 = half_of_n / half_divisor,
       half_part1 = upper_3 / half_divisor, half_cross1 = KSL_MUL(half_part1, half_of_n_lo),
       half_cross2 = KSL_MUL(half_part0, 0.0), half_square1 = KSL_MUL(half_part1, half_part1),
       half_square2 = KSL_MUL(half_part0, half_part0), half_cross = half_cross1 - half_cross2,
       half_square = half_square1 + half_square2, half_divisor2 = KSL_MUL(half_divisor, half_square),
-      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_lo = half_cross / half_safe;
+      half_safe = half_most == 0.0 ? 1.0 : half_divisor2, half_more = half_cross / half_safe,
+      half_lo = half_own_error + half_more;
   const double divisor = half_of_n == 0.0 ? 1.0 : half_of_n,
       divisor_lo = half_of_n == 0.0 ? 0.0 : half_of_n_lo;
   const double theta = KSL_MUL(2.0, half), theta_cross2 = KSL_MUL(2.0, half_lo);

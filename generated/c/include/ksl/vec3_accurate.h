@@ -8,6 +8,7 @@
 
 #include "ksl_exact.h"
 #include "elementary.h"
+#include "ksl_elementary_error.h"
 
 /* self = a self.
    self: vector; a: number.
@@ -473,8 +474,8 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
 
 /* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
    v1, v2: vector.
-   42 mul, 120 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 3 neg, 11 abs, 22
-     less, 7 equal, 32 select. */
+   42 mul, 121 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 1 atan2 error, 3
+     neg, 11 abs, 22 less, 7 equal, 32 select. */
 static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s1_size_0 = fabs(v1->x);
   const double s1_size_1 = fabs(v1->y);
@@ -634,8 +635,9 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
       angle_of_dot__left_rest = dot_ - angle_of_dot__left,
       angle_of_dot__right_rest = dot__lo - angle_of_dot__right,
       angle_of_dot__lo = angle_of_dot__left_rest + angle_of_dot__right_rest,
-      angle = ksl_atan2(angle_of_cross, angle_of_dot_), angle_size0 = fabs(angle_of_cross),
-      angle_size1 = fabs(angle_of_dot_),
+      angle = ksl_atan2(angle_of_cross, angle_of_dot_),
+      angle_own_error = ksl_atan2_error(angle_of_cross, angle_of_dot_, angle),
+      angle_size0 = fabs(angle_of_cross), angle_size1 = fabs(angle_of_dot_),
       angle_most = angle_size0 < angle_size1 ? angle_size1 : angle_size0,
       angle_divisor = angle_most == 0.0 ? 1.0 : angle_most,
       angle_part0 = angle_of_cross / angle_divisor, angle_part1 = angle_of_dot_ / angle_divisor,
@@ -645,7 +647,8 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
       angle_square2 = KSL_MUL(angle_part0, angle_part0), angle_cross = angle_cross1 - angle_cross2,
       angle_square = angle_square1 + angle_square2,
       angle_divisor2 = KSL_MUL(angle_divisor, angle_square),
-      angle_safe = angle_most == 0.0 ? 1.0 : angle_divisor2, angle_lo = angle_cross / angle_safe;
+      angle_safe = angle_most == 0.0 ? 1.0 : angle_divisor2, angle_more = angle_cross / angle_safe,
+      angle_lo = angle_own_error + angle_more;
   const double angle_rounded = angle + angle_lo,
       angle_final = angle_rounded == angle_rounded ? angle_rounded : angle;
   return angle_final;

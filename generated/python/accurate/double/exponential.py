@@ -17,9 +17,9 @@ def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    40 mul, 220 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
-    less, 10 equal, 58 select.  Error <= vo: 7 u of its largest component for R a rotation;
-    searched, not proved.
+    40 mul, 221 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 1 atan2 error, 12
+    neg, 5 abs, 16 less, 10 equal, 58 select.  Error <= vo: 7 u of its largest component for R a
+    rotation; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -213,12 +213,12 @@ def SO3_log(R):
     half_part1 = half_of_upper_3 / half_divisor
     half_cross2 = half_part0 * (half_of_upper_3_left_rest + (upper_3_lo - half_of_upper_3_right))
     half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
+    half_more = (half_part1 * half_of_n_lo - half_cross2) / where(half_zero, 1, half_divisor2)
     divisor_a = half_of_n == 0
     divisor = where(divisor_a, 1, half_of_n)
     divisor_lo = where(divisor_a, 0, half_of_n_lo)
     theta = 2 * half
-    half_lo = (half_part1 * half_of_n_lo - half_cross2) / where(half_zero, 1, half_divisor2)
-    theta_cross2 = 2 * half_lo
+    theta_cross2 = 2 * (elementary.atan2_error(half_of_n, half_of_upper_3, half) + half_more)
     k_of_theta = theta + theta_cross2
     k_of_theta_right = k_of_theta - theta
     k_of_divisor = divisor + divisor_lo

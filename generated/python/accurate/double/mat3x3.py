@@ -1626,9 +1626,9 @@ def euler_xyz_from_mat3x3(R):
     [-π/2, π/2]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 1 neg, 4 abs, 2
-    less, 6 equal, 14 select.  The rotation by these angles differs from R by at most 12 u in
-    each entry, near gimbal lock too; searched, not proved.
+    25 mul, 65 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 3 atan2 error, 1
+    neg, 4 abs, 2 less, 7 equal, 16 select.  The rotation by these angles differs from R by at
+    most 12 u in each entry, near gimbal lock too; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n_a = R_00 * R_00
@@ -1701,6 +1701,8 @@ def euler_xyz_from_mat3x3(R):
     angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + (left_1_lo - angles_0_of_left_1_right)
     angles_0_square = angles_0_part1 * angles_0_part1 + angles_0_part0 * angles_0_part0
     angles_0_cross = angles_0_part1 * angles_0_of_left_2_lo - angles_0_part0 * angles_0_of_left_1_lo
+    angles_0_more = angles_0_cross / where(angles_0_zero, 1, angles_0_divisor * angles_0_square)
+    angles_0_own_error = elementary.atan2_error(angles_0_of_left_2, angles_0_of_left_1, angles_0)
     angles_1 = elementary.atan2(R_02, divisor_a_of_n)
     angles_1_size0 = absolute(R_02)
     angles_1_size1 = absolute(divisor_a_of_n)
@@ -1711,13 +1713,15 @@ def euler_xyz_from_mat3x3(R):
     angles_1_part1 = divisor_a_of_n / angles_1_divisor
     angles_1_square = angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0
     angles_1_safe = where(angles_1_zero, 1, angles_1_divisor * angles_1_square)
-    angles_0_lo = angles_0_cross / where(angles_0_zero, 1, angles_0_divisor * angles_0_square)
-    angles_0_rounded = angles_0 + angles_0_lo
-    angles_1_lo = (angles_1_part1 * 0 - angles_1_part0 * divisor_a_of_n_lo) / angles_1_safe
+    angles_1_more = (angles_1_part1 * 0 - angles_1_part0 * divisor_a_of_n_lo) / angles_1_safe
+    angles_0_rounded = angles_0 + (angles_0_own_error + angles_0_more)
+    angles_1_lo = elementary.atan2_error(R_02, divisor_a_of_n, angles_1) + angles_1_more
     angles_1_rounded = angles_1 + angles_1_lo
+    third_rounded = third + where(divisor_a, 0, elementary.atan2_error(sine_a, R_00, polar))
     angles_0_final = where(angles_0_rounded == angles_0_rounded, angles_0_rounded, angles_0)
     angles_1_final = where(angles_1_rounded == angles_1_rounded, angles_1_rounded, angles_1)
-    return (angles_0_final, angles_1_final, third)
+    third_final = where(third_rounded == third_rounded, third_rounded, third)
+    return (angles_0_final, angles_1_final, third_final)
 
 
 @kernel("(3,3)->(3)")
@@ -1726,9 +1730,9 @@ def euler_xyx_from_mat3x3(R):
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    25 mul, 62 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 4 abs, 2 less, 6
-    equal, 14 select.  The rotation by these angles differs from R by at most 12 u in each
-    entry, near gimbal lock too; searched, not proved.
+    25 mul, 65 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 3 atan2 error, 4
+    abs, 2 less, 7 equal, 16 select.  The rotation by these angles differs from R by at most 12
+    u in each entry, near gimbal lock too; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n_a = R_01 * R_01
@@ -1800,6 +1804,8 @@ def euler_xyx_from_mat3x3(R):
     angles_0_of_left_1_lo = angles_0_of_left_1_left_rest + (left_1_lo - angles_0_of_left_1_right)
     angles_0_square = angles_0_part1 * angles_0_part1 + angles_0_part0 * angles_0_part0
     angles_0_cross = angles_0_part1 * angles_0_of_left_2_lo - angles_0_part0 * angles_0_of_left_1_lo
+    angles_0_more = angles_0_cross / where(angles_0_zero, 1, angles_0_divisor * angles_0_square)
+    angles_0_own_error = elementary.atan2_error(angles_0_of_left_2, angles_0_of_left_1, angles_0)
     angles_1 = elementary.atan2(divisor_a_of_n, R_00)
     angles_1_size0 = absolute(divisor_a_of_n)
     angles_1_size1 = absolute(R_00)
@@ -1810,13 +1816,15 @@ def euler_xyx_from_mat3x3(R):
     angles_1_part1 = R_00 / angles_1_divisor
     angles_1_square = angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0
     angles_1_safe = where(angles_1_zero, 1, angles_1_divisor * angles_1_square)
-    angles_0_lo = angles_0_cross / where(angles_0_zero, 1, angles_0_divisor * angles_0_square)
-    angles_0_rounded = angles_0 + angles_0_lo
-    angles_1_lo = (angles_1_part1 * divisor_a_of_n_lo - angles_1_part0 * 0) / angles_1_safe
+    angles_1_more = (angles_1_part1 * divisor_a_of_n_lo - angles_1_part0 * 0) / angles_1_safe
+    angles_0_rounded = angles_0 + (angles_0_own_error + angles_0_more)
+    angles_1_lo = elementary.atan2_error(divisor_a_of_n, R_00, angles_1) + angles_1_more
     angles_1_rounded = angles_1 + angles_1_lo
+    third_rounded = third + where(divisor_a, 0, elementary.atan2_error(R_01, R_02, polar))
     angles_0_final = where(angles_0_rounded == angles_0_rounded, angles_0_rounded, angles_0)
     angles_1_final = where(angles_1_rounded == angles_1_rounded, angles_1_rounded, angles_1)
-    return (angles_0_final, angles_1_final, third)
+    third_final = where(third_rounded == third_rounded, third_rounded, third)
+    return (angles_0_final, angles_1_final, third_final)
 
 
 @kernel("(3,3),(3,3)->(3,3),(3,3)")
@@ -1988,9 +1996,9 @@ def axis_angle_from_mat3x3(R):
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    35 mul, 235 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 12 neg, 5 abs, 16
-    less, 11 equal, 61 select.  Error <= angle: 8 u, axis: 5 u of its largest component for R a
-    rotation; searched, not proved.
+    35 mul, 236 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 1 atan2 error, 12
+    neg, 5 abs, 16 less, 11 equal, 61 select.  Error <= angle: 8 u, axis: 5 u of its largest
+    component for R a rotation; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -2184,6 +2192,7 @@ def axis_angle_from_mat3x3(R):
     half_cross2 = half_part0 * (half_of_upper_3_left_rest + (upper_3_lo - half_of_upper_3_right))
     half_cross1 = half_part1 * (n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right))
     half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
+    half_more = (half_cross1 - half_cross2) / where(half_zero, 1, half_divisor2)
     divisor_a = n_of_v_n == 0
     divisor = where(divisor_a, 1, n_of_v_n)
     divisor_lo = where(divisor_a, 0, n_of_v_n_lo)
@@ -2218,7 +2227,8 @@ def axis_angle_from_mat3x3(R):
     angle = 2 * half
     axis_0 = where(divisor_a, 1, unit_0)
     unit_0_lo = (unit_0_numerator - unit_0 * unit_0_of_divisor_lo) / unit_0_of_divisor
-    angle_rounded = angle + 2 * ((half_cross1 - half_cross2) / where(half_zero, 1, half_divisor2))
+    angle_cross2 = 2 * (elementary.atan2_error(half_of_n, half_of_upper_3, half) + half_more)
+    angle_rounded = angle + angle_cross2
     axis_0_rounded = axis_0 + where(divisor_a, 0, unit_0_lo)
     unit_1_rounded = unit_1 + (unit_1_numerator - unit_1 * unit_0_of_divisor_lo) / unit_0_of_divisor
     unit_2_rounded = unit_2 + (unit_2_numerator - unit_2 * unit_0_of_divisor_lo) / unit_0_of_divisor

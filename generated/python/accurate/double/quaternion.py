@@ -2537,9 +2537,9 @@ def axis_angle_from_quaternion(q):
     angle is 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    27 mul, 55 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14
-    less, 8 equal, 29 select.  Error <= angle: 6 u, axis: 4 u of its largest component;
-    searched, not proved.
+    27 mul, 56 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 1 atan2 error, 4
+    neg, 9 abs, 14 less, 8 equal, 29 select.  Error <= angle: 6 u, axis: 4 u of its largest
+    component; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -2608,6 +2608,7 @@ def axis_angle_from_quaternion(q):
     half_part1 = upper_3 / half_divisor
     half_cross1 = half_part1 * (n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right))
     half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
+    half_more = (half_cross1 - half_part0 * 0) / where(half_zero, 1, half_divisor2)
     divisor_a = n_of_v_n == 0
     divisor = where(divisor_a, 1, n_of_v_n)
     divisor_lo = where(divisor_a, 0, n_of_v_n_lo)
@@ -2627,8 +2628,7 @@ def axis_angle_from_quaternion(q):
     angle = 2 * half
     axis_0 = where(divisor_a, 1, unit_0)
     unit_0_lo = (unit_0_exact - unit_0 * unit_0_of_divisor_lo) / unit_0_of_divisor
-    angle_cross2 = 2 * ((half_cross1 - half_part0 * 0) / where(half_zero, 1, half_divisor2))
-    angle_rounded = angle + angle_cross2
+    angle_rounded = angle + 2 * (elementary.atan2_error(half_of_n, upper_3, half) + half_more)
     axis_0_rounded = axis_0 + where(divisor_a, 0, unit_0_lo)
     unit_1_rounded = unit_1 + (unit_1_exact - unit_1 * unit_0_of_divisor_lo) / unit_0_of_divisor
     unit_2_rounded = unit_2 + (unit_2_exact - unit_2 * unit_0_of_divisor_lo) / unit_0_of_divisor
@@ -2645,8 +2645,9 @@ def quaternion_log(q):
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    29 mul, 58 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 4 neg, 9 abs, 14
-    less, 7 equal, 26 select.  Error <= vo: 6 u of its largest component; searched, not proved.
+    29 mul, 59 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 1 atan2 error, 4
+    neg, 9 abs, 14 less, 7 equal, 26 select.  Error <= vo: 6 u of its largest component;
+    searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -2715,12 +2716,12 @@ def quaternion_log(q):
     half_part0 = half_of_n / half_divisor
     half_part1 = upper_3 / half_divisor
     half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
+    half_more = (half_part1 * half_of_n_lo - half_part0 * 0) / where(half_zero, 1, half_divisor2)
     divisor_a = half_of_n == 0
     divisor = where(divisor_a, 1, half_of_n)
     divisor_lo = where(divisor_a, 0, half_of_n_lo)
     theta = 2 * half
-    half_lo = (half_part1 * half_of_n_lo - half_part0 * 0) / where(half_zero, 1, half_divisor2)
-    theta_cross2 = 2 * half_lo
+    theta_cross2 = 2 * (elementary.atan2_error(half_of_n, upper_3, half) + half_more)
     k_of_theta = theta + theta_cross2
     k_of_theta_right = k_of_theta - theta
     k_of_divisor = divisor + divisor_lo

@@ -442,8 +442,8 @@ def angle_vv(v1, v2):
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    42 mul, 120 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 3 neg, 11 abs, 22
-    less, 7 equal, 32 select.
+    42 mul, 121 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 1 atan2 error, 3
+    neg, 11 abs, 22 less, 7 equal, 32 select.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
@@ -605,7 +605,9 @@ def angle_vv(v1, v2):
     angle_cross1 = angle_part1 * (angle_of_cross_left_rest + (cross_lo - angle_of_cross_right))
     angle_cross2 = angle_part0 * (angle_of_dot__left_rest + (dot__lo - angle_of_dot__right))
     angle_divisor2 = angle_divisor * (angle_part1 * angle_part1 + angle_part0 * angle_part0)
-    angle_rounded = angle + (angle_cross1 - angle_cross2) / where(angle_zero, 1, angle_divisor2)
+    angle_more = (angle_cross1 - angle_cross2) / where(angle_zero, 1, angle_divisor2)
+    angle_lo = elementary.atan2_error(angle_of_cross, angle_of_dot_, angle) + angle_more
+    angle_rounded = angle + angle_lo
     angle_final = where(angle_rounded == angle_rounded, angle_rounded, angle)
     return angle_final
 

@@ -1,0 +1,112 @@
+"""States at which rounding errors are measured: of the run, between the joint limits, and the worst
+that a search finds there.  All numbers are numbers of single precision, so that every precision
+computes from the same ones."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coscrew_codegen.scene.model import Joint, Kind
+from coscrew_codegen.simulate.plan import Trajectory
+from coscrew_codegen.simulate.record import accelerations
+from coscrew_codegen.simulate.system import System
+
+Reals = NDArray[np.float64]
+Values = Mapping[str, Reals]
+"""t (n,), q (n, nq), v, a, tau (n, nv)."""
+
+BATCH = 2048
+"""States that the search compares at once."""
+_ROUNDS, _KEPT, _NARROWER = 12, 32, 0.6
+_REACHED_IN = 0.1  # s, in which accelerations reach the limits of velocities
+
+
+def of_run(system: System, trajectory: Trajectory, count: int) -> dict[str, Reals]:
+    """States of the run at equal distances, with the accelerations there; torques are zero."""
+    chosen = np.linspace(0, len(trajectory.t) - 1, count).astype(int)
+    t, q, v = (x[chosen] for x in (trajectory.t, trajectory.q, trajectory.v))
+    return rounded(system, {"t": t, "q": q, "v": v, "a": accelerations(system, t, q, v),
+                            "tau": np.zeros_like(v)})
+
+
+def rounded(system: System, values: Values) -> dict[str, Reals]:
+    """The nearest states of single precision, with quaternions of norm 1."""
+    found = {**values, "q": system.normalized(values["q"])}
+    return {name: x.astype(np.float32).astype(float) for name, x in found.items()}
+
+
+def joined(parts: Sequence[Values]) -> dict[str, Reals]:
+    """All states in turn."""
+    return {name: np.concatenate([x[name] for x in parts]) for name in parts[0]}
+
+
+@dataclass(frozen=True)
+class Box:
+    """Half widths and centres of every number of a state: the limits of the joints, or ±π rad, 1 m,
+    π rad/s, 1 m/s for those that have none."""
+
+    system: System
+    centre: Values
+    half: Values
+
+    def drawn(self, rng: np.random.Generator, count: int) -> dict[str, Reals]:
+        """Random states, each number evenly distributed."""
+        return rounded(self.system, {name: x + self.half[name] * rng.uniform(
+            -1, 1, (count, *x.shape)) for name, x in self.centre.items()})
+
+    def near(self, rng: np.random.Generator, values: Values, scale: float, count: int
+             ) -> dict[str, Reals]:
+        """`count` states near each of these, inside the box."""
+        found = {}
+        for name, x in values.items():
+            middle, half = self.centre[name], self.half[name]
+            around = np.repeat(x, count, axis=0)
+            moved = around + scale * half * rng.normal(size=around.shape)
+            found[name] = np.clip(moved, middle - half, middle + half)
+        return rounded(self.system, found)
+
+
+def box_of(system: System, until: float) -> Box:
+    """The limits of the scene's joints."""
+    joints = {joint.name: joint for joint in system.scene.model.joints}
+    q, half_q = np.zeros(system.functions.nq), np.ones(system.functions.nq)
+    half_v, effort = np.ones(system.functions.nv), np.full(system.functions.nv, np.nan)
+    for c in system.functions.coordinates:
+        joint = joints[c.joint]
+        half_v[c.v] = float(joint.velocity or (np.pi if joint.kind is Kind.REVOLUTE else 1))
+        effort[c.v] = float(joint.effort) if joint.effort else np.nan
+        if joint.kind in (Kind.REVOLUTE, Kind.PRISMATIC):
+            q[c.q], half_q[c.q] = _range(joint)
+    half = {"t": np.array(until / 2), "q": half_q, "v": half_v, "a": half_v / _REACHED_IN,
+            "tau": effort}
+    centre = {"t": np.array(until / 2), "q": q, **{name: np.zeros_like(half_v)
+                                                   for name in ("v", "a", "tau")}}
+    some = Box(system, centre, {**half, "tau": np.zeros_like(half_v)}).drawn(
+        np.random.default_rng(0), 64)
+    needed = np.abs(system.call("inverse_dynamics", **some)).max(axis=0, initial=0)
+    return Box(system, centre, {**half, "tau": np.where(np.isnan(effort), needed, effort)})
+
+
+def _range(joint: Joint) -> tuple[float, float]:
+    """Centre and half width of a joint's positions."""
+    if joint.lower is None or joint.upper is None:
+        return 0.0, np.pi if joint.kind is Kind.REVOLUTE else 1.0
+    return float(joint.lower + joint.upper) / 2, float(joint.upper - joint.lower) / 2
+
+
+def searched(box: Box, score: Callable[[Values], Reals], count: int) -> dict[str, Reals]:
+    """The states of the largest scores found by climbing from the best of many."""
+    rng = np.random.default_rng(1)
+    best = box.drawn(rng, BATCH)
+    for number in range(_ROUNDS):
+        best = _top(best, score(best), _KEPT)
+        near = box.near(rng, best, 0.3 * _NARROWER**number, BATCH // _KEPT)
+        best = joined((best, near))
+    return _top(best, score(best), count)
+
+
+def _top(values: Values, scores: Reals, count: int) -> dict[str, Reals]:
+    order = np.argsort(np.where(np.isfinite(scores), scores, -1))[::-1][:count]
+    return {name: x[order] for name, x in values.items()}

@@ -1,0 +1,102 @@
+"""The accurate tier of scenes: their functions are longer than operations, and their constants are
+decimals."""
+
+import math
+import re
+from collections import Counter
+from dataclasses import replace
+from fractions import Fraction
+
+from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program.ops import ERROR_OF
+from coscrew_codegen.program.program import name_of
+from coscrew_codegen.tiers.compensated import rounded_constant
+from coscrew_codegen.tiers.nonlinear import Accurate, compensated
+
+
+def of_scene(program: Program, precision: Precision) -> Program:
+    """The plain program of a scene's function, whose constants are decimals: hi + lo in double; in
+    single precision doubles."""
+    if precision == DOUBLE:
+        program = compensated(program, OfScene(program))
+    steps = tuple(replace(step, operands=tuple(map(_rounded, step.operands)))
+                  for step in program.instructions)
+    return replace(program, instructions=steps, results=tuple(map(_rounded, program.results)),
+                   wide=precision != DOUBLE)
+
+
+def _rounded(x: Operand) -> Operand:
+    return rounded_constant(x) if isinstance(x, Constant) else x
+
+
+def _beyond(x: Operand, above: bool) -> Operand:
+    """For a number to the left or to the right of <: that of double precision which compares with
+    all others as the constant does."""
+    if not isinstance(x, Constant):
+        return x
+    value = float(x.double)
+    if value != x.double and (value > x.double) != above:
+        value = math.nextafter(value, math.inf if above else -math.inf)
+    return Constant(Fraction(value), Fraction(value), x.name)
+
+
+_NUMBER = re.compile(r"_[0-9]+$")
+_ONCE = {Op.ADD, Op.SUB, Op.MUL, Op.DIV, Op.SQRT}
+_RESTING = {Op.DIV, Op.SQRT, *ERROR_OF}
+
+
+class OfScene(Accurate):
+    """Of a function of a scene: products of sums are long chains there, and names are numbered.
+
+    After cancellation the lo of a sum is not small, nor is that of a product of such a sum: in a
+    product of two of these, a_lo b_lo matters, and a_lo is multiplied by b + b_lo."""
+
+    last = "hi + lo, rounded:"
+
+    def __init__(self, program: Program) -> None:
+        super().__init__()
+        self._taken = {step.name for step in program.instructions}
+        self._numbers: Counter[str] = Counter()
+        self._cancelled: set[str] = set()  # hi whose lo may not be small
+        self._whole: dict[str, Ref] = {}
+        self._nearest: set[str] = set()  # exact operands, one rounding: these need no lo
+
+    def compensate(self, step: Instruction) -> None:
+        """As of its base; a result may have cancelled if it is a sum or is made of one."""
+        if step.op is Op.LESS:
+            step = replace(step, operands=tuple(map(_beyond, step.operands, (False, True))))
+        if step.op in (Op.ADD, Op.SUB) or step.op not in _RESTING and any(
+                name_of(x) in self._cancelled and name_of(x) not in self._normal
+                for x in step.operands):
+            self._cancelled.add(step.name)
+        if step.op in _ONCE and all(map(self.is_exact, step.operands)):
+            self._nearest.add(step.name)
+        super().compensate(step)
+
+    def rounded(self, result: Operand) -> Operand:
+        """hi alone if that is the nearest number."""
+        return result if name_of(result) in self._nearest else super().rounded(result)
+
+    def factor(self, step: Instruction, a: Operand, b: Operand) -> Operand:
+        """b + b_lo, computed once, if both may have cancelled."""
+        low = self.low(step, b)
+        if low is None or not self._cancelled.issuperset((name_of(a), name_of(b))):
+            return b
+        if name_of(b) not in self._whole:
+            self._whole[name_of(b)] = self.issue(step, Op.ADD, (b, low), "whole")
+        return self._whole[name_of(b)]
+
+    def normal_name(self, step: Instruction, operand: str) -> str:
+        """Named after the operand."""
+        return self.name(operand, "nearest")
+
+    def name(self, of: str, suffix: str) -> str:
+        """Numbered, so that it may be nested and is numbered again; but lo of a named value."""
+        stem = f"{_NUMBER.sub('', of)}_{suffix}"
+        name = stem if suffix == "lo" and not _NUMBER.search(of) else ""
+        while not name or name in self._taken:
+            self._numbers[stem] += 1
+            name = f"{stem}_{self._numbers[stem]}"
+        self._taken.add(name)
+        return name

@@ -1,0 +1,51 @@
+"""What accuracy costs in a scene: its functions in every tier it has, over arrays of states."""
+
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+from tabulate import tabulate
+
+from coscrew_codegen import load_scene
+from coscrew_codegen.formats import PRECISIONS
+from coscrew_codegen.scene.tiers import known
+from tests.support.scenes.tiers import states
+
+SCENE = Path(__file__).parents[2] / "examples" / "scenes" / "arm6.toml"
+NAMES = ("inverse_dynamics", "forward_dynamics", "mass_matrix", "body_poses")
+STATES, ROUNDS = 1000, 100
+
+
+def shortest(calls: list[Callable[[], object]]) -> list[float]:
+    """The shortest time of each call in ns per state, in rounds in which they take turns."""
+    found = [np.inf] * len(calls)
+    for _ in range(ROUNDS):
+        for k, call in enumerate(calls):
+            began = time.perf_counter_ns()
+            call()
+            found[k] = min(found[k], (time.perf_counter_ns() - began) / STATES)
+    return found
+
+
+def rows() -> Iterator[tuple[str, ...]]:
+    """A line for each function, precision and tier: its time, and the ratio to plain's."""
+    kernels = load_scene(SCENE, tiers=known(), functions=NAMES)
+    tiers = {"plain": kernels, **{name: getattr(kernels, name) for name in known()[1:]}}
+    for function in kernels.functions.functions:
+        for p in PRECISIONS:
+            given = states(kernels.functions, function, STATES, p)
+            calls = [getattr(getattr(x, p.name), function.name) for x in tiers.values()]
+            times = shortest([lambda f=f, x=given: f(*x) for f in calls])
+            for name, ns in zip(tiers, times, strict=True):
+                yield function.name, p.name, name, f"{ns:.0f}", f"{ns / times[0]:.2f}"
+
+
+def main() -> None:
+    """Print the table."""
+    print(f"\n{SCENE.name}, arrays of {STATES} states: shortest of {ROUNDS} times")
+    print(tabulate(rows(), ("function", "precision", "tier", "ns", "ratio"), disable_numparse=True))
+
+
+if __name__ == "__main__":
+    main()
