@@ -144,8 +144,10 @@ class Accurate(Compensator):
     def _issue_both(self, step: Instruction, partner: Instruction | None) -> None:
         """A sine and the cosine of the same operand, where the first of them is."""
         if step.name not in self._partners:
-            known = partner and partner.name not in self._partners
-            name = partner.name if known else self.name(step.name, "partner")
+            if partner and partner.name not in self._partners:
+                name = partner.name
+            else:
+                name = self.name(step.name, "partner")
             self.steps += [step, replace(step, name=name, op=_PARTNER[step.op])]
             self._partners |= {step.name: Ref(name), name: Ref(step.name)}
 
