@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from types import FrameType, ModuleType
-from typing import TYPE_CHECKING, cast
+from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,9 +52,6 @@ class Kernels:
     _derived: SceneFunctions | None = None
     precisions: tuple[str, ...] = BOTH  # in which there are functions
     plain: Kernels | None = None  # of a tier's: the scene's own
-
-    if TYPE_CHECKING:  # shown by editors
-        accurate: Kernels
 
     def __getattr__(self, name: str) -> Kernels:
         """The functions in a tier that the scene selects, compiled when it is first asked for."""

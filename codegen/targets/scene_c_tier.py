@@ -12,6 +12,7 @@ from coscrew_codegen.scene_tiers import SceneTier
 from coscrew_codegen.targets import c_elementary, scene_text
 from coscrew_codegen.targets.c_function import CFunction
 from coscrew_codegen.targets.c_statements import comment_of
+from coscrew_codegen.targets.nesting import Plan
 from coscrew_codegen.targets.scene_c import IN_WORDS, functions_of
 from coscrew_codegen.targets.scene_c_parts import Parts
 from coscrew_codegen.targets.target import Files, Target
@@ -25,7 +26,7 @@ class Section:
     scene: SceneFunctions
 
     @cached_property
-    def plans(self) -> list[scene_text.Plan]:
+    def plans(self) -> list[Plan]:
         """What is assigned in each function."""
         return scene_text.plans(self.scene)
 

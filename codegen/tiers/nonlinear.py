@@ -144,10 +144,8 @@ class Accurate(Compensator):
     def _issue_both(self, step: Instruction, partner: Instruction | None) -> None:
         """A sine and the cosine of the same operand, where the first of them is."""
         if step.name not in self._partners:
-            if partner and partner.name not in self._partners:
-                name = partner.name
-            else:
-                name = self.name(step.name, "partner")
+            name = partner.name if partner and partner.name not in self._partners \
+                else self.name(step.name, "partner")
             self.steps += [step, replace(step, name=name, op=_PARTNER[step.op])]
             self._partners |= {step.name: Ref(name), name: Ref(step.name)}
 

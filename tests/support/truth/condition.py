@@ -5,16 +5,19 @@ u times this is how far the roundings of the plain program can move a result, to
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
 from coscrew_codegen.program.differentiate import adjoint
-from coscrew_codegen.program.interpreter import by_operation, exactly
+from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly
 from tests.support.scenes.generated_scenes import argument
 
-ARRAYS = by_operation(lambda x: np.float64(float(x.double)), {
-    **exactly(np), Op.SELECT: np.where, Op.ATAN2: np.arctan2}, np.float64(np.nan))
+Array: TypeAlias = NDArray[Any]
+ARRAYS: Arithmetic[Any] = by_operation(lambda x: np.float64(float(x.double)), {
+    **exactly(np), Op.SELECT: lambda *x: np.where(*x), Op.ATAN2: np.arctan2}, np.float64(np.nan))
 
 
 class Functions:
@@ -40,15 +43,15 @@ def perturbed(program: Program) -> Program:
                    instructions=tuple(steps))
 
 
-def conditions(program: Program, inputs: Sequence[Sequence[np.ndarray]]) -> list[np.ndarray]:
+def conditions(program: Program, inputs: Sequence[Sequence[Array]]) -> list[Array]:
     """Of each result, for arrays of states; inf or NaN where there is no derivative."""
     changed, count = perturbed(program), len(program.results)
-    given = [*inputs, [np.float64(1)] * changed.inputs[-1].quantity.size]
-    found = []
+    given: list[Sequence[Any]] = [*inputs, [np.float64(1)] * changed.inputs[-1].quantity.size]
+    found: list[Array] = []
     with np.errstate(all="ignore"):
         for k in range(count):
             weights = [np.float64(k == n) for n in range(count)]
             results, slopes = adjoint(changed, ARRAYS, Functions(), given, weights)
-            total = sum((abs(x) for x in slopes[-1] if x is not None), np.float64(0))
-            found.append(np.divide(total, abs(results[k])) if np.any(total) else np.float64(0))
+            total = sum((abs(x) for x in slopes[-1] if x is not None), np.zeros(1))
+            found.append(total / abs(results[k]) if np.any(total) else np.zeros(1))
     return found

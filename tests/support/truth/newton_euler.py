@@ -8,13 +8,14 @@ fixed.
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any, TypeAlias
 
 import mpmath
 from mpmath import matrix, mpf
 
 from coscrew_codegen.scene.model import WORLD, Inertia, Kind, Model, value
 
-Vector = matrix
+Vector: TypeAlias = Any  # mpmath has no types
 
 
 def _number(x: Fraction) -> mpf:
@@ -34,7 +35,7 @@ def _dot(a: Vector, b: Vector) -> mpf:
     return sum((a[k] * b[k] for k in range(3)), mpf(0))
 
 
-def _about(n: Vector, angle: mpf) -> matrix:
+def _about(n: Vector, angle: mpf) -> Vector:
     """The rotation about the unit vector n, after Rodrigues."""
     tilde = matrix([[0, -n[2], n[1]], [n[2], 0, -n[0]], [-n[1], n[0], 0]])
     return mpmath.eye(3) + mpmath.sin(angle) * tilde + (1 - mpmath.cos(angle)) * tilde * tilde
@@ -45,7 +46,7 @@ class _Motion:
     """Of a body's frame: rotation, origin, angular velocity and acceleration, the origin's
     acceleration less gravity's."""
 
-    R: matrix
+    R: Vector
     p: Vector
     w: Vector
     dw: Vector
