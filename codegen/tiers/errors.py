@@ -32,7 +32,7 @@ class Errors(OfScene):
         self.precision = precision
         self.circular = {(step.op, step.operands): step for step in program.instructions
                          if step.op in (Op.SIN, Op.COS)}
-        inexact = {Op.TANH: self._tangent, Op.EXP: self._exponential}
+        inexact = {Op.TANH: self._tangent, Op.EXP: self._power}
         self.inexact = inexact.keys()  # d lacks what the function errs by
         self._rules |= inexact
 
@@ -63,7 +63,7 @@ class Errors(OfScene):
         """Itself: hi is the plain value."""
         return operand
 
-    def _exponential(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
+    def _power(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
         return self._moved(step, low, lambda: Ref(step.name))
 
     def _tangent(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
