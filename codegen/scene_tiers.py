@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 
 from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.formats import Precision, named
-from coscrew_codegen.program import Op
 from coscrew_codegen.recording.recorder import headings
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.tiers import Tier
@@ -30,12 +29,6 @@ class SceneTier:
     def first(self) -> SceneFunctions:
         """Its functions in the first precision: names and arguments are the same in all."""
         return self.in_precisions[0][1]
-
-    @property
-    def exact(self) -> bool:
-        """Whether its functions compute rounding errors of products."""
-        return any(op in f.program.counts for _, scene in self.in_precisions
-                   for f in scene.functions for op in (Op.PRODUCT_ERROR, Op.PRODUCT_REST))
 
     @property
     def stem(self) -> str:

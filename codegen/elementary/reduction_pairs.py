@@ -111,7 +111,8 @@ def _collected(name: str, terms: Sequence[Value]) -> tuple[Value, Value]:
     """The sum of the terms, the largest first, as high + low: every sum keeps what it is rounded
     by, twice over.  Source: Ogita, Rump, Oishi, SumK."""
     for again in range(2):
-        sums, rests = terms[-1], []
+        sums = terms[-1]
+        rests: list[Value] = []
         for n, term in reversed(list(enumerate(terms[:-1]))):
             sums, error = two_sum(f"{name}_{'ab'[again]}{n}", term, sums)
             rests.insert(0, error)

@@ -64,8 +64,9 @@ def turned(k: Value, of: Computed, precision: Precision
     q = steps.named("q", to_integer(steps, k, precision, 4) - k)
     a = steps.named("cos_k", 1 - abs(q))
     b = steps.named("minus_sin_k", q * (1 + a))
-    lows = of.sine.low, of.cosine.low
-    assert lows[0] is not None and lows[1] is not None
+    low = of.sine.low, of.cosine.low
+    assert low[0] is not None and low[1] is not None
+    lows = low[0], low[1]
     sines = [steps.named(name, x * a - y * b) for name, x, y in (
         ("sin_x", of.sine.high, of.cosine.high), ("sin_x_low", *lows))]
     cosines = [steps.named(name, y * a + x * b) for name, x, y in (

@@ -131,8 +131,9 @@ def renamed(program: Program, names: Mapping[str, str]) -> Program:
 def sine_cosine_pairs(program: Program) -> dict[str, tuple[Instruction, Instruction]]:
     """Sine and cosine of the same operand, and their errors, which languages compute together, by
     the names of both."""
+    circular = {Op.SIN, Op.COS, Op.SIN_ERROR, Op.COS_ERROR}
     found = {(step.op, step.operands): step for step in program.instructions
-             if step.op in (Op.SIN, Op.COS, Op.SIN_ERROR, Op.COS_ERROR)}
+             if step.op in circular}
     pairs = [(sine, found[Op.COS, x]) for (op, x), sine in found.items()
              if op is Op.SIN and (Op.COS, x) in found]
     for sine, cosine in tuple(pairs):

@@ -51,6 +51,8 @@ NUMPY_NAMES: dict[Op | str, str] = {
     Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SELECT: "where",
     Op.COPYSIGN: "copysign"}
 EXACT: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
+IN_SINGLE: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error_single as product_error"}
+"""What kernels import that compute errors of products: in double, in single precision."""
 ELEMENTARY = {Op.SIN: ("sin", "({})"), Op.COS: ("cos", "({})"), Op.ATAN2: ("atan2", "({}, {})"),
               Op.EXP: ("exp", "({})"), Op.TANH: ("tanh", "({})"),
               Op.SIN_ERROR: ("sin_error", "({}, {})"), Op.COS_ERROR: ("cos_error", "({}, {})"),
@@ -142,6 +144,11 @@ def imports(programs: tuple[Program, ...], precision: Precision) -> tuple[tuple[
         ("coscrew._exact", EXACT)]
     return tuple((place, ", ".join(sorted({names[op] for op in called & set(names)})))
                  for place, names in found if called & set(names))
+
+
+def exactly_in(precision: Precision) -> Mapping[Op | str, str]:
+    """What computes errors of products in this precision."""
+    return EXACT if precision == DOUBLE else IN_SINGLE
 
 
 def _types(program: Program, precision: Precision) -> set[str]:

@@ -5,16 +5,12 @@ from collections.abc import Collection, Mapping
 from typing import Any
 
 from coscrew_codegen.elementary import ELEMENTARY, ERRORS, Elementary
-from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, Op, Program, counts_in_words
 from coscrew_codegen.render import render
 from coscrew_codegen.targets import numpy, two_over_pi
 from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.nesting import Nesting
-
-_PRODUCT_ERROR = {DOUBLE.name: "product_error",
-                  SINGLE.name: "product_error_single as product_error"}
-"""What is imported where errors of products are computed."""
 
 
 def module(precision: Precision, names: Collection[str], banner: str) -> str:
@@ -28,7 +24,7 @@ def module(precision: Precision, names: Collection[str], banner: str) -> str:
         used |= {"absolute", "array", "int64", "where"}
     return render("python/_elementary.py", banner=banner, precision=precision,
                   two_over_pi=two_over_pi.holes(precision), angles=angles,
-                  exact=_PRODUCT_ERROR[precision.name] if any(
+                  exact=numpy.exactly_in(precision)[Op.PRODUCT_ERROR] if any(
                       Op.PRODUCT_ERROR in p.counts for p in programs) else "",
                   imports=listed("from numpy import (", sorted(used), ")"),
                   functions=[_function(x, precision) for x in wanted])

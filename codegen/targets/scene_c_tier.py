@@ -18,6 +18,8 @@ from coscrew_codegen.targets.scene_c import IN_WORDS, functions_of
 from coscrew_codegen.targets.scene_c_parts import Parts
 from coscrew_codegen.targets.target import Files, Target
 
+_ERRORS = ("ksl_product_error", "ksl_product_errorf", "ksl_product_rest")
+
 
 @dataclass(frozen=True)
 class Section:
@@ -59,8 +61,13 @@ class Written:
     section: Section
     elementary: list[c_elementary.Written]
 
+    @property
+    def exact(self) -> bool:
+        """Whether rounding errors of products are computed."""
+        return any(map(self.calls, _ERRORS))
+
     def calls(self, name: str) -> bool:
-        """Whether ksl_product_error or ksl_product_rest is called."""
+        """Whether one of _ERRORS is called."""
         bodies = (*(x.body for x in self.section.functions), *(
             text for x in self.elementary for text in (*x.near, *x.far, x.body)))
         return any(f"{name}(" in body for body in bodies)

@@ -19,7 +19,7 @@ from coscrew_codegen.scene_tiers import SceneTier
 from coscrew_codegen.targets import numpy_elementary, scene_text
 from coscrew_codegen.targets.c_statements import WIDTH, listed
 from coscrew_codegen.targets.nesting import Assignment, Plan, wrapped
-from coscrew_codegen.targets.numpy import EXACT, NUMPY_NAMES, language
+from coscrew_codegen.targets.numpy import EXACT, NUMPY_NAMES, exactly_in, language
 from coscrew_codegen.targets.scene_python_steps import python_name, step_lines
 from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.version import VERSION
@@ -63,7 +63,7 @@ def tier_files(made: SceneTier, banner: str) -> Files:
         **{p.name: _module(scene, scene_text.plans(scene), banner, p)
            for p, scene in made.in_precisions},
         **_elementary(functions, working, banner)}
-    if made.exact or any(f.program.wide for f in functions):
+    if any(f.program.wide or op in f.program.counts for f in functions for op in EXACT):
         modules["_exact"] = render("scene/exact.py", banner=banner)
     return {f"{made.plain.name}/{made.tier.mark}/{name}.py": text
             for name, text in modules.items()}
@@ -105,7 +105,7 @@ def _module(scene: SceneFunctions, plans: Sequence[Plan], banner: str, precision
             *(_step(scene, step, precision) for step in scene.steps)]
     elementary = sorted({name for x in made for name in _ELEMENTARY.findall(x["body"])})
     legend = scene_text.legend(plans, [x["body"] for x in made])
-    exact = sorted({name for op, name in EXACT.items() if op in counted})
+    exact = sorted({name for op, name in exactly_in(working).items() if op in counted})
     exact += ["widened"] if working != precision else []
     return render("scene/precision.py", banner=banner, name=scene.name, precision=precision,
                   title=f"{scene.name} in {precision.name} precision"

@@ -35,6 +35,7 @@ from typing import TYPE_CHECKING
 from coscrew_codegen.formats import Format
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.program import name_of
+from coscrew_codegen.tiers.certified_scene import of_scene
 from coscrew_codegen.tiers.tier import Tier, bounds_of_outputs
 
 if TYPE_CHECKING:
@@ -161,7 +162,7 @@ def _constant(value: Fraction) -> Constant:
 TIER = Tier(
     "certified", 3, "Certified tier: plain results, and bounds on their errors that always hold.",
     ("#00805d", "#3ccf9f"), certified,
-    operation=certified_operation, in_words="""\
+    operation=certified_operation, scene=of_scene, in_words="""\
 The certified tier: every operation returns (result, bound), the plain result, bit for bit, and a
 bound on each component's error.  It holds for all numbers, underflow included.  Where something
 overflowed, the bound is infinite or NaN: no statement is made.""")

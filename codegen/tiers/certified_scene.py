@@ -108,7 +108,9 @@ class _Certifier(Sizes):
         return Size(s, (1 + 64 * u) * (k + 1), (1 + 64 * u) * (m + 4 * (k + 1) + more), self.slack)
 
     def _certain(self, x: Operand, size: Operand) -> Operand:
-        """|x̂|; 0 if B may be larger than a fourth of it."""
+        """|x̂|; 0 if B may be larger than a fourth of it.  That of a constant never is."""
+        if isinstance(x, Constant):
+            return size
         return self.do(Op.SELECT, self._is_certain(x, size), size, ZERO)
 
     def _is_certain(self, x: Operand, size: Operand) -> Operand:
@@ -163,13 +165,21 @@ class _Certifier(Sizes):
             return chosen
         close = bounds[0] if len(bounds) == 1 else self.do(Op.ADD, *bounds)
         certain = self.do(Op.LESS, close, self._distance(*compared))
-        other = self._distance(*options)
+        if NotANumber() in options:
+            return replace(chosen, s=self.do(Op.SELECT, certain, s, NotANumber()))
+        other = self._distance_up(*options)
         for bound in self._bounds_of(options):
             other = self.do(Op.ADD, other, bound)
         return self._widened(chosen, self.do(Op.SELECT, certain, ZERO, other))
 
     def _bounds_of(self, values: tuple[Operand, ...] | list[Operand]) -> list[Operand]:
         return [bound for x in values if (bound := self.bound(x)) is not None]
+
+    def _distance_up(self, x: Operand, y: Operand) -> Operand:
+        """|x̂ - ŷ|; of constants, a constant."""
+        if isinstance(x, Constant) and isinstance(y, Constant):
+            return self.rounded_up(abs(self.nearest(x).double - self.nearest(y).double))
+        return self._distance(x, y)
 
     def _distance(self, x: Operand, y: Operand) -> Operand:
         return self.do(Op.ABS, self.do(Op.SUB, x, y))

@@ -8,8 +8,9 @@ decimals, hi + lo in the given precision.
 from collections.abc import Callable
 from fractions import Fraction
 
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.formats import SINGLE, Precision
 from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program.program import name_of
 from coscrew_codegen.tiers.accurate_scene import OfScene
 
 
@@ -31,7 +32,7 @@ class Errors(OfScene):
         self.precision = precision
         self.circular = {(step.op, step.operands): step for step in program.instructions
                          if step.op in (Op.SIN, Op.COS)}
-        inexact = {Op.TANH: self._tangent, Op.EXP: self._exponential}
+        inexact = {Op.TANH: self._tangent, Op.EXP: self._power}
         self.inexact = inexact.keys()  # d lacks what the function errs by
         self._rules |= inexact
 
@@ -49,11 +50,20 @@ class Errors(OfScene):
         rest = self.nearest(constant(self.precision.value(x) - self.nearest(x).double))
         return rest if rest.double else None
 
+    def _rest(self, step: Instruction, x: Operand, share: Operand, name: str) -> Operand:
+        """As of its base; the same from fewer operations where only double has them all."""
+        product = self._products.get(name_of(x))
+        if product is None or self.precision != SINGLE:
+            return super()._rest(step, x, share, name)
+        error = self.issue(step, Op.PRODUCT_ERROR, (*product.operands, x), "error")
+        rest = self.issue(step, Op.EXACT_SUB, (x, share), name)
+        return self.issue(step, Op.ADD, (rest, error), name)
+
     def _normalized(self, step: Instruction, operand: Operand) -> Operand:
         """Itself: hi is the plain value."""
         return operand
 
-    def _exponential(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
+    def _power(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
         return self._moved(step, low, lambda: Ref(step.name))
 
     def _tangent(self, step: Instruction, low: list[Operand | None]) -> Operand | None:

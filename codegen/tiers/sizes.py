@@ -42,7 +42,15 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from coscrew_codegen.formats import Format, Precision
-from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program import (
+    Constant,
+    Instruction,
+    NotANumber,
+    Op,
+    Operand,
+    Program,
+    Ref,
+)
 from coscrew_codegen.tiers.errors import ONE, ZERO, Errors, constant
 
 CLOSE = 4
@@ -192,7 +200,9 @@ class Sizes(Errors):
 
     def do(self, op: Op, *operands: Operand, name: str = "size") -> Operand:
         """Issue an instruction, once.  Sums and products of sizes that are constants are computed
-        here; 0 and 1 cost nothing."""
+        here, and what is NaN for certain; 0 and 1 cost nothing."""
+        if op not in (Op.SELECT, Op.LESS) and NotANumber() in operands:
+            return NotANumber()
         if op.meaning.commutes:
             operands = tuple(sorted(operands, key=str))
         if op in (Op.ADD, Op.MUL):

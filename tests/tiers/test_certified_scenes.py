@@ -156,8 +156,8 @@ MUTATIONS = {
     "sign": ("certified_scene", "self.do(Op.SUB, self.do(Op.ABS, gap), gap)", "ZERO",
              "positive part"),
     "choice": ("certified_scene", "self.do(Op.SELECT, certain, ZERO, other)", "ZERO", "step"),
-    "distance of options": ("certified_scene", "other = self._distance(*options)", "other = ZERO",
-                            "step"),
+    "distance of options": ("certified_scene", "other = self._distance_up(*options)",
+                            "other = ZERO", "step"),
     "functions": ("certified_scene", " + REST", "", "circle"),
 }
 
