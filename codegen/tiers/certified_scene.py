@@ -19,8 +19,8 @@ rules:
                  where the choice is continuous, and covers a jump where it is not.
     sin, cos     d is what the function errs by, and slope d_x; s = 1 + s_x (1 + B_x / κ u): the
                  square of x's error is at most κ u (1 + B_x / κ u) k u s_x; tanh alike, with |ŷ|
-                 for 1, and an ulp added, by which it errs;
-    exp          s = ŷ (1 + s_x (1 + B_x / κ u)) if B_x <= 1/4, and an ulp.
+                 for 1;
+    exp          s = ŷ (1 + s_x (1 + B_x / κ u)) if B_x <= 1/4.
 
 To add e to a bound is to add e / m u² to s.  Inf and NaN are no statement.
 """
@@ -46,7 +46,7 @@ from coscrew_codegen.tiers.sizes import SPREAD, Size, Sizes
 from coscrew_codegen.tiers.tier import bounds_of_outputs
 
 REST = 256
-"""What is computed as a sine's or cosine's error is right to REST u² of it."""
+"""What is computed as an elementary function's error is right to REST u² of its result."""
 
 
 def of_scene(program: Program, precision: Precision) -> Program:
@@ -188,22 +188,15 @@ class _Certifier(Sizes):
         return replace(self._curved(step, ONE), h=Fraction(0))
 
     def _of_tangent(self, step: Instruction) -> Size:
-        size = self.do(Op.ABS, Ref(step.name))
-        return self._with_ulp(step, size, self._curved(step, size))
+        return self._curved(step, self.do(Op.ABS, Ref(step.name)))
 
     def _of_exponential(self, step: Instruction) -> Size:
         (x,), y = step.operands, Ref(step.name)
         if self.size(x).exact:
-            return self._with_ulp(step, y, self._curved(step, y))
+            return self._curved(step, y)
         size = self._curved(step, ONE)
         s = self.do(Op.MUL, y, self.do(Op.DIV, size.s, self._certain(x, ONE)))
-        return self._with_ulp(step, y, replace(size, s=s))
-
-    def _with_ulp(self, step: Instruction, y: Operand, size: Size) -> Size:
-        """With an ulp of y, unless the function's error is in d."""
-        if step.op not in self.inexact:
-            return size
-        return self._widened(size, self.do(Op.MUL, y, constant(2 * self.u)))
+        return replace(size, s=s)
 
     def _curved(self, step: Instruction, least: Operand) -> Size:
         """Of a function with derivatives of at most 1, whose result is at most `least`."""

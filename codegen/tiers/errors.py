@@ -5,11 +5,10 @@ nothing is normalized, and comparisons are those of the plain program.  Constant
 decimals, hi + lo in the given precision.
 """
 
-from collections.abc import Callable
 from fractions import Fraction
 
 from coscrew_codegen.formats import SINGLE, Precision
-from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program
 from coscrew_codegen.program.program import name_of
 from coscrew_codegen.tiers.accurate_scene import OfScene
 
@@ -32,9 +31,6 @@ class Errors(OfScene):
         self.precision = precision
         self.circular = {(step.op, step.operands): step for step in program.instructions
                          if step.op in (Op.SIN, Op.COS)}
-        inexact = {Op.TANH: self._tangent, Op.EXP: self._power}
-        self.inexact = inexact.keys()  # d lacks what the function errs by
-        self._rules |= inexact
 
     def compensate(self, step: Instruction) -> None:
         """Issue a plain instruction, unless it has been, and d of its result."""
@@ -62,18 +58,3 @@ class Errors(OfScene):
     def _normalized(self, step: Instruction, operand: Operand) -> Operand:
         """Itself: hi is the plain value."""
         return operand
-
-    def _power(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
-        return self._moved(step, low, lambda: Ref(step.name))
-
-    def _tangent(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
-        def slope() -> Ref:
-            square = self.issue(step, Op.MUL, (Ref(step.name), Ref(step.name)), "square")
-            return self.issue(step, Op.SUB, (ONE, square), "slope")
-
-        return self._moved(step, low, slope)
-
-    def _moved(self, step: Instruction, low: list[Operand | None],
-               slope: Callable[[], Operand]) -> Operand | None:
-        """The slope times d of the operand."""
-        return None if low[0] is None else self.issue(step, Op.MUL, (slope(), low[0]), "lo")

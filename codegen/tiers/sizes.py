@@ -211,7 +211,8 @@ class Sizes(Errors):
                 return operands[operands[0] == neutral]
             numbers = [x.double for x in operands if isinstance(x, Constant)]
             if len(numbers) == 2:
-                return self.rounded_up(sum(numbers) if op is Op.ADD else numbers[0] * numbers[1])
+                a, b = numbers
+                return self.rounded_up(a + b if op is Op.ADD else a * b)
         if (op, operands) not in self._done:
             self._done[op, operands] = self.issue(self._at, op, operands, name)
         return self._done[op, operands]

@@ -10,6 +10,8 @@ from types import ModuleType
 
 import pytest
 
+from coscrew_codegen.elementary import ERRORS, Elementary
+from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.program import Op, Operand, Program, Ref
 from coscrew_codegen.scene_files.toml_scene import read_scene
@@ -176,6 +178,12 @@ def _mutated(module: str, old: str, new: str) -> ModuleType:
         changed[name] = sys.modules[spec.name] = module_from_spec(spec)
         exec(compile(source, name, "exec"), vars(changed[name]))
     return changed["certified_scene"]
+
+
+@pytest.mark.parametrize("function", ERRORS, ids=lambda function: function.name)
+def test_functions_err_by_what_the_proof_takes(function: Elementary):
+    for precision in PRECISIONS:
+        assert function.error(precision) <= certified_scene.REST * precision.u**2
 
 
 @pytest.mark.parametrize("mutation", MUTATIONS)

@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 
 from coscrew_codegen.formats import Precision
-from coscrew_codegen.scene.model import Model
+from coscrew_codegen.scene.model import Kind, Model
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.tiers import DIGITS
 from tests.support.truth.newton_euler import inverse_dynamics
@@ -17,7 +17,7 @@ GRAVITY = (Fraction(0), Fraction(0), Fraction("-9.81"))
 def arm(scale: Fraction = Fraction(1)) -> Model:
     """Seven joints, as the arms of industry; each link's mass and size are `scale` times those of
     the link before."""
-    axes = ((m.Z, 0), (m.Y, "0.333"), (m.Z, 0), (m.Y, "0.316"), (m.Z, "0.0825"), (m.Y, "0.384"),
+    axes = ((m.Z, "0"), (m.Y, "0.333"), (m.Z, "0"), (m.Y, "0.316"), (m.Z, "0.0825"), (m.Y, "0.384"),
             (m.Z, "0.088"))
     links = []
     for n, (axis, length) in enumerate(axes):
@@ -25,7 +25,7 @@ def arm(scale: Fraction = Fraction(1)) -> Model:
         com = (Fraction("0.01") * k, Fraction("-0.02") * k, Fraction("0.07") * k)
         moments = tuple(Fraction(x) * k**3 for x in (
             "0.013", "0.011", "0.009", "0.0004", "-0.0011", "0.0007"))
-        links.append((m.Kind.REVOLUTE, axis, m.at(0, "0.01", Fraction(length) * k),
+        links.append((Kind.REVOLUTE, axis, m.at(0, "0.01", Fraction(length) * k),
                       m.inertia(Fraction("3.1") * k, com, moments)))
     return m.chain(*links, name="arm")
 

@@ -1,10 +1,11 @@
 """Toy formats: so few digits that errors of second order matter, and so few exponents that much
-underflows.  Programs are evaluated in them on arrays of doubles, whose operations are exact there
-but for a rounding that doesn't matter; the truth in long double.  Searches for the inputs where
+underflows.  Programs are evaluated in them on arrays of doubles, whose own rounding does
+not matter there; the truth in long double.  Searches for the inputs where
 errors come closest to certified bounds."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -24,11 +25,13 @@ WRONG = 250
 class Toy(Format):
     """A format with what a tier asks of a precision."""
 
-    def value(self, constant: Constant):
+    def value(self, constant: Constant) -> Fraction:
+        """Its value, not yet rounded."""
         return constant.double
 
-    def rounded(self, value) -> float:
-        return float(rounded(np.float64(value.numerator / value.denominator), self))
+    def rounded(self, value: Fraction) -> float:
+        """The nearest number."""
+        return float(rounded(np.asarray(value.numerator / value.denominator), self))
 
 
 def rounded(x: Array, toy: Format) -> Array:
@@ -49,11 +52,12 @@ def arithmetic(toy: Toy) -> Arithmetic[Any]:
         return once(lambda x, y: function(x) * wrong - y)
 
     table = {op: once(function) for op, function in exactly(np).items()}
-    return by_operation(lambda x: rounded(np.float64(toy.rounded(x.double)), toy), {
+    return by_operation(lambda x: np.float64(toy.rounded(x.double)), {
         **table, Op.LESS: np.less, Op.EQUAL: np.equal, Op.SELECT: np.where,
         Op.PRODUCT_ERROR: once(lambda a, b, p: a * b - p),
         Op.PRODUCT_REST: once(lambda a, b, p, h: a * b - h),
-        Op.SIN_ERROR: error(np.sin), Op.COS_ERROR: error(np.cos)}, np.nan)
+        Op.SIN_ERROR: error(np.sin), Op.COS_ERROR: error(np.cos), Op.EXP_ERROR: error(np.exp),
+        Op.TANH_ERROR: error(np.tanh)}, np.nan)
 
 
 TRUE: Arithmetic[Any] = by_operation(
@@ -82,7 +86,8 @@ def judge(plain: Program, certified: Program, toy: Toy) -> Callable[[Array], Jud
 
     def judged(rows: Array) -> Judged:
         def table(run: Any, kind: type) -> Array:
-            given = [list(part) for part in np.split(rows.T.astype(kind), stops)]
+            parts: list[Array] = np.split(rows.T.astype(kind), stops)
+            given = [list(part) for part in parts]
             return np.stack([np.broadcast_to(x, len(rows)) for x in run(given)])
 
         with np.errstate(all="ignore"):
