@@ -1,6 +1,7 @@
 """A scene's functions in a tier as C: arm_accurate.h and arm_accurate.c, which need no other file.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -13,10 +14,11 @@ from coscrew_codegen.targets import c_elementary, scene_text
 from coscrew_codegen.targets.c_function import CFunction
 from coscrew_codegen.targets.c_statements import comment_of
 from coscrew_codegen.targets.nesting import Plan
-from coscrew_codegen.targets.numpy import EXACT
 from coscrew_codegen.targets.scene_c import IN_WORDS, functions_of
 from coscrew_codegen.targets.scene_c_parts import Parts
 from coscrew_codegen.targets.target import Files, Target
+
+_ERRORS = ("ksl_product_error", "ksl_product_errorf", "ksl_product_rest")
 
 
 @dataclass(frozen=True)
@@ -47,14 +49,37 @@ class Section:
         return scene_text.working([plan.program for plan in self.plans], self.precision)
 
     @property
-    def exact(self) -> bool:
-        """Whether they compute rounding errors of products."""
-        return any(op in plan.program.counts for plan in self.plans for op in EXACT)
-
-    @property
     def called(self) -> frozenset[str]:
         """The elementary functions that they call."""
         return c_elementary.called(x.body for x in self.functions)
+
+
+@dataclass(frozen=True)
+class Written:
+    """A section, and the functions that no other section calls."""
+
+    section: Section
+    elementary: list[c_elementary.Written]
+
+    @property
+    def exact(self) -> bool:
+        """Whether rounding errors of products are computed."""
+        return any(map(self.calls, _ERRORS))
+
+    def calls(self, name: str) -> bool:
+        """Whether one of _ERRORS is called."""
+        bodies = (*(x.body for x in self.section.functions), *(
+            text for x in self.elementary for text in (*x.near, *x.far, x.body)))
+        return any(f"{name}(" in body for body in bodies)
+
+
+def _of_all(sections: Sequence[Section]) -> frozenset[str]:
+    """The elementary functions that several sections call, all in one precision."""
+    if len(sections) < 2 or len({x.working for x in sections}) > 1:
+        return frozenset()
+    called = [x.called for x in sections]
+    both = {c_elementary.ALONE.get(x, x) for x in frozenset.intersection(*called)}
+    return frozenset(x for x in frozenset.union(*called) if c_elementary.ALONE.get(x, x) in both)
 
 
 @uncollected()
@@ -66,18 +91,18 @@ def files(made: SceneTier, banner: str) -> Files:
     precisions = named({x.working.name for x in sections})
     bodies = [function.body for x in sections for function in x.functions]
     names = scene_text.legend([plan for x in sections for plan in x.plans], bodies)
-    elementary = {p: frozenset().union(*(x.called for x in sections if x.working == p))
-                  for p in precisions}
+    common = _of_all(sections)
+    written = [Written(x, c_elementary.written(x.working, x.called - common, nested=True))
+               for x in sections]
     shared = {"banner": banner, "name": made.stem, "upper": made.plain.name.upper(),
               "guard": made.stem.upper(), "sections": sections}
     return {
         f"{made.stem}.h": render("scene/tier.h", about=comment_of(_about(made)), **shared),
         f"{made.stem}.c": render(
             "scene/tier.c", names=[comment_of(names)] if names else [], products=precisions,
-            exact={x.working.name for x in sections if x.exact},
-            parts=any(x.parts.cuts for x in sections),
-            elementary=[(p, c_elementary.written(p, called, nested=True))
-                        for p, called in elementary.items() if called], **shared)}
+            parts=any(x.parts.cuts for x in sections), written=written,
+            inlining=any(x.called for x in sections), working=precisions[0],
+            elementary=c_elementary.written(precisions[0], common, nested=True), **shared)}
 
 
 def _about(made: SceneTier) -> list[str]:

@@ -63,7 +63,7 @@ def tier_files(made: SceneTier, banner: str) -> Files:
         **{p.name: _module(scene, scene_text.plans(scene), banner, p)
            for p, scene in made.in_precisions},
         **_elementary(functions, working, banner)}
-    if any(op in f.program.counts for f in functions for op in EXACT):
+    if any(f.program.wide or op in f.program.counts for f in functions for op in EXACT):
         modules["_exact"] = render("scene/exact.py", banner=banner)
     return {f"{made.plain.name}/{made.tier.mark}/{name}.py": text
             for name, text in modules.items()}

@@ -164,6 +164,22 @@ def test_c_compiles_without_a_warning(tier, compiler: str, flags: tuple[str, ...
                  tmp_path / "x.o"])
 
 
+@pytest.mark.parametrize("precision", ("double", "single"))
+def test_a_precision_alone_is_whole(write, precision: str, tmp_path: Path):
+    """Its C compiles without a warning, of unused functions either; its package runs."""
+    folder = tmp_path / precision
+    assert main(["generate", str(write()), "--tier", "accurate", "--precision", precision,
+                 "-o", str(folder)]) == 0
+    for compiler in COMPILERS:
+        command([compiler, *C11, *STRICT, "-O1", "-c", folder / "swing_accurate.c", "-o",
+                 tmp_path / "x.o"])
+    script = (f"import swing.accurate; m = swing.accurate.{precision}; "
+              "print(m.inverse_dynamics([1], [2], [3]).dtype)")
+    found = subprocess.run([sys.executable, "-c", script], check=True, text=True, cwd=folder,
+                           capture_output=True).stdout
+    assert found.strip() == {"double": "float64", "single": "float32"}[precision]
+
+
 # bits
 
 FLAGS = {"gcc": (("-O0",), ("-O3", "-march=native", "-ffp-contract=fast"),
