@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from types import FrameType, ModuleType
-from typing import cast
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,7 +53,7 @@ class Kernels:
     precisions: tuple[str, ...] = BOTH  # in which there are functions
     plain: Kernels | None = None  # of a tier's: the scene's own
 
-    def __getattr__(self, name: str) -> Kernels:
+    def _in_tier(self, name: str) -> Kernels:
         """The functions in a tier that the scene selects, compiled when it is first asked for."""
         if name.startswith("_"):
             raise AttributeError(name)
@@ -67,6 +67,14 @@ class Kernels:
         hint = f"; it was not selected: tiers=[{name!r}]" if name in known()[1:] else ""
         raise AttributeError(f"kernels of {self.interface.name} have no attribute {name!r}{hint}",
                              name=name, obj=self)
+
+    if TYPE_CHECKING:  # checkers and editors know these alone
+        @property
+        def accurate(self) -> Kernels: ...
+        @property
+        def certified(self) -> Kernels: ...
+    else:
+        __getattr__ = _in_tier
 
     @functools.cached_property
     def functions(self) -> SceneFunctions:
