@@ -28,7 +28,7 @@ CALLABLE = {group: (*(name for name, of in ALONE.items() if of in {x.name for x 
                     *(x.name for x in functions))
             for group, functions in ((HEADER, ELEMENTARY), (ERROR_HEADER, ERRORS))}
 """The names of what each header defines."""
-_NAMES = [*SEVERAL, *(name for names in CALLABLE.values() for name in names)]
+_NAMES = [name for names in (*SEVERAL.values(), *CALLABLE.values()) for name in names]
 _CALL = re.compile(rf"\bksl_({'|'.join(_NAMES)})f?\(")
 
 
@@ -58,7 +58,7 @@ def called(texts: Iterable[str]) -> frozenset[str]:
 
 def written(precision: Precision, names: Collection[str], nested: bool = False) -> list[Written]:
     """What defines these names."""
-    of = {**ALONE, **dict.fromkeys(SEVERAL, "sincos")}
+    of = {**ALONE, **{x: name for name, several in SEVERAL.items() for x in several}}
     needed = {of.get(name, name) for name in names}
     wanted = [x for x in (*ELEMENTARY, *ERRORS) if x.name in needed]
     powers = [x for x in wanted if Op.POWER in x.kernel(precision).counts]
@@ -68,7 +68,7 @@ def written(precision: Precision, names: Collection[str], nested: bool = False) 
 
 
 def _several(function: Elementary, precision: Precision, names: Collection[str]) -> str:
-    wanted = [n for name, n in SEVERAL.items() if name in names and function.name == "sincos"]
+    wanted = [n for name, n in SEVERAL.get(function.name, {}).items() if name in names]
     return c_lanes.written(function, precision, wanted) if wanted else ""
 
 

@@ -44,6 +44,8 @@ _SPELLING = {
 }
 _ROUNDED = "RN({} * {})", CALL
 LANES = 4  # angles whose sines and cosines are computed at once
+TOGETHER = {Op.SIN: "sincos", Op.SIN_ERROR: "sincos_error"}
+"""What is computed for several angles at once."""
 _SUMS = frozenset({Op.ADD, Op.SUB, Op.EXACT_ADD, Op.EXACT_SUB, Op.PRODUCT_ERROR, Op.PRODUCT_REST})
 _TRANSPARENT = frozenset({Op.NEG, Op.ABS, Op.SELECT})
 """Operations through which a sum still has a product as operand."""
@@ -88,9 +90,10 @@ def _doubles(step: Instruction) -> bool:
 
 @dataclass(frozen=True)
 class Together:
-    """Sines and cosines that are computed by one call."""
+    """Sines and cosines that are computed by one call, or what these err by."""
 
     pairs: Sequence[Assignment]
+    of: "Together | None" = None  # the sines and cosines whose errors these are
 
     @property
     def step(self) -> Instruction:
@@ -102,12 +105,18 @@ class Together:
         """All that is assigned."""
         return tuple(name for pair in self.pairs for name in pair.names)
 
+    @property
+    def arrays(self) -> list[str]:
+        """The arrays in which they are stored."""
+        return [f"{x}_of_{self.names[0]}" for x in ("sines", "cosines")]
+
     def statements(self, precision: Precision, width: int) -> str:
         """The call, and declarations of what it stores in arrays."""
-        real, arrays = precision.c_type, [f"{x}_of_{self.names[0]}" for x in ("sines", "cosines")]
-        angles = [pair.expression for pair in self.pairs]
-        call = listed(f"ksl_sincos_{len(angles)}{precision.suffix}(", [*angles, *arrays], ");",
-                      width)
+        real, arrays = precision.c_type, self.arrays
+        angles = [pair.expression.partition(",")[0] for pair in self.pairs]
+        given = self.of.arrays if self.of else []
+        call = listed(f"ksl_{TOGETHER[self.step.op]}_{len(angles)}{precision.suffix}(",
+                      [*angles, *given, *arrays], ");", width)
         values = (f"{array}[{n}]" for n in range(len(angles)) for array in arrays)
         return "\n".join((
             f"{real} {', '.join(f'{x}[{LANES}]' for x in arrays)};", call,
@@ -116,16 +125,22 @@ class Together:
 
 
 def together(assigned: Sequence[Assignment | str]) -> list[Assignment | Together | str]:
-    """With the sines and cosines of inputs first, several together; headings below which nothing is
-    left are left out."""
-    pairs = [x for x in assigned if isinstance(x, Assignment) and x.cosine
-             and x.step.op is Op.SIN and isinstance(x.step.operands[0], Input)]
-    groups = [pairs[n:n + LANES] for n in range(0, len(pairs), LANES)]
-    moved = {x.step.name for group in groups if len(group) > 1 for x in group}
+    """With the sines and cosines of inputs first, several together, and their errors; headings
+    below which nothing is left are left out."""
+    pairs = [x for x in assigned if isinstance(x, Assignment) and x.cosine]
+    errors = {x.step.operands[1]: x for x in pairs if x.step.op is Op.SIN_ERROR}
+    sines = [x for x in pairs if x.step.op is Op.SIN and isinstance(x.step.operands[0], Input)]
+    groups = []
+    for found in (sines[n:n + LANES] for n in range(0, len(sines), LANES)):
+        if len(found) > 1:
+            groups.append(Together(found))
+            own = [errors[Ref(x.step.name)] for x in found if Ref(x.step.name) in errors]
+            groups += [Together(own, groups[-1])] if len(own) == len(found) else []
+    moved = {pair.step.name for group in groups for pair in group.pairs}
     rest = [x for x in assigned if isinstance(x, str) or x.step.name not in moved]
     kept = [x for x, following in pairwise((*rest, ""))
             if not (isinstance(x, str) and isinstance(following, str))]
-    return [*(Together(group) for group in groups if len(group) > 1), *kept]
+    return [*groups, *kept]
 
 
 def declarations(assigned: Sequence[Assignment | Together | str], precision: Precision,

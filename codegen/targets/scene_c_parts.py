@@ -6,10 +6,11 @@ to each other in structures on the stack of the function that calls them.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
 from itertools import groupby
 
 from coscrew_codegen.formats import DOUBLE, Precision
-from coscrew_codegen.program import Input, Program, Ref
+from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
 from coscrew_codegen.program.parts import Cut, Group, cut
 from coscrew_codegen.recording.recorder import headings
 from coscrew_codegen.scene_functions import Function, SceneFunctions
@@ -25,6 +26,7 @@ LONG = 4000
 of arms with seven joints are shorter, and would be slower in parts."""
 LONGEST = 600
 """Largest number of instructions of a part: those of a few links."""
+_OF_ANGLES = {Op.SIN, Op.COS, Op.SIN_ERROR, Op.COS_ERROR}
 
 
 def _cuts(plans: Sequence[Plan]) -> dict[str, Cut]:
@@ -33,7 +35,18 @@ def _cuts(plans: Sequence[Plan]) -> dict[str, Cut]:
     programs = [plan.program for plan in plans]
     if max((len(x.instructions) for x in programs), default=0) <= LONG:
         return {}
-    return cut([x for x in programs if len(x.instructions) > LONGEST], LONGEST)
+    return cut([_angles_first(x) for x in programs if len(x.instructions) > LONGEST], LONGEST)
+
+
+def _angles_first(program: Program) -> Program:
+    """With what is computed for several angles at once first, so that one part has it all."""
+    first: dict[Ref, Instruction] = {}
+    for step in program.instructions:
+        x, *others = step.operands
+        if step.op in _OF_ANGLES and isinstance(x, Input) and first.keys() >= set(others):
+            first[Ref(step.name)] = step
+    rest = (step for step in program.instructions if Ref(step.name) not in first)
+    return replace(program, instructions=(*first.values(), *rest))
 
 
 class Parts:

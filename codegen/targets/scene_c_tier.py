@@ -101,7 +101,7 @@ def files(made: SceneTier, banner: str) -> Files:
         f"{made.stem}.c": render(
             "scene/tier.c", names=[comment_of(names)] if names else [], products=precisions,
             parts=any(x.parts.cuts for x in sections), written=written,
-            inlining=any(x.called for x in sections), working=precisions[0],
+            inlining=any(x.section.called or x.exact for x in written), working=precisions[0],
             elementary=c_elementary.written(precisions[0], common, nested=True), **shared)}
 
 

@@ -437,8 +437,10 @@ typedef enum ksl_axis_enum_t {
 #ifndef KSL_COLD
 #ifdef __GNUC__
 #define KSL_COLD __attribute__((noinline, cold, unused))
+#define KSL_LIKELY(test) __builtin_expect(test, 1)
 #else
 #define KSL_COLD
+#define KSL_LIKELY(test) (test)
 #endif
 #if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
 #define KSL_INLINED inline __attribute__((always_inline, unused))

@@ -437,8 +437,10 @@ typedef enum ksl_axis_enum_t {
 #ifndef KSL_COLD
 #ifdef __GNUC__
 #define KSL_COLD __attribute__((noinline, cold, unused))
+#define KSL_LIKELY(test) __builtin_expect(test, 1)
 #else
 #define KSL_COLD
+#define KSL_LIKELY(test) (test)
 #endif
 #if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
 #define KSL_INLINED inline __attribute__((always_inline, unused))
@@ -1107,36 +1109,80 @@ static inline float ksl_tanhf(const float x) {
 #define KSL_EXACT_H
 
 
+#include <stdint.h>
+
+/* Rare paths are never inlined; sine and cosine always are, unless the compiler optimises for size,
+   so that processors compute several at the same time. */
+#ifndef KSL_COLD
+#ifdef __GNUC__
+#define KSL_COLD __attribute__((noinline, cold, unused))
+#define KSL_LIKELY(test) __builtin_expect(test, 1)
+#else
+#define KSL_COLD
+#define KSL_LIKELY(test) (test)
+#endif
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
+#define KSL_INLINED inline __attribute__((always_inline, unused))
+#elif defined(__GNUC__)
+#define KSL_INLINED inline __attribute__((unused))
+#else
+#define KSL_INLINED inline
+#endif
+#endif
+
+#ifndef KSL_PRODUCT_ERROR
+#define KSL_PRODUCT_ERROR
 #if !KSL_HAS_FMA
-/* Whether the halves of 26 bits, their products and their sums neither overflow nor underflow. */
-static inline int ksl_splits(const double a, const double b, const double p) {
-  const double least = 4.008336720017946e-292; /* 2^-968 */
-  const double most = 6.696928794914171e+299;  /* 2^996 */
-  const double size = fabs(p);
-  return (size >= least || a == 0.0 || b == 0.0) && size <= most && fabs(a) <= most
-         && fabs(b) <= most;
+/* The upper half of x, rounded to 26 bits; what is left has 26 bits as well. */
+static inline double ksl_upper_half(const double x) {
+  uint64_t bits;
+  double half;
+  memcpy(&bits, &x, sizeof bits);
+  bits = (bits + 0x4000000u) & 0xfffffffff8000000u;
+  memcpy(&half, &bits, sizeof half);
+  return half;
+}
+
+/* p - a b, p the rounded product, by halves; *high is the product of the upper ones.
+   Source: Dekker. */
+static inline double ksl_product_excess(
+    const double a, const double b, const double p, double *high) {
+  const double a_high = ksl_upper_half(a), a_low = a - a_high;
+  const double b_high = ksl_upper_half(b), b_low = b - b_high;
+  *high = a_high * b_high;
+  return p - *high - a_high * b_low - a_low * b_high - a_low * b_low;
+}
+
+/* Whether halves and their products neither overflow nor underflow: 2^-967 <= |high| <= 2^996. */
+static inline int ksl_halved(const double high) {
+  const uint64_t least = (uint64_t)56 << 53, most = (uint64_t)2019 << 53;
+  uint64_t bits;
+  memcpy(&bits, &high, sizeof bits);
+  return KSL_LIKELY((bits << 1) - least <= most - least);
+}
+
+/* a b - c rounded once, where they do: the C standard requires it of fma. */
+static KSL_COLD double ksl_fused(const double a, const double b, const double c) {
+  return a == 0.0 || b == 0.0 ? a * b - c : fma(a, b, -c);
 }
 #endif
 
-/* a b - p rounded once, p the rounded product: by fma where that is an instruction, else by halves
-   (Veltkamp, Dekker), or where these overflow or underflow by the C library's fma, which the C
-   standard requires to round once.  All give the same bits. */
+/* a b - p rounded once, p the rounded product: by fma where that is an instruction, else by halves.
+   Both give the same bits. */
 static inline double ksl_product_error(const double a, const double b, const double p) {
 #if KSL_HAS_FMA
   return fma(a, b, -p);
 #else
-  if (!ksl_splits(a, b, p)) { return fma(a, b, -p); }
-  const double splitter = 134217729.0; /* 2^27 + 1 */
-  const double c = KSL_MUL(splitter, a), d = c - a, a_high = c - d, a_low = a - a_high;
-  const double e = KSL_MUL(splitter, b), f = e - b, b_high = e - f, b_low = b - b_high;
-  const double high = KSL_MUL(a_high, b_high), cross1 = KSL_MUL(a_high, b_low);
-  const double cross2 = KSL_MUL(a_low, b_high), low = KSL_MUL(a_low, b_low);
-  const double g = high - p, h = g + cross1, i = h + cross2;
-  return i + low;
+  double high;
+  const double excess = ksl_product_excess(a, b, p, &high);
+  return ksl_halved(high) ? 0.0 - excess : ksl_fused(a, b, p);
 #endif
 }
+#endif
 
-/* The same in single precision, where a b is exact in double. */
+#ifndef KSL_PRODUCT_ERRORF
+#define KSL_PRODUCT_ERRORF
+/* a b - p in single precision, p the rounded product; a b is exact in double. */
 static inline float ksl_product_errorf(const float a, const float b, const float p) {
 #if KSL_HAS_FMAF
   return fmaf(a, b, -p);
@@ -1145,6 +1191,7 @@ static inline float ksl_product_errorf(const float a, const float b, const float
   return (float)(product - (double)p);
 #endif
 }
+#endif
 
 /* a b + c rounded once, where a b is exact; the same bits with fma and without. */
 static inline double ksl_product_sum(const double a, const double b, const double c) {
@@ -1156,6 +1203,8 @@ static inline double ksl_product_sum(const double a, const double b, const doubl
 #endif
 }
 
+#ifndef KSL_PRODUCT_REST
+#define KSL_PRODUCT_REST
 /* a b - h rounded once, where p is a b rounded and p - h is exact. */
 static inline double ksl_product_rest(
     const double a, const double b, const double p, const double h) {
@@ -1163,11 +1212,12 @@ static inline double ksl_product_rest(
   (void)p;
   return fma(a, b, -h);
 #else
-  if (!ksl_splits(a, b, p)) { return fma(a, b, -h); }
-  const double rest = p - h, error = ksl_product_error(a, b, p);
-  return error == 0.0 ? rest : rest + error; /* -0 stays -0 */
+  double high;
+  const double excess = ksl_product_excess(a, b, p, &high); /* never -0: so -0 stays -0 */
+  return ksl_halved(high) ? p - h - excess : ksl_fused(a, b, h);
 #endif
 }
+#endif
 
 #endif
 

@@ -1,5 +1,5 @@
-"""Sines and cosines of several angles at once have the bits of one alone, under every compiler and
-flag."""
+"""Sines and cosines of several angles at once, and their errors, have the bits of one alone, under
+every compiler and flag; scenes compute them so."""
 
 import ctypes
 from pathlib import Path
@@ -7,38 +7,51 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coscrew_codegen.elementary import sincos
+from coscrew_codegen.elementary import Elementary, sincos, sincos_error
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.mechanics import derive
+from coscrew_codegen.render import render
 from coscrew_codegen.scene.model import HERE, Kind
-from coscrew_codegen.targets import scene_c
+from coscrew_codegen.scene_tiers import tiers_of
+from coscrew_codegen.targets import c_elementary, scene_c_parts, scene_c_tier
+from coscrew_codegen.targets.c_lanes import SEVERAL
 from tests.support.compiled.c_harness import DIALECTS, run
 from tests.support.compiled.flags import FMA
 from tests.support.each import each_precision
 from tests.support.scenes.generated_scenes import BANNER
-from tests.support.scenes.mechanisms import Y, chain, inertia, scene
+from tests.support.scenes.mechanisms import Y, Z, chain, inertia, scene
 from tests.support.truth.elementary import Array, results, same, worst_cases
 
 FLAGS = (("-O0",), ("-O2",), ("-O3", *FMA, "-ffp-contract=fast"))
 COUNTS = (2, 3, 4)
+FUNCTIONS = (sincos.FUNCTION, sincos_error.ERROR)
 
 
-def scene_of(joints: int) -> dict[str, str]:
-    """The C of a chain of so many revolute joints."""
-    link = Kind.REVOLUTE, Y, HERE, inertia(1, (1, 0, 0), (1, 1, 1, 0, 0, 0))
-    model = chain(*[link] * joints, name=f"chain{joints}")
-    return dict(scene_c.files(derive(scene(model, functions=("gravity_torques",))), BANNER))
+def defined(precision: Precision) -> str:
+    """The functions, as scenes define them."""
+    f = precision.suffix
+    names = [name for x in FUNCTIONS for name in (x.name, *SEVERAL[x.name])]
+    written = c_elementary.written(precision, names, nested=True)
+    return "\n".join((render(f"c/product_error{f}"), f"#define RN(x) KSL_RN{f.upper()}(x)",
+                      render("c/elementary", precision=precision, functions=written), "#undef RN"))
 
 
-def loop(count: int, precision: Precision) -> str:
+def loop(function: Elementary, count: int, precision: Precision) -> str:
     """C that calls the function for `count` angles on every row."""
     real, f = precision.c_type, precision.suffix
-    given = ", ".join(f"x[{count} * i + {n}]" for n in range(count))
-    return (f"void run_{count}{f}(long rows, const {real} *x, {real} *s, {real} *c) {{\n"
-            f"  for (long i = 0; i < rows; i++) {{\n    {real} sines[4], cosines[4];\n"
-            f"    ksl_sincos_{count}{f}({given}, sines, cosines);\n"
-            f"    memcpy(s + {count} * i, sines, {count} * sizeof *s);\n"
-            f"    memcpy(c + {count} * i, cosines, {count} * sizeof *c);\n  }}\n}}")
+    others = [a.name for a in function.inputs[1:]]
+    outputs = [a.name for a in function.outputs]
+    arrays = [f"{x}_{count}" for x in (*others, *outputs)]
+    given = ", ".join((*(f"x[{count} * i + {n}]" for n in range(count)), *arrays))
+    declared = (*(f"const {real} *{y}" for y in ("x", *others)), *(f"{real} *{y}" for y in outputs))
+    return "\n".join((
+        f"void {function.name}_{count}{f}(long rows, {', '.join(declared)}) {{",
+        "  for (long i = 0; i < rows; i++) {",
+        f"    {real} {', '.join(f'{x}[4]' for x in arrays)};",
+        *(f"    memcpy({y}_{count}, {y} + {count} * i, {count} * sizeof *{y});" for y in others),
+        f"    ksl_{function.name}_{count}{f}({given});",
+        *(f"    memcpy({y} + {count} * i, {y}_{count}, {count} * sizeof *{y});" for y in outputs),
+        "  }\n}"))
 
 
 @pytest.fixture(scope="module", params=[(*dialect, flags) for dialect in DIALECTS
@@ -47,13 +60,11 @@ def loop(count: int, precision: Precision) -> str:
 def library(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory):
     compiler, language, flags = request.param
     folder: Path = tmp_path_factory.mktemp("lanes")
-    for joints in (6, 7):  # 4 + 2, 4 + 3
-        for path, text in scene_of(joints).items():
-            (folder / path).write_text(text)
-    loops = "\n".join(loop(n, p) for p in PRECISIONS for n in COUNTS)
-    (folder / "loops.c").write_text(
-        f'#include "chain6.c"\n#include "chain7.c"\n#ifdef __cplusplus\nextern "C" {{\n#endif\n'
-        f"{loops}\n#ifdef __cplusplus\n}}\n#endif\n")
+    loops = [loop(x, n, p) for x in FUNCTIONS for p in PRECISIONS for n in COUNTS]
+    (folder / "loops.c").write_text("\n".join((
+        "#include <math.h>", "#include <string.h>", render("scene/rounding", products=PRECISIONS),
+        render("c/inlining"), *map(defined, PRECISIONS),
+        '#ifdef __cplusplus\nextern "C" {\n#endif', *loops, "#ifdef __cplusplus\n}\n#endif\n")))
     run((compiler, *language, *flags, "-shared", "-fPIC", folder / "loops.c", "-o",
          folder / "loops.so", "-lm"))
     return ctypes.CDLL(str(folder / "loops.so"))
@@ -75,8 +86,27 @@ def angles(precision: Precision) -> Array:
 @pytest.mark.parametrize("count", COUNTS)
 def test_bits_are_those_of_one_angle(library: ctypes.CDLL, precision: Precision, count: int):
     x = angles(precision)
-    found = [np.empty_like(x) for _ in "sc"]
-    getattr(library, f"run_{count}{precision.suffix}")(
-        ctypes.c_long(len(x) // count), *(y.ctypes.data_as(ctypes.c_void_p) for y in (x, *found)))
-    for got, wanted in zip(found, results(sincos.FUNCTION, precision, x), strict=True):
-        assert same(got, wanted)
+    known = [x]
+    for function in FUNCTIONS:
+        found = [np.empty_like(x) for _ in function.outputs]
+        getattr(library, f"{function.name}_{count}{precision.suffix}")(
+            ctypes.c_long(len(x) // count),
+            *(y.ctypes.data_as(ctypes.c_void_p) for y in (*known, *found)))
+        for got, wanted in zip(found, results(function, precision, *known), strict=True):
+            assert same(got, wanted)
+        known += found
+
+
+def test_scenes_compute_several_at_once(monkeypatch: pytest.MonkeyPatch):
+    """In a tier, too, and where functions are cut into parts."""
+    monkeypatch.setattr(scene_c_parts, "LONG", scene_c_parts.LONGEST)
+    links = [(Kind.REVOLUTE, axis, HERE, inertia(1, (1, 0, 0), (1, 1, 1, 0, 0, 0)))
+             for axis in (Y, *7 * (Z, Y))]  # the first angle matters to nothing
+    made = derive(scene(chain(*links, name="chain15"), tiers=("accurate",)), ("inverse_dynamics",))
+    (tier,) = tiers_of(made)
+    text = scene_c_tier.files(tier, BANNER)["chain15_accurate.c"]
+    assert "part_1_of_inverse_dynamics" in text
+    for count in (2, 4):
+        assert f"  ksl_sincos_{count}(q" in text
+        assert f"  ksl_sincos_error_{count}(q" in text
+    assert "ksl_sincos_error(q" not in text

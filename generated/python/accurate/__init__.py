@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "34c3593bd9213ea9")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "dd592652d4d9868c")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (
