@@ -6,6 +6,7 @@ precision.  The model's decimals are exact in it.
 """
 
 import math
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -51,6 +52,7 @@ class Errors:
     worst: float
     typical_digits: float  # infinite if the results are exact
     worst_digits: float
+    largest: float  # result
     place: str  # where the state of the worst error is from: run, limits, search
     bounds: Bounds | None
 
@@ -64,13 +66,18 @@ class Accuracy:
     precision: str
     states: int
     time: Interval  # ns per call
-    errors: tuple[Errors, ...]  # the unit of the first component first
+    errors: tuple[Errors, ...]  # the unit of most components first
     worst_at: dict[str, tuple[float, ...]]  # inputs of the first unit's worst error, by name
 
     @property
     def name(self) -> str:
         """single accurate"""
         return f"{self.precision} {self.tier}"
+
+    @property
+    def relative(self) -> float:
+        """The worst error, relative to the largest result with its unit."""
+        return max(x.worst / x.largest if x.worst else 0.0 for x in self.errors)
 
     def better(self, other: "Accuracy") -> bool:
         """Whether it is faster, with disjoint intervals, and at least as accurate in every unit,
@@ -117,6 +124,11 @@ class Measured:
         """Of its components."""
         return units(self.built.part.functions, self.name)
 
+    @property
+    def different_units(self) -> list[str]:
+        """Each once, that of most components first."""
+        return [unit for unit, _ in Counter(self.units).most_common()]
+
     def inputs(self, states: Values) -> list[Reals]:
         """In the function's order."""
         program = self.built.part.functions.named(self.name).program
@@ -143,7 +155,7 @@ class Measured:
                ) -> tuple[dict[str, Reals], tuple[str, ...]]:
         """The states at which it is measured, and where each is from."""
         searches = [(precision, unit) for precision in PRECISIONS
-                    for unit in dict.fromkeys(self.units)]
+                    for unit in self.different_units]
         each = max(1, counts.search // max(len(searches), 1))
         parts = [("run", box.of_run(trajectory, counts.run)),
                  ("limits", box.drawn(np.random.default_rng(2), counts.limits))]
@@ -174,22 +186,25 @@ def measured(built: Compiled, names: Sequence[str], box: Box, trajectory: Trajec
 
 def _accuracy(function: Measured, choice: Choice, states: Values, places: Sequence[str],
               truth: Exact, time: Interval) -> Accuracy:
-    results, *bounds = function.values(choice, states)
+    computed, *bounds = function.values(choice, states)
     with mpmath.workdps(DIGITS):
         off = np.array([[_apart(mpf(float(x)), y) for x, y in zip(row, exact, strict=True)]
-                        for row, exact in zip(results, truth, strict=True)])
+                        for row, exact in zip(computed, truth, strict=True)])
     sizes = np.nan_to_num([[abs(float(y)) for y in row] for row in truth])
     off[off < _UNTOLD * sizes.max(initial=0)] = 0
-    found, worst = [], 0
-    for unit in dict.fromkeys(function.units):
+    found: list[Errors] = []
+    worst = 0
+    for unit in function.different_units:
         of = [n for n, x in enumerate(function.units) if x == unit]
         largest = off[:, of].max(axis=1)
         at = int(np.argmax(largest))
         worst = worst if found else at
-        digits = _digits(largest, sizes[:, of].max(axis=1))
-        found.append(Errors(unit, float(np.median(largest)), float(largest[at]),
-                            float(np.median(digits)), float(digits.min()), places[at],
-                            _bounds(bounds[0][:, of], off[:, of]) if bounds else None))
+        results = sizes[:, of].max(axis=1)
+        digits = _digits(largest, results)
+        found.append(Errors(
+            unit, float(np.median(largest)), float(largest[at]), float(np.median(digits)),
+            float(digits.min()), float(results.max()), places[at],
+            _bounds(bounds[0][:, of], off[:, of]) if bounds else None))
     inputs = function.built.part.functions.named(function.name).program.inputs
     return Accuracy(function.name, choice.tier, choice.precision.name, len(truth), time,
                     tuple(found), {a.name: tuple(np.ravel(states[a.name][worst]).tolist())

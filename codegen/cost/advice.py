@@ -23,7 +23,7 @@ def recommended(rows: Sequence[Accuracy]) -> Accuracy:
     ones are not: their results are plain's."""
     rows = undominated([x for x in rows if x.tier != CERTIFIED])
     return min((x for x in rows if x.time.median <= AFFORDABLE * rows[0].time.median),
-               key=_worst)
+               key=lambda x: x.relative)
 
 
 def sentences(rows: Sequence[Accuracy]) -> tuple[str, ...]:
@@ -37,7 +37,7 @@ def _sentences(rows: Sequence[Accuracy]) -> Iterator[str]:
     more = "" if best is fastest else f" ({_times(best, fastest)} {fastest.name})"
     yield (f"{best.function}: {best.name} is {within(best)} at all {best.states} states "
            f"looked at, in {three_digits(best.time.median)} ns{more}.")
-    better = [x for x in undominated(results) if _worst(x) < _worst(best)]
+    better = [x for x in undominated(results) if x.relative < best.relative]
     for a, b in pairwise((best, *better)):
         yield (f"{b.name} is {within(b)}: {_gain(a, b)} than {a.name} in {_times(b, a)} "
                "its time.")
@@ -62,22 +62,18 @@ def within(x: Accuracy) -> str:
 def _proved(x: Accuracy) -> str:
     found = [(e.bounds.worst, e.unit) for e in x.errors if e.bounds]
     if any(math.isinf(bound) for bound, _ in found):
-        return "returns plain's results and their bounds, but has none at some of these states"
-    return ("returns plain's results and their bounds, here at most "
+        return "returns the plain results, but no bounds of their errors at some of these states"
+    return ("returns the plain results and bounds of their errors, here at most "
             f"{_listed(in_unit(*y) for y in found)}")
 
 
 def _listed(words: Iterable[str]) -> str:
-    return " and ".join(words)
-
-
-def _worst(x: Accuracy) -> float:
-    """What choices are compared by: the worst error in the first unit."""
-    return x.errors[0].worst
+    *first, last = words
+    return " and ".join((*([", ".join(first)] if first else ()), last))
 
 
 def _gain(a: Accuracy, b: Accuracy) -> str:
-    return (f"{in_unit(_worst(a) / _worst(b), '1')} times less error" if _worst(b) else
+    return (f"{in_unit(a.relative / b.relative, '1')} times less error" if b.relative else
             "without error, rather")
 
 

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
+from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from coscrew_codegen.cost.accuracy import Accuracy
@@ -73,11 +74,10 @@ def shown(x: Accuracy) -> float:
 
 def legend(figure: FigureBase) -> None:
     """What marks mean, above all panels."""
-    axes = figure.axes[0]
-    handles = [axes.plot([], [], "o", color=colour, label=name)[0]
+    handles = [Line2D([], [], marker="o", linestyle="", color=colour, label=name)
                for name, colour in _COLOURS.items()]
-    handles += [axes.plot([], [], p.marker, color=_QUIET, markerfacecolor="white", label=p.name)[0]
-                for p in PRECISIONS]
+    handles += [Line2D([], [], marker=p.marker, linestyle="", color=_QUIET, label=p.name,
+                       markerfacecolor="white") for p in PRECISIONS]
     figure.legend(handles=handles, loc="outside upper left", ncols=len(handles), frameon=False,
                   title="worst error, of certified functions the largest bound; lines start at the "
                         "typical error; ringed: recommended; hollow: another is faster and as "

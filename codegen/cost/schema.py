@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from coscrew_codegen import version
-from coscrew_codegen.cost.accuracy import DIGITS, Accuracy, Errors
+from coscrew_codegen.cost.accuracy import DIGITS, Accuracy, Bounds, Errors
 from coscrew_codegen.cost.advice import recommended, sentences, undominated
 from coscrew_codegen.cost.measure import Costs
 from coscrew_codegen.cost.table import best
@@ -37,7 +37,8 @@ def data(costs: Costs, command: str) -> dict[str, Json]:
         "operations": [{
             "part": x.part, "function": x.function, "flops": x.flops, "operations": x.words,
             "double": _time(x.times[0]), "single": _time(x.times[1])} for x in costs.rows],
-        "run_reference": truth and {"method": truth.words, "t": truth.t, "error": truth.error},
+        "run_reference": {"method": truth.words, "t": truth.t, "error": truth.error}
+        if truth else None,
         "runs": [{
             "integrator": x.integrator, "precision": x.precision, "step": x.step, "steps": x.steps,
             "language": x.by, "time": _time(x.time), "error": x.error,
@@ -59,10 +60,14 @@ def _function(rows: Sequence[Accuracy]) -> dict[str, Json]:
 def _errors(x: Errors) -> dict[str, Json]:
     return {
         "unit": x.unit, "typical": x.typical, "worst": x.worst,
-        "typical_digits": x.typical_digits, "worst_digits": x.worst_digits, "found_in": x.place,
-        "bound": x.bounds and {
-            "worst": x.bounds.worst, "least_ratio": x.bounds.least_ratio,
-            "typical_ratio": x.bounds.typical_ratio, "worst_ratio": x.bounds.worst_ratio}}
+        "typical_digits": x.typical_digits, "worst_digits": x.worst_digits,
+        "largest_result": x.largest, "found_in": x.place, "bound": _bounds(x.bounds)}
+
+
+def _bounds(x: Bounds | None) -> dict[str, Json] | None:
+    return None if x is None else {
+        "worst": x.worst, "least_ratio": x.least_ratio, "typical_ratio": x.typical_ratio,
+        "worst_ratio": x.worst_ratio}
 
 
 def _time(x: Interval) -> dict[str, Json]:

@@ -4,19 +4,20 @@
 const costs = JSON.parse(document.getElementById("cost-data").textContent);
 
 // What JSON has no number for stands in strings: "Infinity".
+const readable = unit => unit.replace("^2", "²");
 const number = v => v === null || v === undefined ? NaN : Number(v);
 
 function markOf({ function: name }, { tier, precision, time, best, errors: [first] }) {
-  const y = number(first.bound ? first.bound.worst : first.worst);
+  const y = number(first.bound ? first.bound.worst : first.worst), unit = readable(first.unit);
   return { x: number(time.median), low: number(time.low), high: number(time.high), y, tier,
     precision, hollow: !best, variant: `${name} ${precision} ${tier}`, name: `${precision} ${tier}`,
     title: `${precision} ${tier}: ${first.bound ? "bound" : "error"} ${formatted(y)} ` +
-      `${first.unit}, typically an error of ${formatted(number(first.typical))} ${first.unit}, ` +
+      `${unit}, typically an error of ${formatted(number(first.typical))} ${unit}, ` +
       `${formatted(number(time.median))} ns` };
 }
 
 function figureOf(measured) {
-  const { unit } = measured.choices[0].errors[0];
+  const unit = readable(measured.choices[0].errors[0].unit);
   const title = document.createElement("h3"), figure = document.createElement("figure");
   title.textContent = measured.function;
   figure.append(title, scatter({

@@ -109,6 +109,7 @@ def test_errors_and_bounds_are_those_of_rational_arithmetic(costs, looked_at):
             at = errors.index(max(errors))
             assert of.place == places[at]
             assert row.worst_at == {name: tuple(states[name][at].tolist()) for name in row.worst_at}
+            assert of.largest == pytest.approx(float(max(map(abs, exact))), rel=1e-15)
             digits = [math.log10(abs(y) / x) for x, y in zip(errors, exact, strict=True) if x]
             assert of.worst_digits == pytest.approx(max(0, min(digits)), rel=1e-12)
             if bounds:
@@ -226,7 +227,7 @@ def test_numbers_with_units_are_short(x, unit, words):
 def made(tier: str, precision: str, worst: float, ns: float, bound: float = 0) -> Accuracy:
     bounds = Bounds(bound, 1, 2, 3) if bound else None
     return Accuracy("inverse_dynamics", tier, precision, 64, Interval(ns, 0.99 * ns, 1.01 * ns),
-                    (Errors("N m", worst / 3, worst, 8, 7, "run", bounds),), {})
+                    (Errors("N m", worst / 3, worst, 8, 7, 100, "run", bounds),), {})
 
 
 def choices(single_accurate_ns: float = 110) -> Sequence[Accuracy]:
@@ -245,8 +246,8 @@ def test_the_advice_follows_from_the_figures():
         "double accurate is within 1e-15 N m: 10 times less error than double plain in 5 times its "
         "time.",
         "In single precision single accurate is within 1 µN m, in 1.22 times single plain's time.",
-        "double certified returns plain's results and their bounds, here at most 2e-14 N m, in 5.2 "
-        "times the time of double plain.")
+        "double certified returns the plain results and bounds of their errors, here at most 2e-14 "
+        "N m, in 5.2 times the time of double plain.")
 
 
 def test_what_is_slow_is_not_recommended():
@@ -256,8 +257,8 @@ def test_what_is_slow_is_not_recommended():
     assert recommended(slow).name == "single accurate"
     assert sentences(slow)[0].endswith("in 110 ns (1.22 times single plain).")
     assert sentences(slow)[-1] == (
-        "single certified returns plain's results and their bounds, but has none at some of these "
-        "states, in 5.33 times the time of single plain.")
+        "single certified returns the plain results, but no bounds of their errors at some of "
+        "these states, in 5.33 times the time of single plain.")
     assert recommended([x for x in choices(400) if x.precision == "single"]).name == "single plain"
 
 
