@@ -29,7 +29,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.errors import ReportedError
+from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
 from coscrew_codegen.program import (
     Constant,
     Instruction,
@@ -40,7 +41,9 @@ from coscrew_codegen.program import (
     Ref,
     without_dead_steps,
 )
+from coscrew_codegen.program.ops import COMPARISONS
 from coscrew_codegen.program.program import name_of
+from coscrew_codegen.tiers.certified_wide import of_single, with_plain_results
 from coscrew_codegen.tiers.errors import ONE, ZERO, constant
 from coscrew_codegen.tiers.sizes import SPREAD, Size, Sizes
 from coscrew_codegen.tiers.tier import bounds_of_outputs
@@ -49,8 +52,15 @@ REST = 256
 """What is computed as an elementary function's error is right to REST u² of its result."""
 
 
+class NoRuleError(ReportedError, ValueError):
+    """A function has an operation whose error the tier cannot bound."""
+
+
 def of_scene(program: Program, precision: Precision) -> Program:
-    """The plain program of a scene's function, extended by bounds of its results' errors."""
+    """The plain program of a scene's function, extended by bounds of its results' errors; in single
+    precision they follow from the certified results in double.  Raises NoRuleError."""
+    if precision == SINGLE:
+        return with_plain_results(program, of_scene(of_single(program), DOUBLE))
     certifier = _Certifier(program, precision)
     for step in program.instructions:
         certifier.compensate(step)
@@ -78,12 +88,17 @@ class _Certifier(Sizes):
             Op.DIV: self._of_quotient, Op.SQRT: self._of_root, Op.SELECT: self._of_choice,
             Op.SIN: self._of_angle, Op.COS: self._of_angle, Op.TANH: self._of_tangent,
             Op.EXP: self._of_exponential}
+        unknown = sorted(op.value for op in program.counts
+                         if op not in self._size_of and op not in COMPARISONS)
+        if unknown:
+            raise NoRuleError(f"{program.name}: the certified tier has no rule for "
+                              f"{' and '.join(unknown)}")
 
     def compensate(self, step: Instruction) -> None:
         """Issue a plain instruction, its error and its size."""
         self._at = step
         super().compensate(step)
-        if step.op in (Op.LESS, Op.EQUAL):
+        if step.op in COMPARISONS:
             self._tests[step.name] = step
         else:
             self.follow(step, self._size_of[step.op](step))
