@@ -19,7 +19,7 @@ rules:
                  where the choice is continuous, and covers a jump where it is not.
     sin, cos     d is what the function errs by, and slope d_x; s = 1 + s_x (1 + B_x / κ u): the
                  square of x's error is at most κ u (1 + B_x / κ u) k u s_x; tanh alike, with |ŷ|
-                 for 1;
+                 for 1; sin and cos of an exact x, if there are many, s = |ŷ|;
     exp          s = ŷ (1 + s_x (1 + B_x / κ u)) if B_x <= 1/4.
 
 To add e to a bound is to add e / m u² to s.  Inf and NaN are no statement.
@@ -48,6 +48,9 @@ from coscrew_codegen.tiers.errors import ONE, ZERO, constant
 from coscrew_codegen.tiers.sizes import SPREAD, Size, Sizes
 from coscrew_codegen.tiers.tier import bounds_of_outputs
 
+MANY = 16
+"""Up to so many sines and cosines, 1 is a good size: it makes those of turned vectors up to √2
+larger at each joint, but factors of 1 cost nothing."""
 REST = 256
 """What is computed as an elementary function's error is right to REST u² of its result."""
 
@@ -82,6 +85,7 @@ class _Certifier(Sizes):
     def __init__(self, program: Program, precision: Precision) -> None:
         super().__init__(program, precision)
         self._tests: dict[str, Instruction] = {}
+        self._many = len(self.circular) > MANY
         self._size_of: dict[Op, Callable[[Instruction], Size]] = {
             Op.ADD: self.of_sum, Op.SUB: self.of_sum, Op.MUL: self.of_product,
             Op.NEG: lambda step: self.size(step.operands[0]), Op.ABS: self._of_absolute,
@@ -200,6 +204,8 @@ class _Certifier(Sizes):
         return self.do(Op.ABS, self.do(Op.SUB, x, y))
 
     def _of_angle(self, step: Instruction) -> Size:
+        if self._many and self.size(step.operands[0]).exact:
+            return self._curved(step, self.do(Op.ABS, Ref(step.name)))
         return replace(self._curved(step, ONE), h=Fraction(0))
 
     def _of_tangent(self, step: Instruction) -> Size:

@@ -6,8 +6,9 @@ decimals of single's constants, gives w and its bound B, so
     |x̂ - x| <= |x̂ - w| + B.
 
 That is all but the true error, since w is 2^29 times more exact than x̂; the proof is that of double
-precision.  The sum has two roundings in double, and one to single precision, which is at most half
-the least subnormal number there: (1 + 4 u) and that, added, are more than all.
+precision.  The sum has three roundings in double, and one to single precision, which loses at most
+u of it or half the least subnormal number: the factor 1 + 4 u and this number, added unless the sum
+is 0, are more than all.
 """
 
 from dataclasses import replace
@@ -30,7 +31,7 @@ from coscrew_codegen.tiers.errors import ZERO, constant
 from coscrew_codegen.tiers.tier import bounds_of_outputs
 
 ROUNDED = constant(1 + 4 * SINGLE.u)
-LEAST = constant(SINGLE.eta)
+LEAST = constant(2 * SINGLE.eta)
 
 
 def with_plain_results(plain: Program, certified: Program) -> Program:
@@ -67,10 +68,14 @@ def _is_kept(w: Operand, bound: Operand) -> bool:
 
 
 def _bound(steps: list[Instruction], name: str, x: Operand, w: Operand, bound: Operand) -> Operand:
-    """Issues |x̂ - w| + B, rounded up; its names begin with this one."""
+    """Issues |x̂ - w| + B, rounded up unless it is 0; its names begin with this one."""
+    last = "bounds of the errors:"
     sums = ((Op.ADD, bound),) if bound != ZERO else ()
-    rules = (Op.SUB, w), (Op.ABS,), *sums, (Op.MUL, ROUNDED), (Op.ADD, LEAST)
-    for number, (op, *more) in enumerate(rules, 1):
-        steps.append(Instruction(f"{name}_{number}", op, (x, *more), "bounds of the errors:"))
+    for number, (op, *more) in enumerate(((Op.SUB, w), (Op.ABS,), *sums, (Op.MUL, ROUNDED)), 1):
+        steps.append(Instruction(f"{name}_{number}", op, (x, *more), last))
         x = Ref(f"{name}_{number}")
-    return x
+    test, least, total = (f"{name}_{word}" for word in ("test", "least", "total"))
+    steps += [Instruction(test, Op.LESS, (ZERO, x), last),
+              Instruction(least, Op.SELECT, (Ref(test), LEAST, ZERO), last),
+              Instruction(total, Op.ADD, (x, Ref(least)), last)]
+    return Ref(total)

@@ -121,6 +121,15 @@ def test_no_bound_is_broken_by_a_formula(formula: str, toy: Toy):
     assert worst > 0.4  # and the search comes close
 
 
+@pytest.mark.parametrize("toy", TOYS, ids=str)
+@pytest.mark.parametrize("formula", ("sine", "circle"))
+def test_no_bound_is_broken_where_sines_are_many(formula: str, toy: Toy,
+                                                 monkeypatch: pytest.MonkeyPatch):
+    """Then their sizes are their own."""
+    monkeypatch.setattr(certified_scene, "MANY", 0)
+    test_no_bound_is_broken_by_a_formula(formula, toy)
+
+
 EXAMPLES = Path(__file__).parents[2] / "examples/scenes"
 FUNCTIONS = ("inverse_dynamics", "forward_dynamics", "mass_matrix", "energy", "body_poses",
              "body_twists", "integrated", "implicit_acceleration")
