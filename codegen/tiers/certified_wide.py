@@ -6,9 +6,9 @@ decimals of single's constants, gives w and its bound B, so
     |x̂ - x| <= |x̂ - w| + B.
 
 That is all but the true error, since w is 2^29 times more exact than x̂; the proof is that of
-double precision.  The sum has three roundings in double, and one to single precision, which loses at most
-u of it or half the least subnormal number: the factor 1 + 4 u and this number, added unless the sum
-is 0, are more than all.
+double precision.  The sum has three roundings in double, and one to single precision, which loses
+at most u of it or half the least subnormal number: the factor 1 + 4 u and this number, added unless
+the sum is 0, are more than all.
 """
 
 from dataclasses import replace
