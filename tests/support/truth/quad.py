@@ -6,6 +6,7 @@ of sizes, are far below what bounds add to the first order, 2^-106 of them.
 """
 
 import ctypes
+import tempfile
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from pathlib import Path
@@ -72,7 +73,7 @@ def _parts(value: Fraction) -> Iterator[str]:
 def judge(program: Program, folder: Path) -> Judge:
     """The function, compiled, from inputs, results and bounds, a state a row, to errors / bounds:
     at most 1 where a bound holds."""
-    path = folder / f"{program.name}.c"
+    path = Path(tempfile.mkdtemp(dir=folder), f"{program.name}.c")  # none is opened twice
     path.write_text(source(program))
     run((*COMMAND, path, "-o", path.with_suffix(".so"), "-lquadmath"))
     call = ctypes.CDLL(str(path.with_suffix(".so"))).judge
