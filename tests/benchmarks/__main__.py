@@ -1,6 +1,14 @@
 """Run all benchmarks: `python -m tests.benchmarks`."""
 
-from tests.benchmarks import accuracy, cortex_m4, dynamics, gufuncs, header_kernels, scene_tiers, tiers
+from tests.benchmarks import (
+    accuracy,
+    cortex_m4,
+    dynamics,
+    gufuncs,
+    header_kernels,
+    scene_tiers,
+    tiers,
+)
 
 header_kernels.main()
 gufuncs.main()
