@@ -26,8 +26,7 @@ class Errors(OfScene):
     last = "bounds of the errors:"
 
     def __init__(self, program: Program, precision: Precision) -> None:
-        super().__init__(program)
-        self.precision = precision
+        super().__init__(program, precision)
         self.circular = {(step.op, step.operands): step for step in program.instructions
                          if step.op in (Op.SIN, Op.COS)}
 
@@ -38,12 +37,6 @@ class Errors(OfScene):
     def nearest(self, x: Constant) -> Constant:
         """The constant in this precision."""
         return constant(Fraction(float(self.precision.rounded(self.precision.value(x)))))
-
-    def _known(self, x: Operand) -> Operand | None:
-        if not isinstance(x, Constant):
-            return super()._known(x)
-        rest = self.nearest(constant(self.precision.value(x) - self.nearest(x).double))
-        return rest if rest.double else None
 
     def _normalized(self, step: Instruction, operand: Operand) -> Operand:
         """Itself: hi is the plain value."""
