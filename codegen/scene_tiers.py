@@ -10,7 +10,7 @@ from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.recording.recorder import headings
 from coscrew_codegen.scene_functions import Function, SceneFunctions
-from coscrew_codegen.tiers import Tier
+from coscrew_codegen.tiers import PLAIN, Tier
 
 
 class NoFunctionsError(ReportedError, ValueError):
@@ -22,13 +22,19 @@ class SceneTier:
     """What targets receive of a scene in a tier: its functions, by precision."""
 
     tier: Tier
-    plain: SceneFunctions
+    plain: SceneFunctions  # in the precisions that the tier has
     in_precisions: tuple[tuple[Precision, SceneFunctions], ...]
 
     @property
     def first(self) -> SceneFunctions:
         """Its functions in the first precision: names and arguments are the same in all."""
         return self.in_precisions[0][1]
+
+    def called(self, scene: SceneFunctions) -> SceneFunctions:
+        """The plain functions whose results these functions of the tier take, as internal ones."""
+        taken = tuple(replace(self.plain.named(f.name), internal=True)
+                      for f in scene.functions if f.plain)
+        return replace(scene, functions=taken, mark=PLAIN.name)
 
     @property
     def stem(self) -> str:
@@ -42,10 +48,13 @@ def in_tier(scene: SceneFunctions, tier: Tier) -> SceneTier:
     if not public:
         raise NoFunctionsError(f"{scene.name}: the {tier.name} tier needs a function; steps, which "
                                "alone are selected, have no tier")
-    return SceneTier(tier, scene, tuple(
+    precisions = [p for p in named(scene.precisions) if p in tier.precisions]
+    if not precisions:
+        raise NoFunctionsError(f"{scene.name}: the {tier.name} tier is of {tier.precisions[0].name}"
+                               f" precision, the scene of {scene.precisions[0]}")
+    return SceneTier(tier, replace(scene, precisions=tuple(p.name for p in precisions)), tuple(
         (p, replace(scene, functions=tuple(_function(f, tier, p) for f in public), steps=(),
-                    precisions=(p.name,), tiers=(), mark=tier.mark))
-        for p in named(scene.precisions)))
+                    precisions=(p.name,), tiers=(), mark=tier.mark)) for p in precisions))
 
 
 def _function(plain: Function, tier: Tier, precision: Precision) -> Function:
@@ -53,7 +62,8 @@ def _function(plain: Function, tier: Tier, precision: Precision) -> Function:
         raise ValueError(f"scenes do not have the {tier.name} tier")
     program = tier.scene(plain.program, precision)
     words = {_heading(plain, place): text for place, text in plain.headings}
-    return replace(plain, program=program, headings=tuple(
+    more = len(program.inputs) > len(plain.program.inputs)
+    return replace(plain, program=program, plain=plain.program if more else None, headings=tuple(
         (place, words.get(heading, heading)) for place, heading in headings(program)))
 
 

@@ -432,22 +432,22 @@ typedef enum ksl_axis_enum_t {
 
 #include <stdint.h>
 
-/* Rare paths are never inlined; sine and cosine always are, unless the compiler optimises for size,
-   so that processors compute several at the same time. */
+/* Functions that a file need not call.  Rare paths are never inlined; sine and cosine always are,
+   unless the compiler optimises for size, so that processors compute several at the same time. */
 #ifndef KSL_COLD
 #ifdef __GNUC__
 #define KSL_COLD __attribute__((noinline, cold, unused))
+#define KSL_INLINE inline __attribute__((unused))
 #define KSL_LIKELY(test) __builtin_expect(test, 1)
 #else
 #define KSL_COLD
+#define KSL_INLINE inline
 #define KSL_LIKELY(test) (test)
 #endif
 #if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
 #define KSL_INLINED inline __attribute__((always_inline, unused))
-#elif defined(__GNUC__)
-#define KSL_INLINED inline __attribute__((unused))
 #else
-#define KSL_INLINED inline
+#define KSL_INLINED KSL_INLINE
 #endif
 #endif
 
@@ -459,7 +459,7 @@ typedef enum ksl_axis_enum_t {
      roundings within 0.934 ulp (both proved), results below the normal range within 0.51 of the
      least subnormal number.
    29 mul, 35 add, 1 div, 1 neg, 2 abs, 2 copysign, 6 less, 1 equal, 14 select. */
-static inline double ksl_atan2(const double y, const double x) {
+static KSL_INLINE double ksl_atan2(const double y, const double x) {
   const double height = fabs(y);
   const double width = fabs(x);
   const double a = width < height ? width : height, a_1 = width < height ? height : width;
@@ -522,7 +522,7 @@ static inline double ksl_atan2(const double y, const double x) {
 #ifndef KSL_POWER
 #define KSL_POWER
 /* 2^k by its bits, from 1.5 · 2^52 + k. */
-static inline double ksl_power(const double shifted) {
+static KSL_INLINE double ksl_power(const double shifted) {
   const uint64_t one = ((uint64_t)1023) << 52;
   uint64_t bits;
   double power;
@@ -540,7 +540,7 @@ static inline double ksl_power(const double shifted) {
      degree 9, to 2^-57.3; with all roundings within 0.755 ulp (both proved), results below the
      normal range within 0.88 of the least subnormal number.
    19 mul, 20 add, 1 power of two, 3 less, 4 select. */
-static inline double ksl_exp(const double x) {
+static KSL_INLINE double ksl_exp(const double x) {
   const double within_2 = 710.0 < x ? 710.0 : x, within = within_2 < -746.0 ? -746.0 : within_2;
   const double shifted_1 = KSL_MUL(within, 1.4426950408889634),
       shifted = shifted_1 + 6755399441055744.0;
@@ -729,13 +729,13 @@ static KSL_INLINED double ksl_sincos(const double x, double *c) {
 }
 
 /* sin x, as ksl_sincos. */
-static inline double ksl_sin(const double x) {
+static KSL_INLINE double ksl_sin(const double x) {
   double c;
   return ksl_sincos(x, &c);
 }
 
 /* cos x, as ksl_sincos. */
-static inline double ksl_cos(const double x) {
+static KSL_INLINE double ksl_cos(const double x) {
   double c;
   (void)ksl_sincos(x, &c);
   return c;
@@ -748,7 +748,7 @@ static inline double ksl_cos(const double x) {
    |x| < 5/8: x + x^3 p/q, of degrees 2 and 3 in x^2, to 2^-59.3; beyond: 1 - 2 / (e^2|x| + 1),
      e^2|x| as exp has it; with all roundings within 0.979 ulp (both proved).
    29 mul, 30 add, 1 div, 1 power of two, 1 abs, 1 copysign, 2 less, 5 select. */
-static inline double ksl_tanh(const double x) {
+static KSL_INLINE double ksl_tanh(const double x) {
   const double size = fabs(x);
   const double z = KSL_MUL(size, size);
   const double above_1 = KSL_MUL(size, z), above_2 = KSL_MUL(z, -0.00019908890916339926),
@@ -802,7 +802,7 @@ static inline double ksl_tanh(const double x) {
      roundings within 0.896 ulp (both proved), results below the normal range within 0.51 of the
      least subnormal number.
    22 mul, 29 add, 1 div, 1 neg, 2 abs, 2 copysign, 6 less, 1 equal, 14 select. */
-static inline float ksl_atan2f(const float y, const float x) {
+static KSL_INLINE float ksl_atan2f(const float y, const float x) {
   const float height = fabsf(y);
   const float width = fabsf(x);
   const float a = width < height ? width : height, a_1 = width < height ? height : width;
@@ -857,7 +857,7 @@ static inline float ksl_atan2f(const float y, const float x) {
 #ifndef KSL_POWERF
 #define KSL_POWERF
 /* 2^k by its bits, from 1.5 · 2^23 + k. */
-static inline float ksl_powerf(const float shifted) {
+static KSL_INLINE float ksl_powerf(const float shifted) {
   const uint32_t one = ((uint32_t)127) << 23;
   uint32_t bits;
   float power;
@@ -875,7 +875,7 @@ static inline float ksl_powerf(const float shifted) {
      degree 4, to 2^-27.9; with all roundings within 0.757 ulp (both proved), results below the
      normal range within 0.88 of the least subnormal number.
    12 mul, 15 add, 1 power of two, 3 less, 4 select. */
-static inline float ksl_expf(const float x) {
+static KSL_INLINE float ksl_expf(const float x) {
   const float within_2 = 89.0f < x ? 89.0f : x, within = within_2 < -104.0f ? -104.0f : within_2;
   const float shifted_1 = KSL_MULF(within, 1.442695f), shifted = shifted_1 + 1.2582912e+07f;
   const float k = shifted - 1.2582912e+07f;
@@ -1043,13 +1043,13 @@ static KSL_INLINED float ksl_sincosf(const float x, float *c) {
 }
 
 /* sin x, as ksl_sincosf. */
-static inline float ksl_sinf(const float x) {
+static KSL_INLINE float ksl_sinf(const float x) {
   float c;
   return ksl_sincosf(x, &c);
 }
 
 /* cos x, as ksl_sincosf. */
-static inline float ksl_cosf(const float x) {
+static KSL_INLINE float ksl_cosf(const float x) {
   float c;
   (void)ksl_sincosf(x, &c);
   return c;
@@ -1062,7 +1062,7 @@ static inline float ksl_cosf(const float x) {
    |x| < 5/8: x + x^3 p/q, of degrees 2 and 1 in x^2, to 2^-31.2; beyond: 1 - 2 / (e^2|x| + 1),
      e^2|x| as exp has it; with all roundings within 0.967 ulp (both proved).
    20 mul, 23 add, 1 div, 1 power of two, 1 abs, 1 copysign, 2 less, 5 select. */
-static inline float ksl_tanhf(const float x) {
+static KSL_INLINE float ksl_tanhf(const float x) {
   const float size = fabsf(x);
   const float z = KSL_MULF(size, size);
   const float above_1 = KSL_MULF(size, z), above_2 = KSL_MULF(z, 5.9599424e-05f),

@@ -432,22 +432,22 @@ typedef enum ksl_axis_enum_t {
 
 #include <stdint.h>
 
-/* Rare paths are never inlined; sine and cosine always are, unless the compiler optimises for size,
-   so that processors compute several at the same time. */
+/* Functions that a file need not call.  Rare paths are never inlined; sine and cosine always are,
+   unless the compiler optimises for size, so that processors compute several at the same time. */
 #ifndef KSL_COLD
 #ifdef __GNUC__
 #define KSL_COLD __attribute__((noinline, cold, unused))
+#define KSL_INLINE inline __attribute__((unused))
 #define KSL_LIKELY(test) __builtin_expect(test, 1)
 #else
 #define KSL_COLD
+#define KSL_INLINE inline
 #define KSL_LIKELY(test) (test)
 #endif
 #if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
 #define KSL_INLINED inline __attribute__((always_inline, unused))
-#elif defined(__GNUC__)
-#define KSL_INLINED inline __attribute__((unused))
 #else
-#define KSL_INLINED inline
+#define KSL_INLINED KSL_INLINE
 #endif
 #endif
 
@@ -459,7 +459,7 @@ typedef enum ksl_axis_enum_t {
      roundings within 0.934 ulp (both proved), results below the normal range within 0.51 of the
      least subnormal number.
    29 mul, 35 add, 1 div, 1 neg, 2 abs, 2 copysign, 6 less, 1 equal, 14 select. */
-static inline double ksl_atan2(const double y, const double x) {
+static KSL_INLINE double ksl_atan2(const double y, const double x) {
   const double height = fabs(y);
   const double width = fabs(x);
   const double a = width < height ? width : height, a_1 = width < height ? height : width;
@@ -522,7 +522,7 @@ static inline double ksl_atan2(const double y, const double x) {
 #ifndef KSL_POWER
 #define KSL_POWER
 /* 2^k by its bits, from 1.5 · 2^52 + k. */
-static inline double ksl_power(const double shifted) {
+static KSL_INLINE double ksl_power(const double shifted) {
   const uint64_t one = ((uint64_t)1023) << 52;
   uint64_t bits;
   double power;
@@ -540,7 +540,7 @@ static inline double ksl_power(const double shifted) {
      degree 9, to 2^-57.3; with all roundings within 0.755 ulp (both proved), results below the
      normal range within 0.88 of the least subnormal number.
    19 mul, 20 add, 1 power of two, 3 less, 4 select. */
-static inline double ksl_exp(const double x) {
+static KSL_INLINE double ksl_exp(const double x) {
   const double within_2 = 710.0 < x ? 710.0 : x, within = within_2 < -746.0 ? -746.0 : within_2;
   const double shifted_1 = KSL_MUL(within, 1.4426950408889634),
       shifted = shifted_1 + 6755399441055744.0;
@@ -729,13 +729,13 @@ static KSL_INLINED double ksl_sincos(const double x, double *c) {
 }
 
 /* sin x, as ksl_sincos. */
-static inline double ksl_sin(const double x) {
+static KSL_INLINE double ksl_sin(const double x) {
   double c;
   return ksl_sincos(x, &c);
 }
 
 /* cos x, as ksl_sincos. */
-static inline double ksl_cos(const double x) {
+static KSL_INLINE double ksl_cos(const double x) {
   double c;
   (void)ksl_sincos(x, &c);
   return c;
@@ -748,7 +748,7 @@ static inline double ksl_cos(const double x) {
    |x| < 5/8: x + x^3 p/q, of degrees 2 and 3 in x^2, to 2^-59.3; beyond: 1 - 2 / (e^2|x| + 1),
      e^2|x| as exp has it; with all roundings within 0.979 ulp (both proved).
    29 mul, 30 add, 1 div, 1 power of two, 1 abs, 1 copysign, 2 less, 5 select. */
-static inline double ksl_tanh(const double x) {
+static KSL_INLINE double ksl_tanh(const double x) {
   const double size = fabs(x);
   const double z = KSL_MUL(size, size);
   const double above_1 = KSL_MUL(size, z), above_2 = KSL_MUL(z, -0.00019908890916339926),
@@ -802,7 +802,7 @@ static inline double ksl_tanh(const double x) {
      roundings within 0.896 ulp (both proved), results below the normal range within 0.51 of the
      least subnormal number.
    22 mul, 29 add, 1 div, 1 neg, 2 abs, 2 copysign, 6 less, 1 equal, 14 select. */
-static inline float ksl_atan2f(const float y, const float x) {
+static KSL_INLINE float ksl_atan2f(const float y, const float x) {
   const float height = fabsf(y);
   const float width = fabsf(x);
   const float a = width < height ? width : height, a_1 = width < height ? height : width;
@@ -857,7 +857,7 @@ static inline float ksl_atan2f(const float y, const float x) {
 #ifndef KSL_POWERF
 #define KSL_POWERF
 /* 2^k by its bits, from 1.5 · 2^23 + k. */
-static inline float ksl_powerf(const float shifted) {
+static KSL_INLINE float ksl_powerf(const float shifted) {
   const uint32_t one = ((uint32_t)127) << 23;
   uint32_t bits;
   float power;
@@ -875,7 +875,7 @@ static inline float ksl_powerf(const float shifted) {
      degree 4, to 2^-27.9; with all roundings within 0.757 ulp (both proved), results below the
      normal range within 0.88 of the least subnormal number.
    12 mul, 15 add, 1 power of two, 3 less, 4 select. */
-static inline float ksl_expf(const float x) {
+static KSL_INLINE float ksl_expf(const float x) {
   const float within_2 = 89.0f < x ? 89.0f : x, within = within_2 < -104.0f ? -104.0f : within_2;
   const float shifted_1 = KSL_MULF(within, 1.442695f), shifted = shifted_1 + 1.2582912e+07f;
   const float k = shifted - 1.2582912e+07f;
@@ -1043,13 +1043,13 @@ static KSL_INLINED float ksl_sincosf(const float x, float *c) {
 }
 
 /* sin x, as ksl_sincosf. */
-static inline float ksl_sinf(const float x) {
+static KSL_INLINE float ksl_sinf(const float x) {
   float c;
   return ksl_sincosf(x, &c);
 }
 
 /* cos x, as ksl_sincosf. */
-static inline float ksl_cosf(const float x) {
+static KSL_INLINE float ksl_cosf(const float x) {
   float c;
   (void)ksl_sincosf(x, &c);
   return c;
@@ -1062,7 +1062,7 @@ static inline float ksl_cosf(const float x) {
    |x| < 5/8: x + x^3 p/q, of degrees 2 and 1 in x^2, to 2^-31.2; beyond: 1 - 2 / (e^2|x| + 1),
      e^2|x| as exp has it; with all roundings within 0.967 ulp (both proved).
    20 mul, 23 add, 1 div, 1 power of two, 1 abs, 1 copysign, 2 less, 5 select. */
-static inline float ksl_tanhf(const float x) {
+static KSL_INLINE float ksl_tanhf(const float x) {
   const float size = fabsf(x);
   const float z = KSL_MULF(size, size);
   const float above_1 = KSL_MULF(size, z), above_2 = KSL_MULF(z, 5.9599424e-05f),
@@ -1111,22 +1111,22 @@ static inline float ksl_tanhf(const float x) {
 
 #include <stdint.h>
 
-/* Rare paths are never inlined; sine and cosine always are, unless the compiler optimises for size,
-   so that processors compute several at the same time. */
+/* Functions that a file need not call.  Rare paths are never inlined; sine and cosine always are,
+   unless the compiler optimises for size, so that processors compute several at the same time. */
 #ifndef KSL_COLD
 #ifdef __GNUC__
 #define KSL_COLD __attribute__((noinline, cold, unused))
+#define KSL_INLINE inline __attribute__((unused))
 #define KSL_LIKELY(test) __builtin_expect(test, 1)
 #else
 #define KSL_COLD
+#define KSL_INLINE inline
 #define KSL_LIKELY(test) (test)
 #endif
 #if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
 #define KSL_INLINED inline __attribute__((always_inline, unused))
-#elif defined(__GNUC__)
-#define KSL_INLINED inline __attribute__((unused))
 #else
-#define KSL_INLINED inline
+#define KSL_INLINED KSL_INLINE
 #endif
 #endif
 
@@ -1134,7 +1134,7 @@ static inline float ksl_tanhf(const float x) {
 #define KSL_PRODUCT_ERROR
 #if !KSL_HAS_FMA
 /* The upper half of x, rounded to 26 bits; what is left has 26 bits as well. */
-static inline double ksl_upper_half(const double x) {
+static KSL_INLINE double ksl_upper_half(const double x) {
   uint64_t bits;
   double half;
   memcpy(&bits, &x, sizeof bits);
@@ -1145,7 +1145,7 @@ static inline double ksl_upper_half(const double x) {
 
 /* p - a b, p the rounded product, by halves; *high is the product of the upper ones.
    Source: Dekker. */
-static inline double ksl_product_excess(
+static KSL_INLINE double ksl_product_excess(
     const double a, const double b, const double p, double *high) {
   const double a_high = ksl_upper_half(a), a_low = a - a_high;
   const double b_high = ksl_upper_half(b), b_low = b - b_high;
@@ -1154,11 +1154,11 @@ static inline double ksl_product_excess(
 }
 
 /* Whether halves and their products neither overflow nor underflow: 2^-967 <= |high| <= 2^996. */
-static inline int ksl_halved(const double high) {
+static KSL_INLINE int ksl_halved(const double high) {
   const uint64_t least = (uint64_t)56 << 53, most = (uint64_t)2019 << 53;
   uint64_t bits;
   memcpy(&bits, &high, sizeof bits);
-  return KSL_LIKELY((bits << 1) - least <= most - least);
+  return (bits << 1) - least <= most - least;
 }
 
 /* a b - c rounded once, where they do: the C standard requires it of fma. */
@@ -1169,13 +1169,13 @@ static KSL_COLD double ksl_fused(const double a, const double b, const double c)
 
 /* a b - p rounded once, p the rounded product: by fma where that is an instruction, else by halves.
    Both give the same bits. */
-static inline double ksl_product_error(const double a, const double b, const double p) {
+static KSL_INLINE double ksl_product_error(const double a, const double b, const double p) {
 #if KSL_HAS_FMA
   return fma(a, b, -p);
 #else
   double high;
   const double excess = ksl_product_excess(a, b, p, &high);
-  return ksl_halved(high) ? 0.0 - excess : ksl_fused(a, b, p);
+  return KSL_LIKELY(ksl_halved(high)) ? 0.0 - excess : ksl_fused(a, b, p);
 #endif
 }
 #endif
@@ -1183,7 +1183,7 @@ static inline double ksl_product_error(const double a, const double b, const dou
 #ifndef KSL_PRODUCT_ERRORF
 #define KSL_PRODUCT_ERRORF
 /* a b - p in single precision, p the rounded product; a b is exact in double. */
-static inline float ksl_product_errorf(const float a, const float b, const float p) {
+static KSL_INLINE float ksl_product_errorf(const float a, const float b, const float p) {
 #if KSL_HAS_FMAF
   return fmaf(a, b, -p);
 #else
@@ -1206,7 +1206,7 @@ static inline double ksl_product_sum(const double a, const double b, const doubl
 #ifndef KSL_PRODUCT_REST
 #define KSL_PRODUCT_REST
 /* a b - h rounded once, where p is a b rounded and p - h is exact. */
-static inline double ksl_product_rest(
+static KSL_INLINE double ksl_product_rest(
     const double a, const double b, const double p, const double h) {
 #if KSL_HAS_FMA
   (void)p;
@@ -1214,7 +1214,7 @@ static inline double ksl_product_rest(
 #else
   double high;
   const double excess = ksl_product_excess(a, b, p, &high); /* never -0: so -0 stays -0 */
-  return ksl_halved(high) ? p - h - excess : ksl_fused(a, b, h);
+  return KSL_LIKELY(ksl_halved(high)) ? p - h - excess : ksl_fused(a, b, h);
 #endif
 }
 #endif
@@ -1233,7 +1233,7 @@ static inline double ksl_product_rest(
      is within 2^-99.3 of atan2(y, x), relative to it (proved), and 0.51 of the least subnormal
      number; 0 where the angle is 0.
    93 mul, 211 add, 23 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
-static inline double ksl_atan2_error(const double y, const double x, const double angle) {
+static KSL_INLINE double ksl_atan2_error(const double y, const double x, const double angle) {
   const double quadrant_1 = KSL_MUL(angle, 0.6366197723675814),
       quadrant_2 = quadrant_1 + 6755399441055744.0, quadrant = quadrant_2 - 6755399441055744.0;
   const double high_1 = KSL_MUL(quadrant, 1.5707963267341256), high_2 = angle - high_1,
@@ -1471,7 +1471,7 @@ static inline double ksl_atan2_error(const double y, const double x, const doubl
 #ifndef KSL_POWER
 #define KSL_POWER
 /* 2^k by its bits, from 1.5 · 2^52 + k. */
-static inline double ksl_power(const double shifted) {
+static KSL_INLINE double ksl_power(const double shifted) {
   const uint64_t one = ((uint64_t)1023) << 52;
   uint64_t bits;
   double power;
@@ -1489,7 +1489,7 @@ static inline double ksl_power(const double shifted) {
      2^-101.8 of exp x, relative to it (proved), and 0.51 of the least subnormal number; 0 where
      y is 0 or infinite.
    61 mul, 129 add, 15 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
-static inline double ksl_exp_error(const double x, const double y) {
+static KSL_INLINE double ksl_exp_error(const double x, const double y) {
   const double within_2 = 710.0 < x ? 710.0 : x, within = within_2 < -746.0 ? -746.0 : within_2;
   const double shifted_1 = KSL_MUL(within, 1.4426950408889634),
       shifted = shifted_1 + 6755399441055744.0;
@@ -1660,7 +1660,7 @@ static inline double ksl_exp_error(const double x, const double y) {
 #ifndef KSL_SINCOS_ERROR
 #define KSL_SINCOS_ERROR
 /* Its reduction of angles up to 6588396.0. */
-static inline double ksl_sincos_error_near(const double x, double *r, double *r_low) {
+static KSL_INLINE double ksl_sincos_error_near(const double x, double *r, double *r_low) {
   const double quadrant_1 = KSL_MUL(x, 0.6366197723675814),
       quadrant_2 = quadrant_1 + 6755399441055744.0,
       quadrant_value = quadrant_2 - 6755399441055744.0;
@@ -1850,7 +1850,7 @@ static KSL_COLD double ksl_sincos_error_far(const double x, double *r, double *r
      c + c_error are within 2^-100.9 of sin x and cos x, relative to these (proved), for every
      finite x.
    78 mul, 154 add, 21 product error, 2 abs, 1 less, 1 select. */
-static inline double ksl_sincos_error(const double x, const double s, const double c,
+static KSL_INLINE double ksl_sincos_error(const double x, const double s, const double c,
     double *c_error) {
   double r, r_low,
       quadrant = ksl_sincos_error_near(x, &r, &r_low);
@@ -2035,13 +2035,13 @@ static inline double ksl_sincos_error(const double x, const double s, const doub
 }
 
 /* sin x - s, as ksl_sincos_error. */
-static inline double ksl_sin_error(const double x, const double s) {
+static KSL_INLINE double ksl_sin_error(const double x, const double s) {
   double c_error;
   return ksl_sincos_error(x, s, s, &c_error);
 }
 
 /* cos x - c, as ksl_sincos_error. */
-static inline double ksl_cos_error(const double x, const double c) {
+static KSL_INLINE double ksl_cos_error(const double x, const double c) {
   double c_error;
   (void)ksl_sincos_error(x, c, c, &c_error);
   return c_error;
@@ -2054,7 +2054,7 @@ static inline double ksl_cos_error(const double x, const double c) {
    m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-99.2 of tanh
      x, relative to it (proved); 0 for |x| below 2^-54 and above 40.
    61 mul, 139 add, 16 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
-static inline double ksl_tanh_error(const double x, const double y) {
+static KSL_INLINE double ksl_tanh_error(const double x, const double y) {
   const double size = fabs(x);
   const double within_1 = size < 5.551115123125783e-17 ? 1.0 : size,
       within = 40.0 < size ? 40.0 : within_1;
@@ -2239,7 +2239,7 @@ static inline double ksl_tanh_error(const double x, const double y) {
      is within 2^-41.3 of atan2(y, x), relative to it (proved), and 0.51 of the least subnormal
      number; 0 where the angle is 0.
    68 mul, 158 add, 16 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
-static inline float ksl_atan2_errorf(const float y, const float x, const float angle) {
+static KSL_INLINE float ksl_atan2_errorf(const float y, const float x, const float angle) {
   const float quadrant_1 = KSL_MULF(angle, 0.63661975f), quadrant_2 = quadrant_1 + 1.2582912e+07f,
       quadrant = quadrant_2 - 1.2582912e+07f;
   const float high_1 = KSL_MULF(quadrant, 1.5706787f), high_2 = angle - high_1,
@@ -2417,7 +2417,7 @@ static inline float ksl_atan2_errorf(const float y, const float x, const float a
 #ifndef KSL_POWERF
 #define KSL_POWERF
 /* 2^k by its bits, from 1.5 · 2^23 + k. */
-static inline float ksl_powerf(const float shifted) {
+static KSL_INLINE float ksl_powerf(const float shifted) {
   const uint32_t one = ((uint32_t)127) << 23;
   uint32_t bits;
   float power;
@@ -2435,7 +2435,7 @@ static inline float ksl_powerf(const float shifted) {
      2^-43.7 of exp x, relative to it (proved), and 0.51 of the least subnormal number; 0 where y
      is 0 or infinite.
    39 mul, 83 add, 9 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
-static inline float ksl_exp_errorf(const float x, const float y) {
+static KSL_INLINE float ksl_exp_errorf(const float x, const float y) {
   const float within_2 = 89.0f < x ? 89.0f : x, within = within_2 < -104.0f ? -104.0f : within_2;
   const float shifted_1 = KSL_MULF(within, 1.442695f), shifted = shifted_1 + 1.2582912e+07f;
   const float k = shifted - 1.2582912e+07f;
@@ -2535,7 +2535,7 @@ static inline float ksl_exp_errorf(const float x, const float y) {
 #ifndef KSL_SINCOS_ERRORF
 #define KSL_SINCOS_ERRORF
 /* Its reduction of angles up to 1607.0f. */
-static inline float ksl_sincos_error_nearf(const float x, float *r, float *r_low) {
+static KSL_INLINE float ksl_sincos_error_nearf(const float x, float *r, float *r_low) {
   const float quadrant_1 = KSL_MULF(x, 0.63661975f), quadrant_2 = quadrant_1 + 1.2582912e+07f,
       quadrant_value = quadrant_2 - 1.2582912e+07f;
   const float high_1 = KSL_MULF(quadrant_value, 1.5706787f), high_2 = x - high_1,
@@ -2713,7 +2713,7 @@ static KSL_COLD float ksl_sincos_error_farf(const float x, float *r, float *r_lo
      c + c_error are within 2^-42.9 of sin x and cos x, relative to these (proved), for every
      finite x.
    53 mul, 101 add, 14 product error, 2 abs, 1 less, 1 select. */
-static inline float ksl_sincos_errorf(const float x, const float s, const float c, float *c_error) {
+static KSL_INLINE float ksl_sincos_errorf(const float x, const float s, const float c, float *c_error) {
   float r, r_low,
       quadrant = ksl_sincos_error_nearf(x, &r, &r_low);
   if (fabsf(x) > 1607.0f) {
@@ -2837,13 +2837,13 @@ static inline float ksl_sincos_errorf(const float x, const float s, const float 
 }
 
 /* sin x - s, as ksl_sincos_errorf. */
-static inline float ksl_sin_errorf(const float x, const float s) {
+static KSL_INLINE float ksl_sin_errorf(const float x, const float s) {
   float c_error;
   return ksl_sincos_errorf(x, s, s, &c_error);
 }
 
 /* cos x - c, as ksl_sincos_errorf. */
-static inline float ksl_cos_errorf(const float x, const float c) {
+static KSL_INLINE float ksl_cos_errorf(const float x, const float c) {
   float c_error;
   (void)ksl_sincos_errorf(x, c, c, &c_error);
   return c_error;
@@ -2856,7 +2856,7 @@ static inline float ksl_cos_errorf(const float x, const float c) {
    m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-41.2 of tanh
      x, relative to it (proved); 0 for |x| below 2^-25 and above 20.
    39 mul, 93 add, 10 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
-static inline float ksl_tanh_errorf(const float x, const float y) {
+static KSL_INLINE float ksl_tanh_errorf(const float x, const float y) {
   const float size = fabsf(x);
   const float within_1 = size < 2.9802322e-08f ? 1.0f : size,
       within = 20.0f < size ? 20.0f : within_1;

@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "dd592652d4d9868c")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "7b3fba6f65ad6f46")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

@@ -15,7 +15,7 @@
      is within 2^-99.3 of atan2(y, x), relative to it (proved), and 0.51 of the least subnormal
      number; 0 where the angle is 0.
    93 mul, 211 add, 23 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
-static inline double ksl_atan2_error(const double y, const double x, const double angle) {
+static KSL_INLINE double ksl_atan2_error(const double y, const double x, const double angle) {
   const double quadrant_1 = KSL_MUL(angle, 0.6366197723675814),
       quadrant_2 = quadrant_1 + 6755399441055744.0, quadrant = quadrant_2 - 6755399441055744.0;
   const double high_1 = KSL_MUL(quadrant, 1.5707963267341256), high_2 = angle - high_1,
@@ -253,7 +253,7 @@ static inline double ksl_atan2_error(const double y, const double x, const doubl
 #ifndef KSL_POWER
 #define KSL_POWER
 /* 2^k by its bits, from 1.5 · 2^52 + k. */
-static inline double ksl_power(const double shifted) {
+static KSL_INLINE double ksl_power(const double shifted) {
   const uint64_t one = ((uint64_t)1023) << 52;
   uint64_t bits;
   double power;
@@ -271,7 +271,7 @@ static inline double ksl_power(const double shifted) {
      2^-101.8 of exp x, relative to it (proved), and 0.51 of the least subnormal number; 0 where
      y is 0 or infinite.
    61 mul, 129 add, 15 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
-static inline double ksl_exp_error(const double x, const double y) {
+static KSL_INLINE double ksl_exp_error(const double x, const double y) {
   const double within_2 = 710.0 < x ? 710.0 : x, within = within_2 < -746.0 ? -746.0 : within_2;
   const double shifted_1 = KSL_MUL(within, 1.4426950408889634),
       shifted = shifted_1 + 6755399441055744.0;
@@ -442,7 +442,7 @@ static inline double ksl_exp_error(const double x, const double y) {
 #ifndef KSL_SINCOS_ERROR
 #define KSL_SINCOS_ERROR
 /* Its reduction of angles up to 6588396.0. */
-static inline double ksl_sincos_error_near(const double x, double *r, double *r_low) {
+static KSL_INLINE double ksl_sincos_error_near(const double x, double *r, double *r_low) {
   const double quadrant_1 = KSL_MUL(x, 0.6366197723675814),
       quadrant_2 = quadrant_1 + 6755399441055744.0,
       quadrant_value = quadrant_2 - 6755399441055744.0;
@@ -632,7 +632,7 @@ static KSL_COLD double ksl_sincos_error_far(const double x, double *r, double *r
      c + c_error are within 2^-100.9 of sin x and cos x, relative to these (proved), for every
      finite x.
    78 mul, 154 add, 21 product error, 2 abs, 1 less, 1 select. */
-static inline double ksl_sincos_error(const double x, const double s, const double c,
+static KSL_INLINE double ksl_sincos_error(const double x, const double s, const double c,
     double *c_error) {
   double r, r_low,
       quadrant = ksl_sincos_error_near(x, &r, &r_low);
@@ -817,13 +817,13 @@ static inline double ksl_sincos_error(const double x, const double s, const doub
 }
 
 /* sin x - s, as ksl_sincos_error. */
-static inline double ksl_sin_error(const double x, const double s) {
+static KSL_INLINE double ksl_sin_error(const double x, const double s) {
   double c_error;
   return ksl_sincos_error(x, s, s, &c_error);
 }
 
 /* cos x - c, as ksl_sincos_error. */
-static inline double ksl_cos_error(const double x, const double c) {
+static KSL_INLINE double ksl_cos_error(const double x, const double c) {
   double c_error;
   (void)ksl_sincos_error(x, c, c, &c_error);
   return c_error;
@@ -836,7 +836,7 @@ static inline double ksl_cos_error(const double x, const double c) {
    m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-99.2 of tanh
      x, relative to it (proved); 0 for |x| below 2^-54 and above 40.
    61 mul, 139 add, 16 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
-static inline double ksl_tanh_error(const double x, const double y) {
+static KSL_INLINE double ksl_tanh_error(const double x, const double y) {
   const double size = fabs(x);
   const double within_1 = size < 5.551115123125783e-17 ? 1.0 : size,
       within = 40.0 < size ? 40.0 : within_1;
@@ -1021,7 +1021,7 @@ static inline double ksl_tanh_error(const double x, const double y) {
      is within 2^-41.3 of atan2(y, x), relative to it (proved), and 0.51 of the least subnormal
      number; 0 where the angle is 0.
    68 mul, 158 add, 16 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
-static inline float ksl_atan2_errorf(const float y, const float x, const float angle) {
+static KSL_INLINE float ksl_atan2_errorf(const float y, const float x, const float angle) {
   const float quadrant_1 = KSL_MULF(angle, 0.63661975f), quadrant_2 = quadrant_1 + 1.2582912e+07f,
       quadrant = quadrant_2 - 1.2582912e+07f;
   const float high_1 = KSL_MULF(quadrant, 1.5706787f), high_2 = angle - high_1,
@@ -1199,7 +1199,7 @@ static inline float ksl_atan2_errorf(const float y, const float x, const float a
 #ifndef KSL_POWERF
 #define KSL_POWERF
 /* 2^k by its bits, from 1.5 · 2^23 + k. */
-static inline float ksl_powerf(const float shifted) {
+static KSL_INLINE float ksl_powerf(const float shifted) {
   const uint32_t one = ((uint32_t)127) << 23;
   uint32_t bits;
   float power;
@@ -1217,7 +1217,7 @@ static inline float ksl_powerf(const float shifted) {
      2^-43.7 of exp x, relative to it (proved), and 0.51 of the least subnormal number; 0 where y
      is 0 or infinite.
    39 mul, 83 add, 9 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
-static inline float ksl_exp_errorf(const float x, const float y) {
+static KSL_INLINE float ksl_exp_errorf(const float x, const float y) {
   const float within_2 = 89.0f < x ? 89.0f : x, within = within_2 < -104.0f ? -104.0f : within_2;
   const float shifted_1 = KSL_MULF(within, 1.442695f), shifted = shifted_1 + 1.2582912e+07f;
   const float k = shifted - 1.2582912e+07f;
@@ -1317,7 +1317,7 @@ static inline float ksl_exp_errorf(const float x, const float y) {
 #ifndef KSL_SINCOS_ERRORF
 #define KSL_SINCOS_ERRORF
 /* Its reduction of angles up to 1607.0f. */
-static inline float ksl_sincos_error_nearf(const float x, float *r, float *r_low) {
+static KSL_INLINE float ksl_sincos_error_nearf(const float x, float *r, float *r_low) {
   const float quadrant_1 = KSL_MULF(x, 0.63661975f), quadrant_2 = quadrant_1 + 1.2582912e+07f,
       quadrant_value = quadrant_2 - 1.2582912e+07f;
   const float high_1 = KSL_MULF(quadrant_value, 1.5706787f), high_2 = x - high_1,
@@ -1495,7 +1495,7 @@ static KSL_COLD float ksl_sincos_error_farf(const float x, float *r, float *r_lo
      c + c_error are within 2^-42.9 of sin x and cos x, relative to these (proved), for every
      finite x.
    53 mul, 101 add, 14 product error, 2 abs, 1 less, 1 select. */
-static inline float ksl_sincos_errorf(const float x, const float s, const float c, float *c_error) {
+static KSL_INLINE float ksl_sincos_errorf(const float x, const float s, const float c, float *c_error) {
   float r, r_low,
       quadrant = ksl_sincos_error_nearf(x, &r, &r_low);
   if (fabsf(x) > 1607.0f) {
@@ -1619,13 +1619,13 @@ static inline float ksl_sincos_errorf(const float x, const float s, const float 
 }
 
 /* sin x - s, as ksl_sincos_errorf. */
-static inline float ksl_sin_errorf(const float x, const float s) {
+static KSL_INLINE float ksl_sin_errorf(const float x, const float s) {
   float c_error;
   return ksl_sincos_errorf(x, s, s, &c_error);
 }
 
 /* cos x - c, as ksl_sincos_errorf. */
-static inline float ksl_cos_errorf(const float x, const float c) {
+static KSL_INLINE float ksl_cos_errorf(const float x, const float c) {
   float c_error;
   (void)ksl_sincos_errorf(x, c, c, &c_error);
   return c_error;
@@ -1638,7 +1638,7 @@ static inline float ksl_cos_errorf(const float x, const float c) {
    m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-41.2 of tanh
      x, relative to it (proved); 0 for |x| below 2^-25 and above 20.
    39 mul, 93 add, 10 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
-static inline float ksl_tanh_errorf(const float x, const float y) {
+static KSL_INLINE float ksl_tanh_errorf(const float x, const float y) {
   const float size = fabsf(x);
   const float within_1 = size < 2.9802322e-08f ? 1.0f : size,
       within = 20.0f < size ? 20.0f : within_1;

@@ -12,22 +12,22 @@
 
 #include <stdint.h>
 
-/* Rare paths are never inlined; sine and cosine always are, unless the compiler optimises for size,
-   so that processors compute several at the same time. */
+/* Functions that a file need not call.  Rare paths are never inlined; sine and cosine always are,
+   unless the compiler optimises for size, so that processors compute several at the same time. */
 #ifndef KSL_COLD
 #ifdef __GNUC__
 #define KSL_COLD __attribute__((noinline, cold, unused))
+#define KSL_INLINE inline __attribute__((unused))
 #define KSL_LIKELY(test) __builtin_expect(test, 1)
 #else
 #define KSL_COLD
+#define KSL_INLINE inline
 #define KSL_LIKELY(test) (test)
 #endif
 #if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
 #define KSL_INLINED inline __attribute__((always_inline, unused))
-#elif defined(__GNUC__)
-#define KSL_INLINED inline __attribute__((unused))
 #else
-#define KSL_INLINED inline
+#define KSL_INLINED KSL_INLINE
 #endif
 #endif
 
@@ -35,7 +35,7 @@
 #define KSL_PRODUCT_ERROR
 #if !KSL_HAS_FMA
 /* The upper half of x, rounded to 26 bits; what is left has 26 bits as well. */
-static inline double ksl_upper_half(const double x) {
+static KSL_INLINE double ksl_upper_half(const double x) {
   uint64_t bits;
   double half;
   memcpy(&bits, &x, sizeof bits);
@@ -46,7 +46,7 @@ static inline double ksl_upper_half(const double x) {
 
 /* p - a b, p the rounded product, by halves; *high is the product of the upper ones.
    Source: Dekker. */
-static inline double ksl_product_excess(
+static KSL_INLINE double ksl_product_excess(
     const double a, const double b, const double p, double *high) {
   const double a_high = ksl_upper_half(a), a_low = a - a_high;
   const double b_high = ksl_upper_half(b), b_low = b - b_high;
@@ -55,11 +55,11 @@ static inline double ksl_product_excess(
 }
 
 /* Whether halves and their products neither overflow nor underflow: 2^-967 <= |high| <= 2^996. */
-static inline int ksl_halved(const double high) {
+static KSL_INLINE int ksl_halved(const double high) {
   const uint64_t least = (uint64_t)56 << 53, most = (uint64_t)2019 << 53;
   uint64_t bits;
   memcpy(&bits, &high, sizeof bits);
-  return KSL_LIKELY((bits << 1) - least <= most - least);
+  return (bits << 1) - least <= most - least;
 }
 
 /* a b - c rounded once, where they do: the C standard requires it of fma. */
@@ -70,13 +70,13 @@ static KSL_COLD double ksl_fused(const double a, const double b, const double c)
 
 /* a b - p rounded once, p the rounded product: by fma where that is an instruction, else by halves.
    Both give the same bits. */
-static inline double ksl_product_error(const double a, const double b, const double p) {
+static KSL_INLINE double ksl_product_error(const double a, const double b, const double p) {
 #if KSL_HAS_FMA
   return fma(a, b, -p);
 #else
   double high;
   const double excess = ksl_product_excess(a, b, p, &high);
-  return ksl_halved(high) ? 0.0 - excess : ksl_fused(a, b, p);
+  return KSL_LIKELY(ksl_halved(high)) ? 0.0 - excess : ksl_fused(a, b, p);
 #endif
 }
 #endif
@@ -84,7 +84,7 @@ static inline double ksl_product_error(const double a, const double b, const dou
 #ifndef KSL_PRODUCT_ERRORF
 #define KSL_PRODUCT_ERRORF
 /* a b - p in single precision, p the rounded product; a b is exact in double. */
-static inline float ksl_product_errorf(const float a, const float b, const float p) {
+static KSL_INLINE float ksl_product_errorf(const float a, const float b, const float p) {
 #if KSL_HAS_FMAF
   return fmaf(a, b, -p);
 #else
@@ -107,7 +107,7 @@ static inline double ksl_product_sum(const double a, const double b, const doubl
 #ifndef KSL_PRODUCT_REST
 #define KSL_PRODUCT_REST
 /* a b - h rounded once, where p is a b rounded and p - h is exact. */
-static inline double ksl_product_rest(
+static KSL_INLINE double ksl_product_rest(
     const double a, const double b, const double p, const double h) {
 #if KSL_HAS_FMA
   (void)p;
@@ -115,7 +115,7 @@ static inline double ksl_product_rest(
 #else
   double high;
   const double excess = ksl_product_excess(a, b, p, &high); /* never -0: so -0 stays -0 */
-  return ksl_halved(high) ? p - h - excess : ksl_fused(a, b, h);
+  return KSL_LIKELY(ksl_halved(high)) ? p - h - excess : ksl_fused(a, b, h);
 #endif
 }
 #endif
