@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from coscrew_codegen.algebra import skew
+from coscrew_codegen.operations.half_angle import HalfAngle, known_angle
 from coscrew_codegen.operations.norm import Let, nonzero, prefixed, safe_norm
 from coscrew_codegen.operations.series import Angle, far, taylor
 
@@ -85,16 +86,19 @@ def half_angle(let: Let, q: sp.Matrix, reduced: bool = False) -> tuple[sp.Expr, 
 
 
 def rotation_vector(let: Let, q: sp.Matrix,
-                    reduced: bool = False) -> tuple[sp.Matrix, Angle]:
+                    reduced: bool = False) -> tuple[sp.Matrix, Angle | HalfAngle]:
     """θ v / |v| and θ, of any positive multiple of a unit quaternion with w >= 0."""
     half, n, divisor = half_angle(let, q, reduced)
     theta = let("theta", 2 * half)
     k = let("k", theta / divisor)
-    return let("vector", k * vector_part(q)), Angle.known(let, theta, n, scalar_part(q))
+    return let("vector", k * vector_part(q)), known_angle(let, theta, n, scalar_part(q))
 
 
 def versor(let: Let, h: sp.Matrix) -> sp.Matrix:
     """exp (h; 0) = (h sin |h| / |h|; cos |h|)."""
+    if let.fine:
+        fine = HalfAngle.of_any(let, h)
+        return quaternion(fine.k * h, fine.c)
     angle = Angle.of(let, h)
     x, far_k = angle.square, let("far_k", angle.sine / angle.angle)
     k = let("k", far(x, far_k, taylor(1, x)))

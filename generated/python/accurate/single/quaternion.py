@@ -49,7 +49,9 @@ def quaternion_norm(q):
     """|q| = sqrt(v·v + w^2).
 
     (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
-    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.
+    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.  Each component is within 1 ulp as long as
+    its condition is below 1e13; in single precision it is the nearest number, except near ties,
+    as long as that is below 1e5; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -79,7 +81,9 @@ def quaternion_normalize(self):
     """self = self / |self|; zero stays zero.
 
     (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.  Each component is within 1
+    ulp as long as its condition is below 1e13; in single precision it is the nearest number,
+    except near ties, as long as that is below 1e5; searched, not proved.
     """
     self_0, self_1, self_2, self_3 = self
     s_size_0 = absolute(self_0)
@@ -120,7 +124,9 @@ def quaternion_normalized(q):
     """qo = q / |q|; zero stays zero.
 
     (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.  Each component is within 1
+    ulp as long as its condition is below 1e13; in single precision it is the nearest number,
+    except near ties, as long as that is below 1e5; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -832,8 +838,10 @@ def mat3x3_from_quaternion(q):
     """R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
-    20 mul, 16 add, 1 div.  Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511,
-    in single precision 2^-45 < |q| < 2^63; searched, not proved.
+    20 mul, 16 add, 1 div.  Error <= R: 1 u of its largest component for 2^-450 < |q| < 2^511,
+    in single precision 2^-45 < |q| < 2^63; searched, not proved.  Each component is within 1
+    ulp as long as its condition is below 1e13; in single precision it is the nearest number,
+    except near ties, as long as that is below 1e5; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     squares_0 = q_3 * q_3
@@ -881,8 +889,10 @@ def quaternion_from_mat3x3(R):
     """qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
-    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 6 u of its largest
-    component for R a rotation; searched, not proved.
+    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 1 u of its largest
+    component for R a rotation; searched, not proved.  Each component is within 1 ulp as long as
+    its condition is below 1e13; in single precision it is the nearest number, except near ties,
+    as long as that is below 1e5; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -927,14 +937,36 @@ def quaternion_from_mat3x3(R):
     return (qo_0, qo_1, qo_2, qo_3)
 
 
+@kernel("(3),()->(4)")
+def quaternion_from_axis_angle(axis, angle):
+    """qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
+    rotation is by another angle.
+
+    (3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
+    32 mul, 33 add, 1 abs.  Error <= qo: 1 u of its largest component for |axis| = 1; searched,
+    not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
+    single precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.
+    """
+    axis_0, axis_1, axis_2 = axis
+    half = 0.5 * angle
+    sine, qo_3 = elementary.sincos(half)
+    qo_0 = axis_0 * sine
+    qo_1 = axis_1 * sine
+    qo_2 = axis_2 * sine
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
 @kernel("(4)->(),(3)")
 def axis_angle_from_quaternion(q):
     """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
     angle is 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.  Error <=
-    angle: 6 u, axis: 4 u of its largest component; searched, not proved.
+    41 mul, 37 add, 4 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 32 select.  Error
+    <= angle: 1 u, axis: 1 u of its largest component; searched, not proved.  Each component is
+    within 1 ulp as long as its condition is below 1e13; in single precision it is the nearest
+    number, except near ties, as long as that is below 1e5; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -981,14 +1013,85 @@ def axis_angle_from_quaternion(q):
     return (angle, axis_0, unit_1, unit_2)
 
 
+@kernel("(3)->(4)")
+def quaternion_exp(v):
+    """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
+
+    (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
+    71 mul, 86 add, 2 div, 1 sqrt, 5 abs, 2 less, 6 select.  Error <= qo: 1 u of its largest
+    component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each component is
+    within 1 ulp as long as its condition is below 1e13; in single precision it is the nearest
+    number, except near ties, as long as that is below 1e5; searched, not proved.
+    """
+    v_0, v_1, v_2 = v
+    h_0 = 0.5 * v_0
+    h_1 = 0.5 * v_1
+    h_2 = 0.5 * v_2
+    size_0 = absolute(h_0)
+    size_1 = absolute(h_1)
+    size_2 = absolute(h_2)
+    sizes = size_0 + size_1 + size_2
+    grid = sizes * 8192
+    shifted_0 = h_0 + grid
+    shifted_1 = h_1 + grid
+    shifted_2 = h_2 + grid
+    high_0 = shifted_0 - grid
+    high_1 = shifted_1 - grid
+    high_2 = shifted_2 - grid
+    low_0 = h_0 - high_0
+    low_1 = h_1 - high_1
+    low_2 = h_2 - high_2
+    sum_0 = h_0 + high_0
+    sum_1 = h_1 + high_1
+    sum_2 = h_2 + high_2
+    squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
+    cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
+    x = squares + cross
+    theta_b = x < 1
+    theta = where(theta_b, 1, sqrt(x))
+    theta_shifted = grid + theta
+    theta_high = theta_shifted - grid
+    theta_low = theta - theta_high
+    theta_sum = theta + theta_high
+    cross_rest = cross - theta_low * theta_sum
+    exact = squares - theta_high * theta_high
+    residual = cross_rest + exact
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
+    far_sine_a, far_cosine_a = elementary.sincos(theta)
+    far_sine = where(theta_b, 1, far_sine_a)
+    far_cosine = where(theta_b, 0, far_cosine_a)
+    sine = delta * far_cosine + far_sine
+    cosine = far_cosine - delta * far_sine
+    far_k = sine / theta
+    k_e = x * (x * (6.446950284384474e-26 * x - 3.868170170630684e-23) + 1.9572941063391263e-20)
+    k_j = x * (x * (k_e - 8.22063524662433e-18) + 2.8114572543455206e-15) - 7.647163731819816e-13
+    k_o = x * (x * (x * k_j + 1.6059043836821613e-10) - 2.505210838544172e-08)
+    k_t = x * (x * (k_o + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333
+    k = where(theta_b, x * (x * k_t - 0.16666666666666666) + 1, far_k)
+    g2e = x * (x * (2.4795962632247976e-27 * x - 1.6117375710961184e-24) + 8.896791392450574e-22)
+    g2j = x * (x * (g2e - 4.110317623312165e-19) + 1.5619206968586225e-16) - 4.779477332387385e-14
+    g2o = x * (x * (x * g2j + 1.1470745597729725e-11) - 2.08767569878681e-09)
+    g2t = x * (x * (g2o + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889
+    g2 = x * (x * g2t - 0.041666666666666664) + 0.5
+    near = 1 - x * g2
+    qo_0 = h_0 * k
+    qo_1 = h_1 * k
+    qo_2 = h_2 * k
+    qo_3 = where(theta_b, near, cosine)
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
 @kernel("(4)->(3)")
 def quaternion_log(q):
     """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 17 select.  Error <=
-    vo: 6 u of its largest component; searched, not proved.
+    44 mul, 37 add, 2 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 31 select.  Error
+    <= vo: 1 u of its largest component; searched, not proved.  Each component is within 1 ulp
+    as long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -1032,3 +1135,112 @@ def quaternion_log(q):
     vector_1 = upper_1 * k
     vector_2 = upper_2 * k
     return (vector_0, vector_1, vector_2)
+
+
+@kernel("(4),(4),()->(4)")
+def quaternion_interpolated(q1, q2, k):
+    """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
+
+    (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
+    142 mul, 147 add, 4 div, 2 sqrt, 6 neg, 10 abs, 2 copysign, 17 less, 2 equal, 33 select.
+    Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
+    searched, not proved.  Each component is within 1 ulp as long as its condition is below
+    1e13; in single precision it is the nearest number, except near ties, as long as that is
+    below 1e5; searched, not proved.
+    """
+    q1_0, q1_1, q1_2, q1_3 = q1
+    q2_0, q2_1, q2_2, q2_3 = q2
+    between_0 = q1_3 * q2_0 - q1_0 * q2_3 + (q1_2 * q2_1 - q1_1 * q2_2)
+    between_1 = q1_0 * q2_2 - q1_2 * q2_0 + (q1_3 * q2_1 - q1_1 * q2_3)
+    between_2 = q1_1 * q2_0 - q1_0 * q2_1 + (q1_3 * q2_2 - q1_2 * q2_3)
+    between_3 = q1_0 * q2_0 + q1_1 * q2_1 + q1_2 * q2_2 + q1_3 * q2_3
+    upper_0b = between_3 < 0
+    upper_0 = where(upper_0b, -between_0, between_0)
+    upper_1 = where(upper_0b, -between_1, between_1)
+    upper_2 = where(upper_0b, -between_2, between_2)
+    upper_3 = where(upper_0b, -between_3, between_3)
+    v_s_size_0 = absolute(upper_0)
+    v_s_size_1 = absolute(upper_1)
+    v_s_size_2 = absolute(upper_2)
+    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
+    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
+    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float64(2.710505431213761e-20), float64(1))
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
+    v_y_0 = upper_0 * v_s
+    v_y_1 = upper_1 * v_s
+    v_y_2 = upper_2 * v_s
+    v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
+    v_r_b = where(v_s < 1, float64(3.6893488147419103e+19), float64(1))
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
+    n = v_n * v_r
+    half = elementary.atan2(n, upper_3)
+    divisor = where(n == 0, 1, n)
+    rate = half / divisor
+    kv_0 = k * upper_0
+    kv_1 = k * upper_1
+    kv_2 = k * upper_2
+    step_0 = rate * kv_0
+    step_1 = rate * kv_1
+    step_2 = rate * kv_2
+    exp_size_0 = absolute(step_0)
+    exp_size_1 = absolute(step_1)
+    exp_size_2 = absolute(step_2)
+    exp_sizes = exp_size_0 + exp_size_1 + exp_size_2
+    exp_grid = exp_sizes * 8192
+    exp_shifted_0 = step_0 + exp_grid
+    exp_shifted_1 = step_1 + exp_grid
+    exp_shifted_2 = step_2 + exp_grid
+    exp_high_0 = exp_shifted_0 - exp_grid
+    exp_high_1 = exp_shifted_1 - exp_grid
+    exp_high_2 = exp_shifted_2 - exp_grid
+    exp_low_0 = step_0 - exp_high_0
+    exp_low_1 = step_1 - exp_high_1
+    exp_low_2 = step_2 - exp_high_2
+    exp_sum_0 = step_0 + exp_high_0
+    exp_sum_1 = step_1 + exp_high_1
+    exp_sum_2 = step_2 + exp_high_2
+    exp_squares = exp_high_0 * exp_high_0 + exp_high_1 * exp_high_1 + exp_high_2 * exp_high_2
+    exp_cross = exp_low_0 * exp_sum_0 + exp_low_1 * exp_sum_1 + exp_low_2 * exp_sum_2
+    exp_x = exp_squares + exp_cross
+    exp_theta_b = exp_x < 1
+    exp_theta = where(exp_theta_b, 1, sqrt(exp_x))
+    exp_theta_shifted = exp_grid + exp_theta
+    exp_theta_high = exp_theta_shifted - exp_grid
+    exp_theta_low = exp_theta - exp_theta_high
+    exp_theta_sum = exp_theta + exp_theta_high
+    exp_cross_rest = exp_cross - exp_theta_low * exp_theta_sum
+    exp_exact = exp_squares - exp_theta_high * exp_theta_high
+    exp_residual = exp_cross_rest + exp_exact
+    exp_small = 0.5 * exp_residual / exp_theta
+    exp_delta = where(absolute(exp_small) < 0.0078125, exp_small, 0)
+    exp_far_sine_a, exp_far_cosine_a = elementary.sincos(exp_theta)
+    exp_far_sine = where(exp_theta_b, 1, exp_far_sine_a)
+    exp_far_cosine = where(exp_theta_b, 0, exp_far_cosine_a)
+    exp_sine = exp_delta * exp_far_cosine + exp_far_sine
+    exp_cosine = exp_far_cosine - exp_delta * exp_far_sine
+    exp_far_k = exp_sine / exp_theta
+    exp_k_c = exp_x * (6.446950284384474e-26 * exp_x - 3.868170170630684e-23)
+    exp_k_g = exp_x * (exp_x * (exp_k_c + 1.9572941063391263e-20) - 8.22063524662433e-18)
+    exp_k_k = exp_x * (exp_x * (exp_k_g + 2.8114572543455206e-15) - 7.647163731819816e-13)
+    exp_k_o = exp_x * (exp_x * (exp_k_k + 1.6059043836821613e-10) - 2.505210838544172e-08)
+    exp_k_s = exp_x * (exp_x * (exp_k_o + 2.7557319223985893e-06) - 0.0001984126984126984)
+    exp_k_x = exp_x * (exp_x * (exp_k_s + 0.008333333333333333) - 0.16666666666666666) + 1
+    exp_k = where(exp_theta_b, exp_k_x, exp_far_k)
+    exp_g2c = exp_x * (2.4795962632247976e-27 * exp_x - 1.6117375710961184e-24)
+    exp_g2g = exp_x * (exp_x * (exp_g2c + 8.896791392450574e-22) - 4.110317623312165e-19)
+    exp_g2k = exp_x * (exp_x * (exp_g2g + 1.5619206968586225e-16) - 4.779477332387385e-14)
+    exp_g2o = exp_x * (exp_x * (exp_g2k + 1.1470745597729725e-11) - 2.08767569878681e-09)
+    exp_g2s = exp_x * (exp_x * (exp_g2o + 2.755731922398589e-07) - 2.48015873015873e-05)
+    exp_g2 = exp_x * (exp_x * (exp_g2s + 0.001388888888888889) - 0.041666666666666664) + 0.5
+    exp_near = 1 - exp_x * exp_g2
+    power_0 = step_0 * exp_k
+    power_1 = step_1 * exp_k
+    power_2 = step_2 * exp_k
+    power_3 = where(exp_theta_b, exp_near, exp_cosine)
+    qo_0 = q1_0 * power_3 + (q1_1 * power_2 - q1_2 * power_1) + q1_3 * power_0
+    qo_1 = q1_2 * power_0 - q1_0 * power_2 + q1_1 * power_3 + q1_3 * power_1
+    qo_2 = q1_0 * power_1 - q1_1 * power_0 + q1_2 * power_3 + q1_3 * power_2
+    qo_3 = -(q1_0 * power_0) - q1_1 * power_1 - q1_2 * power_2 + q1_3 * power_3
+    return (qo_0, qo_1, qo_2, qo_3)
