@@ -86,7 +86,7 @@ def widened(program: Program) -> Program:
 
 def _made(program: Program, precision: Precision) -> Program:
     if precision != DOUBLE:
-        return replace(widened(program), fine=None)
+        return replace(widened(program.fine or program), fine=None)
     made = accurate(program.fine or program)
     steps = tuple(replace(step, operands=tuple(map(_rounded, step.operands)))
                   for step in made.instructions)

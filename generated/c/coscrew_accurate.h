@@ -26079,7 +26079,7 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
 
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (x, y, z, w), the scalar last.
-   71 mul, 86 add, 2 div, 1 sqrt, 5 abs, 2 less, 6 select.
+   41 mul, 35 add, 1 div, 1 sqrt, 4 abs, 4 less, 1 equal, 6 select.
    Error <= qo: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -26088,72 +26088,34 @@ static inline void ksl_quaternionf_exp_accurate(const ksl_vec3f_t *v, ksl_quater
   const double h_0 = 0.5 * (double)v->x;
   const double h_1 = 0.5 * (double)v->y;
   const double h_2 = 0.5 * (double)v->z;
-  const double size_0 = fabs(h_0);
-  const double size_1 = fabs(h_1);
-  const double size_2 = fabs(h_2);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
-  const double grid = KSL_MUL(sizes, 8192.0);
-  const double shifted_0 = h_0 + grid;
-  const double shifted_1 = h_1 + grid;
-  const double shifted_2 = h_2 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = h_0 - high_0;
-  const double low_1 = h_1 - high_1;
-  const double low_2 = h_2 - high_2;
-  const double sum_0 = h_0 + high_0;
-  const double sum_1 = h_1 + high_1;
-  const double sum_2 = h_2 + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
-  const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = grid + theta;
-  const double theta_high = theta_shifted - grid;
-  const double theta_low = theta - theta_high;
-  const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
-  const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
-  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
-  const double far_k = sine / theta;
-  const double k_a = KSL_MUL(6.446950284384474e-26, x), k_b = k_a - 3.868170170630684e-23,
-      k_c = KSL_MUL(x, k_b), k_d = k_c + 1.9572941063391263e-20, k_e = KSL_MUL(x, k_d),
-      k_f = k_e - 8.22063524662433e-18, k_g = KSL_MUL(x, k_f), k_h = k_g + 2.8114572543455206e-15,
-      k_i = KSL_MUL(x, k_h), k_j = k_i - 7.647163731819816e-13, k_k = KSL_MUL(x, k_j),
-      k_l = k_k + 1.6059043836821613e-10, k_m = KSL_MUL(x, k_l), k_n = k_m - 2.505210838544172e-08,
-      k_o = KSL_MUL(x, k_n), k_p = k_o + 2.7557319223985893e-06, k_q = KSL_MUL(x, k_p),
-      k_r = k_q - 0.0001984126984126984, k_s = KSL_MUL(x, k_r), k_t = k_s + 0.008333333333333333,
-      k_u = KSL_MUL(x, k_t), k_v = k_u - 0.16666666666666666, k_w = KSL_MUL(x, k_v),
-      k_x = k_w + 1.0, k = x < 1.0 ? k_x : far_k;
-  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
-      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
-      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
-      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
-      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
-      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
-      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
-      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
-      g2 = g2w + 0.5;
-  const double near_a = KSL_MUL(x, g2), near = 1.0 - near_a;
-  const double qo_0 = KSL_MUL(h_0, k);
-  const double qo_1 = KSL_MUL(h_1, k);
-  const double qo_2 = KSL_MUL(h_2, k);
-  const double qo_3 = x < 1.0 ? near : cosine;
+  const double h_size_0 = fabs(h_0);
+  const double h_size_1 = fabs(h_1);
+  const double h_size_2 = fabs(h_2);
+  const double h_largest1 = h_size_0 < h_size_1 ? h_size_1 : h_size_0;
+  const double h_largest2 = h_largest1 < h_size_2 ? h_size_2 : h_largest1;
+  const double s = 4.611686018427388e+18 < h_largest2 ? 2.710505431213761e-20 : 1.0;
+  const double reduced_0 = KSL_MUL(h_0, s);
+  const double reduced_1 = KSL_MUL(h_1, s);
+  const double reduced_2 = KSL_MUL(h_2, s);
+  const double up = s < 1.0 ? 3.6893488147419103e+19 : 1.0;
+  const double reduced_length_a = KSL_MUL(reduced_0, reduced_0),
+      reduced_length_b = KSL_MUL(reduced_1, reduced_1),
+      reduced_length_c = reduced_length_a + reduced_length_b,
+      reduced_length_d = KSL_MUL(reduced_2, reduced_2),
+      reduced_length_e = reduced_length_c + reduced_length_d,
+      reduced_length = sqrt(reduced_length_e);
+  const double half_angle = KSL_MUL(reduced_length, up);
+  double c; const double sine = ksl_sincos(half_angle, &c);
+  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_quotient = sine / sinc_divisor;
+  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double qo_0 = KSL_MUL(h_0, sinc);
+  const double qo_1 = KSL_MUL(h_1, sinc);
+  const double qo_2 = KSL_MUL(h_2, sinc);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
-  qo->w = (float)qo_3;
+  qo->w = (float)c;
 }
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
@@ -26210,7 +26172,7 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-   142 mul, 147 add, 4 div, 2 sqrt, 6 neg, 10 abs, 2 copysign, 17 less, 2 equal, 33 select.
+   112 mul, 96 add, 3 div, 2 sqrt, 6 neg, 9 abs, 2 copysign, 19 less, 3 equal, 33 select.
    Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -26266,92 +26228,40 @@ static inline void ksl_quaternionf_interpolated_accurate(const ksl_quaternionf_t
   const double step_0 = KSL_MUL(rate, kv_0);
   const double step_1 = KSL_MUL(rate, kv_1);
   const double step_2 = KSL_MUL(rate, kv_2);
-  const double exp_size_0 = fabs(step_0);
-  const double exp_size_1 = fabs(step_1);
-  const double exp_size_2 = fabs(step_2);
-  const double exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
-  const double exp_grid = KSL_MUL(exp_sizes, 8192.0);
-  const double exp_shifted_0 = step_0 + exp_grid;
-  const double exp_shifted_1 = step_1 + exp_grid;
-  const double exp_shifted_2 = step_2 + exp_grid;
-  const double exp_high_0 = exp_shifted_0 - exp_grid;
-  const double exp_high_1 = exp_shifted_1 - exp_grid;
-  const double exp_high_2 = exp_shifted_2 - exp_grid;
-  const double exp_low_0 = step_0 - exp_high_0;
-  const double exp_low_1 = step_1 - exp_high_1;
-  const double exp_low_2 = step_2 - exp_high_2;
-  const double exp_sum_0 = step_0 + exp_high_0;
-  const double exp_sum_1 = step_1 + exp_high_1;
-  const double exp_sum_2 = step_2 + exp_high_2;
-  const double exp_squares_a = KSL_MUL(exp_high_0, exp_high_0),
-      exp_squares_b = KSL_MUL(exp_high_1, exp_high_1),
-      exp_squares_c = exp_squares_a + exp_squares_b,
-      exp_squares_d = KSL_MUL(exp_high_2, exp_high_2), exp_squares = exp_squares_c + exp_squares_d;
-  const double exp_cross_a = KSL_MUL(exp_low_0, exp_sum_0),
-      exp_cross_b = KSL_MUL(exp_low_1, exp_sum_1), exp_cross_c = exp_cross_a + exp_cross_b,
-      exp_cross_d = KSL_MUL(exp_low_2, exp_sum_2), exp_cross = exp_cross_c + exp_cross_d;
-  const double exp_x = exp_squares + exp_cross;
-  const double exp_theta_a = sqrt(exp_x), exp_theta = exp_x < 1.0 ? 1.0 : exp_theta_a;
-  const double exp_theta_shifted = exp_grid + exp_theta;
-  const double exp_theta_high = exp_theta_shifted - exp_grid;
-  const double exp_theta_low = exp_theta - exp_theta_high;
-  const double exp_theta_sum = exp_theta + exp_theta_high;
-  const double exp_cross_rest_a = KSL_MUL(exp_theta_low, exp_theta_sum),
-      exp_cross_rest = exp_cross - exp_cross_rest_a;
-  const double exp_exact_a = KSL_MUL(exp_theta_high, exp_theta_high),
-      exp_exact = exp_squares - exp_exact_a;
-  const double exp_residual = exp_cross_rest + exp_exact;
-  const double exp_small_a = KSL_MUL(0.5, exp_residual), exp_small = exp_small_a / exp_theta;
-  const double exp_delta_a = fabs(exp_small), exp_delta = exp_delta_a < 0.0078125 ? exp_small : 0.0;
-  double exp_far_cosine_a; const double exp_far_sine_a = ksl_sincos(exp_theta, &exp_far_cosine_a);
-  const double exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
-  const double exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
-  const double exp_sine_a = KSL_MUL(exp_delta, exp_far_cosine),
-      exp_sine = exp_sine_a + exp_far_sine;
-  const double exp_cosine_a = KSL_MUL(exp_delta, exp_far_sine),
-      exp_cosine = exp_far_cosine - exp_cosine_a;
-  const double exp_far_k = exp_sine / exp_theta;
-  const double exp_k_a = KSL_MUL(6.446950284384474e-26, exp_x),
-      exp_k_b = exp_k_a - 3.868170170630684e-23, exp_k_c = KSL_MUL(exp_x, exp_k_b),
-      exp_k_d = exp_k_c + 1.9572941063391263e-20, exp_k_e = KSL_MUL(exp_x, exp_k_d),
-      exp_k_f = exp_k_e - 8.22063524662433e-18, exp_k_g = KSL_MUL(exp_x, exp_k_f),
-      exp_k_h = exp_k_g + 2.8114572543455206e-15, exp_k_i = KSL_MUL(exp_x, exp_k_h),
-      exp_k_j = exp_k_i - 7.647163731819816e-13, exp_k_k = KSL_MUL(exp_x, exp_k_j),
-      exp_k_l = exp_k_k + 1.6059043836821613e-10, exp_k_m = KSL_MUL(exp_x, exp_k_l),
-      exp_k_n = exp_k_m - 2.505210838544172e-08, exp_k_o = KSL_MUL(exp_x, exp_k_n),
-      exp_k_p = exp_k_o + 2.7557319223985893e-06, exp_k_q = KSL_MUL(exp_x, exp_k_p),
-      exp_k_r = exp_k_q - 0.0001984126984126984, exp_k_s = KSL_MUL(exp_x, exp_k_r),
-      exp_k_t = exp_k_s + 0.008333333333333333, exp_k_u = KSL_MUL(exp_x, exp_k_t),
-      exp_k_v = exp_k_u - 0.16666666666666666, exp_k_w = KSL_MUL(exp_x, exp_k_v),
-      exp_k_x = exp_k_w + 1.0, exp_k = exp_x < 1.0 ? exp_k_x : exp_far_k;
-  const double exp_g2a = KSL_MUL(2.4795962632247976e-27, exp_x),
-      exp_g2b = exp_g2a - 1.6117375710961184e-24, exp_g2c = KSL_MUL(exp_x, exp_g2b),
-      exp_g2d = exp_g2c + 8.896791392450574e-22, exp_g2e = KSL_MUL(exp_x, exp_g2d),
-      exp_g2f = exp_g2e - 4.110317623312165e-19, exp_g2g = KSL_MUL(exp_x, exp_g2f),
-      exp_g2h = exp_g2g + 1.5619206968586225e-16, exp_g2i = KSL_MUL(exp_x, exp_g2h),
-      exp_g2j = exp_g2i - 4.779477332387385e-14, exp_g2k = KSL_MUL(exp_x, exp_g2j),
-      exp_g2l = exp_g2k + 1.1470745597729725e-11, exp_g2m = KSL_MUL(exp_x, exp_g2l),
-      exp_g2n = exp_g2m - 2.08767569878681e-09, exp_g2o = KSL_MUL(exp_x, exp_g2n),
-      exp_g2p = exp_g2o + 2.755731922398589e-07, exp_g2q = KSL_MUL(exp_x, exp_g2p),
-      exp_g2r = exp_g2q - 2.48015873015873e-05, exp_g2s = KSL_MUL(exp_x, exp_g2r),
-      exp_g2t = exp_g2s + 0.001388888888888889, exp_g2u = KSL_MUL(exp_x, exp_g2t),
-      exp_g2v = exp_g2u - 0.041666666666666664, exp_g2w = KSL_MUL(exp_x, exp_g2v),
-      exp_g2 = exp_g2w + 0.5;
-  const double exp_near_a = KSL_MUL(exp_x, exp_g2), exp_near = 1.0 - exp_near_a;
-  const double power_0 = KSL_MUL(step_0, exp_k);
-  const double power_1 = KSL_MUL(step_1, exp_k);
-  const double power_2 = KSL_MUL(step_2, exp_k);
-  const double power_3 = exp_x < 1.0 ? exp_near : exp_cosine;
-  const double qo_0a = KSL_MUL((double)q1->x, power_3), qo_0b = KSL_MUL((double)q1->y, power_2),
+  const double exp_h_size_0 = fabs(step_0);
+  const double exp_h_size_1 = fabs(step_1);
+  const double exp_h_size_2 = fabs(step_2);
+  const double exp_h_largest1 = exp_h_size_0 < exp_h_size_1 ? exp_h_size_1 : exp_h_size_0;
+  const double exp_h_largest2 = exp_h_largest1 < exp_h_size_2 ? exp_h_size_2 : exp_h_largest1;
+  const double exp_s = 4.611686018427388e+18 < exp_h_largest2 ? 2.710505431213761e-20 : 1.0;
+  const double exp_reduced_0 = KSL_MUL(step_0, exp_s);
+  const double exp_reduced_1 = KSL_MUL(step_1, exp_s);
+  const double exp_reduced_2 = KSL_MUL(step_2, exp_s);
+  const double exp_up = exp_s < 1.0 ? 3.6893488147419103e+19 : 1.0;
+  const double exp_reduced_length_a = KSL_MUL(exp_reduced_0, exp_reduced_0),
+      exp_reduced_length_b = KSL_MUL(exp_reduced_1, exp_reduced_1),
+      exp_reduced_length_c = exp_reduced_length_a + exp_reduced_length_b,
+      exp_reduced_length_d = KSL_MUL(exp_reduced_2, exp_reduced_2),
+      exp_reduced_length_e = exp_reduced_length_c + exp_reduced_length_d,
+      exp_reduced_length = sqrt(exp_reduced_length_e);
+  const double exp_half_angle = KSL_MUL(exp_reduced_length, exp_up);
+  double exp_c; const double exp_sine = ksl_sincos(exp_half_angle, &exp_c);
+  const double exp_sinc_divisor = exp_half_angle == 0.0 ? 1.0 : exp_half_angle;
+  const double exp_sinc_quotient = exp_sine / exp_sinc_divisor;
+  const double exp_sinc = exp_half_angle == 0.0 ? 1.0 : exp_sinc_quotient;
+  const double power_0 = KSL_MUL(step_0, exp_sinc);
+  const double power_1 = KSL_MUL(step_1, exp_sinc);
+  const double power_2 = KSL_MUL(step_2, exp_sinc);
+  const double qo_0a = KSL_MUL((double)q1->x, exp_c), qo_0b = KSL_MUL((double)q1->y, power_2),
       qo_0c = KSL_MUL((double)q1->z, power_1), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
       qo_0f = KSL_MUL((double)q1->w, power_0), qo_0 = qo_0e + qo_0f;
   const double qo_1a = KSL_MUL((double)q1->z, power_0), qo_1b = KSL_MUL((double)q1->x, power_2),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL((double)q1->y, power_3), qo_1e = qo_1c + qo_1d,
+      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL((double)q1->y, exp_c), qo_1e = qo_1c + qo_1d,
       qo_1f = KSL_MUL((double)q1->w, power_1), qo_1 = qo_1e + qo_1f;
   const double qo_2a = KSL_MUL((double)q1->x, power_1), qo_2b = KSL_MUL((double)q1->y, power_0),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL((double)q1->z, power_3), qo_2e = qo_2c + qo_2d,
+      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL((double)q1->z, exp_c), qo_2e = qo_2c + qo_2d,
       qo_2f = KSL_MUL((double)q1->w, power_2), qo_2 = qo_2e + qo_2f;
-  const double qo_3a = KSL_MUL((double)q1->w, power_3), qo_3b = KSL_MUL((double)q1->x, power_0),
+  const double qo_3a = KSL_MUL((double)q1->w, exp_c), qo_3b = KSL_MUL((double)q1->x, power_0),
       qo_3c = KSL_MUL((double)q1->y, power_1), qo_3d_lead = -qo_3b, qo_3d = qo_3d_lead - qo_3c,
       qo_3e = KSL_MUL((double)q1->z, power_2), qo_3f = qo_3d - qo_3e, qo_3 = qo_3f + qo_3a;
   qo->x = (float)qo_0;
@@ -35937,109 +35847,72 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
 
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   77 mul, 102 add, 3 div, 1 sqrt, 5 abs, 5 less, 11 select.
+   53 mul, 47 add, 1 div, 1 sqrt, 4 abs, 4 less, 1 equal, 6 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
      searched, not proved. */
 static inline void ksl_SO3_expf_accurate(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const double size_0 = fabs((double)v->x);
-  const double size_1 = fabs((double)v->y);
-  const double size_2 = fabs((double)v->z);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
-  const double grid = KSL_MUL(sizes, 8192.0);
-  const double shifted_0 = (double)v->x + grid;
-  const double shifted_1 = (double)v->y + grid;
-  const double shifted_2 = (double)v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = (double)v->x - high_0;
-  const double low_1 = (double)v->y - high_1;
-  const double low_2 = (double)v->z - high_2;
-  const double sum_0 = (double)v->x + high_0;
-  const double sum_1 = (double)v->y + high_1;
-  const double sum_2 = (double)v->z + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
-  const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = grid + theta;
-  const double theta_high = theta_shifted - grid;
-  const double theta_low = theta - theta_high;
-  const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
-  const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
-  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
-  const double far_x = x < 1.0 ? 1.0 : x;
-  const double closed1 = sine / theta;
-  const double versine = 1.0 - cosine;
-  const double closed2 = versine / far_x;
-  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
-      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
-      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
-      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
-      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
-      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
-      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
-      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
-      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
-      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
-      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
-      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
-      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
-      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
-      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
-      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
-      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
-  const double g0a = KSL_MUL(x, g2), g0b = 1.0 - g0a, g0 = x < 1.0 ? g0b : cosine;
-  const double beta_v_0 = KSL_MUL((double)v->x, g2);
-  const double beta_v_1 = KSL_MUL((double)v->y, g2);
-  const double beta_v_2 = KSL_MUL((double)v->z, g2);
-  const double m_0 = KSL_MUL((double)v->x, beta_v_0);
-  const double m_1 = KSL_MUL((double)v->y, beta_v_1);
-  const double m_2 = KSL_MUL((double)v->z, beta_v_2);
-  const double m_3 = KSL_MUL((double)v->y, beta_v_0);
-  const double m_4 = KSL_MUL((double)v->z, beta_v_0);
-  const double m_5 = KSL_MUL((double)v->z, beta_v_1);
+  const double halved_0 = 0.5 * (double)v->x;
+  const double halved_1 = 0.5 * (double)v->y;
+  const double halved_2 = 0.5 * (double)v->z;
+  const double h_size_0 = fabs(halved_0);
+  const double h_size_1 = fabs(halved_1);
+  const double h_size_2 = fabs(halved_2);
+  const double h_largest1 = h_size_0 < h_size_1 ? h_size_1 : h_size_0;
+  const double h_largest2 = h_largest1 < h_size_2 ? h_size_2 : h_largest1;
+  const double s = 4.611686018427388e+18 < h_largest2 ? 2.710505431213761e-20 : 1.0;
+  const double reduced_0 = KSL_MUL(halved_0, s);
+  const double reduced_1 = KSL_MUL(halved_1, s);
+  const double reduced_2 = KSL_MUL(halved_2, s);
+  const double up = s < 1.0 ? 3.6893488147419103e+19 : 1.0;
+  const double reduced_length_a = KSL_MUL(reduced_0, reduced_0),
+      reduced_length_b = KSL_MUL(reduced_1, reduced_1),
+      reduced_length_c = reduced_length_a + reduced_length_b,
+      reduced_length_d = KSL_MUL(reduced_2, reduced_2),
+      reduced_length_e = reduced_length_c + reduced_length_d,
+      reduced_length = sqrt(reduced_length_e);
+  const double half_angle = KSL_MUL(reduced_length, up);
+  double c; const double sine = ksl_sincos(half_angle, &c);
+  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_quotient = sine / sinc_divisor;
+  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double turning_0 = KSL_MUL((double)v->x, sinc);
+  const double turning_1 = KSL_MUL((double)v->y, sinc);
+  const double turning_2 = KSL_MUL((double)v->z, sinc);
+  const double beta_v_0 = KSL_MUL(0.5, turning_0);
+  const double beta_v_1 = KSL_MUL(0.5, turning_1);
+  const double beta_v_2 = KSL_MUL(0.5, turning_2);
+  const double m_0 = KSL_MUL(turning_0, beta_v_0);
+  const double m_1 = KSL_MUL(turning_1, beta_v_1);
+  const double m_2 = KSL_MUL(turning_2, beta_v_2);
+  const double m_3 = KSL_MUL(turning_1, beta_v_0);
+  const double m_4 = KSL_MUL(turning_2, beta_v_0);
+  const double m_5 = KSL_MUL(turning_2, beta_v_1);
   const double others_0 = m_1 + m_2;
   const double others_1 = m_0 + m_2;
   const double others_2 = m_0 + m_1;
-  const double diagonal0a = 1.0 - others_0, diagonal0b = g0 + m_0,
-      diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
-  const double diagonal1a = 1.0 - others_1, diagonal1b = g0 + m_1,
-      diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
-  const double diagonal2a = 1.0 - others_2, diagonal2b = g0 + m_2,
-      diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = KSL_MUL((double)v->x, g1);
-  const double alpha_v_1 = KSL_MUL((double)v->y, g1);
-  const double alpha_v_2 = KSL_MUL((double)v->z, g1);
+  const double alpha_v_0 = KSL_MUL(c, turning_0);
+  const double alpha_v_1 = KSL_MUL(c, turning_1);
+  const double alpha_v_2 = KSL_MUL(c, turning_2);
+  const double R_00 = 1.0 - others_0;
   const double R_01 = m_3 - alpha_v_2;
   const double R_02 = m_4 + alpha_v_1;
   const double R_10 = m_3 + alpha_v_2;
+  const double R_11 = 1.0 - others_1;
   const double R_12 = m_5 - alpha_v_0;
   const double R_20 = m_4 - alpha_v_1;
   const double R_21 = m_5 + alpha_v_0;
-  R->m00 = (float)diagonal0;
+  const double R_22 = 1.0 - others_2;
+  R->m00 = (float)R_00;
   R->m01 = (float)R_01;
   R->m02 = (float)R_02;
   R->m10 = (float)R_10;
-  R->m11 = (float)diagonal1;
+  R->m11 = (float)R_11;
   R->m12 = (float)R_12;
   R->m20 = (float)R_20;
   R->m21 = (float)R_21;
-  R->m22 = (float)diagonal2;
+  R->m22 = (float)R_22;
 }
 
 /* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
@@ -36110,84 +35983,44 @@ static inline void ksl_SO3_logf_accurate(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   88 mul, 114 add, 4 div, 1 sqrt, 5 abs, 6 less, 12 select.
+   64 mul, 65 add, 2 div, 1 sqrt, 1 abs, 4 less, 1 equal, 7 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
      searched, not proved. */
 static inline void ksl_SO3_leftJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const double size_0 = fabs((double)v->x);
-  const double size_1 = fabs((double)v->y);
-  const double size_2 = fabs((double)v->z);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
-  const double grid = KSL_MUL(sizes, 8192.0);
-  const double shifted_0 = (double)v->x + grid;
-  const double shifted_1 = (double)v->y + grid;
-  const double shifted_2 = (double)v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = (double)v->x - high_0;
-  const double low_1 = (double)v->y - high_1;
-  const double low_2 = (double)v->z - high_2;
-  const double sum_0 = (double)v->x + high_0;
-  const double sum_1 = (double)v->y + high_1;
-  const double sum_2 = (double)v->z + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
-  const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = grid + theta;
-  const double theta_high = theta_shifted - grid;
-  const double theta_low = theta - theta_high;
-  const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
-  const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
-  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double halved_0 = 0.5 * (double)v->x;
+  const double halved_1 = 0.5 * (double)v->y;
+  const double halved_2 = 0.5 * (double)v->z;
+  const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
+      y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
+  const double half_angle = sqrt(y);
+  double c; const double sine = ksl_sincos(half_angle, &c);
+  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_quotient = sine / sinc_divisor;
+  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double g1 = KSL_MUL(c, sinc);
+  const double g2a = KSL_MUL(sinc, sinc), g2 = KSL_MUL(0.5, g2a);
+  const double rest3 = 1.0 - g1;
+  const double x = KSL_MUL(4.0, y);
   const double far_x = x < 1.0 ? 1.0 : x;
-  const double middle_x = x < 4.0 ? 4.0 : x;
-  const double closed1 = sine / theta;
-  const double versine = 1.0 - cosine;
-  const double closed2 = versine / far_x;
-  const double rest3 = 1.0 - closed1;
-  const double closed3 = rest3 / middle_x;
-  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
-      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
-      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
-      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
-      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
-      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
-      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
-      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
-      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
-      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
-      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
-      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
-      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
-      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
-      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
-      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
-      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
-  const double g3a = KSL_MUL(9.183689863795546e-29, x), g3b = g3a - 6.446950284384474e-26,
-      g3c = KSL_MUL(x, g3b), g3d = g3c + 3.868170170630684e-23, g3e = KSL_MUL(x, g3d),
-      g3f = g3e - 1.9572941063391263e-20, g3g = KSL_MUL(x, g3f), g3h = g3g + 8.22063524662433e-18,
-      g3i = KSL_MUL(x, g3h), g3j = g3i - 2.8114572543455206e-15, g3k = KSL_MUL(x, g3j),
-      g3l = g3k + 7.647163731819816e-13, g3m = KSL_MUL(x, g3l), g3n = g3m - 1.6059043836821613e-10,
-      g3o = KSL_MUL(x, g3n), g3p = g3o + 2.505210838544172e-08, g3q = KSL_MUL(x, g3p),
-      g3r = g3q - 2.7557319223985893e-06, g3s = KSL_MUL(x, g3r), g3t = g3s + 0.0001984126984126984,
-      g3u = KSL_MUL(x, g3t), g3v = g3u - 0.008333333333333333, g3w = KSL_MUL(x, g3v),
-      g3x = g3w + 0.16666666666666666, g3 = x < 4.0 ? g3x : closed3;
+  const double closed3 = rest3 / far_x;
+  const double series5a = KSL_MUL(1.216125041553518e-34, x),
+      series5b = 1.1309962886447716e-31 - series5a, series5c = KSL_MUL(x, series5b),
+      series5d = series5c - 9.183689863795546e-29, series5e = KSL_MUL(x, series5d),
+      series5f = series5e + 6.446950284384474e-26, series5g = KSL_MUL(x, series5f),
+      series5h = series5g - 3.868170170630684e-23, series5i = KSL_MUL(x, series5h),
+      series5j = series5i + 1.9572941063391263e-20, series5k = KSL_MUL(x, series5j),
+      series5l = series5k - 8.22063524662433e-18, series5m = KSL_MUL(x, series5l),
+      series5n = series5m + 2.8114572543455206e-15, series5o = KSL_MUL(x, series5n),
+      series5p = series5o - 7.647163731819816e-13, series5q = KSL_MUL(x, series5p),
+      series5r = series5q + 1.6059043836821613e-10, series5s = KSL_MUL(x, series5r),
+      series5t = series5s - 2.505210838544172e-08, series5u = KSL_MUL(x, series5t),
+      series5v = series5u + 2.7557319223985893e-06, series5w = KSL_MUL(x, series5v),
+      series5x = series5w - 0.0001984126984126984, series5y = KSL_MUL(x, series5x),
+      series5 = series5y + 0.008333333333333333;
+  const double g3a = KSL_MUL(x, series5), g3b = 0.16666666666666666 - g3a,
+      g3 = x < 1.0 ? g3b : closed3;
   const double beta_v_0 = KSL_MUL((double)v->x, g3);
   const double beta_v_1 = KSL_MUL((double)v->y, g3);
   const double beta_v_2 = KSL_MUL((double)v->z, g3);
@@ -36228,84 +36061,44 @@ static inline void ksl_SO3_leftJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat3
 
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   88 mul, 114 add, 4 div, 1 sqrt, 3 neg, 5 abs, 6 less, 12 select.
+   64 mul, 65 add, 2 div, 1 sqrt, 3 neg, 1 abs, 4 less, 1 equal, 7 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
      searched, not proved. */
 static inline void ksl_SO3_rightJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const double size_0 = fabs((double)v->x);
-  const double size_1 = fabs((double)v->y);
-  const double size_2 = fabs((double)v->z);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
-  const double grid = KSL_MUL(sizes, 8192.0);
-  const double shifted_0 = (double)v->x + grid;
-  const double shifted_1 = (double)v->y + grid;
-  const double shifted_2 = (double)v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = (double)v->x - high_0;
-  const double low_1 = (double)v->y - high_1;
-  const double low_2 = (double)v->z - high_2;
-  const double sum_0 = (double)v->x + high_0;
-  const double sum_1 = (double)v->y + high_1;
-  const double sum_2 = (double)v->z + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
-  const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = grid + theta;
-  const double theta_high = theta_shifted - grid;
-  const double theta_low = theta - theta_high;
-  const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
-  const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
-  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double halved_0 = 0.5 * (double)v->x;
+  const double halved_1 = 0.5 * (double)v->y;
+  const double halved_2 = 0.5 * (double)v->z;
+  const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
+      y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
+  const double half_angle = sqrt(y);
+  double c; const double sine = ksl_sincos(half_angle, &c);
+  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_quotient = sine / sinc_divisor;
+  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double g1 = KSL_MUL(c, sinc);
+  const double g2a = KSL_MUL(sinc, sinc), g2 = KSL_MUL(0.5, g2a);
+  const double rest3 = 1.0 - g1;
+  const double x = KSL_MUL(4.0, y);
   const double far_x = x < 1.0 ? 1.0 : x;
-  const double middle_x = x < 4.0 ? 4.0 : x;
-  const double closed1 = sine / theta;
-  const double versine = 1.0 - cosine;
-  const double closed2 = versine / far_x;
-  const double rest3 = 1.0 - closed1;
-  const double closed3 = rest3 / middle_x;
-  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
-      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
-      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
-      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
-      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
-      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
-      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
-      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
-      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
-      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
-      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
-      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
-      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
-      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
-      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
-      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
-      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
-  const double g3a = KSL_MUL(9.183689863795546e-29, x), g3b = g3a - 6.446950284384474e-26,
-      g3c = KSL_MUL(x, g3b), g3d = g3c + 3.868170170630684e-23, g3e = KSL_MUL(x, g3d),
-      g3f = g3e - 1.9572941063391263e-20, g3g = KSL_MUL(x, g3f), g3h = g3g + 8.22063524662433e-18,
-      g3i = KSL_MUL(x, g3h), g3j = g3i - 2.8114572543455206e-15, g3k = KSL_MUL(x, g3j),
-      g3l = g3k + 7.647163731819816e-13, g3m = KSL_MUL(x, g3l), g3n = g3m - 1.6059043836821613e-10,
-      g3o = KSL_MUL(x, g3n), g3p = g3o + 2.505210838544172e-08, g3q = KSL_MUL(x, g3p),
-      g3r = g3q - 2.7557319223985893e-06, g3s = KSL_MUL(x, g3r), g3t = g3s + 0.0001984126984126984,
-      g3u = KSL_MUL(x, g3t), g3v = g3u - 0.008333333333333333, g3w = KSL_MUL(x, g3v),
-      g3x = g3w + 0.16666666666666666, g3 = x < 4.0 ? g3x : closed3;
+  const double closed3 = rest3 / far_x;
+  const double series5a = KSL_MUL(1.216125041553518e-34, x),
+      series5b = 1.1309962886447716e-31 - series5a, series5c = KSL_MUL(x, series5b),
+      series5d = series5c - 9.183689863795546e-29, series5e = KSL_MUL(x, series5d),
+      series5f = series5e + 6.446950284384474e-26, series5g = KSL_MUL(x, series5f),
+      series5h = series5g - 3.868170170630684e-23, series5i = KSL_MUL(x, series5h),
+      series5j = series5i + 1.9572941063391263e-20, series5k = KSL_MUL(x, series5j),
+      series5l = series5k - 8.22063524662433e-18, series5m = KSL_MUL(x, series5l),
+      series5n = series5m + 2.8114572543455206e-15, series5o = KSL_MUL(x, series5n),
+      series5p = series5o - 7.647163731819816e-13, series5q = KSL_MUL(x, series5p),
+      series5r = series5q + 1.6059043836821613e-10, series5s = KSL_MUL(x, series5r),
+      series5t = series5s - 2.505210838544172e-08, series5u = KSL_MUL(x, series5t),
+      series5v = series5u + 2.7557319223985893e-06, series5w = KSL_MUL(x, series5v),
+      series5x = series5w - 0.0001984126984126984, series5y = KSL_MUL(x, series5x),
+      series5 = series5y + 0.008333333333333333;
+  const double g3a = KSL_MUL(x, series5), g3b = 0.16666666666666666 - g3a,
+      g3 = x < 1.0 ? g3b : closed3;
   const double beta_v_0 = KSL_MUL((double)v->x, g3);
   const double beta_v_1 = KSL_MUL((double)v->y, g3);
   const double beta_v_2 = KSL_MUL((double)v->z, g3);
@@ -36347,71 +36140,46 @@ static inline void ksl_SO3_rightJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0.
    v: vector; R: rotation or other 3×3 matrix.
-   71 mul, 96 add, 3 div, 1 sqrt, 3 neg, 5 abs, 7 less, 12 select.
+   62 mul, 65 add, 4 div, 1 sqrt, 3 neg, 1 abs, 4 less, 1 equal, 7 select.
    Error <= R: 1 u of its largest component for |v| <= π; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
      nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_SO3_leftJacobianInversef_accurate(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const double size_0 = fabs((double)v->x);
-  const double size_1 = fabs((double)v->y);
-  const double size_2 = fabs((double)v->z);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
-  const double grid = KSL_MUL(sizes, 8192.0);
-  const double shifted_0 = (double)v->x + grid;
-  const double shifted_1 = (double)v->y + grid;
-  const double shifted_2 = (double)v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = (double)v->x - high_0;
-  const double low_1 = (double)v->y - high_1;
-  const double low_2 = (double)v->z - high_2;
-  const double sum_0 = (double)v->x + high_0;
-  const double sum_1 = (double)v->y + high_1;
-  const double sum_2 = (double)v->z + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
-  const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = grid + theta;
-  const double theta_high = theta_shifted - grid;
-  const double theta_low = theta - theta_high;
-  const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
-  const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
-  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
-  const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
-  const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
-  const double cotangent = above / below;
-  const double half_cotangent_a = KSL_MUL(0.5, theta),
-      half_cotangent = KSL_MUL(half_cotangent_a, cotangent);
-  const double b_rest = 1.0 - half_cotangent;
-  const double b_divisor = x < 4.0 ? 4.0 : x;
-  const double closed_b = b_rest / b_divisor;
-  const double b_a = KSL_MUL(1.455172475614865e-27, x), b_b = b_a + 5.744790668872202e-26,
-      b_c = KSL_MUL(x, b_b), b_d = b_c + 2.267952452337683e-24, b_e = KSL_MUL(x, b_d),
-      b_f = b_e + 8.953517427037546e-23, b_g = KSL_MUL(x, b_f), b_h = b_g + 3.534707039629467e-21,
-      b_i = KSL_MUL(x, b_h), b_j = b_i + 1.3954464685812522e-19, b_k = KSL_MUL(x, b_j),
-      b_l = b_k + 5.5090028283602295e-18, b_m = KSL_MUL(x, b_l), b_n = b_m + 2.174868698558062e-16,
-      b_o = KSL_MUL(x, b_n), b_p = b_o + 8.586062056277845e-15, b_q = KSL_MUL(x, b_p),
-      b_r = b_q + 3.3896802963225827e-13, b_s = KSL_MUL(x, b_r), b_t = b_s + 1.3382536530684679e-11,
-      b_u = KSL_MUL(x, b_t), b_v = b_u + 5.284190138687493e-10, b_w = KSL_MUL(x, b_v),
-      b_x = b_w + 2.08767569878681e-08, b_y = KSL_MUL(x, b_x), b_z = b_y + 8.267195767195768e-07,
-      b_aa = KSL_MUL(x, b_z), b_ab = b_aa + 3.306878306878307e-05, b_ac = KSL_MUL(x, b_ab),
-      b_ad = b_ac + 0.001388888888888889, b_ae = KSL_MUL(x, b_ad),
-      b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
-  const double b_across_a = KSL_MUL(x, b), b_across_b = 1.0 - b_across_a,
-      b_across = x < 4.0 ? b_across_b : half_cotangent;
+  const double halved_0 = 0.5 * (double)v->x;
+  const double halved_1 = 0.5 * (double)v->y;
+  const double halved_2 = 0.5 * (double)v->z;
+  const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
+      y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
+  const double half_angle = sqrt(y);
+  double c; const double sine = ksl_sincos(half_angle, &c);
+  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_quotient = sine / sinc_divisor;
+  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double series_phi_a = KSL_MUL(5.107725174524775e-32, y),
+      series_phi_b = 4.116826490666969e-29 - series_phi_a, series_phi_c = KSL_MUL(y, series_phi_b),
+      series_phi_d = series_phi_c - 2.86531123750421e-26, series_phi_e = KSL_MUL(y, series_phi_d),
+      series_phi_f = series_phi_e + 1.701994875077501e-23, series_phi_g = KSL_MUL(y, series_phi_f),
+      series_phi_h = series_phi_g - 8.509974375387505e-21, series_phi_i = KSL_MUL(y, series_phi_h),
+      series_phi_j = series_phi_i + 3.523129391410427e-18, series_phi_k = KSL_MUL(y, series_phi_j),
+      series_phi_l = series_phi_k - 1.1837714755139035e-15, series_phi_m = KSL_MUL(y, series_phi_l),
+      series_phi_n = series_phi_m + 3.148832124866983e-13, series_phi_o = KSL_MUL(y, series_phi_n),
+      series_phi_p = series_phi_o - 6.423617534728645e-11, series_phi_q = KSL_MUL(y, series_phi_p),
+      series_phi_r = series_phi_q + 9.635426302092969e-09, series_phi_s = KSL_MUL(y, series_phi_r),
+      series_phi_t = series_phi_s - 1.0020843354176687e-06, series_phi_u = KSL_MUL(y, series_phi_t),
+      series_phi_v = series_phi_u + 6.613756613756614e-05, series_phi_w = KSL_MUL(y, series_phi_v),
+      series_phi_x = series_phi_w - 0.002380952380952381, series_phi_y = KSL_MUL(y, series_phi_x),
+      series_phi = series_phi_y + 0.03333333333333333;
+  const double f_more_a = KSL_MUL(2.0, y), f_more = KSL_MUL(f_more_a, series_phi);
+  const double near_f_a = KSL_MUL(0.3333333333333333, sinc),
+      near_f_b = KSL_MUL(0.3333333333333333, f_more), near_f = near_f_a + near_f_b;
+  const double f_rest = sinc - c;
+  const double x = KSL_MUL(4.0, y);
+  const double far_y = x < 4.0 ? 1.0 : y;
+  const double closed_f = f_rest / far_y;
+  const double f = x < 4.0 ? near_f : closed_f;
+  const double four_k = KSL_MUL(4.0, sinc);
+  const double b = f / four_k;
+  const double b_across = c / sinc;
   const double beta_v_0 = KSL_MUL((double)v->x, b);
   const double beta_v_1 = KSL_MUL((double)v->y, b);
   const double beta_v_2 = KSL_MUL((double)v->z, b);
@@ -36430,9 +36198,9 @@ static inline void ksl_SO3_leftJacobianInversef_accurate(const ksl_vec3f_t *v, k
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0a = 0.5 * (double)v->x, alpha_v_0 = -alpha_v_0a;
-  const double alpha_v_1a = 0.5 * (double)v->y, alpha_v_1 = -alpha_v_1a;
-  const double alpha_v_2a = 0.5 * (double)v->z, alpha_v_2 = -alpha_v_2a;
+  const double alpha_v_0 = -halved_0;
+  const double alpha_v_1 = -halved_1;
+  const double alpha_v_2 = -halved_2;
   const double R_01 = m_3 - alpha_v_2;
   const double R_02 = m_4 + alpha_v_1;
   const double R_10 = m_3 + alpha_v_2;
@@ -36453,71 +36221,46 @@ static inline void ksl_SO3_leftJacobianInversef_accurate(const ksl_vec3f_t *v, k
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0.
    v: vector; R: rotation or other 3×3 matrix.
-   71 mul, 96 add, 3 div, 1 sqrt, 5 abs, 7 less, 12 select.
+   62 mul, 65 add, 4 div, 1 sqrt, 1 abs, 4 less, 1 equal, 7 select.
    Error <= R: 1 u of its largest component for |v| <= π; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
      nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_SO3_rightJacobianInversef_accurate(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const double size_0 = fabs((double)v->x);
-  const double size_1 = fabs((double)v->y);
-  const double size_2 = fabs((double)v->z);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
-  const double grid = KSL_MUL(sizes, 8192.0);
-  const double shifted_0 = (double)v->x + grid;
-  const double shifted_1 = (double)v->y + grid;
-  const double shifted_2 = (double)v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = (double)v->x - high_0;
-  const double low_1 = (double)v->y - high_1;
-  const double low_2 = (double)v->z - high_2;
-  const double sum_0 = (double)v->x + high_0;
-  const double sum_1 = (double)v->y + high_1;
-  const double sum_2 = (double)v->z + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
-  const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = grid + theta;
-  const double theta_high = theta_shifted - grid;
-  const double theta_low = theta - theta_high;
-  const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
-  const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
-  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
-  const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
-  const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
-  const double cotangent = above / below;
-  const double half_cotangent_a = KSL_MUL(0.5, theta),
-      half_cotangent = KSL_MUL(half_cotangent_a, cotangent);
-  const double b_rest = 1.0 - half_cotangent;
-  const double b_divisor = x < 4.0 ? 4.0 : x;
-  const double closed_b = b_rest / b_divisor;
-  const double b_a = KSL_MUL(1.455172475614865e-27, x), b_b = b_a + 5.744790668872202e-26,
-      b_c = KSL_MUL(x, b_b), b_d = b_c + 2.267952452337683e-24, b_e = KSL_MUL(x, b_d),
-      b_f = b_e + 8.953517427037546e-23, b_g = KSL_MUL(x, b_f), b_h = b_g + 3.534707039629467e-21,
-      b_i = KSL_MUL(x, b_h), b_j = b_i + 1.3954464685812522e-19, b_k = KSL_MUL(x, b_j),
-      b_l = b_k + 5.5090028283602295e-18, b_m = KSL_MUL(x, b_l), b_n = b_m + 2.174868698558062e-16,
-      b_o = KSL_MUL(x, b_n), b_p = b_o + 8.586062056277845e-15, b_q = KSL_MUL(x, b_p),
-      b_r = b_q + 3.3896802963225827e-13, b_s = KSL_MUL(x, b_r), b_t = b_s + 1.3382536530684679e-11,
-      b_u = KSL_MUL(x, b_t), b_v = b_u + 5.284190138687493e-10, b_w = KSL_MUL(x, b_v),
-      b_x = b_w + 2.08767569878681e-08, b_y = KSL_MUL(x, b_x), b_z = b_y + 8.267195767195768e-07,
-      b_aa = KSL_MUL(x, b_z), b_ab = b_aa + 3.306878306878307e-05, b_ac = KSL_MUL(x, b_ab),
-      b_ad = b_ac + 0.001388888888888889, b_ae = KSL_MUL(x, b_ad),
-      b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
-  const double b_across_a = KSL_MUL(x, b), b_across_b = 1.0 - b_across_a,
-      b_across = x < 4.0 ? b_across_b : half_cotangent;
+  const double halved_0 = 0.5 * (double)v->x;
+  const double halved_1 = 0.5 * (double)v->y;
+  const double halved_2 = 0.5 * (double)v->z;
+  const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
+      y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
+  const double half_angle = sqrt(y);
+  double c; const double sine = ksl_sincos(half_angle, &c);
+  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_quotient = sine / sinc_divisor;
+  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double series_phi_a = KSL_MUL(5.107725174524775e-32, y),
+      series_phi_b = 4.116826490666969e-29 - series_phi_a, series_phi_c = KSL_MUL(y, series_phi_b),
+      series_phi_d = series_phi_c - 2.86531123750421e-26, series_phi_e = KSL_MUL(y, series_phi_d),
+      series_phi_f = series_phi_e + 1.701994875077501e-23, series_phi_g = KSL_MUL(y, series_phi_f),
+      series_phi_h = series_phi_g - 8.509974375387505e-21, series_phi_i = KSL_MUL(y, series_phi_h),
+      series_phi_j = series_phi_i + 3.523129391410427e-18, series_phi_k = KSL_MUL(y, series_phi_j),
+      series_phi_l = series_phi_k - 1.1837714755139035e-15, series_phi_m = KSL_MUL(y, series_phi_l),
+      series_phi_n = series_phi_m + 3.148832124866983e-13, series_phi_o = KSL_MUL(y, series_phi_n),
+      series_phi_p = series_phi_o - 6.423617534728645e-11, series_phi_q = KSL_MUL(y, series_phi_p),
+      series_phi_r = series_phi_q + 9.635426302092969e-09, series_phi_s = KSL_MUL(y, series_phi_r),
+      series_phi_t = series_phi_s - 1.0020843354176687e-06, series_phi_u = KSL_MUL(y, series_phi_t),
+      series_phi_v = series_phi_u + 6.613756613756614e-05, series_phi_w = KSL_MUL(y, series_phi_v),
+      series_phi_x = series_phi_w - 0.002380952380952381, series_phi_y = KSL_MUL(y, series_phi_x),
+      series_phi = series_phi_y + 0.03333333333333333;
+  const double f_more_a = KSL_MUL(2.0, y), f_more = KSL_MUL(f_more_a, series_phi);
+  const double near_f_a = KSL_MUL(0.3333333333333333, sinc),
+      near_f_b = KSL_MUL(0.3333333333333333, f_more), near_f = near_f_a + near_f_b;
+  const double f_rest = sinc - c;
+  const double x = KSL_MUL(4.0, y);
+  const double far_y = x < 4.0 ? 1.0 : y;
+  const double closed_f = f_rest / far_y;
+  const double f = x < 4.0 ? near_f : closed_f;
+  const double four_k = KSL_MUL(4.0, sinc);
+  const double b = f / four_k;
+  const double b_across = c / sinc;
   const double beta_v_0 = KSL_MUL((double)v->x, b);
   const double beta_v_1 = KSL_MUL((double)v->y, b);
   const double beta_v_2 = KSL_MUL((double)v->z, b);
@@ -36536,15 +36279,12 @@ static inline void ksl_SO3_rightJacobianInversef_accurate(const ksl_vec3f_t *v, 
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = 0.5 * (double)v->x;
-  const double alpha_v_1 = 0.5 * (double)v->y;
-  const double alpha_v_2 = 0.5 * (double)v->z;
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
+  const double R_01 = m_3 - halved_2;
+  const double R_02 = halved_1 + m_4;
+  const double R_10 = halved_2 + m_3;
+  const double R_12 = m_5 - halved_0;
+  const double R_20 = m_4 - halved_1;
+  const double R_21 = halved_0 + m_5;
   R->m00 = (float)diagonal0;
   R->m01 = (float)R_01;
   R->m02 = (float)R_02;
@@ -36730,86 +36470,47 @@ static inline void ksl_mat3x3f_orthonormalized_accurate(const ksl_mat3x3f_t *R, 
 
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-   108 mul, 126 add, 4 div, 1 sqrt, 5 abs, 6 less, 13 select.
+   85 mul, 77 add, 2 div, 1 sqrt, 1 abs, 4 less, 1 equal, 7 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of s.lin if that is larger, for |ω of s|
      <= 1e13, in single precision 1e5; searched, not proved.  Each component is within 1 ulp as
      long as its condition is below 1e13; in single precision it is the nearest number, except
      near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
      overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_exp_accurate(const ksl_screwf_t *s, ksl_SE3f_t *D) {
-  const double size_0 = fabs((double)s->m3);
-  const double size_1 = fabs((double)s->m4);
-  const double size_2 = fabs((double)s->m5);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
-  const double grid = KSL_MUL(sizes, 8192.0);
-  const double shifted_0 = (double)s->m3 + grid;
-  const double shifted_1 = (double)s->m4 + grid;
-  const double shifted_2 = (double)s->m5 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = (double)s->m3 - high_0;
-  const double low_1 = (double)s->m4 - high_1;
-  const double low_2 = (double)s->m5 - high_2;
-  const double sum_0 = (double)s->m3 + high_0;
-  const double sum_1 = (double)s->m4 + high_1;
-  const double sum_2 = (double)s->m5 + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
-  const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = grid + theta;
-  const double theta_high = theta_shifted - grid;
-  const double theta_low = theta - theta_high;
-  const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
-  const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
-  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double halved_0 = 0.5 * (double)s->m3;
+  const double halved_1 = 0.5 * (double)s->m4;
+  const double halved_2 = 0.5 * (double)s->m5;
+  const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
+      y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
+  const double half_angle = sqrt(y);
+  double c; const double sine = ksl_sincos(half_angle, &c);
+  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_quotient = sine / sinc_divisor;
+  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double g1 = KSL_MUL(c, sinc);
+  const double g2a = KSL_MUL(sinc, sinc), g2 = KSL_MUL(0.5, g2a);
+  const double sine_square = KSL_MUL(sine, sine);
+  const double g0a = KSL_MUL(2.0, sine_square), g0 = 1.0 - g0a;
+  const double rest3 = 1.0 - g1;
+  const double x = KSL_MUL(4.0, y);
   const double far_x = x < 1.0 ? 1.0 : x;
-  const double middle_x = x < 4.0 ? 4.0 : x;
-  const double closed1 = sine / theta;
-  const double versine = 1.0 - cosine;
-  const double closed2 = versine / far_x;
-  const double rest3 = 1.0 - closed1;
-  const double closed3 = rest3 / middle_x;
-  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
-      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
-      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
-      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
-      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
-      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
-      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
-      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
-      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
-      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
-      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
-      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
-      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
-      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
-      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
-      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
-      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
-  const double g3a = KSL_MUL(9.183689863795546e-29, x), g3b = g3a - 6.446950284384474e-26,
-      g3c = KSL_MUL(x, g3b), g3d = g3c + 3.868170170630684e-23, g3e = KSL_MUL(x, g3d),
-      g3f = g3e - 1.9572941063391263e-20, g3g = KSL_MUL(x, g3f), g3h = g3g + 8.22063524662433e-18,
-      g3i = KSL_MUL(x, g3h), g3j = g3i - 2.8114572543455206e-15, g3k = KSL_MUL(x, g3j),
-      g3l = g3k + 7.647163731819816e-13, g3m = KSL_MUL(x, g3l), g3n = g3m - 1.6059043836821613e-10,
-      g3o = KSL_MUL(x, g3n), g3p = g3o + 2.505210838544172e-08, g3q = KSL_MUL(x, g3p),
-      g3r = g3q - 2.7557319223985893e-06, g3s = KSL_MUL(x, g3r), g3t = g3s + 0.0001984126984126984,
-      g3u = KSL_MUL(x, g3t), g3v = g3u - 0.008333333333333333, g3w = KSL_MUL(x, g3v),
-      g3x = g3w + 0.16666666666666666, g3 = x < 4.0 ? g3x : closed3;
-  const double g0a = KSL_MUL(x, g2), g0b = 1.0 - g0a, g0 = x < 1.0 ? g0b : cosine;
+  const double closed3 = rest3 / far_x;
+  const double series5a = KSL_MUL(1.216125041553518e-34, x),
+      series5b = 1.1309962886447716e-31 - series5a, series5c = KSL_MUL(x, series5b),
+      series5d = series5c - 9.183689863795546e-29, series5e = KSL_MUL(x, series5d),
+      series5f = series5e + 6.446950284384474e-26, series5g = KSL_MUL(x, series5f),
+      series5h = series5g - 3.868170170630684e-23, series5i = KSL_MUL(x, series5h),
+      series5j = series5i + 1.9572941063391263e-20, series5k = KSL_MUL(x, series5j),
+      series5l = series5k - 8.22063524662433e-18, series5m = KSL_MUL(x, series5l),
+      series5n = series5m + 2.8114572543455206e-15, series5o = KSL_MUL(x, series5n),
+      series5p = series5o - 7.647163731819816e-13, series5q = KSL_MUL(x, series5p),
+      series5r = series5q + 1.6059043836821613e-10, series5s = KSL_MUL(x, series5r),
+      series5t = series5s - 2.505210838544172e-08, series5u = KSL_MUL(x, series5t),
+      series5v = series5u + 2.7557319223985893e-06, series5w = KSL_MUL(x, series5v),
+      series5x = series5w - 0.0001984126984126984, series5y = KSL_MUL(x, series5x),
+      series5 = series5y + 0.008333333333333333;
+  const double g3a = KSL_MUL(x, series5), g3b = 0.16666666666666666 - g3a,
+      g3 = x < 1.0 ? g3b : closed3;
   const double u_0a = (double)s->m2 * (double)s->m4,
       u_0 = ksl_product_sum(-(double)s->m1, (double)s->m5, u_0a);
   const double u_1a = (double)s->m0 * (double)s->m5,
@@ -36875,7 +36576,7 @@ static inline void ksl_SE3f_exp_accurate(const ksl_screwf_t *s, ksl_SE3f_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   79 mul, 80 add, 4 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 20 less, 2 equal, 43 select.
+   82 mul, 78 add, 8 div, 2 sqrt, 6 neg, 5 abs, 2 copysign, 19 less, 3 equal, 43 select.
    Error <= lin: 1 u, ang: 1 u of its largest component for R of D a rotation; searched, not
      proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
      precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -36936,28 +36637,40 @@ static inline void ksl_SE3f_log_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
   const double vector_0 = KSL_MUL(upper_0, k);
   const double vector_1 = KSL_MUL(upper_1, k);
   const double vector_2 = KSL_MUL(upper_2, k);
-  const double x = KSL_MUL(theta, theta);
-  const double far_sine = x < 1.0 ? 1.0 : n;
-  const double cotangent = upper_3 / far_sine;
-  const double half_cotangent_a = KSL_MUL(0.5, theta),
-      half_cotangent = KSL_MUL(half_cotangent_a, cotangent);
-  const double b_rest = 1.0 - half_cotangent;
-  const double b_divisor = x < 4.0 ? 4.0 : x;
-  const double closed_b = b_rest / b_divisor;
-  const double b_a = KSL_MUL(1.455172475614865e-27, x), b_b = b_a + 5.744790668872202e-26,
-      b_c = KSL_MUL(x, b_b), b_d = b_c + 2.267952452337683e-24, b_e = KSL_MUL(x, b_d),
-      b_f = b_e + 8.953517427037546e-23, b_g = KSL_MUL(x, b_f), b_h = b_g + 3.534707039629467e-21,
-      b_i = KSL_MUL(x, b_h), b_j = b_i + 1.3954464685812522e-19, b_k = KSL_MUL(x, b_j),
-      b_l = b_k + 5.5090028283602295e-18, b_m = KSL_MUL(x, b_l), b_n = b_m + 2.174868698558062e-16,
-      b_o = KSL_MUL(x, b_n), b_p = b_o + 8.586062056277845e-15, b_q = KSL_MUL(x, b_p),
-      b_r = b_q + 3.3896802963225827e-13, b_s = KSL_MUL(x, b_r), b_t = b_s + 1.3382536530684679e-11,
-      b_u = KSL_MUL(x, b_t), b_v = b_u + 5.284190138687493e-10, b_w = KSL_MUL(x, b_v),
-      b_x = b_w + 2.08767569878681e-08, b_y = KSL_MUL(x, b_x), b_z = b_y + 8.267195767195768e-07,
-      b_aa = KSL_MUL(x, b_z), b_ab = b_aa + 3.306878306878307e-05, b_ac = KSL_MUL(x, b_ab),
-      b_ad = b_ac + 0.001388888888888889, b_ae = KSL_MUL(x, b_ad),
-      b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
-  const double b_across_a = KSL_MUL(x, b), b_across_b = 1.0 - b_across_a,
-      b_across = x < 4.0 ? b_across_b : half_cotangent;
+  const double half_angle = KSL_MUL(0.5, theta);
+  const double length_a = KSL_MUL(n, n), length_b = KSL_MUL(upper_3, upper_3),
+      length_c = length_a + length_b, length = sqrt(length_c);
+  const double sine = n / length;
+  const double c = upper_3 / length;
+  const double y = KSL_MUL(half_angle, half_angle);
+  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_quotient = sine / sinc_divisor;
+  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double series_phi_a = KSL_MUL(5.107725174524775e-32, y),
+      series_phi_b = 4.116826490666969e-29 - series_phi_a, series_phi_c = KSL_MUL(y, series_phi_b),
+      series_phi_d = series_phi_c - 2.86531123750421e-26, series_phi_e = KSL_MUL(y, series_phi_d),
+      series_phi_f = series_phi_e + 1.701994875077501e-23, series_phi_g = KSL_MUL(y, series_phi_f),
+      series_phi_h = series_phi_g - 8.509974375387505e-21, series_phi_i = KSL_MUL(y, series_phi_h),
+      series_phi_j = series_phi_i + 3.523129391410427e-18, series_phi_k = KSL_MUL(y, series_phi_j),
+      series_phi_l = series_phi_k - 1.1837714755139035e-15, series_phi_m = KSL_MUL(y, series_phi_l),
+      series_phi_n = series_phi_m + 3.148832124866983e-13, series_phi_o = KSL_MUL(y, series_phi_n),
+      series_phi_p = series_phi_o - 6.423617534728645e-11, series_phi_q = KSL_MUL(y, series_phi_p),
+      series_phi_r = series_phi_q + 9.635426302092969e-09, series_phi_s = KSL_MUL(y, series_phi_r),
+      series_phi_t = series_phi_s - 1.0020843354176687e-06, series_phi_u = KSL_MUL(y, series_phi_t),
+      series_phi_v = series_phi_u + 6.613756613756614e-05, series_phi_w = KSL_MUL(y, series_phi_v),
+      series_phi_x = series_phi_w - 0.002380952380952381, series_phi_y = KSL_MUL(y, series_phi_x),
+      series_phi = series_phi_y + 0.03333333333333333;
+  const double f_more_a = KSL_MUL(2.0, y), f_more = KSL_MUL(f_more_a, series_phi);
+  const double near_f_a = KSL_MUL(0.3333333333333333, sinc),
+      near_f_b = KSL_MUL(0.3333333333333333, f_more), near_f = near_f_a + near_f_b;
+  const double f_rest = sinc - c;
+  const double x = KSL_MUL(4.0, y);
+  const double far_y = x < 4.0 ? 1.0 : y;
+  const double closed_f = f_rest / far_y;
+  const double f = x < 4.0 ? near_f : closed_f;
+  const double four_k = KSL_MUL(4.0, sinc);
+  const double b = f / four_k;
+  const double b_across = c / sinc;
   const double wt_a = KSL_MUL((double)D->m03, vector_0), wt_b = KSL_MUL((double)D->m13, vector_1),
       wt_c = wt_a + wt_b, wt_d = KSL_MUL((double)D->m23, vector_2), wt = wt_c + wt_d;
   const double pitch = KSL_MUL(b, wt);
@@ -36989,115 +36702,66 @@ static inline void ksl_SE3f_log_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
 
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   149 mul, 166 add, 6 div, 1 sqrt, 1 neg, 5 abs, 7 less, 15 select.
+   114 mul, 108 add, 4 div, 1 sqrt, 1 neg, 1 abs, 4 less, 1 equal, 9 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_leftJacobian_accurate(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const double size_0 = fabs((double)s->m3);
-  const double size_1 = fabs((double)s->m4);
-  const double size_2 = fabs((double)s->m5);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
-  const double grid = KSL_MUL(sizes, 8192.0);
-  const double shifted_0 = (double)s->m3 + grid;
-  const double shifted_1 = (double)s->m4 + grid;
-  const double shifted_2 = (double)s->m5 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = (double)s->m3 - high_0;
-  const double low_1 = (double)s->m4 - high_1;
-  const double low_2 = (double)s->m5 - high_2;
-  const double sum_0 = (double)s->m3 + high_0;
-  const double sum_1 = (double)s->m4 + high_1;
-  const double sum_2 = (double)s->m5 + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
-  const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = grid + theta;
-  const double theta_high = theta_shifted - grid;
-  const double theta_low = theta - theta_high;
-  const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
-  const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
-  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double halved_0 = 0.5 * (double)s->m3;
+  const double halved_1 = 0.5 * (double)s->m4;
+  const double halved_2 = 0.5 * (double)s->m5;
+  const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
+      y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
+  const double half_angle = sqrt(y);
+  double c; const double sine = ksl_sincos(half_angle, &c);
+  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_quotient = sine / sinc_divisor;
+  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double g1 = KSL_MUL(c, sinc);
+  const double g2a = KSL_MUL(sinc, sinc), g2 = KSL_MUL(0.5, g2a);
+  const double rest3 = 1.0 - g1;
+  const double x = KSL_MUL(4.0, y);
   const double far_x = x < 1.0 ? 1.0 : x;
-  const double middle_x = x < 4.0 ? 4.0 : x;
-  const double closed1 = sine / theta;
-  const double versine = 1.0 - cosine;
-  const double closed2 = versine / far_x;
-  const double rest3 = 1.0 - closed1;
-  const double closed3 = rest3 / middle_x;
-  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
-      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
-      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
-      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
-      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
-      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
-      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
-      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
-      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
-      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
-      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
-      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
-      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
-      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
-      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
-      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
-      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
-  const double g3a = KSL_MUL(9.183689863795546e-29, x), g3b = g3a - 6.446950284384474e-26,
-      g3c = KSL_MUL(x, g3b), g3d = g3c + 3.868170170630684e-23, g3e = KSL_MUL(x, g3d),
-      g3f = g3e - 1.9572941063391263e-20, g3g = KSL_MUL(x, g3f), g3h = g3g + 8.22063524662433e-18,
-      g3i = KSL_MUL(x, g3h), g3j = g3i - 2.8114572543455206e-15, g3k = KSL_MUL(x, g3j),
-      g3l = g3k + 7.647163731819816e-13, g3m = KSL_MUL(x, g3l), g3n = g3m - 1.6059043836821613e-10,
-      g3o = KSL_MUL(x, g3n), g3p = g3o + 2.505210838544172e-08, g3q = KSL_MUL(x, g3p),
-      g3r = g3q - 2.7557319223985893e-06, g3s = KSL_MUL(x, g3r), g3t = g3s + 0.0001984126984126984,
-      g3u = KSL_MUL(x, g3t), g3v = g3u - 0.008333333333333333, g3w = KSL_MUL(x, g3v),
-      g3x = g3w + 0.16666666666666666, g3 = x < 4.0 ? g3x : closed3;
-  const double late_x = x < 9.0 ? 1.0 : x;
-  const double rate2_rest_a = KSL_MUL(2.0, g2), rate2_rest = g1 - rate2_rest_a;
-  const double closed_rate2 = rate2_rest / late_x;
-  const double rate3_rest_a = KSL_MUL(3.0, g3), rate3_rest = g2 - rate3_rest_a;
-  const double closed_rate3 = rate3_rest / late_x;
-  const double rate2a = KSL_MUL(8.527712016381578e-29, x), rate2b = 5.951031031739514e-26 - rate2a,
-      rate2c = KSL_MUL(x, rate2b), rate2d = rate2c - 3.54582265641146e-23,
-      rate2e = KSL_MUL(x, rate2d), rate2f = rate2e + 1.7793582784901146e-20,
-      rate2g = KSL_MUL(x, rate2f), rate2h = rate2g - 7.398571721961897e-18,
-      rate2i = KSL_MUL(x, rate2h), rate2j = rate2i + 2.499073114973796e-15,
-      rate2k = KSL_MUL(x, rate2j), rate2l = rate2k - 6.691268265342339e-13,
-      rate2m = KSL_MUL(x, rate2l), rate2n = rate2m + 1.376489471727567e-10,
-      rate2o = KSL_MUL(x, rate2n), rate2p = rate2o - 2.08767569878681e-08,
-      rate2q = KSL_MUL(x, rate2p), rate2r = rate2q + 2.204585537918871e-06,
-      rate2s = KSL_MUL(x, rate2r), rate2t = rate2s - 0.00014880952380952382,
-      rate2u = KSL_MUL(x, rate2t), rate2v = rate2u + 0.005555555555555556,
-      rate2w = KSL_MUL(x, rate2v), rate2x = rate2w - 0.08333333333333333,
-      rate2 = x < 9.0 ? rate2x : closed_rate2;
-  const double rate3a = KSL_MUL(2.9405903504764064e-30, x), rate3b = 2.204085567310931e-27 - rate3a,
-      rate3c = KSL_MUL(x, rate3b), rate3d = rate3c - 1.4183290625645841e-24,
-      rate3e = KSL_MUL(x, rate3d), rate3f = rate3e + 7.736340341261368e-22,
-      rate3g = KSL_MUL(x, rate3f), rate3h = rate3g - 3.523129391410427e-19,
-      rate3i = KSL_MUL(x, rate3h), rate3j = rate3i + 1.3153016394598927e-16,
-      rate3k = KSL_MUL(x, rate3j), rate3l = rate3k - 3.936040156083729e-14,
-      rate3m = KSL_MUL(x, rate3l), rate3n = rate3m + 9.17659647818378e-12,
-      rate3o = KSL_MUL(x, rate3n), rate3p = rate3o - 1.6059043836821615e-09,
-      rate3q = KSL_MUL(x, rate3p), rate3r = rate3q + 2.0041686708353376e-07,
-      rate3s = KSL_MUL(x, rate3r), rate3t = rate3s - 1.6534391534391536e-05,
-      rate3u = KSL_MUL(x, rate3t), rate3v = rate3u + 0.0007936507936507937,
-      rate3w = KSL_MUL(x, rate3v), rate3x = rate3w - 0.016666666666666666,
-      rate3 = x < 9.0 ? rate3x : closed_rate3;
+  const double closed3 = rest3 / far_x;
+  const double series5a = KSL_MUL(1.216125041553518e-34, x),
+      series5b = 1.1309962886447716e-31 - series5a, series5c = KSL_MUL(x, series5b),
+      series5d = series5c - 9.183689863795546e-29, series5e = KSL_MUL(x, series5d),
+      series5f = series5e + 6.446950284384474e-26, series5g = KSL_MUL(x, series5f),
+      series5h = series5g - 3.868170170630684e-23, series5i = KSL_MUL(x, series5h),
+      series5j = series5i + 1.9572941063391263e-20, series5k = KSL_MUL(x, series5j),
+      series5l = series5k - 8.22063524662433e-18, series5m = KSL_MUL(x, series5l),
+      series5n = series5m + 2.8114572543455206e-15, series5o = KSL_MUL(x, series5n),
+      series5p = series5o - 7.647163731819816e-13, series5q = KSL_MUL(x, series5p),
+      series5r = series5q + 1.6059043836821613e-10, series5s = KSL_MUL(x, series5r),
+      series5t = series5s - 2.505210838544172e-08, series5u = KSL_MUL(x, series5t),
+      series5v = series5u + 2.7557319223985893e-06, series5w = KSL_MUL(x, series5v),
+      series5x = series5w - 0.0001984126984126984, series5y = KSL_MUL(x, series5x),
+      series5 = series5y + 0.008333333333333333;
+  const double g3a = KSL_MUL(x, series5), g3b = 0.16666666666666666 - g3a,
+      g3 = x < 1.0 ? g3b : closed3;
+  const double rest4 = 0.5 - g2;
+  const double closed4 = rest4 / far_x;
+  const double rest5 = 0.16666666666666666 - g3;
+  const double closed5 = rest5 / far_x;
+  const double series4a = KSL_MUL(3.7699876288159054e-33, x),
+      series4b = 3.279889237069838e-30 - series4a, series4c = KSL_MUL(x, series4b),
+      series4d = series4c - 2.4795962632247976e-27, series4e = KSL_MUL(x, series4d),
+      series4f = series4e + 1.6117375710961184e-24, series4g = KSL_MUL(x, series4f),
+      series4h = series4g - 8.896791392450574e-22, series4i = KSL_MUL(x, series4h),
+      series4j = series4i + 4.110317623312165e-19, series4k = KSL_MUL(x, series4j),
+      series4l = series4k - 1.5619206968586225e-16, series4m = KSL_MUL(x, series4l),
+      series4n = series4m + 4.779477332387385e-14, series4o = KSL_MUL(x, series4n),
+      series4p = series4o - 1.1470745597729725e-11, series4q = KSL_MUL(x, series4p),
+      series4r = series4q + 2.08767569878681e-09, series4s = KSL_MUL(x, series4r),
+      series4t = series4s - 2.755731922398589e-07, series4u = KSL_MUL(x, series4t),
+      series4v = series4u + 2.48015873015873e-05, series4w = KSL_MUL(x, series4v),
+      series4x = series4w - 0.001388888888888889, series4y = KSL_MUL(x, series4x),
+      series4 = series4y + 0.041666666666666664;
+  const double g4 = x < 1.0 ? series4 : closed4;
+  const double g5 = x < 1.0 ? series5 : closed5;
+  const double rate2a = KSL_MUL(2.0, g4), rate2 = rate2a - g3;
+  const double rate3a = KSL_MUL(3.0, g5), rate3 = rate3a - g4;
   const double beta_v_0 = KSL_MUL((double)s->m3, g3);
   const double beta_v_1 = KSL_MUL((double)s->m4, g3);
   const double beta_v_2 = KSL_MUL((double)s->m5, g3);
@@ -37221,115 +36885,66 @@ static inline void ksl_SE3f_leftJacobian_accurate(const ksl_screwf_t *s, ksl_mat
 
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   149 mul, 166 add, 6 div, 1 sqrt, 16 neg, 5 abs, 7 less, 15 select.
+   114 mul, 108 add, 4 div, 1 sqrt, 16 neg, 1 abs, 4 less, 1 equal, 9 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_rightJacobian_accurate(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const double size_0 = fabs((double)s->m3);
-  const double size_1 = fabs((double)s->m4);
-  const double size_2 = fabs((double)s->m5);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
-  const double grid = KSL_MUL(sizes, 8192.0);
-  const double shifted_0 = (double)s->m3 + grid;
-  const double shifted_1 = (double)s->m4 + grid;
-  const double shifted_2 = (double)s->m5 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = (double)s->m3 - high_0;
-  const double low_1 = (double)s->m4 - high_1;
-  const double low_2 = (double)s->m5 - high_2;
-  const double sum_0 = (double)s->m3 + high_0;
-  const double sum_1 = (double)s->m4 + high_1;
-  const double sum_2 = (double)s->m5 + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
-  const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = grid + theta;
-  const double theta_high = theta_shifted - grid;
-  const double theta_low = theta - theta_high;
-  const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
-  const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
-  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double halved_0 = 0.5 * (double)s->m3;
+  const double halved_1 = 0.5 * (double)s->m4;
+  const double halved_2 = 0.5 * (double)s->m5;
+  const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
+      y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
+  const double half_angle = sqrt(y);
+  double c; const double sine = ksl_sincos(half_angle, &c);
+  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_quotient = sine / sinc_divisor;
+  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double g1 = KSL_MUL(c, sinc);
+  const double g2a = KSL_MUL(sinc, sinc), g2 = KSL_MUL(0.5, g2a);
+  const double rest3 = 1.0 - g1;
+  const double x = KSL_MUL(4.0, y);
   const double far_x = x < 1.0 ? 1.0 : x;
-  const double middle_x = x < 4.0 ? 4.0 : x;
-  const double closed1 = sine / theta;
-  const double versine = 1.0 - cosine;
-  const double closed2 = versine / far_x;
-  const double rest3 = 1.0 - closed1;
-  const double closed3 = rest3 / middle_x;
-  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
-      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
-      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
-      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
-      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
-      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
-      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
-      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
-      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
-      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
-      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
-      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
-      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
-      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
-      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
-      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
-      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
-  const double g3a = KSL_MUL(9.183689863795546e-29, x), g3b = g3a - 6.446950284384474e-26,
-      g3c = KSL_MUL(x, g3b), g3d = g3c + 3.868170170630684e-23, g3e = KSL_MUL(x, g3d),
-      g3f = g3e - 1.9572941063391263e-20, g3g = KSL_MUL(x, g3f), g3h = g3g + 8.22063524662433e-18,
-      g3i = KSL_MUL(x, g3h), g3j = g3i - 2.8114572543455206e-15, g3k = KSL_MUL(x, g3j),
-      g3l = g3k + 7.647163731819816e-13, g3m = KSL_MUL(x, g3l), g3n = g3m - 1.6059043836821613e-10,
-      g3o = KSL_MUL(x, g3n), g3p = g3o + 2.505210838544172e-08, g3q = KSL_MUL(x, g3p),
-      g3r = g3q - 2.7557319223985893e-06, g3s = KSL_MUL(x, g3r), g3t = g3s + 0.0001984126984126984,
-      g3u = KSL_MUL(x, g3t), g3v = g3u - 0.008333333333333333, g3w = KSL_MUL(x, g3v),
-      g3x = g3w + 0.16666666666666666, g3 = x < 4.0 ? g3x : closed3;
-  const double late_x = x < 9.0 ? 1.0 : x;
-  const double rate2_rest_a = KSL_MUL(2.0, g2), rate2_rest = g1 - rate2_rest_a;
-  const double closed_rate2 = rate2_rest / late_x;
-  const double rate3_rest_a = KSL_MUL(3.0, g3), rate3_rest = g2 - rate3_rest_a;
-  const double closed_rate3 = rate3_rest / late_x;
-  const double rate2a = KSL_MUL(8.527712016381578e-29, x), rate2b = 5.951031031739514e-26 - rate2a,
-      rate2c = KSL_MUL(x, rate2b), rate2d = rate2c - 3.54582265641146e-23,
-      rate2e = KSL_MUL(x, rate2d), rate2f = rate2e + 1.7793582784901146e-20,
-      rate2g = KSL_MUL(x, rate2f), rate2h = rate2g - 7.398571721961897e-18,
-      rate2i = KSL_MUL(x, rate2h), rate2j = rate2i + 2.499073114973796e-15,
-      rate2k = KSL_MUL(x, rate2j), rate2l = rate2k - 6.691268265342339e-13,
-      rate2m = KSL_MUL(x, rate2l), rate2n = rate2m + 1.376489471727567e-10,
-      rate2o = KSL_MUL(x, rate2n), rate2p = rate2o - 2.08767569878681e-08,
-      rate2q = KSL_MUL(x, rate2p), rate2r = rate2q + 2.204585537918871e-06,
-      rate2s = KSL_MUL(x, rate2r), rate2t = rate2s - 0.00014880952380952382,
-      rate2u = KSL_MUL(x, rate2t), rate2v = rate2u + 0.005555555555555556,
-      rate2w = KSL_MUL(x, rate2v), rate2x = rate2w - 0.08333333333333333,
-      rate2 = x < 9.0 ? rate2x : closed_rate2;
-  const double rate3a = KSL_MUL(2.9405903504764064e-30, x), rate3b = 2.204085567310931e-27 - rate3a,
-      rate3c = KSL_MUL(x, rate3b), rate3d = rate3c - 1.4183290625645841e-24,
-      rate3e = KSL_MUL(x, rate3d), rate3f = rate3e + 7.736340341261368e-22,
-      rate3g = KSL_MUL(x, rate3f), rate3h = rate3g - 3.523129391410427e-19,
-      rate3i = KSL_MUL(x, rate3h), rate3j = rate3i + 1.3153016394598927e-16,
-      rate3k = KSL_MUL(x, rate3j), rate3l = rate3k - 3.936040156083729e-14,
-      rate3m = KSL_MUL(x, rate3l), rate3n = rate3m + 9.17659647818378e-12,
-      rate3o = KSL_MUL(x, rate3n), rate3p = rate3o - 1.6059043836821615e-09,
-      rate3q = KSL_MUL(x, rate3p), rate3r = rate3q + 2.0041686708353376e-07,
-      rate3s = KSL_MUL(x, rate3r), rate3t = rate3s - 1.6534391534391536e-05,
-      rate3u = KSL_MUL(x, rate3t), rate3v = rate3u + 0.0007936507936507937,
-      rate3w = KSL_MUL(x, rate3v), rate3x = rate3w - 0.016666666666666666,
-      rate3 = x < 9.0 ? rate3x : closed_rate3;
+  const double closed3 = rest3 / far_x;
+  const double series5a = KSL_MUL(1.216125041553518e-34, x),
+      series5b = 1.1309962886447716e-31 - series5a, series5c = KSL_MUL(x, series5b),
+      series5d = series5c - 9.183689863795546e-29, series5e = KSL_MUL(x, series5d),
+      series5f = series5e + 6.446950284384474e-26, series5g = KSL_MUL(x, series5f),
+      series5h = series5g - 3.868170170630684e-23, series5i = KSL_MUL(x, series5h),
+      series5j = series5i + 1.9572941063391263e-20, series5k = KSL_MUL(x, series5j),
+      series5l = series5k - 8.22063524662433e-18, series5m = KSL_MUL(x, series5l),
+      series5n = series5m + 2.8114572543455206e-15, series5o = KSL_MUL(x, series5n),
+      series5p = series5o - 7.647163731819816e-13, series5q = KSL_MUL(x, series5p),
+      series5r = series5q + 1.6059043836821613e-10, series5s = KSL_MUL(x, series5r),
+      series5t = series5s - 2.505210838544172e-08, series5u = KSL_MUL(x, series5t),
+      series5v = series5u + 2.7557319223985893e-06, series5w = KSL_MUL(x, series5v),
+      series5x = series5w - 0.0001984126984126984, series5y = KSL_MUL(x, series5x),
+      series5 = series5y + 0.008333333333333333;
+  const double g3a = KSL_MUL(x, series5), g3b = 0.16666666666666666 - g3a,
+      g3 = x < 1.0 ? g3b : closed3;
+  const double rest4 = 0.5 - g2;
+  const double closed4 = rest4 / far_x;
+  const double rest5 = 0.16666666666666666 - g3;
+  const double closed5 = rest5 / far_x;
+  const double series4a = KSL_MUL(3.7699876288159054e-33, x),
+      series4b = 3.279889237069838e-30 - series4a, series4c = KSL_MUL(x, series4b),
+      series4d = series4c - 2.4795962632247976e-27, series4e = KSL_MUL(x, series4d),
+      series4f = series4e + 1.6117375710961184e-24, series4g = KSL_MUL(x, series4f),
+      series4h = series4g - 8.896791392450574e-22, series4i = KSL_MUL(x, series4h),
+      series4j = series4i + 4.110317623312165e-19, series4k = KSL_MUL(x, series4j),
+      series4l = series4k - 1.5619206968586225e-16, series4m = KSL_MUL(x, series4l),
+      series4n = series4m + 4.779477332387385e-14, series4o = KSL_MUL(x, series4n),
+      series4p = series4o - 1.1470745597729725e-11, series4q = KSL_MUL(x, series4p),
+      series4r = series4q + 2.08767569878681e-09, series4s = KSL_MUL(x, series4r),
+      series4t = series4s - 2.755731922398589e-07, series4u = KSL_MUL(x, series4t),
+      series4v = series4u + 2.48015873015873e-05, series4w = KSL_MUL(x, series4v),
+      series4x = series4w - 0.001388888888888889, series4y = KSL_MUL(x, series4x),
+      series4 = series4y + 0.041666666666666664;
+  const double g4 = x < 1.0 ? series4 : closed4;
+  const double g5 = x < 1.0 ? series5 : closed5;
+  const double rate2a = KSL_MUL(2.0, g4), rate2 = rate2a - g3;
+  const double rate3a = KSL_MUL(3.0, g5), rate3 = rate3a - g4;
   const double beta_v_0 = KSL_MUL((double)s->m3, g3);
   const double beta_v_1 = KSL_MUL((double)s->m4, g3);
   const double beta_v_2 = KSL_MUL((double)s->m5, g3);
@@ -37459,72 +37074,47 @@ static inline void ksl_SE3f_rightJacobian_accurate(const ksl_screwf_t *s, ksl_ma
 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   121 mul, 139 add, 5 div, 1 sqrt, 7 neg, 5 abs, 7 less, 13 select.
+   100 mul, 90 add, 6 div, 1 sqrt, 7 neg, 1 abs, 4 less, 1 equal, 8 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_leftJacobianInverse_accurate(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const double size_0 = fabs((double)s->m3);
-  const double size_1 = fabs((double)s->m4);
-  const double size_2 = fabs((double)s->m5);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
-  const double grid = KSL_MUL(sizes, 8192.0);
-  const double shifted_0 = (double)s->m3 + grid;
-  const double shifted_1 = (double)s->m4 + grid;
-  const double shifted_2 = (double)s->m5 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = (double)s->m3 - high_0;
-  const double low_1 = (double)s->m4 - high_1;
-  const double low_2 = (double)s->m5 - high_2;
-  const double sum_0 = (double)s->m3 + high_0;
-  const double sum_1 = (double)s->m4 + high_1;
-  const double sum_2 = (double)s->m5 + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
-  const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = grid + theta;
-  const double theta_high = theta_shifted - grid;
-  const double theta_low = theta - theta_high;
-  const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
-  const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
-  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
-  const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
-  const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
-  const double cotangent = above / below;
-  const double half_cotangent_a = KSL_MUL(0.5, theta),
-      half_cotangent = KSL_MUL(half_cotangent_a, cotangent);
-  const double b_rest = 1.0 - half_cotangent;
-  const double b_divisor = x < 4.0 ? 4.0 : x;
-  const double closed_b = b_rest / b_divisor;
-  const double b_a = KSL_MUL(1.455172475614865e-27, x), b_b = b_a + 5.744790668872202e-26,
-      b_c = KSL_MUL(x, b_b), b_d = b_c + 2.267952452337683e-24, b_e = KSL_MUL(x, b_d),
-      b_f = b_e + 8.953517427037546e-23, b_g = KSL_MUL(x, b_f), b_h = b_g + 3.534707039629467e-21,
-      b_i = KSL_MUL(x, b_h), b_j = b_i + 1.3954464685812522e-19, b_k = KSL_MUL(x, b_j),
-      b_l = b_k + 5.5090028283602295e-18, b_m = KSL_MUL(x, b_l), b_n = b_m + 2.174868698558062e-16,
-      b_o = KSL_MUL(x, b_n), b_p = b_o + 8.586062056277845e-15, b_q = KSL_MUL(x, b_p),
-      b_r = b_q + 3.3896802963225827e-13, b_s = KSL_MUL(x, b_r), b_t = b_s + 1.3382536530684679e-11,
-      b_u = KSL_MUL(x, b_t), b_v = b_u + 5.284190138687493e-10, b_w = KSL_MUL(x, b_v),
-      b_x = b_w + 2.08767569878681e-08, b_y = KSL_MUL(x, b_x), b_z = b_y + 8.267195767195768e-07,
-      b_aa = KSL_MUL(x, b_z), b_ab = b_aa + 3.306878306878307e-05, b_ac = KSL_MUL(x, b_ab),
-      b_ad = b_ac + 0.001388888888888889, b_ae = KSL_MUL(x, b_ad),
-      b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
-  const double b_across_a = KSL_MUL(x, b), b_across_b = 1.0 - b_across_a,
-      b_across = x < 4.0 ? b_across_b : half_cotangent;
+  const double halved_0 = 0.5 * (double)s->m3;
+  const double halved_1 = 0.5 * (double)s->m4;
+  const double halved_2 = 0.5 * (double)s->m5;
+  const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
+      y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
+  const double half_angle = sqrt(y);
+  double c; const double sine = ksl_sincos(half_angle, &c);
+  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_quotient = sine / sinc_divisor;
+  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double series_phi_a = KSL_MUL(5.107725174524775e-32, y),
+      series_phi_b = 4.116826490666969e-29 - series_phi_a, series_phi_c = KSL_MUL(y, series_phi_b),
+      series_phi_d = series_phi_c - 2.86531123750421e-26, series_phi_e = KSL_MUL(y, series_phi_d),
+      series_phi_f = series_phi_e + 1.701994875077501e-23, series_phi_g = KSL_MUL(y, series_phi_f),
+      series_phi_h = series_phi_g - 8.509974375387505e-21, series_phi_i = KSL_MUL(y, series_phi_h),
+      series_phi_j = series_phi_i + 3.523129391410427e-18, series_phi_k = KSL_MUL(y, series_phi_j),
+      series_phi_l = series_phi_k - 1.1837714755139035e-15, series_phi_m = KSL_MUL(y, series_phi_l),
+      series_phi_n = series_phi_m + 3.148832124866983e-13, series_phi_o = KSL_MUL(y, series_phi_n),
+      series_phi_p = series_phi_o - 6.423617534728645e-11, series_phi_q = KSL_MUL(y, series_phi_p),
+      series_phi_r = series_phi_q + 9.635426302092969e-09, series_phi_s = KSL_MUL(y, series_phi_r),
+      series_phi_t = series_phi_s - 1.0020843354176687e-06, series_phi_u = KSL_MUL(y, series_phi_t),
+      series_phi_v = series_phi_u + 6.613756613756614e-05, series_phi_w = KSL_MUL(y, series_phi_v),
+      series_phi_x = series_phi_w - 0.002380952380952381, series_phi_y = KSL_MUL(y, series_phi_x),
+      series_phi = series_phi_y + 0.03333333333333333;
+  const double f_more_a = KSL_MUL(2.0, y), f_more = KSL_MUL(f_more_a, series_phi);
+  const double near_f_a = KSL_MUL(0.3333333333333333, sinc),
+      near_f_b = KSL_MUL(0.3333333333333333, f_more), near_f = near_f_a + near_f_b;
+  const double f_rest = sinc - c;
+  const double x = KSL_MUL(4.0, y);
+  const double far_y = x < 4.0 ? 1.0 : y;
+  const double closed_f = f_rest / far_y;
+  const double f = x < 4.0 ? near_f : closed_f;
+  const double four_k = KSL_MUL(4.0, sinc);
+  const double b = f / four_k;
+  const double b_across = c / sinc;
   const double beta_v_0 = KSL_MUL((double)s->m3, b);
   const double beta_v_1 = KSL_MUL((double)s->m4, b);
   const double beta_v_2 = KSL_MUL((double)s->m5, b);
@@ -37543,38 +37133,23 @@ static inline void ksl_SE3f_leftJacobianInverse_accurate(const ksl_screwf_t *s, 
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0a = 0.5 * (double)s->m3, alpha_v_0 = -alpha_v_0a;
-  const double alpha_v_1a = 0.5 * (double)s->m4, alpha_v_1 = -alpha_v_1a;
-  const double alpha_v_2a = 0.5 * (double)s->m5, alpha_v_2 = -alpha_v_2a;
+  const double alpha_v_0 = -halved_0;
+  const double alpha_v_1 = -halved_1;
+  const double alpha_v_2 = -halved_2;
   const double J_1 = m_3 - alpha_v_2;
   const double J_2 = m_4 + alpha_v_1;
   const double J_3 = m_3 + alpha_v_2;
   const double J_5 = m_5 - alpha_v_0;
   const double J_6 = m_4 - alpha_v_1;
   const double J_7 = m_5 + alpha_v_0;
-  const double b_rate_across_a = 2.0 - half_cotangent, b_rate_across = b_rate_across_a / b_divisor;
-  const double b_rate_square_a = KSL_MUL(cotangent, cotangent),
-      b_rate_square_b = KSL_MUL(0.25, b_rate_square_a), b_rate_square = 0.25 + b_rate_square_b;
-  const double b_rate_rest = b_rate_square - b_rate_across;
-  const double closed_b_rate = b_rate_rest / b_divisor;
-  const double b_rate_a = KSL_MUL(3.3612243325542163e-29, x),
-      b_rate_b = b_rate_a + 1.2532382798262054e-27, b_rate_c = KSL_MUL(x, b_rate_b),
-      b_rate_d = b_rate_c + 4.656551921967568e-26, b_rate_e = KSL_MUL(x, b_rate_d),
-      b_rate_f = b_rate_e + 1.7234372006616606e-24, b_rate_g = KSL_MUL(x, b_rate_f),
-      b_rate_h = b_rate_g + 6.350266866545513e-23, b_rate_i = KSL_MUL(x, b_rate_h),
-      b_rate_j = b_rate_i + 2.327914531029762e-21, b_rate_k = KSL_MUL(x, b_rate_j),
-      b_rate_l = b_rate_k + 8.483296895110721e-20, b_rate_m = KSL_MUL(x, b_rate_l),
-      b_rate_n = b_rate_m + 3.069982230878755e-18, b_rate_o = KSL_MUL(x, b_rate_n),
-      b_rate_p = b_rate_o + 1.1018005656720459e-16, b_rate_q = KSL_MUL(x, b_rate_p),
-      b_rate_r = b_rate_q + 3.914763657404511e-15, b_rate_s = KSL_MUL(x, b_rate_r),
-      b_rate_t = b_rate_s + 1.3737699290044552e-13, b_rate_u = KSL_MUL(x, b_rate_t),
-      b_rate_v = b_rate_u + 4.745552414851616e-12, b_rate_w = KSL_MUL(x, b_rate_v),
-      b_rate_x = b_rate_w + 1.6059043836821613e-10, b_rate_y = KSL_MUL(x, b_rate_x),
-      b_rate_z = b_rate_y + 5.2841901386874934e-09, b_rate_aa = KSL_MUL(x, b_rate_z),
-      b_rate_ab = b_rate_aa + 1.670140559029448e-07, b_rate_ac = KSL_MUL(x, b_rate_ab),
-      b_rate_ad = b_rate_ac + 4.96031746031746e-06, b_rate_ae = KSL_MUL(x, b_rate_ad),
-      b_rate_af = b_rate_ae + 0.00013227513227513228, b_rate_ag = KSL_MUL(x, b_rate_af),
-      b_rate_ah = b_rate_ag + 0.002777777777777778, b_rate = x < 4.0 ? b_rate_ah : closed_b_rate;
+  const double phi_rest_a = KSL_MUL(3.0, f), phi_rest = phi_rest_a - sinc;
+  const double twice_y = KSL_MUL(2.0, far_y);
+  const double closed_phi = phi_rest / twice_y;
+  const double phi = x < 4.0 ? series_phi : closed_phi;
+  const double b_rate_above_a = KSL_MUL(f, f), b_rate_above_b = KSL_MUL(0.5, b_rate_above_a),
+      b_rate_above_c = KSL_MUL(sinc, phi), b_rate_above = b_rate_above_b - b_rate_above_c;
+  const double b_rate_below_a = KSL_MUL(sinc, sinc), b_rate_below = KSL_MUL(8.0, b_rate_below_a);
+  const double b_rate = b_rate_above / b_rate_below;
   const double rate_vw_a = (double)s->m0 * (double)s->m3,
       rate_vw_c = ksl_product_sum((double)s->m1, (double)s->m4, rate_vw_a),
       rate_vw = ksl_product_sum((double)s->m2, (double)s->m5, rate_vw_c);
@@ -37667,72 +37242,47 @@ static inline void ksl_SE3f_leftJacobianInverse_accurate(const ksl_screwf_t *s, 
 
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   121 mul, 139 add, 5 div, 1 sqrt, 10 neg, 5 abs, 7 less, 13 select.
+   100 mul, 90 add, 6 div, 1 sqrt, 10 neg, 1 abs, 4 less, 1 equal, 8 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_rightJacobianInverse_accurate(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const double size_0 = fabs((double)s->m3);
-  const double size_1 = fabs((double)s->m4);
-  const double size_2 = fabs((double)s->m5);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
-  const double grid = KSL_MUL(sizes, 8192.0);
-  const double shifted_0 = (double)s->m3 + grid;
-  const double shifted_1 = (double)s->m4 + grid;
-  const double shifted_2 = (double)s->m5 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = (double)s->m3 - high_0;
-  const double low_1 = (double)s->m4 - high_1;
-  const double low_2 = (double)s->m5 - high_2;
-  const double sum_0 = (double)s->m3 + high_0;
-  const double sum_1 = (double)s->m4 + high_1;
-  const double sum_2 = (double)s->m5 + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
-  const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = grid + theta;
-  const double theta_high = theta_shifted - grid;
-  const double theta_low = theta - theta_high;
-  const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
-  const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
-  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
-  const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
-  const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
-  const double cotangent = above / below;
-  const double half_cotangent_a = KSL_MUL(0.5, theta),
-      half_cotangent = KSL_MUL(half_cotangent_a, cotangent);
-  const double b_rest = 1.0 - half_cotangent;
-  const double b_divisor = x < 4.0 ? 4.0 : x;
-  const double closed_b = b_rest / b_divisor;
-  const double b_a = KSL_MUL(1.455172475614865e-27, x), b_b = b_a + 5.744790668872202e-26,
-      b_c = KSL_MUL(x, b_b), b_d = b_c + 2.267952452337683e-24, b_e = KSL_MUL(x, b_d),
-      b_f = b_e + 8.953517427037546e-23, b_g = KSL_MUL(x, b_f), b_h = b_g + 3.534707039629467e-21,
-      b_i = KSL_MUL(x, b_h), b_j = b_i + 1.3954464685812522e-19, b_k = KSL_MUL(x, b_j),
-      b_l = b_k + 5.5090028283602295e-18, b_m = KSL_MUL(x, b_l), b_n = b_m + 2.174868698558062e-16,
-      b_o = KSL_MUL(x, b_n), b_p = b_o + 8.586062056277845e-15, b_q = KSL_MUL(x, b_p),
-      b_r = b_q + 3.3896802963225827e-13, b_s = KSL_MUL(x, b_r), b_t = b_s + 1.3382536530684679e-11,
-      b_u = KSL_MUL(x, b_t), b_v = b_u + 5.284190138687493e-10, b_w = KSL_MUL(x, b_v),
-      b_x = b_w + 2.08767569878681e-08, b_y = KSL_MUL(x, b_x), b_z = b_y + 8.267195767195768e-07,
-      b_aa = KSL_MUL(x, b_z), b_ab = b_aa + 3.306878306878307e-05, b_ac = KSL_MUL(x, b_ab),
-      b_ad = b_ac + 0.001388888888888889, b_ae = KSL_MUL(x, b_ad),
-      b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
-  const double b_across_a = KSL_MUL(x, b), b_across_b = 1.0 - b_across_a,
-      b_across = x < 4.0 ? b_across_b : half_cotangent;
+  const double halved_0 = 0.5 * (double)s->m3;
+  const double halved_1 = 0.5 * (double)s->m4;
+  const double halved_2 = 0.5 * (double)s->m5;
+  const double y_a = KSL_MUL(halved_0, halved_0), y_b = KSL_MUL(halved_1, halved_1),
+      y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
+  const double half_angle = sqrt(y);
+  double c; const double sine = ksl_sincos(half_angle, &c);
+  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_quotient = sine / sinc_divisor;
+  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double series_phi_a = KSL_MUL(5.107725174524775e-32, y),
+      series_phi_b = 4.116826490666969e-29 - series_phi_a, series_phi_c = KSL_MUL(y, series_phi_b),
+      series_phi_d = series_phi_c - 2.86531123750421e-26, series_phi_e = KSL_MUL(y, series_phi_d),
+      series_phi_f = series_phi_e + 1.701994875077501e-23, series_phi_g = KSL_MUL(y, series_phi_f),
+      series_phi_h = series_phi_g - 8.509974375387505e-21, series_phi_i = KSL_MUL(y, series_phi_h),
+      series_phi_j = series_phi_i + 3.523129391410427e-18, series_phi_k = KSL_MUL(y, series_phi_j),
+      series_phi_l = series_phi_k - 1.1837714755139035e-15, series_phi_m = KSL_MUL(y, series_phi_l),
+      series_phi_n = series_phi_m + 3.148832124866983e-13, series_phi_o = KSL_MUL(y, series_phi_n),
+      series_phi_p = series_phi_o - 6.423617534728645e-11, series_phi_q = KSL_MUL(y, series_phi_p),
+      series_phi_r = series_phi_q + 9.635426302092969e-09, series_phi_s = KSL_MUL(y, series_phi_r),
+      series_phi_t = series_phi_s - 1.0020843354176687e-06, series_phi_u = KSL_MUL(y, series_phi_t),
+      series_phi_v = series_phi_u + 6.613756613756614e-05, series_phi_w = KSL_MUL(y, series_phi_v),
+      series_phi_x = series_phi_w - 0.002380952380952381, series_phi_y = KSL_MUL(y, series_phi_x),
+      series_phi = series_phi_y + 0.03333333333333333;
+  const double f_more_a = KSL_MUL(2.0, y), f_more = KSL_MUL(f_more_a, series_phi);
+  const double near_f_a = KSL_MUL(0.3333333333333333, sinc),
+      near_f_b = KSL_MUL(0.3333333333333333, f_more), near_f = near_f_a + near_f_b;
+  const double f_rest = sinc - c;
+  const double x = KSL_MUL(4.0, y);
+  const double far_y = x < 4.0 ? 1.0 : y;
+  const double closed_f = f_rest / far_y;
+  const double f = x < 4.0 ? near_f : closed_f;
+  const double four_k = KSL_MUL(4.0, sinc);
+  const double b = f / four_k;
+  const double b_across = c / sinc;
   const double beta_v_0 = KSL_MUL((double)s->m3, b);
   const double beta_v_1 = KSL_MUL((double)s->m4, b);
   const double beta_v_2 = KSL_MUL((double)s->m5, b);
@@ -37751,38 +37301,20 @@ static inline void ksl_SE3f_rightJacobianInverse_accurate(const ksl_screwf_t *s,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = 0.5 * (double)s->m3;
-  const double alpha_v_1 = 0.5 * (double)s->m4;
-  const double alpha_v_2 = 0.5 * (double)s->m5;
-  const double J_1 = m_3 - alpha_v_2;
-  const double J_2 = m_4 + alpha_v_1;
-  const double J_3 = m_3 + alpha_v_2;
-  const double J_5 = m_5 - alpha_v_0;
-  const double J_6 = m_4 - alpha_v_1;
-  const double J_7 = m_5 + alpha_v_0;
-  const double b_rate_across_a = 2.0 - half_cotangent, b_rate_across = b_rate_across_a / b_divisor;
-  const double b_rate_square_a = KSL_MUL(cotangent, cotangent),
-      b_rate_square_b = KSL_MUL(0.25, b_rate_square_a), b_rate_square = 0.25 + b_rate_square_b;
-  const double b_rate_rest = b_rate_square - b_rate_across;
-  const double closed_b_rate = b_rate_rest / b_divisor;
-  const double b_rate_a = KSL_MUL(3.3612243325542163e-29, x),
-      b_rate_b = b_rate_a + 1.2532382798262054e-27, b_rate_c = KSL_MUL(x, b_rate_b),
-      b_rate_d = b_rate_c + 4.656551921967568e-26, b_rate_e = KSL_MUL(x, b_rate_d),
-      b_rate_f = b_rate_e + 1.7234372006616606e-24, b_rate_g = KSL_MUL(x, b_rate_f),
-      b_rate_h = b_rate_g + 6.350266866545513e-23, b_rate_i = KSL_MUL(x, b_rate_h),
-      b_rate_j = b_rate_i + 2.327914531029762e-21, b_rate_k = KSL_MUL(x, b_rate_j),
-      b_rate_l = b_rate_k + 8.483296895110721e-20, b_rate_m = KSL_MUL(x, b_rate_l),
-      b_rate_n = b_rate_m + 3.069982230878755e-18, b_rate_o = KSL_MUL(x, b_rate_n),
-      b_rate_p = b_rate_o + 1.1018005656720459e-16, b_rate_q = KSL_MUL(x, b_rate_p),
-      b_rate_r = b_rate_q + 3.914763657404511e-15, b_rate_s = KSL_MUL(x, b_rate_r),
-      b_rate_t = b_rate_s + 1.3737699290044552e-13, b_rate_u = KSL_MUL(x, b_rate_t),
-      b_rate_v = b_rate_u + 4.745552414851616e-12, b_rate_w = KSL_MUL(x, b_rate_v),
-      b_rate_x = b_rate_w + 1.6059043836821613e-10, b_rate_y = KSL_MUL(x, b_rate_x),
-      b_rate_z = b_rate_y + 5.2841901386874934e-09, b_rate_aa = KSL_MUL(x, b_rate_z),
-      b_rate_ab = b_rate_aa + 1.670140559029448e-07, b_rate_ac = KSL_MUL(x, b_rate_ab),
-      b_rate_ad = b_rate_ac + 4.96031746031746e-06, b_rate_ae = KSL_MUL(x, b_rate_ad),
-      b_rate_af = b_rate_ae + 0.00013227513227513228, b_rate_ag = KSL_MUL(x, b_rate_af),
-      b_rate_ah = b_rate_ag + 0.002777777777777778, b_rate = x < 4.0 ? b_rate_ah : closed_b_rate;
+  const double J_1 = m_3 - halved_2;
+  const double J_2 = halved_1 + m_4;
+  const double J_3 = halved_2 + m_3;
+  const double J_5 = m_5 - halved_0;
+  const double J_6 = m_4 - halved_1;
+  const double J_7 = halved_0 + m_5;
+  const double phi_rest_a = KSL_MUL(3.0, f), phi_rest = phi_rest_a - sinc;
+  const double twice_y = KSL_MUL(2.0, far_y);
+  const double closed_phi = phi_rest / twice_y;
+  const double phi = x < 4.0 ? series_phi : closed_phi;
+  const double b_rate_above_a = KSL_MUL(f, f), b_rate_above_b = KSL_MUL(0.5, b_rate_above_a),
+      b_rate_above_c = KSL_MUL(sinc, phi), b_rate_above = b_rate_above_b - b_rate_above_c;
+  const double b_rate_below_a = KSL_MUL(sinc, sinc), b_rate_below = KSL_MUL(8.0, b_rate_below_a);
+  const double b_rate = b_rate_above / b_rate_below;
   const double rate_vw_a = (double)s->m0 * (double)s->m3,
       rate_vw_c = ksl_product_sum((double)s->m1, (double)s->m4, rate_vw_a),
       rate_vw = ksl_product_sum((double)s->m2, (double)s->m5, rate_vw_c);
@@ -37878,7 +37410,7 @@ static inline void ksl_SE3f_rightJacobianInverse_accurate(const ksl_screwf_t *s,
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   265 mul, 260 add, 8 div, 2 sqrt, 6 neg, 10 abs, 2 copysign, 26 less, 2 equal, 56 select.
+   245 mul, 209 add, 10 div, 3 sqrt, 6 neg, 6 abs, 2 copysign, 23 less, 4 equal, 50 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of D1.t or D2.t if that is larger, for R
      of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -37986,33 +37518,55 @@ static inline void ksl_SE3f_interpolated_accurate(const ksl_SE3f_t *D1, const ks
   const double log_vector_0 = KSL_MUL(log_upper_0, log_k);
   const double log_vector_1 = KSL_MUL(log_upper_1, log_k);
   const double log_vector_2 = KSL_MUL(log_upper_2, log_k);
-  const double log_x = KSL_MUL(log_theta, log_theta);
-  const double log_far_sine = log_x < 1.0 ? 1.0 : log_n;
-  const double log_cotangent = log_upper_3 / log_far_sine;
-  const double log_half_cotangent_a = KSL_MUL(0.5, log_theta),
-      log_half_cotangent = KSL_MUL(log_half_cotangent_a, log_cotangent);
-  const double log_b_rest = 1.0 - log_half_cotangent;
-  const double log_b_divisor = log_x < 4.0 ? 4.0 : log_x;
-  const double log_closed_b = log_b_rest / log_b_divisor;
-  const double log_b_a = KSL_MUL(1.455172475614865e-27, log_x),
-      log_b_b = log_b_a + 5.744790668872202e-26, log_b_c = KSL_MUL(log_x, log_b_b),
-      log_b_d = log_b_c + 2.267952452337683e-24, log_b_e = KSL_MUL(log_x, log_b_d),
-      log_b_f = log_b_e + 8.953517427037546e-23, log_b_g = KSL_MUL(log_x, log_b_f),
-      log_b_h = log_b_g + 3.534707039629467e-21, log_b_i = KSL_MUL(log_x, log_b_h),
-      log_b_j = log_b_i + 1.3954464685812522e-19, log_b_k = KSL_MUL(log_x, log_b_j),
-      log_b_l = log_b_k + 5.5090028283602295e-18, log_b_m = KSL_MUL(log_x, log_b_l),
-      log_b_n = log_b_m + 2.174868698558062e-16, log_b_o = KSL_MUL(log_x, log_b_n),
-      log_b_p = log_b_o + 8.586062056277845e-15, log_b_q = KSL_MUL(log_x, log_b_p),
-      log_b_r = log_b_q + 3.3896802963225827e-13, log_b_s = KSL_MUL(log_x, log_b_r),
-      log_b_t = log_b_s + 1.3382536530684679e-11, log_b_u = KSL_MUL(log_x, log_b_t),
-      log_b_v = log_b_u + 5.284190138687493e-10, log_b_w = KSL_MUL(log_x, log_b_v),
-      log_b_x = log_b_w + 2.08767569878681e-08, log_b_y = KSL_MUL(log_x, log_b_x),
-      log_b_z = log_b_y + 8.267195767195768e-07, log_b_aa = KSL_MUL(log_x, log_b_z),
-      log_b_ab = log_b_aa + 3.306878306878307e-05, log_b_ac = KSL_MUL(log_x, log_b_ab),
-      log_b_ad = log_b_ac + 0.001388888888888889, log_b_ae = KSL_MUL(log_x, log_b_ad),
-      log_b_af = log_b_ae + 0.08333333333333333, log_b = log_x < 4.0 ? log_b_af : log_closed_b;
-  const double log_b_across_a = KSL_MUL(log_x, log_b), log_b_across_b = 1.0 - log_b_across_a,
-      log_b_across = log_x < 4.0 ? log_b_across_b : log_half_cotangent;
+  const double log_half_angle = KSL_MUL(0.5, log_theta);
+  const double log_length_a = KSL_MUL(log_n, log_n),
+      log_length_b = KSL_MUL(log_upper_3, log_upper_3), log_length_c = log_length_a + log_length_b,
+      log_length = sqrt(log_length_c);
+  const double log_sine = log_n / log_length;
+  const double log_c = log_upper_3 / log_length;
+  const double log_y = KSL_MUL(log_half_angle, log_half_angle);
+  const double log_sinc_divisor = log_half_angle == 0.0 ? 1.0 : log_half_angle;
+  const double log_sinc_quotient = log_sine / log_sinc_divisor;
+  const double log_sinc = log_half_angle == 0.0 ? 1.0 : log_sinc_quotient;
+  const double log_series_phi_a = KSL_MUL(5.107725174524775e-32, log_y),
+      log_series_phi_b = 4.116826490666969e-29 - log_series_phi_a,
+      log_series_phi_c = KSL_MUL(log_y, log_series_phi_b),
+      log_series_phi_d = log_series_phi_c - 2.86531123750421e-26,
+      log_series_phi_e = KSL_MUL(log_y, log_series_phi_d),
+      log_series_phi_f = log_series_phi_e + 1.701994875077501e-23,
+      log_series_phi_g = KSL_MUL(log_y, log_series_phi_f),
+      log_series_phi_h = log_series_phi_g - 8.509974375387505e-21,
+      log_series_phi_i = KSL_MUL(log_y, log_series_phi_h),
+      log_series_phi_j = log_series_phi_i + 3.523129391410427e-18,
+      log_series_phi_k = KSL_MUL(log_y, log_series_phi_j),
+      log_series_phi_l = log_series_phi_k - 1.1837714755139035e-15,
+      log_series_phi_m = KSL_MUL(log_y, log_series_phi_l),
+      log_series_phi_n = log_series_phi_m + 3.148832124866983e-13,
+      log_series_phi_o = KSL_MUL(log_y, log_series_phi_n),
+      log_series_phi_p = log_series_phi_o - 6.423617534728645e-11,
+      log_series_phi_q = KSL_MUL(log_y, log_series_phi_p),
+      log_series_phi_r = log_series_phi_q + 9.635426302092969e-09,
+      log_series_phi_s = KSL_MUL(log_y, log_series_phi_r),
+      log_series_phi_t = log_series_phi_s - 1.0020843354176687e-06,
+      log_series_phi_u = KSL_MUL(log_y, log_series_phi_t),
+      log_series_phi_v = log_series_phi_u + 6.613756613756614e-05,
+      log_series_phi_w = KSL_MUL(log_y, log_series_phi_v),
+      log_series_phi_x = log_series_phi_w - 0.002380952380952381,
+      log_series_phi_y = KSL_MUL(log_y, log_series_phi_x),
+      log_series_phi = log_series_phi_y + 0.03333333333333333;
+  const double log_f_more_a = KSL_MUL(2.0, log_y),
+      log_f_more = KSL_MUL(log_f_more_a, log_series_phi);
+  const double log_near_f_a = KSL_MUL(0.3333333333333333, log_sinc),
+      log_near_f_b = KSL_MUL(0.3333333333333333, log_f_more),
+      log_near_f = log_near_f_a + log_near_f_b;
+  const double log_f_rest = log_sinc - log_c;
+  const double log_x = KSL_MUL(4.0, log_y);
+  const double log_far_y = log_x < 4.0 ? 1.0 : log_y;
+  const double log_closed_f = log_f_rest / log_far_y;
+  const double log_f = log_x < 4.0 ? log_near_f : log_closed_f;
+  const double log_four_k = KSL_MUL(4.0, log_sinc);
+  const double log_b = log_f / log_four_k;
+  const double log_b_across = log_c / log_sinc;
   const double log_wt_a = KSL_MUL(between_3, log_vector_0),
       log_wt_b = KSL_MUL(between_7, log_vector_1), log_wt_c = log_wt_a + log_wt_b,
       log_wt_d = KSL_MUL(between_11, log_vector_2), log_wt = log_wt_c + log_wt_d;
@@ -38041,98 +37595,53 @@ static inline void ksl_SE3f_interpolated_accurate(const ksl_SE3f_t *D1, const ks
   const double screw_3 = KSL_MUL((double)k, log_vector_0);
   const double screw_4 = KSL_MUL((double)k, log_vector_1);
   const double screw_5 = KSL_MUL((double)k, log_vector_2);
-  const double exp_size_0 = fabs(screw_3);
-  const double exp_size_1 = fabs(screw_4);
-  const double exp_size_2 = fabs(screw_5);
-  const double exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
-  const double exp_grid = KSL_MUL(exp_sizes, 8192.0);
-  const double exp_shifted_0 = screw_3 + exp_grid;
-  const double exp_shifted_1 = screw_4 + exp_grid;
-  const double exp_shifted_2 = screw_5 + exp_grid;
-  const double exp_high_0 = exp_shifted_0 - exp_grid;
-  const double exp_high_1 = exp_shifted_1 - exp_grid;
-  const double exp_high_2 = exp_shifted_2 - exp_grid;
-  const double exp_low_0 = screw_3 - exp_high_0;
-  const double exp_low_1 = screw_4 - exp_high_1;
-  const double exp_low_2 = screw_5 - exp_high_2;
-  const double exp_sum_0 = screw_3 + exp_high_0;
-  const double exp_sum_1 = screw_4 + exp_high_1;
-  const double exp_sum_2 = screw_5 + exp_high_2;
-  const double exp_squares_a = KSL_MUL(exp_high_0, exp_high_0),
-      exp_squares_b = KSL_MUL(exp_high_1, exp_high_1),
-      exp_squares_c = exp_squares_a + exp_squares_b,
-      exp_squares_d = KSL_MUL(exp_high_2, exp_high_2), exp_squares = exp_squares_c + exp_squares_d;
-  const double exp_cross_a = KSL_MUL(exp_low_0, exp_sum_0),
-      exp_cross_b = KSL_MUL(exp_low_1, exp_sum_1), exp_cross_c = exp_cross_a + exp_cross_b,
-      exp_cross_d = KSL_MUL(exp_low_2, exp_sum_2), exp_cross = exp_cross_c + exp_cross_d;
-  const double exp_x = exp_squares + exp_cross;
-  const double exp_theta_a = sqrt(exp_x), exp_theta = exp_x < 1.0 ? 1.0 : exp_theta_a;
-  const double exp_theta_shifted = exp_grid + exp_theta;
-  const double exp_theta_high = exp_theta_shifted - exp_grid;
-  const double exp_theta_low = exp_theta - exp_theta_high;
-  const double exp_theta_sum = exp_theta + exp_theta_high;
-  const double exp_cross_rest_a = KSL_MUL(exp_theta_low, exp_theta_sum),
-      exp_cross_rest = exp_cross - exp_cross_rest_a;
-  const double exp_exact_a = KSL_MUL(exp_theta_high, exp_theta_high),
-      exp_exact = exp_squares - exp_exact_a;
-  const double exp_residual = exp_cross_rest + exp_exact;
-  const double exp_small_a = KSL_MUL(0.5, exp_residual), exp_small = exp_small_a / exp_theta;
-  const double exp_delta_a = fabs(exp_small), exp_delta = exp_delta_a < 0.0078125 ? exp_small : 0.0;
-  double exp_far_cosine_a; const double exp_far_sine_a = ksl_sincos(exp_theta, &exp_far_cosine_a);
-  const double exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
-  const double exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
-  const double exp_sine_a = KSL_MUL(exp_delta, exp_far_cosine),
-      exp_sine = exp_sine_a + exp_far_sine;
-  const double exp_cosine_a = KSL_MUL(exp_delta, exp_far_sine),
-      exp_cosine = exp_far_cosine - exp_cosine_a;
+  const double exp_halved_0 = KSL_MUL(0.5, screw_3);
+  const double exp_halved_1 = KSL_MUL(0.5, screw_4);
+  const double exp_halved_2 = KSL_MUL(0.5, screw_5);
+  const double exp_y_a = KSL_MUL(exp_halved_0, exp_halved_0),
+      exp_y_b = KSL_MUL(exp_halved_1, exp_halved_1), exp_y_c = exp_y_a + exp_y_b,
+      exp_y_d = KSL_MUL(exp_halved_2, exp_halved_2), exp_y = exp_y_c + exp_y_d;
+  const double exp_half_angle = sqrt(exp_y);
+  double exp_c; const double exp_sine = ksl_sincos(exp_half_angle, &exp_c);
+  const double exp_sinc_divisor = exp_half_angle == 0.0 ? 1.0 : exp_half_angle;
+  const double exp_sinc_quotient = exp_sine / exp_sinc_divisor;
+  const double exp_sinc = exp_half_angle == 0.0 ? 1.0 : exp_sinc_quotient;
+  const double exp_g1 = KSL_MUL(exp_c, exp_sinc);
+  const double exp_g2a = KSL_MUL(exp_sinc, exp_sinc), exp_g2 = KSL_MUL(0.5, exp_g2a);
+  const double exp_sine_square = KSL_MUL(exp_sine, exp_sine);
+  const double exp_g0a = KSL_MUL(2.0, exp_sine_square), exp_g0 = 1.0 - exp_g0a;
+  const double exp_rest3 = 1.0 - exp_g1;
+  const double exp_x = KSL_MUL(4.0, exp_y);
   const double exp_far_x = exp_x < 1.0 ? 1.0 : exp_x;
-  const double exp_middle_x = exp_x < 4.0 ? 4.0 : exp_x;
-  const double exp_closed1 = exp_sine / exp_theta;
-  const double exp_versine = 1.0 - exp_cosine;
-  const double exp_closed2 = exp_versine / exp_far_x;
-  const double exp_rest3 = 1.0 - exp_closed1;
-  const double exp_closed3 = exp_rest3 / exp_middle_x;
-  const double exp_g1a = KSL_MUL(6.446950284384474e-26, exp_x),
-      exp_g1b = exp_g1a - 3.868170170630684e-23, exp_g1c = KSL_MUL(exp_x, exp_g1b),
-      exp_g1d = exp_g1c + 1.9572941063391263e-20, exp_g1e = KSL_MUL(exp_x, exp_g1d),
-      exp_g1f = exp_g1e - 8.22063524662433e-18, exp_g1g = KSL_MUL(exp_x, exp_g1f),
-      exp_g1h = exp_g1g + 2.8114572543455206e-15, exp_g1i = KSL_MUL(exp_x, exp_g1h),
-      exp_g1j = exp_g1i - 7.647163731819816e-13, exp_g1k = KSL_MUL(exp_x, exp_g1j),
-      exp_g1l = exp_g1k + 1.6059043836821613e-10, exp_g1m = KSL_MUL(exp_x, exp_g1l),
-      exp_g1n = exp_g1m - 2.505210838544172e-08, exp_g1o = KSL_MUL(exp_x, exp_g1n),
-      exp_g1p = exp_g1o + 2.7557319223985893e-06, exp_g1q = KSL_MUL(exp_x, exp_g1p),
-      exp_g1r = exp_g1q - 0.0001984126984126984, exp_g1s = KSL_MUL(exp_x, exp_g1r),
-      exp_g1t = exp_g1s + 0.008333333333333333, exp_g1u = KSL_MUL(exp_x, exp_g1t),
-      exp_g1v = exp_g1u - 0.16666666666666666, exp_g1w = KSL_MUL(exp_x, exp_g1v),
-      exp_g1x = exp_g1w + 1.0, exp_g1 = exp_x < 1.0 ? exp_g1x : exp_closed1;
-  const double exp_g2a = KSL_MUL(2.4795962632247976e-27, exp_x),
-      exp_g2b = exp_g2a - 1.6117375710961184e-24, exp_g2c = KSL_MUL(exp_x, exp_g2b),
-      exp_g2d = exp_g2c + 8.896791392450574e-22, exp_g2e = KSL_MUL(exp_x, exp_g2d),
-      exp_g2f = exp_g2e - 4.110317623312165e-19, exp_g2g = KSL_MUL(exp_x, exp_g2f),
-      exp_g2h = exp_g2g + 1.5619206968586225e-16, exp_g2i = KSL_MUL(exp_x, exp_g2h),
-      exp_g2j = exp_g2i - 4.779477332387385e-14, exp_g2k = KSL_MUL(exp_x, exp_g2j),
-      exp_g2l = exp_g2k + 1.1470745597729725e-11, exp_g2m = KSL_MUL(exp_x, exp_g2l),
-      exp_g2n = exp_g2m - 2.08767569878681e-09, exp_g2o = KSL_MUL(exp_x, exp_g2n),
-      exp_g2p = exp_g2o + 2.755731922398589e-07, exp_g2q = KSL_MUL(exp_x, exp_g2p),
-      exp_g2r = exp_g2q - 2.48015873015873e-05, exp_g2s = KSL_MUL(exp_x, exp_g2r),
-      exp_g2t = exp_g2s + 0.001388888888888889, exp_g2u = KSL_MUL(exp_x, exp_g2t),
-      exp_g2v = exp_g2u - 0.041666666666666664, exp_g2w = KSL_MUL(exp_x, exp_g2v),
-      exp_g2x = exp_g2w + 0.5, exp_g2 = exp_x < 1.0 ? exp_g2x : exp_closed2;
-  const double exp_g3a = KSL_MUL(9.183689863795546e-29, exp_x),
-      exp_g3b = exp_g3a - 6.446950284384474e-26, exp_g3c = KSL_MUL(exp_x, exp_g3b),
-      exp_g3d = exp_g3c + 3.868170170630684e-23, exp_g3e = KSL_MUL(exp_x, exp_g3d),
-      exp_g3f = exp_g3e - 1.9572941063391263e-20, exp_g3g = KSL_MUL(exp_x, exp_g3f),
-      exp_g3h = exp_g3g + 8.22063524662433e-18, exp_g3i = KSL_MUL(exp_x, exp_g3h),
-      exp_g3j = exp_g3i - 2.8114572543455206e-15, exp_g3k = KSL_MUL(exp_x, exp_g3j),
-      exp_g3l = exp_g3k + 7.647163731819816e-13, exp_g3m = KSL_MUL(exp_x, exp_g3l),
-      exp_g3n = exp_g3m - 1.6059043836821613e-10, exp_g3o = KSL_MUL(exp_x, exp_g3n),
-      exp_g3p = exp_g3o + 2.505210838544172e-08, exp_g3q = KSL_MUL(exp_x, exp_g3p),
-      exp_g3r = exp_g3q - 2.7557319223985893e-06, exp_g3s = KSL_MUL(exp_x, exp_g3r),
-      exp_g3t = exp_g3s + 0.0001984126984126984, exp_g3u = KSL_MUL(exp_x, exp_g3t),
-      exp_g3v = exp_g3u - 0.008333333333333333, exp_g3w = KSL_MUL(exp_x, exp_g3v),
-      exp_g3x = exp_g3w + 0.16666666666666666, exp_g3 = exp_x < 4.0 ? exp_g3x : exp_closed3;
-  const double exp_g0a = KSL_MUL(exp_x, exp_g2), exp_g0b = 1.0 - exp_g0a,
-      exp_g0 = exp_x < 1.0 ? exp_g0b : exp_cosine;
+  const double exp_closed3 = exp_rest3 / exp_far_x;
+  const double exp_series5a = KSL_MUL(1.216125041553518e-34, exp_x),
+      exp_series5b = 1.1309962886447716e-31 - exp_series5a,
+      exp_series5c = KSL_MUL(exp_x, exp_series5b),
+      exp_series5d = exp_series5c - 9.183689863795546e-29,
+      exp_series5e = KSL_MUL(exp_x, exp_series5d),
+      exp_series5f = exp_series5e + 6.446950284384474e-26,
+      exp_series5g = KSL_MUL(exp_x, exp_series5f),
+      exp_series5h = exp_series5g - 3.868170170630684e-23,
+      exp_series5i = KSL_MUL(exp_x, exp_series5h),
+      exp_series5j = exp_series5i + 1.9572941063391263e-20,
+      exp_series5k = KSL_MUL(exp_x, exp_series5j),
+      exp_series5l = exp_series5k - 8.22063524662433e-18,
+      exp_series5m = KSL_MUL(exp_x, exp_series5l),
+      exp_series5n = exp_series5m + 2.8114572543455206e-15,
+      exp_series5o = KSL_MUL(exp_x, exp_series5n),
+      exp_series5p = exp_series5o - 7.647163731819816e-13,
+      exp_series5q = KSL_MUL(exp_x, exp_series5p),
+      exp_series5r = exp_series5q + 1.6059043836821613e-10,
+      exp_series5s = KSL_MUL(exp_x, exp_series5r),
+      exp_series5t = exp_series5s - 2.505210838544172e-08,
+      exp_series5u = KSL_MUL(exp_x, exp_series5t),
+      exp_series5v = exp_series5u + 2.7557319223985893e-06,
+      exp_series5w = KSL_MUL(exp_x, exp_series5v),
+      exp_series5x = exp_series5w - 0.0001984126984126984,
+      exp_series5y = KSL_MUL(exp_x, exp_series5x),
+      exp_series5 = exp_series5y + 0.008333333333333333;
+  const double exp_g3a = KSL_MUL(exp_x, exp_series5), exp_g3b = 0.16666666666666666 - exp_g3a,
+      exp_g3 = exp_x < 1.0 ? exp_g3b : exp_closed3;
   const double exp_u_0a = KSL_MUL(screw_2, screw_4), exp_u_0b = KSL_MUL(screw_1, screw_5),
       exp_u_0 = exp_u_0a - exp_u_0b;
   const double exp_u_1a = KSL_MUL(screw_0, screw_5), exp_u_1b = KSL_MUL(screw_2, screw_3),

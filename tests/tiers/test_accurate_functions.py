@@ -10,14 +10,22 @@ from functools import cache
 
 import mpmath
 import numpy as np
+import pytest
 
 import coscrew.accurate
 from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.program import Program
+from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
 from coscrew_codegen.program.interpreter import interpreter
 from coscrew_codegen.program.ops import ERROR_OF
-from coscrew_codegen.quantity import DISPLACEMENT, ROTATION, UNIT_QUATERNION, Argument
+from coscrew_codegen.quantity import (
+    DISPLACEMENT,
+    ROTATION,
+    SCALAR,
+    UNIT_QUATERNION,
+    Argument,
+)
+from coscrew_codegen.tiers.accurate import accurate
 from tests.hard_cases.corpus import load
 from tests.search import split
 from tests.support.cases import for_all
@@ -109,11 +117,10 @@ _CASES = load()
 
 def judged(operation: Operation, precision: Precision, given: np.ndarray) -> list[Result]:
     """Every component of these calls, with its truth and condition."""
-    program = fine(operation) if precision == DOUBLE else plain_program(operation)
     inputs = split(operation, given)
     columns = [[x.reshape(len(x), -1)[:, k].astype(float) for k in range(a.quantity.size)]
                for a, x in zip(operation.inputs, inputs, strict=True)]
-    size = [np.broadcast_to(x, len(given)) for x in conditions(program, columns)]
+    size = [np.broadcast_to(x, len(given)) for x in conditions(fine(operation), columns)]
     found = flat(gufuncs(coscrew.accurate)(operation, precision, inputs), len(given))
     rounded = any(a.domain in _ROUNDED for a in operation.inputs)
     results = []
@@ -142,9 +149,21 @@ def _is_half_turn(x: Result) -> bool:
     return abs(abs(x.true) - mpmath.pi) < 1e-6 and abs(x.found + float(x.true)) < 1e-6
 
 
+def test_steps_of_a_program_and_of_its_compensation_have_different_names():
+    """The names of residuals end in _rest."""
+    x, y = Input(0, 0), Input(1, 0)
+    steps = (Instruction("r_rest", Op.ADD, (x, y), "r"),
+             Instruction("r", Op.DIV, (Ref("r_rest"), y), "r"))
+    program = Program("f", tuple(Argument(name, SCALAR) for name in "xy"),
+                      (Argument("r", SCALAR),), steps, (Ref("r"),))
+    with pytest.raises(ValueError, match="^f: rename 'r_rest', as its compensation is named$"):
+        accurate(program)
+
+
 @each_precision
 def test_any_rotation_vector_gives_a_rotation(precision: Precision):
-    """Of subnormal and of the largest angles."""
+    """Of subnormal and of the largest angles; beyond 2^50, sine and cosine of what an angle lacks
+    err as they do in the plain tier."""
     info = np.finfo(precision.numpy_type)
     sizes = np.geomspace(float(info.tiny), float(info.max) / 2, 400, dtype=precision.numpy_type)
     sizes = np.append(sizes, np.array([info.smallest_subnormal, 1e3 * info.smallest_subnormal],
@@ -152,8 +171,8 @@ def test_any_rotation_vector_gives_a_rotation(precision: Precision):
     v = sizes[:, None] * np.array([0.3, -0.5, 0.7], precision.numpy_type)
     R = coscrew.accurate.SO3_exp(v).astype(np.longdouble)
     q = coscrew.accurate.quaternion_exp(v).astype(np.longdouble)
-    u = 2.0**-precision.digits
-    assert np.abs(R.swapaxes(1, 2) @ R - np.eye(3)).max() <= 8 * u
-    assert np.abs((q * q).sum(axis=1) - 1).max() <= 4 * u
+    allowed = np.where(sizes < 1e15, 8, 64) * 2.0**-precision.digits
+    assert (np.abs(R.swapaxes(1, 2) @ R - np.eye(3)).max(axis=(1, 2)) <= allowed).all()
+    assert (np.abs((q * q).sum(axis=1) - 1) <= allowed).all()
     small = sizes < 1e-30
     assert (R[small, 1, 0] == v[small, 2]).all() and (q[small, 3] == 1).all()

@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "b6b22447397ce9ad")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "cce35404237349ed")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

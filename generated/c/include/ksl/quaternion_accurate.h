@@ -4859,7 +4859,7 @@ static inline float ksl_axis_angle_from_quaternionf_accurate(const ksl_quaternio
 
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (x, y, z, w), the scalar last.
-   71 mul, 86 add, 2 div, 1 sqrt, 5 abs, 2 less, 6 select.
+   41 mul, 35 add, 1 div, 1 sqrt, 4 abs, 4 less, 1 equal, 6 select.
    Error <= qo: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -4868,72 +4868,34 @@ static inline void ksl_quaternionf_exp_accurate(const ksl_vec3f_t *v, ksl_quater
   const double h_0 = 0.5 * (double)v->x;
   const double h_1 = 0.5 * (double)v->y;
   const double h_2 = 0.5 * (double)v->z;
-  const double size_0 = fabs(h_0);
-  const double size_1 = fabs(h_1);
-  const double size_2 = fabs(h_2);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
-  const double grid = KSL_MUL(sizes, 8192.0);
-  const double shifted_0 = h_0 + grid;
-  const double shifted_1 = h_1 + grid;
-  const double shifted_2 = h_2 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = h_0 - high_0;
-  const double low_1 = h_1 - high_1;
-  const double low_2 = h_2 - high_2;
-  const double sum_0 = h_0 + high_0;
-  const double sum_1 = h_1 + high_1;
-  const double sum_2 = h_2 + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
-  const double x = squares + cross;
-  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
-  const double theta_shifted = grid + theta;
-  const double theta_high = theta_shifted - grid;
-  const double theta_low = theta - theta_high;
-  const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
-  const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
-  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
-  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
-  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
-  const double far_k = sine / theta;
-  const double k_a = KSL_MUL(6.446950284384474e-26, x), k_b = k_a - 3.868170170630684e-23,
-      k_c = KSL_MUL(x, k_b), k_d = k_c + 1.9572941063391263e-20, k_e = KSL_MUL(x, k_d),
-      k_f = k_e - 8.22063524662433e-18, k_g = KSL_MUL(x, k_f), k_h = k_g + 2.8114572543455206e-15,
-      k_i = KSL_MUL(x, k_h), k_j = k_i - 7.647163731819816e-13, k_k = KSL_MUL(x, k_j),
-      k_l = k_k + 1.6059043836821613e-10, k_m = KSL_MUL(x, k_l), k_n = k_m - 2.505210838544172e-08,
-      k_o = KSL_MUL(x, k_n), k_p = k_o + 2.7557319223985893e-06, k_q = KSL_MUL(x, k_p),
-      k_r = k_q - 0.0001984126984126984, k_s = KSL_MUL(x, k_r), k_t = k_s + 0.008333333333333333,
-      k_u = KSL_MUL(x, k_t), k_v = k_u - 0.16666666666666666, k_w = KSL_MUL(x, k_v),
-      k_x = k_w + 1.0, k = x < 1.0 ? k_x : far_k;
-  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
-      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
-      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
-      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
-      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
-      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
-      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
-      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
-      g2 = g2w + 0.5;
-  const double near_a = KSL_MUL(x, g2), near = 1.0 - near_a;
-  const double qo_0 = KSL_MUL(h_0, k);
-  const double qo_1 = KSL_MUL(h_1, k);
-  const double qo_2 = KSL_MUL(h_2, k);
-  const double qo_3 = x < 1.0 ? near : cosine;
+  const double h_size_0 = fabs(h_0);
+  const double h_size_1 = fabs(h_1);
+  const double h_size_2 = fabs(h_2);
+  const double h_largest1 = h_size_0 < h_size_1 ? h_size_1 : h_size_0;
+  const double h_largest2 = h_largest1 < h_size_2 ? h_size_2 : h_largest1;
+  const double s = 4.611686018427388e+18 < h_largest2 ? 2.710505431213761e-20 : 1.0;
+  const double reduced_0 = KSL_MUL(h_0, s);
+  const double reduced_1 = KSL_MUL(h_1, s);
+  const double reduced_2 = KSL_MUL(h_2, s);
+  const double up = s < 1.0 ? 3.6893488147419103e+19 : 1.0;
+  const double reduced_length_a = KSL_MUL(reduced_0, reduced_0),
+      reduced_length_b = KSL_MUL(reduced_1, reduced_1),
+      reduced_length_c = reduced_length_a + reduced_length_b,
+      reduced_length_d = KSL_MUL(reduced_2, reduced_2),
+      reduced_length_e = reduced_length_c + reduced_length_d,
+      reduced_length = sqrt(reduced_length_e);
+  const double half_angle = KSL_MUL(reduced_length, up);
+  double c; const double sine = ksl_sincos(half_angle, &c);
+  const double sinc_divisor = half_angle == 0.0 ? 1.0 : half_angle;
+  const double sinc_quotient = sine / sinc_divisor;
+  const double sinc = half_angle == 0.0 ? 1.0 : sinc_quotient;
+  const double qo_0 = KSL_MUL(h_0, sinc);
+  const double qo_1 = KSL_MUL(h_1, sinc);
+  const double qo_2 = KSL_MUL(h_2, sinc);
   qo->x = (float)qo_0;
   qo->y = (float)qo_1;
   qo->z = (float)qo_2;
-  qo->w = (float)qo_3;
+  qo->w = (float)c;
 }
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
@@ -4990,7 +4952,7 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-   142 mul, 147 add, 4 div, 2 sqrt, 6 neg, 10 abs, 2 copysign, 17 less, 2 equal, 33 select.
+   112 mul, 96 add, 3 div, 2 sqrt, 6 neg, 9 abs, 2 copysign, 19 less, 3 equal, 33 select.
    Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -5046,92 +5008,40 @@ static inline void ksl_quaternionf_interpolated_accurate(const ksl_quaternionf_t
   const double step_0 = KSL_MUL(rate, kv_0);
   const double step_1 = KSL_MUL(rate, kv_1);
   const double step_2 = KSL_MUL(rate, kv_2);
-  const double exp_size_0 = fabs(step_0);
-  const double exp_size_1 = fabs(step_1);
-  const double exp_size_2 = fabs(step_2);
-  const double exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
-  const double exp_grid = KSL_MUL(exp_sizes, 8192.0);
-  const double exp_shifted_0 = step_0 + exp_grid;
-  const double exp_shifted_1 = step_1 + exp_grid;
-  const double exp_shifted_2 = step_2 + exp_grid;
-  const double exp_high_0 = exp_shifted_0 - exp_grid;
-  const double exp_high_1 = exp_shifted_1 - exp_grid;
-  const double exp_high_2 = exp_shifted_2 - exp_grid;
-  const double exp_low_0 = step_0 - exp_high_0;
-  const double exp_low_1 = step_1 - exp_high_1;
-  const double exp_low_2 = step_2 - exp_high_2;
-  const double exp_sum_0 = step_0 + exp_high_0;
-  const double exp_sum_1 = step_1 + exp_high_1;
-  const double exp_sum_2 = step_2 + exp_high_2;
-  const double exp_squares_a = KSL_MUL(exp_high_0, exp_high_0),
-      exp_squares_b = KSL_MUL(exp_high_1, exp_high_1),
-      exp_squares_c = exp_squares_a + exp_squares_b,
-      exp_squares_d = KSL_MUL(exp_high_2, exp_high_2), exp_squares = exp_squares_c + exp_squares_d;
-  const double exp_cross_a = KSL_MUL(exp_low_0, exp_sum_0),
-      exp_cross_b = KSL_MUL(exp_low_1, exp_sum_1), exp_cross_c = exp_cross_a + exp_cross_b,
-      exp_cross_d = KSL_MUL(exp_low_2, exp_sum_2), exp_cross = exp_cross_c + exp_cross_d;
-  const double exp_x = exp_squares + exp_cross;
-  const double exp_theta_a = sqrt(exp_x), exp_theta = exp_x < 1.0 ? 1.0 : exp_theta_a;
-  const double exp_theta_shifted = exp_grid + exp_theta;
-  const double exp_theta_high = exp_theta_shifted - exp_grid;
-  const double exp_theta_low = exp_theta - exp_theta_high;
-  const double exp_theta_sum = exp_theta + exp_theta_high;
-  const double exp_cross_rest_a = KSL_MUL(exp_theta_low, exp_theta_sum),
-      exp_cross_rest = exp_cross - exp_cross_rest_a;
-  const double exp_exact_a = KSL_MUL(exp_theta_high, exp_theta_high),
-      exp_exact = exp_squares - exp_exact_a;
-  const double exp_residual = exp_cross_rest + exp_exact;
-  const double exp_small_a = KSL_MUL(0.5, exp_residual), exp_small = exp_small_a / exp_theta;
-  const double exp_delta_a = fabs(exp_small), exp_delta = exp_delta_a < 0.0078125 ? exp_small : 0.0;
-  double exp_far_cosine_a; const double exp_far_sine_a = ksl_sincos(exp_theta, &exp_far_cosine_a);
-  const double exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
-  const double exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
-  const double exp_sine_a = KSL_MUL(exp_delta, exp_far_cosine),
-      exp_sine = exp_sine_a + exp_far_sine;
-  const double exp_cosine_a = KSL_MUL(exp_delta, exp_far_sine),
-      exp_cosine = exp_far_cosine - exp_cosine_a;
-  const double exp_far_k = exp_sine / exp_theta;
-  const double exp_k_a = KSL_MUL(6.446950284384474e-26, exp_x),
-      exp_k_b = exp_k_a - 3.868170170630684e-23, exp_k_c = KSL_MUL(exp_x, exp_k_b),
-      exp_k_d = exp_k_c + 1.9572941063391263e-20, exp_k_e = KSL_MUL(exp_x, exp_k_d),
-      exp_k_f = exp_k_e - 8.22063524662433e-18, exp_k_g = KSL_MUL(exp_x, exp_k_f),
-      exp_k_h = exp_k_g + 2.8114572543455206e-15, exp_k_i = KSL_MUL(exp_x, exp_k_h),
-      exp_k_j = exp_k_i - 7.647163731819816e-13, exp_k_k = KSL_MUL(exp_x, exp_k_j),
-      exp_k_l = exp_k_k + 1.6059043836821613e-10, exp_k_m = KSL_MUL(exp_x, exp_k_l),
-      exp_k_n = exp_k_m - 2.505210838544172e-08, exp_k_o = KSL_MUL(exp_x, exp_k_n),
-      exp_k_p = exp_k_o + 2.7557319223985893e-06, exp_k_q = KSL_MUL(exp_x, exp_k_p),
-      exp_k_r = exp_k_q - 0.0001984126984126984, exp_k_s = KSL_MUL(exp_x, exp_k_r),
-      exp_k_t = exp_k_s + 0.008333333333333333, exp_k_u = KSL_MUL(exp_x, exp_k_t),
-      exp_k_v = exp_k_u - 0.16666666666666666, exp_k_w = KSL_MUL(exp_x, exp_k_v),
-      exp_k_x = exp_k_w + 1.0, exp_k = exp_x < 1.0 ? exp_k_x : exp_far_k;
-  const double exp_g2a = KSL_MUL(2.4795962632247976e-27, exp_x),
-      exp_g2b = exp_g2a - 1.6117375710961184e-24, exp_g2c = KSL_MUL(exp_x, exp_g2b),
-      exp_g2d = exp_g2c + 8.896791392450574e-22, exp_g2e = KSL_MUL(exp_x, exp_g2d),
-      exp_g2f = exp_g2e - 4.110317623312165e-19, exp_g2g = KSL_MUL(exp_x, exp_g2f),
-      exp_g2h = exp_g2g + 1.5619206968586225e-16, exp_g2i = KSL_MUL(exp_x, exp_g2h),
-      exp_g2j = exp_g2i - 4.779477332387385e-14, exp_g2k = KSL_MUL(exp_x, exp_g2j),
-      exp_g2l = exp_g2k + 1.1470745597729725e-11, exp_g2m = KSL_MUL(exp_x, exp_g2l),
-      exp_g2n = exp_g2m - 2.08767569878681e-09, exp_g2o = KSL_MUL(exp_x, exp_g2n),
-      exp_g2p = exp_g2o + 2.755731922398589e-07, exp_g2q = KSL_MUL(exp_x, exp_g2p),
-      exp_g2r = exp_g2q - 2.48015873015873e-05, exp_g2s = KSL_MUL(exp_x, exp_g2r),
-      exp_g2t = exp_g2s + 0.001388888888888889, exp_g2u = KSL_MUL(exp_x, exp_g2t),
-      exp_g2v = exp_g2u - 0.041666666666666664, exp_g2w = KSL_MUL(exp_x, exp_g2v),
-      exp_g2 = exp_g2w + 0.5;
-  const double exp_near_a = KSL_MUL(exp_x, exp_g2), exp_near = 1.0 - exp_near_a;
-  const double power_0 = KSL_MUL(step_0, exp_k);
-  const double power_1 = KSL_MUL(step_1, exp_k);
-  const double power_2 = KSL_MUL(step_2, exp_k);
-  const double power_3 = exp_x < 1.0 ? exp_near : exp_cosine;
-  const double qo_0a = KSL_MUL((double)q1->x, power_3), qo_0b = KSL_MUL((double)q1->y, power_2),
+  const double exp_h_size_0 = fabs(step_0);
+  const double exp_h_size_1 = fabs(step_1);
+  const double exp_h_size_2 = fabs(step_2);
+  const double exp_h_largest1 = exp_h_size_0 < exp_h_size_1 ? exp_h_size_1 : exp_h_size_0;
+  const double exp_h_largest2 = exp_h_largest1 < exp_h_size_2 ? exp_h_size_2 : exp_h_largest1;
+  const double exp_s = 4.611686018427388e+18 < exp_h_largest2 ? 2.710505431213761e-20 : 1.0;
+  const double exp_reduced_0 = KSL_MUL(step_0, exp_s);
+  const double exp_reduced_1 = KSL_MUL(step_1, exp_s);
+  const double exp_reduced_2 = KSL_MUL(step_2, exp_s);
+  const double exp_up = exp_s < 1.0 ? 3.6893488147419103e+19 : 1.0;
+  const double exp_reduced_length_a = KSL_MUL(exp_reduced_0, exp_reduced_0),
+      exp_reduced_length_b = KSL_MUL(exp_reduced_1, exp_reduced_1),
+      exp_reduced_length_c = exp_reduced_length_a + exp_reduced_length_b,
+      exp_reduced_length_d = KSL_MUL(exp_reduced_2, exp_reduced_2),
+      exp_reduced_length_e = exp_reduced_length_c + exp_reduced_length_d,
+      exp_reduced_length = sqrt(exp_reduced_length_e);
+  const double exp_half_angle = KSL_MUL(exp_reduced_length, exp_up);
+  double exp_c; const double exp_sine = ksl_sincos(exp_half_angle, &exp_c);
+  const double exp_sinc_divisor = exp_half_angle == 0.0 ? 1.0 : exp_half_angle;
+  const double exp_sinc_quotient = exp_sine / exp_sinc_divisor;
+  const double exp_sinc = exp_half_angle == 0.0 ? 1.0 : exp_sinc_quotient;
+  const double power_0 = KSL_MUL(step_0, exp_sinc);
+  const double power_1 = KSL_MUL(step_1, exp_sinc);
+  const double power_2 = KSL_MUL(step_2, exp_sinc);
+  const double qo_0a = KSL_MUL((double)q1->x, exp_c), qo_0b = KSL_MUL((double)q1->y, power_2),
       qo_0c = KSL_MUL((double)q1->z, power_1), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
       qo_0f = KSL_MUL((double)q1->w, power_0), qo_0 = qo_0e + qo_0f;
   const double qo_1a = KSL_MUL((double)q1->z, power_0), qo_1b = KSL_MUL((double)q1->x, power_2),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL((double)q1->y, power_3), qo_1e = qo_1c + qo_1d,
+      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL((double)q1->y, exp_c), qo_1e = qo_1c + qo_1d,
       qo_1f = KSL_MUL((double)q1->w, power_1), qo_1 = qo_1e + qo_1f;
   const double qo_2a = KSL_MUL((double)q1->x, power_1), qo_2b = KSL_MUL((double)q1->y, power_0),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL((double)q1->z, power_3), qo_2e = qo_2c + qo_2d,
+      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL((double)q1->z, exp_c), qo_2e = qo_2c + qo_2d,
       qo_2f = KSL_MUL((double)q1->w, power_2), qo_2 = qo_2e + qo_2f;
-  const double qo_3a = KSL_MUL((double)q1->w, power_3), qo_3b = KSL_MUL((double)q1->x, power_0),
+  const double qo_3a = KSL_MUL((double)q1->w, exp_c), qo_3b = KSL_MUL((double)q1->x, power_0),
       qo_3c = KSL_MUL((double)q1->y, power_1), qo_3d_lead = -qo_3b, qo_3d = qo_3d_lead - qo_3c,
       qo_3e = KSL_MUL((double)q1->z, power_2), qo_3f = qo_3d - qo_3e, qo_3 = qo_3f + qo_3a;
   qo->x = (float)qo_0;

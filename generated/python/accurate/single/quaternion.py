@@ -1018,68 +1018,36 @@ def quaternion_exp(v):
     """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
 
     (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
-    71 mul, 86 add, 2 div, 1 sqrt, 5 abs, 2 less, 6 select.  Error <= qo: 1 u of its largest
-    component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each component is
-    within 1 ulp as long as its condition is below 1e13; in single precision it is the nearest
-    number, except near ties, as long as that is below 1e5; searched, not proved.
+    41 mul, 35 add, 1 div, 1 sqrt, 4 abs, 4 less, 1 equal, 6 select.  Error <= qo: 1 u of its
+    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each
+    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
+    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
     """
     v_0, v_1, v_2 = v
     h_0 = 0.5 * v_0
     h_1 = 0.5 * v_1
     h_2 = 0.5 * v_2
-    size_0 = absolute(h_0)
-    size_1 = absolute(h_1)
-    size_2 = absolute(h_2)
-    sizes = size_0 + size_1 + size_2
-    grid = sizes * 8192
-    shifted_0 = h_0 + grid
-    shifted_1 = h_1 + grid
-    shifted_2 = h_2 + grid
-    high_0 = shifted_0 - grid
-    high_1 = shifted_1 - grid
-    high_2 = shifted_2 - grid
-    low_0 = h_0 - high_0
-    low_1 = h_1 - high_1
-    low_2 = h_2 - high_2
-    sum_0 = h_0 + high_0
-    sum_1 = h_1 + high_1
-    sum_2 = h_2 + high_2
-    squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
-    cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
-    x = squares + cross
-    theta_b = x < 1
-    theta = where(theta_b, 1, sqrt(x))
-    theta_shifted = grid + theta
-    theta_high = theta_shifted - grid
-    theta_low = theta - theta_high
-    theta_sum = theta + theta_high
-    cross_rest = cross - theta_low * theta_sum
-    exact = squares - theta_high * theta_high
-    residual = cross_rest + exact
-    small = 0.5 * residual / theta
-    delta = where(absolute(small) < 0.0078125, small, 0)
-    far_sine_a, far_cosine_a = elementary.sincos(theta)
-    far_sine = where(theta_b, 1, far_sine_a)
-    far_cosine = where(theta_b, 0, far_cosine_a)
-    sine = delta * far_cosine + far_sine
-    cosine = far_cosine - delta * far_sine
-    far_k = sine / theta
-    k_e = x * (x * (6.446950284384474e-26 * x - 3.868170170630684e-23) + 1.9572941063391263e-20)
-    k_j = x * (x * (k_e - 8.22063524662433e-18) + 2.8114572543455206e-15) - 7.647163731819816e-13
-    k_o = x * (x * (x * k_j + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    k_t = x * (x * (k_o + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333
-    k = where(theta_b, x * (x * k_t - 0.16666666666666666) + 1, far_k)
-    g2e = x * (x * (2.4795962632247976e-27 * x - 1.6117375710961184e-24) + 8.896791392450574e-22)
-    g2j = x * (x * (g2e - 4.110317623312165e-19) + 1.5619206968586225e-16) - 4.779477332387385e-14
-    g2o = x * (x * (x * g2j + 1.1470745597729725e-11) - 2.08767569878681e-09)
-    g2t = x * (x * (g2o + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889
-    g2 = x * (x * g2t - 0.041666666666666664) + 0.5
-    near = 1 - x * g2
-    qo_0 = h_0 * k
-    qo_1 = h_1 * k
-    qo_2 = h_2 * k
-    qo_3 = where(theta_b, near, cosine)
-    return (qo_0, qo_1, qo_2, qo_3)
+    h_size_0 = absolute(h_0)
+    h_size_1 = absolute(h_1)
+    h_size_2 = absolute(h_2)
+    h_largest1 = where(h_size_0 < h_size_1, h_size_1, h_size_0)
+    h_largest2 = where(h_largest1 < h_size_2, h_size_2, h_largest1)
+    s = where(4.611686018427388e+18 < h_largest2, float64(2.710505431213761e-20), float64(1))
+    reduced_0 = h_0 * s
+    reduced_1 = h_1 * s
+    reduced_2 = h_2 * s
+    up = where(s < 1, float64(3.6893488147419103e+19), float64(1))
+    reduced_length = sqrt(reduced_0 * reduced_0 + reduced_1 * reduced_1 + reduced_2 * reduced_2)
+    half_angle = reduced_length * up
+    sine, c = elementary.sincos(half_angle)
+    sinc_divisor_a = half_angle == 0
+    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_quotient = sine / sinc_divisor
+    sinc = where(sinc_divisor_a, 1, sinc_quotient)
+    qo_0 = h_0 * sinc
+    qo_1 = h_1 * sinc
+    qo_2 = h_2 * sinc
+    return (qo_0, qo_1, qo_2, c)
 
 
 @kernel("(4)->(3)")
@@ -1142,7 +1110,7 @@ def quaternion_interpolated(q1, q2, k):
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-    142 mul, 147 add, 4 div, 2 sqrt, 6 neg, 10 abs, 2 copysign, 17 less, 2 equal, 33 select.
+    112 mul, 96 add, 3 div, 2 sqrt, 6 neg, 9 abs, 2 copysign, 19 less, 3 equal, 33 select.
     Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
     searched, not proved.  Each component is within 1 ulp as long as its condition is below
     1e13; in single precision it is the nearest number, except near ties, as long as that is
@@ -1184,63 +1152,30 @@ def quaternion_interpolated(q1, q2, k):
     step_0 = rate * kv_0
     step_1 = rate * kv_1
     step_2 = rate * kv_2
-    exp_size_0 = absolute(step_0)
-    exp_size_1 = absolute(step_1)
-    exp_size_2 = absolute(step_2)
-    exp_sizes = exp_size_0 + exp_size_1 + exp_size_2
-    exp_grid = exp_sizes * 8192
-    exp_shifted_0 = step_0 + exp_grid
-    exp_shifted_1 = step_1 + exp_grid
-    exp_shifted_2 = step_2 + exp_grid
-    exp_high_0 = exp_shifted_0 - exp_grid
-    exp_high_1 = exp_shifted_1 - exp_grid
-    exp_high_2 = exp_shifted_2 - exp_grid
-    exp_low_0 = step_0 - exp_high_0
-    exp_low_1 = step_1 - exp_high_1
-    exp_low_2 = step_2 - exp_high_2
-    exp_sum_0 = step_0 + exp_high_0
-    exp_sum_1 = step_1 + exp_high_1
-    exp_sum_2 = step_2 + exp_high_2
-    exp_squares = exp_high_0 * exp_high_0 + exp_high_1 * exp_high_1 + exp_high_2 * exp_high_2
-    exp_cross = exp_low_0 * exp_sum_0 + exp_low_1 * exp_sum_1 + exp_low_2 * exp_sum_2
-    exp_x = exp_squares + exp_cross
-    exp_theta_b = exp_x < 1
-    exp_theta = where(exp_theta_b, 1, sqrt(exp_x))
-    exp_theta_shifted = exp_grid + exp_theta
-    exp_theta_high = exp_theta_shifted - exp_grid
-    exp_theta_low = exp_theta - exp_theta_high
-    exp_theta_sum = exp_theta + exp_theta_high
-    exp_cross_rest = exp_cross - exp_theta_low * exp_theta_sum
-    exp_exact = exp_squares - exp_theta_high * exp_theta_high
-    exp_residual = exp_cross_rest + exp_exact
-    exp_small = 0.5 * exp_residual / exp_theta
-    exp_delta = where(absolute(exp_small) < 0.0078125, exp_small, 0)
-    exp_far_sine_a, exp_far_cosine_a = elementary.sincos(exp_theta)
-    exp_far_sine = where(exp_theta_b, 1, exp_far_sine_a)
-    exp_far_cosine = where(exp_theta_b, 0, exp_far_cosine_a)
-    exp_sine = exp_delta * exp_far_cosine + exp_far_sine
-    exp_cosine = exp_far_cosine - exp_delta * exp_far_sine
-    exp_far_k = exp_sine / exp_theta
-    exp_k_c = exp_x * (6.446950284384474e-26 * exp_x - 3.868170170630684e-23)
-    exp_k_g = exp_x * (exp_x * (exp_k_c + 1.9572941063391263e-20) - 8.22063524662433e-18)
-    exp_k_k = exp_x * (exp_x * (exp_k_g + 2.8114572543455206e-15) - 7.647163731819816e-13)
-    exp_k_o = exp_x * (exp_x * (exp_k_k + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    exp_k_s = exp_x * (exp_x * (exp_k_o + 2.7557319223985893e-06) - 0.0001984126984126984)
-    exp_k_x = exp_x * (exp_x * (exp_k_s + 0.008333333333333333) - 0.16666666666666666) + 1
-    exp_k = where(exp_theta_b, exp_k_x, exp_far_k)
-    exp_g2c = exp_x * (2.4795962632247976e-27 * exp_x - 1.6117375710961184e-24)
-    exp_g2g = exp_x * (exp_x * (exp_g2c + 8.896791392450574e-22) - 4.110317623312165e-19)
-    exp_g2k = exp_x * (exp_x * (exp_g2g + 1.5619206968586225e-16) - 4.779477332387385e-14)
-    exp_g2o = exp_x * (exp_x * (exp_g2k + 1.1470745597729725e-11) - 2.08767569878681e-09)
-    exp_g2s = exp_x * (exp_x * (exp_g2o + 2.755731922398589e-07) - 2.48015873015873e-05)
-    exp_g2 = exp_x * (exp_x * (exp_g2s + 0.001388888888888889) - 0.041666666666666664) + 0.5
-    exp_near = 1 - exp_x * exp_g2
-    power_0 = step_0 * exp_k
-    power_1 = step_1 * exp_k
-    power_2 = step_2 * exp_k
-    power_3 = where(exp_theta_b, exp_near, exp_cosine)
-    qo_0 = q1_0 * power_3 + (q1_1 * power_2 - q1_2 * power_1) + q1_3 * power_0
-    qo_1 = q1_2 * power_0 - q1_0 * power_2 + q1_1 * power_3 + q1_3 * power_1
-    qo_2 = q1_0 * power_1 - q1_1 * power_0 + q1_2 * power_3 + q1_3 * power_2
-    qo_3 = -(q1_0 * power_0) - q1_1 * power_1 - q1_2 * power_2 + q1_3 * power_3
+    exp_h_size_0 = absolute(step_0)
+    exp_h_size_1 = absolute(step_1)
+    exp_h_size_2 = absolute(step_2)
+    exp_h_largest1 = where(exp_h_size_0 < exp_h_size_1, exp_h_size_1, exp_h_size_0)
+    exp_h_largest2 = where(exp_h_largest1 < exp_h_size_2, exp_h_size_2, exp_h_largest1)
+    exp_s_a = 4.611686018427388e+18 < exp_h_largest2
+    exp_s = where(exp_s_a, float64(2.710505431213761e-20), float64(1))
+    exp_reduced_0 = step_0 * exp_s
+    exp_reduced_1 = step_1 * exp_s
+    exp_reduced_2 = step_2 * exp_s
+    exp_up = where(exp_s < 1, float64(3.6893488147419103e+19), float64(1))
+    exp_reduced_length_c = exp_reduced_0 * exp_reduced_0 + exp_reduced_1 * exp_reduced_1
+    exp_reduced_length = sqrt(exp_reduced_length_c + exp_reduced_2 * exp_reduced_2)
+    exp_half_angle = exp_reduced_length * exp_up
+    exp_sine, exp_c = elementary.sincos(exp_half_angle)
+    exp_sinc_divisor_a = exp_half_angle == 0
+    exp_sinc_divisor = where(exp_sinc_divisor_a, 1, exp_half_angle)
+    exp_sinc_quotient = exp_sine / exp_sinc_divisor
+    exp_sinc = where(exp_sinc_divisor_a, 1, exp_sinc_quotient)
+    power_0 = step_0 * exp_sinc
+    power_1 = step_1 * exp_sinc
+    power_2 = step_2 * exp_sinc
+    qo_0 = q1_0 * exp_c + (q1_1 * power_2 - q1_2 * power_1) + q1_3 * power_0
+    qo_1 = q1_2 * power_0 - q1_0 * power_2 + q1_1 * exp_c + q1_3 * power_1
+    qo_2 = q1_0 * power_1 - q1_1 * power_0 + q1_2 * exp_c + q1_3 * power_2
+    qo_3 = -(q1_0 * power_0) - q1_1 * power_1 - q1_2 * power_2 + q1_3 * exp_c
     return (qo_0, qo_1, qo_2, qo_3)
