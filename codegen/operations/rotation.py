@@ -70,13 +70,17 @@ def quaternion_of(let: Let, R: sp.Matrix) -> sp.Matrix:
                                     for one, other in zip(first, second, strict=True)]))
 
     low = choice("low", b < a, (x, s[2], s[1], p[0]), (s[2], y, s[0], p[1]))
-    high = choice("high", a < -b, (s[1], s[0], z, p[2]), (p[0], p[1], p[2], w))
+    opposite = let("opposite", a + b) < 0 if let.fine else a < -b  # as in `upper`
+    high = choice("high", opposite, (s[1], s[0], z, p[2]), (p[0], p[1], p[2], w))
     return choice("column", c < 0, low, high)
 
 
 def upper(let: Let, q: sp.Matrix) -> sp.Matrix:
-    """q or -q, whichever has w >= 0."""
-    return let("upper", q.applyfunc(lambda x: sp.Piecewise((-x, scalar_part(q) < 0), (x, True))))
+    """q or -q, whichever has w >= 0.  If fine, products may be fused into sums, which therefore are
+    not negated (tiers/negation.py)."""
+    w = scalar_part(q)
+    found = q.applyfunc(lambda x: sp.Piecewise((-x, w < 0), (x, True)))
+    return let("upper", quaternion(vector_part(found), sp.Abs(w)) if let.fine else found)
 
 
 def half_angle(let: Let, q: sp.Matrix, reduced: bool = False) -> tuple[sp.Expr, sp.Expr, sp.Expr]:

@@ -80,7 +80,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "cce35404237349ed") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "bf43cb9a20161498") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);

@@ -4644,8 +4644,8 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.\n"
     "\n"
     "(4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.\n"
-    "395 mul, 921 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 15 neg, 20 abs, 4\n"
-    "copysign, 34 less, 12 equal, 69 select.  Error <= qo: 1 u of its largest component for |q1|\n"
+    "395 mul, 921 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 14 neg, 21 abs, 4\n"
+    "copysign, 35 less, 12 equal, 68 select.  Error <= qo: 1 u of its largest component for |q1|\n"
     "= 1 and |q2| = 1 and 0 <= k <= 1; searched, not proved.  Each component is within 1 ulp as\n"
     "long as its condition is below 1e13; in single precision it is the nearest number, except\n"
     "near ties, as long as that is below 1e5; searched, not proved.\n",

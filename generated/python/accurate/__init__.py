@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "cce35404237349ed")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "bf43cb9a20161498")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

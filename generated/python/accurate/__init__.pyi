@@ -1780,8 +1780,8 @@ def quaternion_interpolated(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: NDA
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-    395 mul, 921 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 15 neg, 20 abs, 4
-    copysign, 34 less, 12 equal, 69 select.  Error <= qo: 1 u of its largest component for |q1|
+    395 mul, 921 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 14 neg, 21 abs, 4
+    copysign, 35 less, 12 equal, 68 select.  Error <= qo: 1 u of its largest component for |q1|
     = 1 and |q2| = 1 and 0 <= k <= 1; searched, not proved.  Each component is within 1 ulp as
     long as its condition is below 1e13; in single precision it is the nearest number, except
     near ties, as long as that is below 1e5; searched, not proved.
@@ -1909,8 +1909,8 @@ def SE3_log(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    282 mul, 781 add, 38 product error, 35 product rest, 23 div, 2 sqrt, 13 neg, 13 abs, 4
-    copysign, 30 less, 14 equal, 89 select.  Error <= lin: 1 u, ang: 1 u of its largest
+    282 mul, 788 add, 38 product error, 35 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
+    copysign, 31 less, 14 equal, 88 select.  Error <= lin: 1 u, ang: 1 u of its largest
     component for R of D a rotation; searched, not proved.  Each component is within 1 ulp as
     long as its condition is below 1e13; in single precision it is the nearest number, except
     near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
@@ -1969,8 +1969,8 @@ def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    741 mul, 1848 add, 78 product error, 164 product rest, 28 div, 3 sqrt, 14 neg, 17 abs, 4
-    copysign, 35 less, 22 equal, 111 select.  Error <= R: 1 u, t: 1 u of its largest component,
+    741 mul, 1861 add, 78 product error, 164 product rest, 28 div, 3 sqrt, 11 neg, 18 abs, 4
+    copysign, 36 less, 22 equal, 110 select.  Error <= R: 1 u, t: 1 u of its largest component,
     or of D1.t or D2.t if that is larger, for R of D1 a rotation and R of D2 a rotation and 0 <=
     k <= 1; searched, not proved.  Each component is within 1 ulp as long as its condition is
     below 1e13; in single precision it is the nearest number, except near ties, as long as that

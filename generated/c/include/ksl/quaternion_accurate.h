@@ -3040,8 +3040,8 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-   395 mul, 921 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 15 neg, 20 abs, 4
-     copysign, 34 less, 12 equal, 69 select.
+   395 mul, 921 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 14 neg, 21 abs, 4
+     copysign, 35 less, 12 equal, 68 select.
    Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -3135,9 +3135,8 @@ static inline void ksl_quaternion_interpolated_accurate(const ksl_quaternion_t *
   const double upper_2a = -between_2, upper_2a_lo = -between_2_lo,
       upper_2 = upper_0b_of_between_3 < 0.0 ? upper_2a : between_2,
       upper_2_lo = upper_0b_of_between_3 < 0.0 ? upper_2a_lo : between_2_lo;
-  const double upper_3a = -upper_0b_of_between_3, upper_3a_lo = -upper_0b_of_between_3_lo,
-      upper_3 = upper_0b_of_between_3 < 0.0 ? upper_3a : upper_0b_of_between_3,
-      upper_3_lo = upper_0b_of_between_3 < 0.0 ? upper_3a_lo : upper_0b_of_between_3_lo;
+  const double upper_3 = fabs(upper_0b_of_between_3), upper_3_opposite = -upper_0b_of_between_3_lo,
+      upper_3_lo = upper_0b_of_between_3 < 0.0 ? upper_3_opposite : upper_0b_of_between_3_lo;
   const double v_s_size_0_of_upper_0 = upper_0 + upper_0_lo,
       v_s_size_0_of_upper_0_right = v_s_size_0_of_upper_0 - upper_0,
       v_s_size_0_of_upper_0_left = v_s_size_0_of_upper_0 - v_s_size_0_of_upper_0_right,
@@ -4952,7 +4951,7 @@ static inline void ksl_quaternionf_log_accurate(const ksl_quaternionf_t *q, ksl_
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-   112 mul, 96 add, 3 div, 2 sqrt, 6 neg, 9 abs, 2 copysign, 19 less, 3 equal, 33 select.
+   112 mul, 96 add, 3 div, 2 sqrt, 5 neg, 10 abs, 2 copysign, 19 less, 3 equal, 32 select.
    Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
      single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -4981,7 +4980,7 @@ static inline void ksl_quaternionf_interpolated_accurate(const ksl_quaternionf_t
   const double upper_0a = -between_0, upper_0 = between_3 < 0.0 ? upper_0a : between_0;
   const double upper_1a = -between_1, upper_1 = between_3 < 0.0 ? upper_1a : between_1;
   const double upper_2a = -between_2, upper_2 = between_3 < 0.0 ? upper_2a : between_2;
-  const double upper_3a = -between_3, upper_3 = between_3 < 0.0 ? upper_3a : between_3;
+  const double upper_3 = fabs(between_3);
   const double v_s_size_0 = fabs(upper_0);
   const double v_s_size_1 = fabs(upper_1);
   const double v_s_size_2 = fabs(upper_2);

@@ -2895,8 +2895,8 @@ def quaternion_interpolated(q1, q2, k):
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-    395 mul, 921 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 15 neg, 20 abs, 4
-    copysign, 34 less, 12 equal, 69 select.  Error <= qo: 1 u of its largest component for |q1|
+    395 mul, 921 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 14 neg, 21 abs, 4
+    copysign, 35 less, 12 equal, 68 select.  Error <= qo: 1 u of its largest component for |q1|
     = 1 and |q2| = 1 and 0 <= k <= 1; searched, not proved.  Each component is within 1 ulp as
     long as its condition is below 1e13; in single precision it is the nearest number, except
     near ties, as long as that is below 1e5; searched, not proved.
@@ -2981,8 +2981,9 @@ def quaternion_interpolated(q1, q2, k):
     upper_1_lo = where(upper_0b, -between_1_lo, between_1_lo)
     upper_2 = where(upper_0b, -between_2, between_2)
     upper_2_lo = where(upper_0b, -between_2_lo, between_2_lo)
-    upper_3 = where(upper_0b, -upper_0b_of_between_3, upper_0b_of_between_3)
-    upper_3_lo = where(upper_0b, -upper_0b_of_between_3_lo, upper_0b_of_between_3_lo)
+    upper_3 = absolute(upper_0b_of_between_3)
+    upper_3_negative = upper_0b_of_between_3 < 0
+    upper_3_lo = where(upper_3_negative, -upper_0b_of_between_3_lo, upper_0b_of_between_3_lo)
     v_s_size_0_of_upper_0 = upper_0 + upper_0_lo
     v_s_size_0_of_upper_0_right = v_s_size_0_of_upper_0 - upper_0
     v_s_size_0_of_upper_0_left = v_s_size_0_of_upper_0 - v_s_size_0_of_upper_0_right

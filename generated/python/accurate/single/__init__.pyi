@@ -1785,7 +1785,7 @@ def quaternion_interpolated(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: NDA
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-    112 mul, 96 add, 3 div, 2 sqrt, 6 neg, 9 abs, 2 copysign, 19 less, 3 equal, 33 select.
+    112 mul, 96 add, 3 div, 2 sqrt, 5 neg, 10 abs, 2 copysign, 19 less, 3 equal, 32 select.
     Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
     searched, not proved.  Each component is within 1 ulp as long as its condition is below
     1e13; in single precision it is the nearest number, except near ties, as long as that is
@@ -1908,7 +1908,7 @@ def SE3_log(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.f
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    82 mul, 78 add, 8 div, 2 sqrt, 6 neg, 5 abs, 2 copysign, 19 less, 3 equal, 43 select.  Error
+    82 mul, 79 add, 8 div, 2 sqrt, 4 neg, 6 abs, 2 copysign, 19 less, 3 equal, 42 select.  Error
     <= lin: 1 u, ang: 1 u of its largest component for R of D a rotation; searched, not proved.
     Each component is within 1 ulp as long as its condition is below 1e13; in single precision
     it is the nearest number, except near ties, as long as that is below 1e5; searched, not
@@ -1963,7 +1963,7 @@ def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    245 mul, 209 add, 10 div, 3 sqrt, 6 neg, 6 abs, 2 copysign, 23 less, 4 equal, 50 select.
+    245 mul, 210 add, 10 div, 3 sqrt, 4 neg, 7 abs, 2 copysign, 23 less, 4 equal, 49 select.
     Error <= R: 1 u, t: 1 u of its largest component, or of D1.t or D2.t if that is larger, for
     R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Each
     component is within 1 ulp as long as its condition is below 1e13; in single precision it is

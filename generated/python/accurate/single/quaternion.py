@@ -1110,7 +1110,7 @@ def quaternion_interpolated(q1, q2, k):
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-    112 mul, 96 add, 3 div, 2 sqrt, 6 neg, 9 abs, 2 copysign, 19 less, 3 equal, 33 select.
+    112 mul, 96 add, 3 div, 2 sqrt, 5 neg, 10 abs, 2 copysign, 19 less, 3 equal, 32 select.
     Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
     searched, not proved.  Each component is within 1 ulp as long as its condition is below
     1e13; in single precision it is the nearest number, except near ties, as long as that is
@@ -1126,7 +1126,7 @@ def quaternion_interpolated(q1, q2, k):
     upper_0 = where(upper_0b, -between_0, between_0)
     upper_1 = where(upper_0b, -between_1, between_1)
     upper_2 = where(upper_0b, -between_2, between_2)
-    upper_3 = where(upper_0b, -between_3, between_3)
+    upper_3 = absolute(between_3)
     v_s_size_0 = absolute(upper_0)
     v_s_size_1 = absolute(upper_1)
     v_s_size_2 = absolute(upper_2)
