@@ -1,46 +1,84 @@
-"""`coscrew cost`: options, measurements, tables, a figure."""
+"""`coscrew cost`: options, measurements, tables, JSON, a figure, a page."""
 
 import argparse
 from pathlib import Path
 
 from coscrew_codegen.simulate.command import add_scene, scene_of
 
+_LEAST, _MOST = 4, 10_000  # states
+
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add `cost` to the command line."""
     parser = commands.add_parser(
-        "cost", help="measure what a scene costs, effect by effect",
-        description="Measure operations and times of a scene's functions, with and without each "
-        "effect, and what accuracy costs in time.")
+        "cost", help="measure what accuracy and effects cost in a scene",
+        description="Measure the errors and times of a scene's functions in every tier and "
+        "precision and recommend one; operations and times with and without each effect; errors "
+        "and times of runs.")
     add_scene(parser)
-    parser.add_argument("--plot", metavar="FILE", type=Path, help="a figure: .svg or .png")
+    parser.add_argument("--function", metavar="NAME", action="append", default=[],
+                        dest="functions", help="measure only what the accuracy of this function "
+                        "costs; may be repeated; \"all\" stands for all functions")
+    parser.add_argument("--states", metavar="N", type=_states, default=64,
+                        help="compare with 50 digits at about N states (default: 64)")
+    parser.add_argument("--json", metavar="FILE", type=Path, help="write all figures: .json")
+    parser.add_argument("--page", metavar="FILE", type=Path,
+                        help="write a page with plots and tables: .html")
+    parser.add_argument("--plot", metavar="FILE", type=Path, help="write a figure: .svg or .png")
     parser.add_argument("--digits", metavar="N", type=_digits,
-                        help="compute the reference with N digits, 20 to 60: slow, and of smooth "
-                             "scenes only")
+                        help="compute the reference of runs with N digits, 20 to 60: slow, and of "
+                             "smooth scenes only")
     parser.set_defaults(run=run)
 
 
 def _digits(text: str) -> int:
-    if not (text.isascii() and text.isdecimal() and 20 <= int(text) <= 60):
-        raise argparse.ArgumentTypeError(f"wanted a number from 20 to 60; got {text!r}")
+    return _number(text, 20, 60)
+
+
+def _states(text: str) -> int:
+    return _number(text, _LEAST, _MOST)
+
+
+def _number(text: str, least: int, most: int) -> int:
+    if not (text.isascii() and text.isdecimal() and least <= int(text) <= most):
+        raise argparse.ArgumentTypeError(f"wanted a number from {least} to {most}; got {text!r}")
     return int(text)
 
 
 def run(options: argparse.Namespace) -> int:
-    """Measure and print; returns the exit status."""
-    from coscrew_codegen.cost import measure, plot, table
-    from coscrew_codegen.cost.leaving_out import whole
+    """Measure, print and write; returns the exit status."""
+    from coscrew_codegen.cost import measure, page, plot, schema, table
+    from coscrew_codegen.cost.accuracy import Counts
+    from coscrew_codegen.cost.asked import Asked
     from coscrew_codegen.simulate.load import kernels_for
     from coscrew_codegen.simulate.outcome import RunOverrides
     from coscrew_codegen.simulate.write import FIGURES, check_target
 
-    if options.plot:
-        check_target(options.plot, FIGURES)
+    for path, endings in ((options.json, (".json",)), (options.page, (".html",)),
+                          (options.plot, FIGURES)):
+        if path:
+            check_target(path, endings)
     scene = scene_of(options, "both")
-    costs = measure.measure(kernels_for(scene, whole(scene)), RunOverrides(
-        options.until, options.step, options.integrator, "both", tuple(options.settings)),
-        options.digits)
+    asked = Asked(tuple(options.functions), Counts.of(options.states), options.digits)
+    costs = measure.measure(
+        kernels_for(scene, asked.needed(scene, options.integrator)),
+        RunOverrides(options.until, options.step, options.integrator, "both",
+                     tuple(options.settings)), asked)
     print(table.table(costs))
+    if options.json:
+        schema.write(costs, options.json, _words(options))
+    if options.page:
+        page.write(costs, options.page, _words(options))
     if options.plot:
         plot.plot(costs, options.plot)
     return 0
+
+
+def _words(options: argparse.Namespace) -> str:
+    """The command, without folders and files that it writes."""
+    given = {"until": options.until, "step": options.step, "integrator": options.integrator,
+             "digits": options.digits, "states": options.states if options.states != 64 else None}
+    return " ".join(("coscrew cost", options.scene.name,
+                     *(f"--function {name}" for name in options.functions),
+                     *(f"--set {name}={value:g}" for name, value in options.settings),
+                     *(f"--{name} {value}" for name, value in given.items() if value)))

@@ -1,5 +1,6 @@
 """A scene with all its effects, without each of them, and without any."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from coscrew_codegen.integrators import EMITTED
@@ -27,8 +28,9 @@ class Part:
         return tuple(f for f in self.functions.functions if not f.internal)
 
 
-def parts(scene: Scene) -> tuple[Part, ...]:
-    """The scene with all its effects, without each of them, and without any.
+def parts(scene: Scene, asked: Sequence[str] = ()) -> tuple[Part, ...]:
+    """The scene with all its effects and the functions that are asked for, without each of them,
+    and without any.
 
     Effects that change the coordinates (mimic) always stay."""
     names = tuple(dict.fromkeys(x.effect.name for x in scene.effects if _optional(x)))
@@ -38,19 +40,21 @@ def parts(scene: Scene) -> tuple[Part, ...]:
                    for name in names]
     if names:
         chosen.append(("bare", tuple(x for x in scene.effects if not _optional(x))))
-    return tuple(_part(words, replace(scene, effects=effects)) for words, effects in chosen)
+    return tuple(part(words, replace(scene, effects=effects),
+                      whole(scene, asked) if words == WHOLE else SHOWN)
+                 for words, effects in chosen)
 
 
-def _part(words: str, scene: Scene) -> Part:
-    functions = whole(scene) if words == WHOLE else SHOWN
+def part(words: str, scene: Scene, functions: Sequence[str]) -> Part:
+    """The scene with these functions, as far as it has them."""
     return Part(words, scene, derive(scene, functions))
 
 
-def whole(scene: Scene) -> tuple[str, ...]:
-    """The functions of the scene with all its effects: those it selects, those whose cost is shown
-    for each effect, and the steps of all integrators."""
-    return together(selected_functions(scene), SHOWN, (x.step_name for x in EMITTED), ("energy",),
-                    FREE)
+def whole(scene: Scene, asked: Sequence[str] = ()) -> tuple[str, ...]:
+    """The functions of the scene with all its effects: those it selects, those asked for, those
+    whose cost is shown for each effect, and the steps of all integrators."""
+    return together(selected_functions(scene), asked, SHOWN, (x.step_name for x in EMITTED),
+                    ("energy",), FREE)
 
 
 def _optional(applied: Applied) -> bool:

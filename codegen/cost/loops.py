@@ -17,6 +17,7 @@ from coscrew_codegen.scene_tiers import SceneTier
 from coscrew_codegen.simulate.native import Compiler, library
 from coscrew_codegen.targets import scene_c, scene_c_tier, scene_calls
 from coscrew_codegen.targets.scene_text import banner_of, c_name, outputs, size
+from coscrew_codegen.tiers import PLAIN
 
 ELEMENTS = 64  # states of a loop: few enough for the first-level cache
 State = tuple[np.ndarray, np.ndarray]
@@ -24,28 +25,33 @@ State = tuple[np.ndarray, np.ndarray]
 
 @dataclass(frozen=True)
 class Compiled:
-    """The library of a part of a scene."""
+    """The library of a part of a scene: its functions, and those of these tiers."""
 
     part: Part
     library: ctypes.PyDLL
+    tiers: tuple[SceneTier, ...] = ()
 
-    def loop(self, function: Function, precision: Precision,
-             inputs: Sequence[np.ndarray], tier: str = "") -> Loop:
-        """A function's loop over `inputs`, ELEMENTS of each."""
-        return self._loop(function, precision, inputs, _made(function, precision), tier)
+    def loop(self, name: str, precision: Precision, inputs: Sequence[np.ndarray],
+             tier: str = PLAIN.name) -> Loop:
+        """A function's loop over a row of each of `inputs` at a time."""
+        return self._loop(name, precision, inputs, tier)[0]
 
-    def once(self, function: Function, precision: Precision, inputs: Sequence[np.ndarray]
-             ) -> list[np.ndarray]:
-        """The outputs of the timed loop, (ELEMENTS, numbers) each."""
-        made = _made(function, precision)
-        loop = self._loop(function, precision, inputs, made)
+    def values(self, name: str, precision: Precision, inputs: Sequence[np.ndarray],
+               tier: str = PLAIN.name) -> list[np.ndarray]:
+        """The results of the timed loop: a row of numbers for each row of the inputs."""
+        loop, made = self._loop(name, precision, inputs, tier)
         loop.function(ctypes.c_long(loop.n), loop.arguments)
         return made
 
-    def _loop(self, function: Function, precision: Precision, inputs: Sequence[np.ndarray],
-              made: list[np.ndarray], tier: str = "") -> Loop:
-        return Loop(getattr(self.library, _loop(function.name, precision, tier)), ELEMENTS,
-                    pointers((*_given(inputs, precision), *made)))
+    def _loop(self, name: str, precision: Precision, inputs: Sequence[np.ndarray], tier: str
+              ) -> tuple[Loop, list[np.ndarray]]:
+        scene = next((x.first for x in self.tiers if x.tier.name == tier), self.part.functions)
+        count = len(inputs[0])
+        given = [aligned(np.asarray(x, precision.numpy_type)) for x in inputs]
+        made = [aligned(np.zeros((count, size(a)), precision.numpy_type))
+                for a in outputs(scene.named(name))]
+        function = getattr(self.library, _loop(name, precision, scene.mark))
+        return Loop(function, count, pointers((*given, *made))), made
 
     def run(self, step: Step, precision: Precision, steps: int, h: float, p: Sequence[float],
             start: State) -> tuple[np.ndarray, np.ndarray, float]:
@@ -61,15 +67,6 @@ class Compiled:
         return q, v, time.thread_time() - began
 
 
-def _given(inputs: Sequence[np.ndarray], precision: Precision) -> list[np.ndarray]:
-    return [aligned(np.asarray(x, precision.numpy_type)) for x in inputs]
-
-
-def _made(function: Function, precision: Precision) -> list[np.ndarray]:
-    return [aligned(np.zeros((ELEMENTS, size(a)), precision.numpy_type))
-            for a in outputs(function)]
-
-
 def compiled(part: Part, functions: Sequence[Function], compiler: Compiler,
              tiers: Sequence[SceneTier] = ()) -> Compiled:
     """A part's loops over these functions, and over all of these tiers, compiled as load_scene
@@ -82,7 +79,7 @@ def compiled(part: Part, functions: Sequence[Function], compiler: Compiler,
     for tier in tiers:
         files |= scene_c_tier.files(tier, banner)
         units[tier.tier.name] = (f"{tier.stem}.c",)
-    return Compiled(part, library(units, files, compiler).opened)
+    return Compiled(part, library(units, files, compiler).opened, tuple(tiers))
 
 
 def text(part: Part, functions: Sequence[Function], tiers: Sequence[SceneTier] = ()) -> str:

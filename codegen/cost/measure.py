@@ -1,5 +1,5 @@
-"""Measures a scene: operations and times of its functions, with and without each effect; accuracy
-against time."""
+"""Measures a scene: errors and times of its functions in every tier and precision; their operations
+and times, with and without each effect; accuracy of runs against time."""
 
 import sys
 from collections.abc import Iterable, Iterator, Sequence
@@ -10,9 +10,10 @@ import numpy as np
 from tqdm import tqdm
 
 from coscrew_codegen.cost import CostError
-from coscrew_codegen.cost.leaving_out import SHOWN, WHOLE, Part, parts
+from coscrew_codegen.cost.accuracy import CHOICES, Accuracy, measured
+from coscrew_codegen.cost.asked import Asked, present, refuse_absent
+from coscrew_codegen.cost.leaving_out import SHOWN, WHOLE, Part, part, parts
 from coscrew_codegen.cost.loops import ELEMENTS, Compiled, compiled
-from coscrew_codegen.cost.rounding import UNITS, Rounding, Variant, measured, variants
 from coscrew_codegen.cost.states import Values, box_of
 from coscrew_codegen.cost.work_precision import Point, Reference, reference, work_precision
 from coscrew_codegen.formats import PRECISIONS
@@ -23,14 +24,14 @@ from coscrew_codegen.program.flops import flops
 from coscrew_codegen.scene_functions import Function
 from coscrew_codegen.scene_tiers import SceneTier, in_tier
 from coscrew_codegen.simulate import native
-from coscrew_codegen.simulate.load import Kernels, kernels_for
+from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.outcome import RunOverrides
-from coscrew_codegen.simulate.plan import Trajectory, plan
+from coscrew_codegen.simulate.plan import Plan, Trajectory, plan
 from coscrew_codegen.simulate.progress import Progress
 from coscrew_codegen.simulate.record import accelerations
 from coscrew_codegen.simulate.run import integrate
-from coscrew_codegen.simulate.system import System, scene_of, system
-from coscrew_codegen.tiers import PLAIN, tier_named
+from coscrew_codegen.simulate.system import System, system
+from coscrew_codegen.tiers import OF_SCENES, PLAIN
 
 _SECONDS = 0.02  # of timing for each function of each part in each precision
 
@@ -57,75 +58,90 @@ class Costs:
     rows: tuple[Row, ...]
     reference: Reference | None
     points: tuple[Point, ...]
-    roundings: tuple[Rounding, ...] = ()
+    accuracy: tuple[tuple[Accuracy, ...], ...] = ()  # of each function: all tiers and precisions
+    runs: bool = True  # whether runs were measured, or asked for
 
     def known(self, point: Point) -> bool:
         """Whether a run's error exceeds the reference's; if not, it is only known to be small."""
         return self.reference is not None and point.error > self.reference.error
 
 
-def measure(kernels: Kernels, overrides: RunOverrides, digits: int | None) -> Costs:
-    """Measure; with `digits`, the reference is computed with so many.  Raises CostError."""
+def measure(kernels: Kernels, overrides: RunOverrides, asked: Asked) -> Costs:
+    """Measure what is asked for.  `kernels` have what a run needs, and the dynamics.  Raises
+    CostError."""
     scene = kernels.scene
     if scene is None:
         raise CostError("these kernels are of no scene file")
+    names = asked.of(scene)
+    chosen = (part(WHOLE, scene, names),) if asked.alone else parts(scene, names)
+    refuse_absent(asked, chosen[0])
+    names = present(names, chosen[0])
     try:
         using = native.compiler()
-        chosen = parts(scene)
-        tiers = _tiers(chosen[0])
+        tiers = _tiers(chosen[0], names)
         built = tuple(_progress((compiled(x, _functions(x), using, tiers if x is chosen[0] else ())
                                  for x in chosen), "compiling", len(chosen)))
     except native.CompilationError as error:
         raise CostError(f"cost times C, and that cannot be compiled: {error}") from None
     states = _states(kernels, overrides)
+    accuracy = tuple(_progress(_accuracies(kernels, overrides, states[1], built[0], names, asked),
+                               "comparing", len(names)))
+    costs = Costs(scene.name, str(using), (), None, (), accuracy, not asked.alone)
+    return costs if asked.alone else _with_runs(costs, kernels, overrides, built, states, asked)
+
+
+def _with_runs(costs: Costs, kernels: Kernels, overrides: RunOverrides, built: Sequence[Compiled],
+               states: tuple[System, Trajectory], asked: Asked) -> Costs:
+    """And operations, effects, and runs."""
     rows = tuple(_progress(_rows(built, states), "timing",
                            sum(len(_functions(x.part)) for x in built)))
-    its = system(kernels, "double", dict(overrides.settings))
-    planned = plan(its, overrides.until, overrides.step, overrides.integrator)
-    truth = reference(its, planned.until, digits)
+    its, planned = _planned(kernels, overrides)
+    truth = reference(its, planned.until, asked.digits)
     points = work_precision(kernels, built[0], planned, overrides, truth) if truth else ()
-    roundings = _roundings(kernels, overrides, states[1], built[0])
-    return Costs(scene.name, str(using), rows, truth,
-                 tuple(_progress(points, "integrating", None)), roundings)
+    return replace(costs, rows=rows, reference=truth,
+                   points=tuple(_progress(points, "integrating", None)))
 
 
-def _tiers(part: Part) -> tuple[SceneTier, ...]:
-    """The accurate tier of the functions whose rounding is measured."""
-    some = replace(part.functions, steps=(), functions=tuple(
-        f for f in part.public if f.name in UNITS))
-    return (in_tier(some, tier_named("accurate")),)
+def _tiers(of: Part, names: Sequence[str]) -> tuple[SceneTier, ...]:
+    """These functions in all tiers but plain, and pairs, which pay where double is software."""
+    some = replace(of.functions, steps=(), functions=tuple(
+        f for f in of.public if f.name in names))
+    return tuple(in_tier(some, tier) for tier in OF_SCENES
+                 if names and tier != PLAIN and tier.precisions == PRECISIONS)
 
 
-def _roundings(kernels: Kernels, overrides: RunOverrides, run: Trajectory, built: Compiled
-               ) -> tuple[Rounding, ...]:
-    """Errors of rounding, in plain functions and in those of the accurate tier."""
-    scene = replace(scene_of(kernels), tiers=("accurate",))
-    found = variants(kernels_for(scene, tuple(UNITS)), dict(overrides.settings))
-    functions = {f.name: f for f in built.part.public}
+def _accuracies(kernels: Kernels, overrides: RunOverrides, run: Trajectory, built: Compiled,
+                names: Sequence[str], asked: Asked) -> Iterator[tuple[Accuracy, ...]]:
+    """Errors and times of these functions, at parameters of single precision."""
+    known = dict(kernels.interface.parameters) | dict(overrides.settings)
+    its = system(kernels, "double", {x: float(np.float32(y)) for x, y in known.items()})
 
-    def timed(name: str, chosen: Sequence[Variant], states: Values) -> list[Interval]:
-        some = {**states, "p": np.tile(np.array(found[0].system.p), (len(states["t"]), 1))}
-        inputs = [np.resize(some[a.name], (ELEMENTS, *some[a.name].shape[1:]))
-                  for a in functions[name].program.inputs]
-        loops = [built.loop(functions[name], x.system.precision, inputs,
-                            "" if x.tier == PLAIN.name else x.tier) for x in chosen]
+    def timed(name: str, states: Values) -> list[Interval]:
+        inputs = [np.resize(states[a.name], (ELEMENTS, *states[a.name].shape[1:]))
+                  for a in built.part.functions.named(name).program.inputs]
+        loops = [built.loop(name, x.precision, inputs, x.tier) for x in CHOICES]
         return [x.time for x in timed_loops(built.library, loops, 1e9 * _SECONDS * len(loops))]
 
-    box = box_of(found[0].system, float(run.t[-1]))
-    return tuple(measured(found, box, run, timed))
+    _, planned = _planned(kernels, overrides)
+    box = box_of(its, float(run.t[-1]), planned.step)
+    return measured(built, names, box, run, asked.counts, timed)
 
 
-def _functions(part: Part) -> tuple[Function, ...]:
+def _functions(of: Part) -> tuple[Function, ...]:
     """All functions of the whole scene; of its other parts, the functions shown for each effect."""
-    return tuple(f for f in part.public if part.words == WHOLE or f.name in SHOWN)
+    return tuple(f for f in of.public if of.words == WHOLE or f.name in SHOWN)
+
+
+def _planned(kernels: Kernels, overrides: RunOverrides, every: float | None = None
+             ) -> tuple[System, Plan]:
+    its = system(kernels, "double", dict(overrides.settings))
+    return its, plan(its, overrides.until, overrides.step, overrides.integrator, every)
 
 
 def _states(kernels: Kernels, overrides: RunOverrides) -> tuple[System, Trajectory]:
     """A run of the scene, from whose samples the inputs of timed functions are taken."""
-    its = system(kernels, "double", dict(overrides.settings))
-    until = plan(its, overrides.until, overrides.step, overrides.integrator).until
-    planned = plan(its, overrides.until, overrides.step, overrides.integrator,
-                   every=until / (ELEMENTS - 1))
+    until = _planned(kernels, overrides)[1].until
+    its, planned = _planned(kernels, overrides, until / (ELEMENTS - 1))
     with Progress(its, until) as watch:
         trajectory = integrate(its, planned, watch)
     if trajectory.interrupted:
@@ -138,7 +154,7 @@ def _rows(built: Sequence[Compiled], states: tuple[System, Trajectory]) -> Itera
     both precisions."""
     for name in (f.name for f in _functions(built[0].part)):
         chosen = [(x, f) for x in built for f in _functions(x.part) if f.name == name]
-        loops = [x.loop(f, precision, _inputs(f, *states))
+        loops = [x.loop(name, precision, _inputs(f, *states))
                  for x, f in chosen for precision in PRECISIONS]
         times = [x.time for x in timed_loops(built[0].library, loops, 1e9 * _SECONDS * len(loops))]
         for (x, f), double, single in zip(chosen, times[::2], times[1::2], strict=True):

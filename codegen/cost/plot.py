@@ -1,5 +1,5 @@
-"""A scene's costs as a figure: rounding errors against time, time of forward dynamics by effect,
-errors of runs against time."""
+"""A scene's costs as a figure: errors of functions and of runs against time; time of forward
+dynamics by effect."""
 
 import math
 from collections.abc import Sequence
@@ -10,52 +10,41 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from coscrew_codegen.cost.measure import Costs
-from coscrew_codegen.cost.rounding import UNITS
+from coscrew_codegen.cost.panels import legend, panel
 from coscrew_codegen.cost.work_precision import Point
 from coscrew_codegen.formats import PRECISIONS
 from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.plots import STYLE
 from coscrew_codegen.simulate.write import delivered
-from coscrew_codegen.tiers import PLAIN
 
 _MARKERS = "osD^v"
 _SHOWN = "forward_dynamics"
+_ABREAST = 4  # panels in a row
 
 
 def plot(costs: Costs, path: Path) -> None:
     """Draw the costs to an SVG or PNG.  Raises SimulateError."""
     with matplotlib.rc_context(STYLE), delivered(path) as temporary:
-        figure = Figure(figsize=(18, 4.6), layout="constrained")
-        left, middle, right = figure.subplots(1, 3, width_ratios=(3, 2, 3))
-        _rounding(left, costs)
-        _bars(middle, costs)
-        _accuracy(right, costs)
         kept = {"Date": None, "Creator": None} if path.suffix == ".svg" else {"Software": None}
-        figure.savefig(temporary, metadata=kept)
+        figure(costs).savefig(temporary, metadata=kept)
 
 
-def _rounding(axes: Axes, costs: Costs) -> None:
-    """A point for each function, tier and precision: the worst error, a line from the typical."""
-    for x in costs.roundings:
-        colour = next(p.colour for p in PRECISIONS if p.name == x.precision)
-        marker, plain = _MARKERS[list(UNITS).index(x.function)], x.tier == PLAIN.name
-        axes.plot([x.time.median] * 2, [x.typical, x.worst], color=colour, linewidth=1)
-        axes.plot([x.time.median], [x.worst], marker, color=colour, markersize=6,
-                  markerfacecolor="white" if plain else colour,
-                  gid=f"rounding {x.function} {x.tier} {x.precision}")
-    if not costs.roundings:
-        return
-    for n, (name, unit) in enumerate(UNITS.items()):
-        axes.plot((), (), _MARKERS[n], color="#5b6475", label=f"{name}, {unit}")
-    for p in PRECISIONS:
-        axes.plot((), (), color=p.colour, label=p.name)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.set_xlabel("ns per call in C")
-    axes.set_ylabel("largest error of a component")
-    axes.set_title("rounding: from the typical error to the worst")
-    axes.legend(frameon=False, fontsize=7, title="hollow: plain; full: accurate",
-                title_fontsize=7)
+def figure(costs: Costs) -> Figure:
+    """Functions, _ABREAST in a row; below them effects and runs, if they were measured."""
+    lines = [costs.accuracy[n:n + _ABREAST] for n in range(0, len(costs.accuracy), _ABREAST)]
+    widest, rows = max([len(x) for x in lines] + [3 * costs.runs]), len(lines) + costs.runs
+    figure = Figure(figsize=(4.2 * widest, 4.2 * rows + 0.4), layout="constrained")
+    parts = figure.subfigures(rows, 1, squeeze=False)[:, 0]
+    for part, some in zip(parts, lines, strict=False):
+        for axes, x in zip(part.subplots(1, len(some), squeeze=False)[0], some, strict=True):
+            panel(axes, x)
+    if lines:
+        legend(parts[0])
+    if costs.runs:
+        left, right = parts[-1].subplots(1, 2, width_ratios=(2, 3))
+        _bars(left, costs)
+        _accuracy(right, costs)
+    return figure
 
 
 def _bars(axes: Axes, costs: Costs) -> None:
@@ -74,7 +63,7 @@ def _bars(axes: Axes, costs: Costs) -> None:
     axes.invert_yaxis()
     axes.set_xlabel("ns per call in C")
     axes.set_title("forward dynamics, effect by effect")
-    axes.legend(frameon=False)
+    axes.legend(frameon=False, loc="lower right", bbox_to_anchor=(1, 1), ncols=len(PRECISIONS))
 
 
 def _whiskers(times: Sequence[Interval]) -> list[list[float]]:

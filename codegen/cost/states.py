@@ -10,31 +10,16 @@ from numpy.typing import NDArray
 
 from coscrew_codegen.scene.model import Joint, Kind
 from coscrew_codegen.simulate.plan import Trajectory
-from coscrew_codegen.simulate.record import accelerations
 from coscrew_codegen.simulate.system import System
 
 Reals = NDArray[np.float64]
 Values = Mapping[str, Reals]
-"""t (n,), q (n, nq), v, a, tau (n, nv)."""
+"""t, h (n,), p (n, np), q (n, nq), v, a, tau, phi (n, nv), c (n, trees, 6): inputs of functions."""
 
 BATCH = 2048
 """States that the search compares at once."""
 _ROUNDS, _KEPT, _NARROWER = 12, 32, 0.6
 _REACHED_IN = 0.1  # s, in which accelerations reach the limits of velocities
-
-
-def of_run(system: System, trajectory: Trajectory, count: int) -> dict[str, Reals]:
-    """States of the run at equal distances, with the accelerations there; torques are zero."""
-    chosen = np.linspace(0, len(trajectory.t) - 1, count).astype(int)
-    t, q, v = (x[chosen] for x in (trajectory.t, trajectory.q, trajectory.v))
-    return rounded(system, {"t": t, "q": q, "v": v, "a": accelerations(system, t, q, v),
-                            "tau": np.zeros_like(v)})
-
-
-def rounded(system: System, values: Values) -> dict[str, Reals]:
-    """The nearest states of single precision, with quaternions of norm 1."""
-    found = {**values, "q": system.normalized(values["q"])}
-    return {name: x.astype(np.float32).astype(float) for name, x in found.items()}
 
 
 def joined(parts: Sequence[Values]) -> dict[str, Reals]:
@@ -48,27 +33,52 @@ class Box:
     π rad/s, 1 m/s for those that have none."""
 
     system: System
+    step: float
     centre: Values
     half: Values
 
     def drawn(self, rng: np.random.Generator, count: int) -> dict[str, Reals]:
         """Random states, each number evenly distributed."""
-        return rounded(self.system, {name: x + self.half[name] * rng.uniform(
-            -1, 1, (count, *x.shape)) for name, x in self.centre.items()})
+        return self._inputs({name: x + self.half[name] * rng.uniform(-1, 1, (count, *x.shape))
+                             for name, x in self.centre.items()})
 
     def near(self, rng: np.random.Generator, values: Values, scale: float, count: int
              ) -> dict[str, Reals]:
         """`count` states near each of these, inside the box."""
         found = {}
-        for name, x in values.items():
-            middle, half = self.centre[name], self.half[name]
-            around = np.repeat(x, count, axis=0)
+        for name, middle in self.centre.items():
+            around, half = np.repeat(values[name], count, axis=0), self.half[name]
             moved = around + scale * half * rng.normal(size=around.shape)
             found[name] = np.clip(moved, middle - half, middle + half)
-        return rounded(self.system, found)
+        return self._inputs(found)
+
+    def of_run(self, trajectory: Trajectory, count: int) -> dict[str, Reals]:
+        """States of the run at equal distances; torques are random, accelerations what they
+        cause."""
+        chosen = np.linspace(0, len(trajectory.t) - 1, count).astype(int)
+        found = self.drawn(np.random.default_rng(3), count)
+        found |= {name: getattr(trajectory, name)[chosen] for name in ("t", "q", "v")}
+        found = self._inputs(found)
+        return self._inputs({**found, "a": self.system.call("forward_dynamics", **found)})
+
+    def _inputs(self, values: Values) -> dict[str, Reals]:
+        """The nearest states of single precision, with quaternions of norm 1, and the inputs that
+        belong to them: parameters, a step, the motion in it, the momenta of floating trees."""
+        its, count = self.system, len(values["t"])
+        found = {**values, "q": its.normalized(values["q"]), "h": np.full(count, self.step),
+                 "p": np.tile(np.array(its.p, float), (count, 1))}
+        found = {name: _single(x) for name, x in found.items()}
+        found["phi"] = _single(found["h"][:, None] * found["v"])
+        if its.has("free_momentum"):
+            found["c"] = _single(its.call("free_momentum", **found))
+        return found
 
 
-def box_of(system: System, until: float) -> Box:
+def _single(x: Reals) -> Reals:
+    return x.astype(np.float32).astype(float)
+
+
+def box_of(system: System, until: float, step: float) -> Box:
     """The limits of the scene's joints."""
     joints = {joint.name: joint for joint in system.scene.model.joints}
     q, half_q = np.zeros(system.functions.nq), np.ones(system.functions.nq)
@@ -83,10 +93,10 @@ def box_of(system: System, until: float) -> Box:
             "tau": effort}
     centre = {"t": np.array(until / 2), "q": q, **{name: np.zeros_like(half_v)
                                                    for name in ("v", "a", "tau")}}
-    some = Box(system, centre, {**half, "tau": np.zeros_like(half_v)}).drawn(
+    some = Box(system, step, centre, {**half, "tau": np.zeros_like(half_v)}).drawn(
         np.random.default_rng(0), 64)
     needed = np.abs(system.call("inverse_dynamics", **some)).max(axis=0, initial=0)
-    return Box(system, centre, {**half, "tau": np.where(np.isnan(effort), needed, effort)})
+    return Box(system, step, centre, {**half, "tau": np.where(np.isnan(effort), needed, effort)})
 
 
 def _range(joint: Joint) -> tuple[float, float]:

@@ -2,13 +2,11 @@
 
 import os
 import platform
-import sys
-from pathlib import Path
-from subprocess import run
 
 import numpy as np
 
 from coscrew_codegen import version
+from coscrew_codegen.machine import processor
 from coscrew_codegen.report.schema import Compiler, Provenance
 
 
@@ -19,17 +17,3 @@ def provenance(command: str, seed: int, compilers: tuple[Compiler, ...],
                       f"{platform.system()} {platform.machine()}",
                       f"{platform.python_implementation()} {platform.python_version()}",
                       np.__version__, compilers, seconds)
-
-
-def processor() -> str:
-    """The processor's model, if the system reports it."""
-    cpuinfo = Path("/proc/cpuinfo")
-    if cpuinfo.exists():
-        for line in cpuinfo.read_text(errors="replace").splitlines():
-            key, _, value = line.partition(":")
-            if key.strip() in ("model name", "Model"):
-                return value.strip()
-    if sys.platform == "darwin":
-        return run(["sysctl", "-n", "machdep.cpu.brand_string"], capture_output=True,
-                   text=True).stdout.strip()
-    return platform.processor() or platform.machine()

@@ -1,11 +1,10 @@
 """Writes a report: report.html, a self-contained page; report.md; figures in SVG."""
 
-import json
 from dataclasses import asdict
-from math import isfinite
 from pathlib import Path
 
 from coscrew_codegen.emit import write as write_files
+from coscrew_codegen.pages import embedded
 from coscrew_codegen.render import render
 from coscrew_codegen.report.figures import figures
 from coscrew_codegen.report.markdown import markdown
@@ -18,8 +17,6 @@ from coscrew_codegen.report.overview import (
     tiers_of,
 )
 from coscrew_codegen.report.schema import Report
-
-Json = dict[str, "Json"] | list["Json"] | tuple["Json", ...] | str | float | bool | None
 
 
 def write(report: Report, folder: Path, operations: tuple[str, ...] = ()) -> tuple[Path, ...]:
@@ -39,21 +36,4 @@ def page(report: Report) -> str:
     return render("report/page.html", report=report, sentences=sentences(report),
                   tiers=tiers_of(report.entries),
                   changes=report.compare and largest_changes(report.compare),
-                  shown=formatted, data=_embedded(data))
-
-
-def _embedded(data: Json) -> str:
-    """JSON that is safe in a script element: without `<`, and without bare NaN or Infinity."""
-    text = json.dumps(_finite(data), allow_nan=False, separators=(",", ":"))
-    return text.replace("<", "\\u003c")
-
-
-def _finite(data: Json) -> Json:
-    """The data with NaN and infinities as strings, "NaN", "Infinity" and "-Infinity"."""
-    if isinstance(data, dict):
-        return {key: _finite(value) for key, value in data.items()}
-    if isinstance(data, list | tuple):
-        return [_finite(value) for value in data]
-    if isinstance(data, float) and not isfinite(data):
-        return json.dumps(data)
-    return data
+                  shown=formatted, data=embedded(data))

@@ -21,17 +21,18 @@ ENERGIES = ("kinetic", "potential", "total")
 XYZ = ("x", "y", "z")
 """Alternative names of the components 0, 1 and 2 of vectors of three."""
 
-_UNITS = {"q": {"revolute": ("rad",), "prismatic": ("m",), "spherical": ("1",) * 4,
-                "free": ("m",) * 3 + ("1",) * 4},
-          "v": {"revolute": ("rad/s",), "prismatic": ("m/s",), "spherical": ("rad/s",) * 3,
-                "free": ("m/s",) * 3 + ("rad/s",) * 3},
-          "a": {"revolute": ("rad/s^2",), "prismatic": ("m/s^2",), "spherical": ("rad/s^2",) * 3,
-                "free": ("m/s^2",) * 3 + ("rad/s^2",) * 3}}
+UNITS = {"q": {"revolute": ("rad",), "prismatic": ("m",), "spherical": ("1",) * 4,
+               "free": ("m",) * 3 + ("1",) * 4},
+         "v": {"revolute": ("rad/s",), "prismatic": ("m/s",), "spherical": ("rad/s",) * 3,
+               "free": ("m/s",) * 3 + ("rad/s",) * 3},
+         "a": {"revolute": ("rad/s^2",), "prismatic": ("m/s^2",), "spherical": ("rad/s^2",) * 3,
+               "free": ("m/s^2",) * 3 + ("rad/s^2",) * 3}}
+"""Units of the components of q, v and a, by the joint's kind."""
 _OF_BODY = {"pose": (("1",) * 3 + ("m",)) * 3, "position": ("m",) * 3,
             "twist": ("m/s",) * 3 + ("rad/s",) * 3}
 _OF_JOINT = {"reaction": ("N",) * 3 + ("N m",) * 3}
 _OF_SCENE = {"energy": ("J",) * 3, "momentum": ("N s",) * 3 + ("N m s",) * 3, "power": ("W",)}
-QUANTITIES = (*_UNITS, *_OF_SCENE, *_OF_BODY, *_OF_JOINT)
+QUANTITIES = (*UNITS, *_OF_SCENE, *_OF_BODY, *_OF_JOINT)
 
 
 class QuantityError(ValueError):
@@ -53,7 +54,7 @@ class Recorded:
 def recorded(text: str, scene: Scene) -> Recorded:
     """The quantity with a name such as "q.elbow".  Raises QuantityError with the nearest name."""
     quantity, _, rest = text.partition(".")
-    if quantity in _UNITS:
+    if quantity in UNITS:
         return _of_joints(text, quantity, rest, scene)
     if quantity in _OF_SCENE:
         units = _OF_SCENE[quantity]
@@ -117,7 +118,7 @@ def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
         raise QuantityError(f"{text!r}: joint {target!r} follows another; it has no coordinates")
     places, columns, units, owners = [], [], [], dict[str, str]()
     for joint, q, v in joints:
-        all_units = _UNITS[quantity][joint.kind.value]
+        all_units = UNITS[quantity][joint.kind.value]
         all_columns = [f"{quantity}.{joint.name}" + ("" if len(all_units) == 1 else f".{i}")
                        for i in range(len(all_units))]
         for column in all_columns:

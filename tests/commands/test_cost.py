@@ -14,18 +14,21 @@ from matplotlib.figure import Figure
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.cost import CostError
-from coscrew_codegen.cost.exact_run import MULTIPRECISE, exact_end
+from coscrew_codegen.cost.asked import Asked
+from coscrew_codegen.cost.exact_run import exact_end
 from coscrew_codegen.cost.leaving_out import SHOWN, parts
 from coscrew_codegen.cost.loops import ELEMENTS, compiled, text
 from coscrew_codegen.cost.measure import measure
-from coscrew_codegen.cost.plot import _accuracy, plot
+from coscrew_codegen.cost.plot import _accuracy, _bars, plot
 from coscrew_codegen.cost.table import table
+from coscrew_codegen.cost.units import three_digits
 from coscrew_codegen.cost.work_precision import Point, Reference, error, reference
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE
 from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.program.flops import flops
 from coscrew_codegen.program.interpreter import evaluate
+from coscrew_codegen.program.multiprecise import MULTIPRECISE
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.outcome import RunOverrides
@@ -49,7 +52,7 @@ def kernels(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def costs(kernels):
-    return measure(kernels["SPRING"], RunOverrides(), None)
+    return measure(kernels["SPRING"], RunOverrides(), Asked())
 
 
 # what is left out
@@ -93,7 +96,7 @@ def test_the_loops_call_the_scenes_functions(kernels, name, precision):
                   for a in f.program.inputs]
         inputs = [abs(x) if a.name == "p" else x  # masses
                   for x, a in zip(inputs, f.program.inputs, strict=True)]
-        made = np.asarray(library.once(f, precision, inputs)[0])
+        made = library.values(f.name, precision, inputs)[0]
         wanted = np.asarray(getattr(its.kernels, f.name)(*inputs))
         wanted = np.broadcast_to(wanted.reshape(-1, made.shape[1]), made.shape)
         assert made.tobytes() == np.ascontiguousarray(wanted).tobytes(), f.name
@@ -212,7 +215,7 @@ def test_the_table_holds_what_was_measured(costs):
     for row in costs.rows:
         assert row.function in text and row.part in text
     for point in costs.points:
-        assert f"{point.error:.3g}" in text
+        assert three_digits(point.error) in text
     assert text.count("*") >= 2
 
 
@@ -277,6 +280,14 @@ def test_the_legend_covers_no_curve(rough):
     legend, panel = axes.get_legend().get_window_extent(), axes.get_window_extent()
     assert legend.x0 >= panel.x1
     assert legend.x1 <= figure.bbox.x1
+
+
+def test_the_legend_covers_no_bar(costs):
+    figure = Figure(figsize=(5, 4.6), layout="constrained")
+    axes = figure.subplots()
+    _bars(axes, costs)
+    figure.draw_without_rendering()
+    assert axes.get_legend().get_window_extent().y0 >= axes.get_window_extent().y1 - 1
 
 
 def test_the_command_prints_and_draws(tmp_path, capsys):

@@ -1,0 +1,81 @@
+"""What a scene's figures recommend, in sentences."""
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
+
+from coscrew_codegen.cost.accuracy import CERTIFIED, Accuracy
+from coscrew_codegen.cost.units import in_unit, three_digits
+
+AFFORDABLE = 1.5
+"""Of all choices that take at most so many times as long as the fastest, the most accurate is
+recommended."""
+
+
+def undominated(rows: Sequence[Accuracy]) -> tuple[Accuracy, ...]:
+    """Those of a function to which no other is better, the fastest first."""
+    return tuple(sorted((x for x in rows if not any(y.better(x) for y in rows)),
+                        key=lambda x: x.time.median))
+
+
+def recommended(rows: Sequence[Accuracy]) -> Accuracy:
+    """The most accurate of a function's choices that cost little more than the fastest; certified
+    ones are not: their results are plain's."""
+    rows = undominated([x for x in rows if x.tier != CERTIFIED])
+    return min((x for x in rows if x.time.median <= AFFORDABLE * rows[0].time.median),
+               key=lambda x: x.relative)
+
+
+def sentences(rows: Sequence[Accuracy]) -> tuple[str, ...]:
+    """The recommendation for a function, then what other choices gain and cost."""
+    return tuple(_sentences(rows))
+
+
+def _sentences(rows: Sequence[Accuracy]) -> Iterator[str]:
+    results = [x for x in rows if x.tier != CERTIFIED]
+    best, fastest = recommended(results), undominated(results)[0]
+    more = "" if best is fastest else f" ({_times(best, fastest)} {fastest.name})"
+    yield (f"{best.function}: {best.name} is {within(best)} at all {best.states} states "
+           f"looked at, in {three_digits(best.time.median)} ns{more}.")
+    better = [x for x in undominated(results) if x.relative < best.relative]
+    for a, b in pairwise((best, *better)):
+        yield (f"{b.name} is {within(b)}: {_gain(a, b)} than {a.name} in {_times(b, a)} "
+               "its time.")
+    single = [x for x in results if x.precision == "single"]
+    if best.precision != "single":
+        own, fastest = recommended(single), undominated(single)[0]
+        more = "" if own is fastest else f", in {_times(own, fastest)} {fastest.name}'s time"
+        yield f"In single precision {own.name} is {within(own)}{more}."
+    for x in rows:
+        if x.tier == CERTIFIED and x.precision == best.precision:
+            plain = next(y for y in rows if y.name == f"{x.precision} plain")
+            yield f"{x.name} {_proved(x)}, in {_times(x, plain)} the time of {plain.name}."
+
+
+def within(x: Accuracy) -> str:
+    """The worst errors: within 3 µN m and 2 µN."""
+    if not any(e.worst for e in x.errors):
+        return "exact"
+    return f"within {_listed(in_unit(e.worst, e.unit) for e in x.errors)}"
+
+
+def _proved(x: Accuracy) -> str:
+    found = [(e.bounds.worst, e.unit) for e in x.errors if e.bounds]
+    if any(math.isinf(bound) for bound, _ in found):
+        return "returns the plain results, but no bounds of their errors at some of these states"
+    return ("returns the plain results and bounds of their errors, here at most "
+            f"{_listed(in_unit(*y) for y in found)}")
+
+
+def _listed(words: Iterable[str]) -> str:
+    *first, last = words
+    return " and ".join((*([", ".join(first)] if first else ()), last))
+
+
+def _gain(a: Accuracy, b: Accuracy) -> str:
+    return (f"{in_unit(a.relative / b.relative, '1')} times less error" if b.relative else
+            "without error, rather")
+
+
+def _times(a: Accuracy, b: Accuracy) -> str:
+    return f"{three_digits(a.time.median / b.time.median)} times"

@@ -1,0 +1,277 @@
+"""What coscrew cost says of accuracy: errors and bounds against rational arithmetic, states inside
+the limits, a search that finds more than chance, advice that follows from the figures."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+from statistics import median
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from coscrew_codegen import load_scene
+from coscrew_codegen.cost import measure
+from coscrew_codegen.cost.accuracy import CHOICES, Accuracy, Bounds, Counts, Errors, Measured
+from coscrew_codegen.cost.advice import recommended, sentences
+from coscrew_codegen.cost.asked import Asked
+from coscrew_codegen.cost.measure import Costs
+from coscrew_codegen.cost.plot import plot
+from coscrew_codegen.cost.states import Box, Values, box_of, searched
+from coscrew_codegen.cost.table import accuracies
+from coscrew_codegen.cost.units import in_unit, units
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.native.intervals import Interval
+from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.simulate.outcome import RunOverrides
+from coscrew_codegen.simulate.system import system
+from tests.support.scenes import scene_texts as texts
+
+MASS, STIFFNESS, DAMPING = Fraction("0.7"), Fraction("13.3"), Fraction("0.9")
+FUNCTIONS = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
+TEXT = f"""
+precision = "both"
+[bodies.block]
+mass = {float(MASS)}
+inertia = [0.02, 0.02, 0.02]
+[joints.slide]
+type = "prismatic"
+child = "block"
+axis = [1, 0, 0]
+limits = {{ lower = -0.5, upper = 1.5, velocity = 4, effort = 8 }}
+[effects.spring]
+joints = "all"
+k = {float(STIFFNESS)}
+[effects.viscous]
+joints = "all"
+d = {float(DAMPING)}
+[start.q]
+slide = 0.1
+"""
+
+
+@pytest.fixture(scope="module")
+def kernels(tmp_path_factory):
+    path = tmp_path_factory.mktemp("accuracy") / "spring.toml"
+    path.write_text(TEXT)
+    return load_scene(path, functions=["default"])
+
+
+@pytest.fixture(scope="module")
+def box(kernels) -> Box:
+    return box_of(system(kernels, "double"), 1.0, 1e-3)
+
+
+@pytest.fixture(scope="module")
+def looked_at() -> dict[str, tuple[Measured, Values, tuple[str, ...]]]:
+    """The states of each function, and what computes there."""
+    return {}
+
+
+@pytest.fixture(scope="module")
+def costs(kernels, looked_at) -> Costs:
+    original = Measured.states
+
+    def remembered(function, *given):
+        states, places = original(function, *given)
+        looked_at[function.name] = function, states, places
+        return states, places
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Measured, "states", remembered)
+        return measure.measure(kernels, RunOverrides(until=1.0), Asked(FUNCTIONS))
+
+
+def true(function: str, states: Values, row: int) -> Fraction:
+    """m a + d v + k q = tau of the spring and the damper, in rationals."""
+    q, v, a, tau = (Fraction(float(states[name][row, 0])) for name in ("q", "v", "a", "tau"))
+    pull = STIFFNESS * q + DAMPING * v
+    return {"inverse_dynamics": MASS * a + pull, "forward_dynamics": (tau - pull) / MASS,
+            "mass_matrix": MASS}[function]
+
+
+def test_errors_and_bounds_are_those_of_rational_arithmetic(costs, looked_at):
+    """All figures, at the states that were chosen, against results computed again."""
+    assert [rows[0].function for rows in costs.accuracy] == list(FUNCTIONS)
+    for rows in costs.accuracy:
+        function, states, places = looked_at[rows[0].function]
+        assert {places.count(x) for x in ("run", "limits", "search")} == {16, 32}
+        exact = [true(function.name, states, n) for n in range(64)]
+        for row, choice in zip(rows, CHOICES, strict=True):
+            found, *bounds = function.values(choice, states)
+            errors = [abs(Fraction(float(x)) - y) for x, y in zip(found[:, 0], exact, strict=True)]
+            (of,) = row.errors
+            assert (row.tier, row.precision, row.states) == (
+                choice.tier, choice.precision.name, 64)
+            assert of.worst == pytest.approx(float(max(errors)), rel=1e-12)
+            assert of.typical == pytest.approx(float(median(errors)), rel=1e-12)
+            at = errors.index(max(errors))
+            assert of.place == places[at]
+            assert row.worst_at == {name: tuple(states[name][at].tolist()) for name in row.worst_at}
+            assert of.largest == pytest.approx(float(max(map(abs, exact))), rel=1e-15)
+            digits = [math.log10(abs(y) / x) for x, y in zip(errors, exact, strict=True) if x]
+            assert of.worst_digits == pytest.approx(max(0, min(digits)), rel=1e-12)
+            if bounds:
+                stated = [Fraction(float(x)) for x in bounds[0][:, 0]]
+                assert all(x <= y for x, y in zip(errors, stated, strict=True))
+                ratios = [float(y / x) for x, y in zip(errors, stated, strict=True) if x]
+                assert (of.bounds.least_ratio, of.bounds.typical_ratio,
+                        of.bounds.worst_ratio) == pytest.approx(
+                            (min(ratios), median(ratios), max(ratios)), rel=1e-12)
+                assert of.bounds.worst == float(max(stated)) and of.bounds.least_ratio >= 1
+
+
+def test_accurate_results_are_the_nearest_numbers(costs):
+    """Half a unit of the last of 53 or 24 digits at most."""
+    for rows in costs.accuracy:
+        for row in rows:
+            if row.tier == "accurate":
+                bits = {"double": 53, "single": 24}[row.precision]
+                assert row.errors[0].worst_digits >= (bits - 0.01) * math.log10(2)
+    worst = {x.name: x.errors[0].worst for x in costs.accuracy[0]}
+    for precision in ("double", "single"):
+        assert worst[f"{precision} plain"] > worst[f"{precision} accurate"]
+        assert worst[f"{precision} plain"] == worst[f"{precision} certified"]
+
+
+# states
+
+def test_states_are_inside_the_limits_and_numbers_of_single_precision(box):
+    states = box.drawn(np.random.default_rng(0), 2000)
+    near = box.near(np.random.default_rng(0), states, 0.5, 3)
+    for some in (states, near):
+        for name, low, high in (("q", -0.5, 1.5), ("v", -4, 4), ("a", -40, 40), ("tau", -8, 8),
+                                ("t", 0, 1)):
+            assert low <= some[name].min() < low + 0.1 * (high - low)
+            assert high - 0.1 * (high - low) < some[name].max() <= high
+        assert all(np.array_equal(x, x.astype(np.float32)) for x in some.values())
+        assert np.array_equal(some["phi"], np.float32(np.float32(1e-3) * some["v"]))
+    assert len(near["q"]) == 6000
+
+
+def test_states_of_a_run_have_the_accelerations_that_torques_cause(costs, looked_at):
+    _, states, places = looked_at["inverse_dynamics"]
+    for row in range(places.count("run")):
+        wanted = float(true("forward_dynamics", states, row))
+        assert states["a"][row, 0] == pytest.approx(wanted, rel=2.0**-22, abs=1e-5)
+    assert len(set(states["tau"][:16, 0])) == 16 and len(set(states["t"][:16])) == 16
+
+
+def test_the_search_finds_a_peak_that_chance_misses(box):
+    def score(states: Values) -> np.ndarray:
+        away = (states["q"] - 0.625)**2 + (states["v"] + 1.5)**2 + (states["a"] - 3)**2
+        return -away[:, 0]
+
+    found = searched(box, score, 4)
+    by_chance = score(box.drawn(np.random.default_rng(5), 40_000)).max()
+    assert score(found).min() > by_chance
+    assert len(found["q"]) == 4
+
+
+@pytest.mark.parametrize("total", (4, 7, 64))
+def test_states_are_as_many_as_asked_for(total):
+    counts = Counts.of(total)
+    assert counts.run + counts.limits + counts.search == total
+    assert Counts.of(64) == Counts()
+
+
+def test_parameters_and_settings_are_rounded_to_single(tmp_path):
+    path = tmp_path / "scene.toml"
+    path.write_text(texts.SPRING)
+    its = load_scene(path, functions=["default"])
+    found = measure.measure(its, RunOverrides(settings=(("block.mass", 0.1),)),
+                            Asked(("mass_matrix",), Counts.of(4)))
+    for row in found.accuracy[0]:
+        assert row.errors[0].worst == 0 and row.worst_at["p"] == (float(np.float32(0.1)),)
+
+
+# units
+
+def test_every_component_has_its_unit(tmp_path):
+    path = tmp_path / "scene.toml"
+    path.write_text(TEXT + """
+[bodies.arm]
+mass = 1
+inertia = [0.1, 0.1, 0.1]
+[joints.hinge]
+type = "revolute"
+child = "arm"
+parent = "block"
+axis = [0, 1, 0]
+""")
+    functions = derive(read_scene(path), (*FUNCTIONS, "jacobian_arm", "reaction_hinge", "energy",
+                                          "body_poses", "body_twists", "momentum", "integrated"))
+    found = {f.name: units(functions, f.name) for f in functions.functions}
+    for f in functions.functions:
+        assert len(found[f.name]) == sum(a.quantity.size for a in f.program.outputs)
+    assert found["inverse_dynamics"] == ("N", "N m")
+    assert found["forward_dynamics"] == ("m/s^2", "rad/s^2")
+    assert found["mass_matrix"] == ("kg", "kg m", "kg m", "kg m^2")
+    assert found["jacobian_arm"] == 3 * ("1", "m") + 3 * ("1/m", "1")
+    assert found["reaction_hinge"] == ("N", "N", "N", "N m", "N m", "N m")
+    assert found["body_poses"] == 2 * 3 * ("1", "1", "1", "m")
+    assert found["energy"] == ("J", "J") and found["integrated"] == ("m", "rad")
+
+
+@pytest.mark.parametrize("x, unit, words", (
+    (3e-6, "N m", "3 µN m"), (7.13e-13, "N m", "7.1e-13 N m"), (0.9996, "J", "1 J"),
+    (2e-7, "kg m^2", "2e-7 kg m²"), (1e-17, "1", "1e-17"), (0, "N", "0 N"),
+    (123456, "N", "120 kN"), (math.inf, "N", "unbounded")))
+def test_numbers_with_units_are_short(x, unit, words):
+    assert in_unit(x, unit) == words
+
+
+# advice
+
+def made(tier: str, precision: str, worst: float, ns: float, bound: float = 0) -> Accuracy:
+    bounds = Bounds(bound, 1, 2, 3) if bound else None
+    return Accuracy("inverse_dynamics", tier, precision, 64, Interval(ns, 0.99 * ns, 1.01 * ns),
+                    (Errors("N m", worst / 3, worst, 8, 7, 100, "run", bounds),), {})
+
+
+def choices(single_accurate_ns: float = 110) -> Sequence[Accuracy]:
+    return (made("plain", "double", 1e-14, 100), made("plain", "single", 1e-5, 90),
+            made("accurate", "double", 1e-15, 500),
+            made("accurate", "single", 1e-6, single_accurate_ns),
+            made("certified", "double", 1e-14, 520, 2e-14),
+            made("certified", "single", 1e-5, 480, math.inf))
+
+
+def test_the_advice_follows_from_the_figures():
+    assert recommended(choices()).name == "double plain"
+    assert sentences(choices()) == (
+        "inverse_dynamics: double plain is within 1e-14 N m at all 64 states looked at, in 100 ns "
+        "(1.11 times single plain).",
+        "double accurate is within 1e-15 N m: 10 times less error than double plain in 5 times its "
+        "time.",
+        "In single precision single accurate is within 1 µN m, in 1.22 times single plain's time.",
+        "double certified returns the plain results and bounds of their errors, here at most 2e-14 "
+        "N m, in 5.2 times the time of double plain.")
+
+
+def test_what_is_slow_is_not_recommended():
+    """As where double precision is computed by software."""
+    slow = [replace(x, time=Interval(9000, 8990, 9010)) if x.precision == "double" else x
+            for x in choices()]
+    assert recommended(slow).name == "single accurate"
+    assert sentences(slow)[0].endswith("in 110 ns (1.22 times single plain).")
+    assert sentences(slow)[-1] == (
+        "single certified returns the plain results, but no bounds of their errors at some of "
+        "these states, in 5.33 times the time of single plain.")
+    assert recommended([x for x in choices(400) if x.precision == "single"]).name == "single plain"
+
+
+def test_the_table_marks_what_nothing_beats():
+    (table,) = accuracies(choices())
+    marks = {row[0]: row[-1] for row in table.rows}
+    assert marks == {"double plain": "*", "single plain": "*", "double accurate": "*",
+                     "single accurate": "", "double certified": "*", "single certified": "*"}
+
+
+def test_the_figure_has_a_mark_for_each_function_tier_and_precision(costs, tmp_path):
+    plot(costs, tmp_path / "costs.svg")
+    root = ElementTree.parse(tmp_path / "costs.svg").getroot()
+    ids = {x.get("id") for x in root.iter()}
+    assert {f"{x.function} {x.name}" for rows in costs.accuracy for x in rows} <= ids
+    assert "inverse_dynamics recommended" in ids

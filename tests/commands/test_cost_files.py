@@ -1,0 +1,227 @@
+"""What coscrew cost writes: JSON whose fields are documented, a self-contained page, all or
+nothing; and every kind of function that it can be asked for."""
+
+import json
+import math
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from coscrew_codegen import load_scene
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.cost import CostError, measure, page, schema
+from coscrew_codegen.cost.accuracy import CHOICES, Bounds, Counts
+from coscrew_codegen.cost.asked import Asked
+from coscrew_codegen.cost.measure import Costs, Row
+from coscrew_codegen.cost.panels import shown
+from coscrew_codegen.cost.table import accuracies, others
+from coscrew_codegen.cost.work_precision import Point, Reference
+from coscrew_codegen.native.intervals import Interval
+from coscrew_codegen.scene.selected import FunctionsError
+from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.simulate import SimulateError
+from coscrew_codegen.simulate.load import kernels_for
+from coscrew_codegen.simulate.outcome import RunOverrides
+from tests.support.browser import chromium
+from tests.support.scenes import scene_texts as texts
+
+ROOT = Path(__file__).parents[2]
+FLOATING = """
+base = "free"
+[bodies.trunk]
+mass = 2
+inertia = [0.1, 0.2, 0.25]
+[bodies.arm]
+mass = 1
+com = [0, 0, -0.3]
+inertia = [0.1, 0.1, 0.1]
+[joints.hinge]
+type = "revolute"
+parent = "trunk"
+child = "arm"
+axis = [0, 1, 0]
+limits = { lower = -1, upper = 1 }
+[effects.gravity]
+[effects.limit.hinge]
+k = 1000
+alpha = 0.1
+[run]
+duration = 0.1
+"""
+
+
+@pytest.fixture(scope="module")
+def scene(tmp_path_factory) -> Path:
+    path = tmp_path_factory.mktemp("files") / "spring.toml"
+    path.write_text(texts.SPRING.replace("k = 100", "k = 100.3"))
+    return path
+
+
+@pytest.fixture(scope="module")
+def costs(scene) -> Costs:
+    asked = Asked(("forward_dynamics", "energy"), Counts.of(8))
+    return measure.measure(load_scene(scene, functions=["default"]), RunOverrides(), asked)
+
+
+@pytest.fixture(scope="module")
+def whole(costs) -> Costs:
+    """With a bound that is missing, operations and runs, and a name that is no HTML."""
+    *others, last = costs.accuracy[0]
+    (errors,) = last.errors
+    last = replace(last, errors=(replace(errors, bounds=Bounds(math.inf, 1.5, 2, math.inf)),))
+    time = Interval(100.0, 90.0, 110.0)
+    points = (Point("rk4", "double", 1e-3, 1000, time, 1e-9, "C"),
+              Point("rk4", "single", 1e-3, 1000, time, math.inf, "C"))
+    return replace(
+        costs, scene="</script><b>", accuracy=((*others, last), *costs.accuracy[1:]), runs=True,
+        rows=(Row("all effects", "energy", "3 mul", 3, (time, time)),), points=points,
+        reference=Reference("dop853, rtol 1e-13", 1.0, np.zeros(1), np.zeros(1), 1e-12))
+
+
+# JSON
+
+def read(costs: Costs, folder: Path) -> dict:
+    def refused(name: str):
+        raise AssertionError(f"{name} is no JSON")
+
+    schema.write(costs, folder / "costs.json", "coscrew cost spring.toml")
+    return json.loads((folder / "costs.json").read_text("utf-8"), parse_constant=refused)
+
+
+def keys(found: object) -> set[str]:
+    """All names of fields, but those of a function's inputs."""
+    if isinstance(found, list):
+        return set().union(*map(keys, found))
+    if not isinstance(found, dict):
+        return set()
+    return set(found).union(*(keys(x) for name, x in found.items() if name != "worst_at"))
+
+
+def test_json_has_the_figures(whole, tmp_path):
+    found = read(whole, tmp_path)
+    assert [x["function"] for x in found["functions"]] == ["forward_dynamics", "energy"]
+    for function, rows in zip(found["functions"], whole.accuracy, strict=True):
+        for choice, row in zip(function["choices"], rows, strict=True):
+            (errors,), (of,) = choice["errors"], row.errors
+            assert (choice["precision"], choice["tier"]) == (row.precision, row.tier)
+            assert (errors["worst"], errors["typical"], errors["unit"]) == (
+                of.worst, of.typical, of.unit)
+            assert choice["time"] == {"median": row.time.median, "low": row.time.low,
+                                      "high": row.time.high}
+            assert set(choice["worst_at"]) == set(row.worst_at)
+    assert found["functions"][0]["choices"][-1]["errors"][0]["bound"] == {
+        "worst": None, "least_ratio": 1.5, "typical_ratio": 2, "worst_ratio": None}
+    assert [x["error"] for x in found["runs"]] == [1e-9, None]
+    assert [x["best"] for x in found["runs"]] == [True, False]
+
+
+def test_every_field_is_documented(whole, tmp_path):
+    text = (ROOT / "docs/accuracy.md").read_text("utf-8")
+    listed = text.partition("### Fields of the JSON")[2].partition("\n## ")[0]
+    documented = set(re.findall(r"`([a-z_]+)`", listed.replace(".", "` `")))
+    assert keys(read(whole, tmp_path)) <= documented
+
+
+# the page
+
+def test_the_page_is_self_contained(whole):
+    text = page.page(whole, "coscrew cost spring.toml")
+    assert not re.search(r"(?:src|href)=\"(?!data:)", text)
+    assert "://" not in text.replace("http://www.w3.org/2000/svg", "")
+    assert "<b>" not in text.partition("<body>")[2].partition("<script")[0]
+    places = [text.index(x) for x in ('id="plots"', 'id="advice"', "Errors, bounds and times",
+                                      "Operations, effects, runs")]
+    assert places == sorted(places)
+
+
+def test_the_page_shows_the_figures_in_a_browser(whole, tmp_path):
+    page.write(whole, tmp_path / "costs.html", "coscrew cost spring.toml")
+    with chromium() as browser:
+        browser.get((tmp_path / "costs.html").as_uri())
+        assert not [x for x in browser.get_log("browser") if x["level"] == "SEVERE"]
+        marks = browser.execute_script("""
+            return [...document.querySelectorAll("#plots .mark")].map(mark => [
+              mark.dataset.variant, mark.dataset.x, mark.dataset.y]);""")
+        rows = browser.execute_script("""
+            return [...document.querySelectorAll("tbody tr")].map(row =>
+              [...row.children].map(cell => cell.textContent));""")
+    wanted = [(f"{x.function} {x.name}", x.time.median, shown(x))
+              for rows in whole.accuracy for x in rows]
+    assert [(name, float(x), float(y)) for name, x, y in marks] == wanted
+    tables = [*(x for rows in whole.accuracy for x in accuracies(rows)), *others(whole)]
+    assert rows == [list(row) for x in tables for row in x.rows]
+
+
+def test_the_command_writes_all_files(scene, tmp_path, capsys):
+    files = {x: tmp_path / f"costs.{x}" for x in ("json", "html", "svg")}
+    assert main(["cost", str(scene), "--function", "energy", "--states", "4", "--until", "0.1",
+                 "--json", str(files["json"]), "--page", str(files["html"]), "--plot",
+                 str(files["svg"])]) == 0
+    printed = capsys.readouterr().out
+    found = json.loads(files["json"].read_text())
+    assert found["command"] == "coscrew cost spring.toml --function energy --until 0.1 --states 4"
+    for sentence in found["functions"][0]["sentences"]:
+        assert sentence in printed and sentence.replace("'", "&#39;") in files["html"].read_text()
+    assert sorted(x.name for x in tmp_path.iterdir()) == [
+        "costs.html", "costs.json", "costs.svg"]
+
+
+def test_what_cannot_be_written_leaves_the_old_file_whole(whole, tmp_path, monkeypatch):
+    path = tmp_path / "costs.json"
+    path.write_text("old")
+    monkeypatch.setattr("os.replace", lambda *_: (_ for _ in ()).throw(OSError(28, "full")))
+    for write in (schema.write, page.write):
+        with pytest.raises(SimulateError, match="cannot write .*: full"):
+            write(whole, path, "")
+    assert path.read_text() == "old" and list(tmp_path.iterdir()) == [path]
+
+
+# what can be asked for
+
+def test_functions_of_floating_bases_and_of_limits_can_be_asked_for(tmp_path):
+    path = tmp_path / "floating.toml"
+    path.write_text(FLOATING)
+    names = ("integrated", "with_free_momentum", "closing_contacts")
+    scene = read_scene(path)
+    asked = Asked(names, Counts.of(4))
+    found = measure.measure(kernels_for(scene, asked.needed(scene, None)), RunOverrides(), asked)
+    assert {rows[0].function for rows in found.accuracy} == set(names)
+    for rows in found.accuracy:
+        for x in rows:
+            assert all(e.worst < (1e-5 if x.precision == "single" else 1e-13) for e in x.errors)
+            if x.tier == "certified":
+                assert all(e.bounds.least_ratio >= 1 or not e.worst for e in x.errors)
+
+
+def test_the_scene_chooses_the_functions_unless_told(scene):
+    plain = read_scene(scene)
+    assert Asked().of(plain) == ("inverse_dynamics", "forward_dynamics", "mass_matrix",
+                                 "body_poses")
+    own = replace(plain, functions=("step_rk4", "energy", "body_twists"))
+    assert Asked().of(own) == ("energy", "body_twists")
+    assert Asked(("power",)).of(own) == ("power",)
+    assert "jacobian_block" in Asked(("all",)).of(own)
+    assert not any(name.startswith("step_") for name in Asked(("all",)).of(own))
+    with pytest.raises(FunctionsError, match="did you mean 'energy'"):
+        Asked(("enregy",)).of(own)
+    with pytest.raises(CostError, match="step_rk4: the error of a step"):
+        Asked(("step_rk4",)).of(own)
+
+
+def test_the_readme_figure_is_made_by_its_command(tmp_path, capsys):
+    """Tried with a scene that is quicker to derive, at few states."""
+    text = (ROOT / "README.md").read_text("utf-8")
+    command = re.search(r"`coscrew (cost (\S+)\s[^`]+--plot (\S+))`", text)
+    words = command[1].replace(command[2], str(ROOT / "examples/scenes/pendulum.toml")).replace(
+        command[3], str(tmp_path / "figure.svg")).split()
+    assert main([*words, "--states", "4"]) == 0
+    committed = Asked(tuple(re.findall(r"--function (\S+)", command[1]))).of(
+        read_scene(ROOT / command[2]))
+    marks = {f'id="{name} {x.precision.name} {x.tier}"' for name in committed for x in CHOICES}
+    assert len(marks) == 18
+    for path in (tmp_path / "figure.svg", ROOT / command[3]):
+        drawn = path.read_text("utf-8")
+        assert all(mark in drawn for mark in marks), path
