@@ -17,6 +17,7 @@ if TYPE_CHECKING:  # imports SymPy and the operations: only the tests that need 
     from tests.support.truth.exact import Exact, Sample
 
 LONG = frozenset("""
+    test_accurate_functions
     test_absence test_cache test_certified_scenes test_check test_check_advice
     test_check_alarms test_check_bounces test_checkers test_climb test_command_line
     test_cost test_cross test_documents test_examples test_family_cache test_flags

@@ -6,6 +6,7 @@ Truth of operations on rotations, which rounded inputs are not quite, is their f
 digits in 60 digits; that formula is held against power series, on rotations in 60 digits.
 """
 
+import ctypes
 from functools import cache
 
 import mpmath
@@ -29,9 +30,11 @@ from coscrew_codegen.tiers.accurate import accurate
 from tests.hard_cases.corpus import load
 from tests.search import split
 from tests.support.cases import for_all
-from tests.support.compiled.implementations import gufuncs
+from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
+from tests.support.compiled.implementations import gufuncs, same_bits, twin
 from tests.support.domains import domains
 from tests.support.each import each_precision
+from tests.support.sampling import inputs_of
 from tests.support.scenes.evaluation import MULTIPRECISE
 from tests.support.scenes.tiers import DIGITS, Result, flat
 from tests.support.truth.attack import plain_program
@@ -45,6 +48,8 @@ DRAWN = 12
 LARGEST = {"double": 1e13, "single": 1e5}
 MOST = {"double": 0.501, "single": 0.5001}
 """Found: 0.5000; promised in double is 1."""
+EXTREMES = 100
+BUILDS = ("gcc", "-O1"), ("clang", "-O1", "-march=native")
 _ROUNDED = (ROTATION, DISPLACEMENT, UNIT_QUATERNION)
 _SMALL = {"double": 1e-280, "single": 1e-36}  # smaller results may be subnormal on the way
 
@@ -147,6 +152,28 @@ def test_components_are_right_as_long_as_their_condition_is_good(operation: Oper
 def _is_half_turn(x: Result) -> bool:
     """Whether the angle is π or -π: the sign of a zero says which, and exact zeros have none."""
     return abs(abs(x.true) - mpmath.pi) < 1e-6 and abs(x.found + float(x.true)) < 1e-6
+
+
+@for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))
+def test_c_gufunc_and_numpy_agree_in_bits(operation: Operation, precision: Precision,
+                                          libraries: list[ctypes.CDLL]):
+    """For numbers of all kinds: the twins, gufuncs, C without and with an fma instruction."""
+    drawn = split(operation, rows(operation, precision))
+    inputs = tuple(map(np.concatenate, zip(drawn, inputs_of(operation, precision, EXTREMES),
+                                           strict=True)))
+    want = twin(coscrew.accurate)(operation, precision, inputs)
+    with np.errstate(all="ignore"):
+        assert same_bits(gufuncs(coscrew.accurate)(operation, precision, inputs), want), "gufunc"
+    for library in libraries:
+        assert same_bits(call(library, operation, precision, inputs), want), library
+
+
+@pytest.fixture(scope="module")
+def libraries(tmp_path_factory: pytest.TempPathFactory) -> list[ctypes.CDLL]:
+    """C of all these operations, compiled."""
+    folder = tmp_path_factory.mktemp("functions")
+    return [harness(folder, compiler, (*flags, EXACT), "accurate", FUNCTIONS)
+            for compiler, *flags in BUILDS if compiler in COMPILERS]
 
 
 def test_steps_of_a_program_and_of_its_compensation_have_different_names():
