@@ -77,9 +77,7 @@ def _of_all(sections: Sequence[Section]) -> frozenset[str]:
     """The elementary functions that several sections call, all in one precision."""
     if len(sections) < 2 or len({x.working for x in sections}) > 1:
         return frozenset()
-    called = [x.called for x in sections]
-    both = {c_elementary.ALONE.get(x, x) for x in frozenset.intersection(*called)}
-    return frozenset(x for x in frozenset.union(*called) if c_elementary.ALONE.get(x, x) in both)
+    return c_elementary.shared(x.called for x in sections)
 
 
 @uncollected()
