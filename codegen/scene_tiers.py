@@ -22,7 +22,7 @@ class SceneTier:
     """What targets receive of a scene in a tier: its functions, by precision."""
 
     tier: Tier
-    plain: SceneFunctions
+    plain: SceneFunctions  # in the precisions that the tier has
     in_precisions: tuple[tuple[Precision, SceneFunctions], ...]
 
     @property
@@ -42,10 +42,13 @@ def in_tier(scene: SceneFunctions, tier: Tier) -> SceneTier:
     if not public:
         raise NoFunctionsError(f"{scene.name}: the {tier.name} tier needs a function; steps, which "
                                "alone are selected, have no tier")
-    return SceneTier(tier, scene, tuple(
+    precisions = [p for p in named(scene.precisions) if p in tier.precisions]
+    if not precisions:
+        raise NoFunctionsError(f"{scene.name}: the {tier.name} tier is of {tier.precisions[0].name}"
+                               f" precision, the scene of {scene.precisions[0]}")
+    return SceneTier(tier, replace(scene, precisions=tuple(p.name for p in precisions)), tuple(
         (p, replace(scene, functions=tuple(_function(f, tier, p) for f in public), steps=(),
-                    precisions=(p.name,), tiers=(), mark=tier.mark))
-        for p in named(scene.precisions)))
+                    precisions=(p.name,), tiers=(), mark=tier.mark)) for p in precisions))
 
 
 def _function(plain: Function, tier: Tier, precision: Precision) -> Function:

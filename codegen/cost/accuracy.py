@@ -15,13 +15,13 @@ import mpmath
 import numpy as np
 from mpmath import mpf
 
-from coscrew_codegen.cost.exact_run import MULTIPRECISE
 from coscrew_codegen.cost.loops import Compiled
 from coscrew_codegen.cost.states import Box, Reals, Values, joined, searched
 from coscrew_codegen.cost.units import units
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
 from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.program.interpreter import interpreter
+from coscrew_codegen.program.multiprecise import MULTIPRECISE
 from coscrew_codegen.simulate.plan import Trajectory
 from coscrew_codegen.tiers import PLAIN, tier_named
 

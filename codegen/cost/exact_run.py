@@ -12,7 +12,8 @@ from mpmath import mpf
 
 from coscrew_codegen.cost import CostError
 from coscrew_codegen.formats import DOUBLE
-from coscrew_codegen.program.interpreter import by_operation, evaluate, exactly
+from coscrew_codegen.program.interpreter import evaluate
+from coscrew_codegen.program.multiprecise import MULTIPRECISE
 from coscrew_codegen.simulate.system import System
 
 _ROWS = 10  # of the extrapolation, of order 20
@@ -21,10 +22,6 @@ _GUARD = 10  # digits beyond those wanted
 
 Numbers = list[mpf]
 Rates = Callable[[mpf, Numbers], Numbers]
-
-MULTIPRECISE = by_operation(lambda x: mpf(x.double.numerator) / x.double.denominator,
-                             exactly(mpmath), mpf("nan"))
-"""Numbers of mpmath's precision."""
 
 
 def exact_end(system: System, until: float, digits: int) -> tuple[np.ndarray, np.ndarray, float]:

@@ -103,10 +103,11 @@ def _with_runs(costs: Costs, kernels: Kernels, overrides: RunOverrides, built: S
 
 
 def _tiers(of: Part, names: Sequence[str]) -> tuple[SceneTier, ...]:
-    """These functions in all tiers but plain."""
+    """These functions in all tiers but plain, and pairs, which pay where double is software."""
     some = replace(of.functions, steps=(), functions=tuple(
         f for f in of.public if f.name in names))
-    return tuple(in_tier(some, tier) for tier in OF_SCENES if names and tier != PLAIN)
+    return tuple(in_tier(some, tier) for tier in OF_SCENES
+                 if names and tier != PLAIN and tier.precisions == PRECISIONS)
 
 
 def _accuracies(kernels: Kernels, overrides: RunOverrides, run: Trajectory, built: Compiled,

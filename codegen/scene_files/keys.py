@@ -138,8 +138,8 @@ SCENE = TableOf("", "The file itself.", (
         choices=(ERROR, WARN)),
     Key("functions", "what is generated: names of functions; \"default\" and \"all\" stand for "
         "several", "texts", default='["default"]'),
-    Key("tiers", "in which the functions, steps excepted, are generated besides plain: accurate",
-        "texts", default='["plain"]'),
+    Key("tiers", "in which the functions, steps excepted, are generated besides plain: accurate, "
+        "certified, pairs", "texts", default='["plain"]'),
     Key("runtime", "numbers that stay arguments of functions: BODY.mass, BODY.com, BODY.inertia, "
         "EFFECT.WHERE.PARAMETER", "texts", default="[]"),
     Key("bodies", "the bodies, by name", "tables", table=BODY),

@@ -39,7 +39,7 @@ _SPELLING = {
     Op.SELECT: ("{} ? {} : {}", CHOICE),
     Op.EXACT_ADD: ("{} + {}", SUM), Op.EXACT_SUB: ("{} - {}", SUM),
     Op.PRODUCT_ERROR: ("ksl_product_error%s({}, {}, {})", CALL),
-    Op.PRODUCT_REST: ("ksl_product_rest({}, {}, {}, {})", CALL),
+    Op.PRODUCT_REST: ("ksl_product_rest%s({}, {}, {}, {})", CALL),
     **{op: (pattern.replace("{f}", "%s"), CALL) for op, pattern in ELEMENTARY.items()},
 }
 _ROUNDED = "RN({} * {})", CALL

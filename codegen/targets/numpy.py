@@ -51,7 +51,8 @@ NUMPY_NAMES: dict[Op | str, str] = {
     Op.ABS: "absolute", Op.SQRT: "sqrt", Op.SELECT: "where",
     Op.COPYSIGN: "copysign"}
 EXACT: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error", Op.PRODUCT_REST: "product_rest"}
-IN_SINGLE: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error_single as product_error"}
+IN_SINGLE: dict[Op | str, str] = {Op.PRODUCT_ERROR: "product_error_single as product_error",
+                                  Op.PRODUCT_REST: "product_rest_single as product_rest"}
 """What kernels import that compute errors of products: in double, in single precision."""
 ELEMENTARY = {Op.SIN: ("sin", "({})"), Op.COS: ("cos", "({})"), Op.ATAN2: ("atan2", "({}, {})"),
               Op.EXP: ("exp", "({})"), Op.TANH: ("tanh", "({})"),

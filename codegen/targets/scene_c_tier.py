@@ -18,7 +18,8 @@ from coscrew_codegen.targets.scene_c import IN_WORDS, functions_of
 from coscrew_codegen.targets.scene_c_parts import Parts
 from coscrew_codegen.targets.target import Files, Target
 
-_ERRORS = ("ksl_product_error", "ksl_product_errorf", "ksl_product_rest")
+_ERRORS = ("ksl_product_error", "ksl_product_errorf", "ksl_product_rest",
+           "ksl_product_restf")
 
 
 @dataclass(frozen=True)

@@ -4,6 +4,7 @@ plain       fixed order, every operation rounded once             names without 
 fused       products fused into sums by fma                       C only
 accurate    single: computed in double, rounded once; double: compensated, carried as hi + lo
 certified   plain, and a bound on each component's error that always holds
+pairs       single: compensated, carried as hi + lo in single                  scenes only
 
 A tier may also add in another order: `program.sums` gives the terms of a plain program's sums.
 """
@@ -13,17 +14,17 @@ from coscrew_codegen.tiers.tier import Tier
 
 __all__ = ["MARKED", "OF_SCENES", "PLAIN", "TIERS", "Tier", "tier_named"]
 
-TIERS: tuple[Tier, ...] = tuple(sorted(found(__name__, __path__, "TIER", Tier),
-                                       key=lambda tier: tier.order))
-"""All tiers, the cheapest first."""
+_ALL = sorted(found(__name__, __path__, "TIER", Tier), key=lambda tier: tier.order)
+TIERS = tuple(tier for tier in _ALL if tier.make)
+"""The tiers that operations have, the cheapest first."""
 
 PLAIN = next(tier for tier in TIERS if not tier.marked)
 MARKED = tuple(tier for tier in TIERS if tier.marked)
 """All tiers but plain: those with a suffix in names."""
-OF_SCENES = tuple(tier for tier in TIERS if tier is PLAIN or tier.scene)
+OF_SCENES = tuple(tier for tier in _ALL if tier is PLAIN or tier.scene)
 """The tiers that functions of scenes have."""
 
 
 def tier_named(name: str) -> Tier:
     """The tier of this name.  Raises KeyError if there is none."""
-    return {tier.name: tier for tier in TIERS}[name]
+    return {tier.name: tier for tier in _ALL}[name]

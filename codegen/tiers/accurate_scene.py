@@ -7,6 +7,8 @@ from collections import Counter
 from dataclasses import replace
 from fractions import Fraction
 
+import numpy as np
+
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.ops import ERROR_OF
@@ -19,26 +21,33 @@ def of_scene(program: Program, precision: Precision) -> Program:
     """The plain program of a scene's function, whose constants are decimals: hi + lo in double; in
     single precision doubles."""
     if precision == DOUBLE:
-        program = compensated(program, OfScene(program))
-    steps = tuple(replace(step, operands=tuple(map(_rounded, step.operands)))
+        return in_pairs(program, DOUBLE)
+    return replace(_rounded(program, DOUBLE), wide=True)
+
+
+def in_pairs(program: Program, precision: Precision) -> Program:
+    """The plain program with every value, constants included, as hi + lo in this precision."""
+    return _rounded(compensated(program, OfScene(program, precision)), precision)
+
+
+def _rounded(program: Program, precision: Precision) -> Program:
+    def rounded(x: Operand) -> Operand:
+        return rounded_constant(x, precision) if isinstance(x, Constant) else x
+
+    steps = tuple(replace(step, operands=tuple(map(rounded, step.operands)))
                   for step in program.instructions)
-    return replace(program, instructions=steps, results=tuple(map(_rounded, program.results)),
-                   wide=precision != DOUBLE)
+    return replace(program, instructions=steps, results=tuple(map(rounded, program.results)))
 
 
-def _rounded(x: Operand) -> Operand:
-    return rounded_constant(x) if isinstance(x, Constant) else x
-
-
-def _beyond(x: Operand, above: bool) -> Operand:
-    """For a number to the left or to the right of <: that of double precision which compares with
-    all others as the constant does."""
+def _beyond(x: Operand, above: bool, precision: Precision) -> Operand:
+    """For a number to the left or to the right of <: that of the precision which compares with all
+    others as the constant does."""
     if not isinstance(x, Constant):
         return x
-    value = float(x.double)
-    if value != x.double and (value > x.double) != above:
-        value = math.nextafter(value, math.inf if above else -math.inf)
-    return Constant(Fraction(value), Fraction(value), x.name)
+    true, near = precision.value(x), precision.rounded(precision.value(x))
+    if near != true and (near > true) != above:
+        near = np.nextafter(near, near.dtype.type(math.inf if above else -math.inf))
+    return Constant(Fraction(float(near)), Fraction(float(near)), x.name)
 
 
 _NUMBER = re.compile(r"_[0-9]+$")
@@ -54,8 +63,9 @@ class OfScene(Accurate):
 
     last = "hi + lo, rounded:"
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: Program, precision: Precision = DOUBLE) -> None:
         super().__init__()
+        self.precision = precision
         self._taken = {step.name for step in program.instructions}
         self._numbers: Counter[str] = Counter()
         self._cancelled: set[str] = set()  # hi whose lo may not be small
@@ -65,7 +75,8 @@ class OfScene(Accurate):
     def compensate(self, step: Instruction) -> None:
         """As of its base; a result may have cancelled if it is a sum or is made of one."""
         if step.op is Op.LESS:
-            step = replace(step, operands=tuple(map(_beyond, step.operands, (False, True))))
+            step = replace(step, operands=tuple(
+                _beyond(x, n > 0, self.precision) for n, x in enumerate(step.operands)))
         if step.op in (Op.ADD, Op.SUB) or step.op not in _RESTING and any(
                 name_of(x) in self._cancelled and name_of(x) not in self._normal
                 for x in step.operands):

@@ -14,19 +14,21 @@ A constant that is rounded has a lo, too: the rest, rounded.
 from dataclasses import replace
 from fractions import Fraction
 
+from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.program import Constant, Instruction, Op, Operand, Ref, scales
 from coscrew_codegen.program.program import name_of
 
 
-def rounded_constant(x: Constant) -> Constant:
-    """The number that double precision has for this constant, exactly."""
-    value = Fraction(float(x.double))
+def rounded_constant(x: Constant, precision: Precision = DOUBLE) -> Constant:
+    """The number that a precision has for this constant, exactly."""
+    value = Fraction(float(precision.rounded(precision.value(x))))
     return Constant(value, value, x.name)
 
 
-def rest_of(x: Constant) -> Constant | None:
-    """What the rounding of a constant to double leaves, rounded; None for nothing."""
-    value = Fraction(float(x.double - Fraction(float(x.double))))
+def rest_of(x: Constant, precision: Precision = DOUBLE) -> Constant | None:
+    """What the rounding of a constant leaves, rounded; None for nothing."""
+    rest = precision.value(x) - precision.value(rounded_constant(x, precision))
+    value = Fraction(float(precision.rounded(rest)))
     return Constant(value, value, x.name and f"{x.name}_lo") if value else None
 
 
@@ -34,6 +36,7 @@ class Compensator:
     """Issues instructions; knows the lo of each hi."""
 
     last = ""  # component of final values; "": each is its own
+    precision = DOUBLE
 
     def __init__(self) -> None:
         self.steps: list[Instruction] = []
@@ -141,7 +144,9 @@ class Compensator:
 
     def _known(self, x: Operand) -> Operand | None:
         """lo of an operand, as far as it is known."""
-        return rest_of(x) if isinstance(x, Constant) else self._low.get(name_of(x))
+        if isinstance(x, Constant):
+            return rest_of(x, self.precision)
+        return self._low.get(name_of(x))
 
     def issue(self, step: Instruction, op: Op, operands: tuple[Operand, ...], suffix: str) -> Ref:
         """Issue an instruction towards the component of `step`, named after `step`."""

@@ -27,8 +27,7 @@ class Errors(OfScene):
     last = "bounds of the errors:"
 
     def __init__(self, program: Program, precision: Precision) -> None:
-        super().__init__(program)
-        self.precision = precision
+        super().__init__(program, precision)
         self.circular = {(step.op, step.operands): step for step in program.instructions
                          if step.op in (Op.SIN, Op.COS)}
 
@@ -40,14 +39,8 @@ class Errors(OfScene):
         """The constant in this precision."""
         return constant(Fraction(float(self.precision.rounded(self.precision.value(x)))))
 
-    def _known(self, x: Operand) -> Operand | None:
-        if not isinstance(x, Constant):
-            return super()._known(x)
-        rest = self.nearest(constant(self.precision.value(x) - self.nearest(x).double))
-        return rest if rest.double else None
-
     def _rest(self, step: Instruction, x: Operand, share: Operand, name: str) -> Operand:
-        """As of its base; the same from fewer operations where only double has them all."""
+        """As of its base; in single precision by the error of the product."""
         product = self._products.get(name_of(x))
         if product is None or self.precision != SINGLE:
             return super()._rest(step, x, share, name)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.program import Constant, Op, Operand, Program
 from coscrew_codegen.program.ops import POLYNOMIAL
 from coscrew_codegen.quantity import Argument
@@ -50,18 +50,22 @@ class Tier:
     order: int  # sorts the tiers, the cheapest first
     title: str  # in the first line of its headers, after the family's title
     colours: tuple[str, str]  # in plots, on a light and on a dark background
-    make: Callable[[Program, Precision], Program]  # plain program → the tier's
+    make: Callable[[Program, Precision], Program] | None  # plain program → the tier's; None:
+    # operations do not have the tier
     has: Callable[[Program], bool] = is_polynomial  # whether a plain program has this tier
     operation: Callable[["Operation"], "Operation"] = lambda plain: plain  # may add outputs
     scene: Callable[[Program, Precision], Program] | None = None  # plain program of a scene's
     # function → the tier's, which may have more outputs; None: scenes do not have the tier
+    precisions: tuple[Precision, ...] = PRECISIONS  # that it has in scenes
     header: str = "ksl_types"  # that its C functions need; ksl_exact computes rounding errors
     in_words: str = ""  # docstring of its Python package; "" if only C has the tier
     marked: bool = True  # whether names of its functions end in the tier's name
 
     @cache  # noqa: B019  called for every language; tiers live as long as the process
     def program(self, plain: Program, precision: Precision) -> Program:
-        """The tier's program for a plain program, in this precision."""
+        """The tier's program for a plain program of an operation, in this precision."""
+        if self.make is None:
+            raise ValueError(f"operations do not have the {self.name} tier")
         return self.make(plain, precision)
 
     @property

@@ -29,6 +29,11 @@ def product_error_single(a, b, p):
         return np.float32(a * b - p)
 
 
+def product_rest_single(a, b, p, h):
+    """a b - h rounded once to single precision, where p is a b rounded and p - h is exact."""
+    return product_error_single(a, b, h)
+
+
 def product_rest(a, b, p, h):
     """a b - h rounded once, where p is a b rounded and p - h is exact."""
     with np.errstate(all="ignore"):

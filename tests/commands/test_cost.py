@@ -15,7 +15,7 @@ from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.cost import CostError
 from coscrew_codegen.cost.asked import Asked
-from coscrew_codegen.cost.exact_run import MULTIPRECISE, exact_end
+from coscrew_codegen.cost.exact_run import exact_end
 from coscrew_codegen.cost.leaving_out import SHOWN, parts
 from coscrew_codegen.cost.loops import ELEMENTS, compiled, text
 from coscrew_codegen.cost.measure import measure
@@ -28,6 +28,7 @@ from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.program.flops import flops
 from coscrew_codegen.program.interpreter import evaluate
+from coscrew_codegen.program.multiprecise import MULTIPRECISE
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.outcome import RunOverrides

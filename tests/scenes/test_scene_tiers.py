@@ -7,8 +7,9 @@ import pickle
 import re
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -25,7 +26,7 @@ from coscrew_codegen.scene_tiers import NoFunctionsError, in_tier
 from coscrew_codegen.simulate import calls, native
 from coscrew_codegen.simulate.load import kernels_of, library_of
 from coscrew_codegen.targets import scene_c_tier, scene_calls
-from coscrew_codegen.tiers import OF_SCENES, tier_named
+from coscrew_codegen.tiers import OF_SCENES, Tier, tier_named
 from tests.support.compiled.c_harness import C11, COMPILERS, CXX17, STRICT
 from tests.support.compiled.c_harness import run as command
 from tests.support.compiled.flags import FMA, HASWELL, UNHEEDED
@@ -48,7 +49,7 @@ axis = [0, 1, 0]
 [effects.gravity]
 """
 
-MARKED = [tier for tier in OF_SCENES if tier.marked]
+MARKED = [tier for tier in OF_SCENES if tier.marked and tier.precisions == PRECISIONS]
 each_tier = pytest.mark.parametrize("tier", MARKED, ids=lambda tier: tier.name)
 
 
@@ -131,7 +132,7 @@ def test_what_is_not_there_is_named(write, capsys: pytest.CaptureFixture[str]):
 
 def test_plain_is_always_there():
     assert selected(()) == selected(("plain",)) == ()
-    assert selected(known()) == tuple(tier.name for tier in MARKED)
+    assert selected(known()) == tuple(tier.name for tier in OF_SCENES if tier.marked)
     assert known()[0] == "plain"
 
 
@@ -147,20 +148,29 @@ def test_internal_functions_and_steps_have_no_tier(tier):
             f.name for f in found.plain.functions if not f.internal]
 
 
+@pytest.fixture(scope="module")
+def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """C and Python, in all tiers, of a free body, a joint and all effects of joints."""
+    folder = tmp_path_factory.mktemp("carrier")
+    for name, text in scene_files(replace(
+            scene_bits.functions(), tiers=tuple(tier.name for tier in MARKED))).items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    return folder
+
+
 @each_tier
 @pytest.mark.parametrize("flags", (C11, CXX17), ids=" ".join)
 @pytest.mark.parametrize("compiler", COMPILERS)
-def test_c_compiles_without_a_warning(tier, compiler: str, flags: tuple[str, ...], tmp_path: Path):
+def test_c_compiles_without_a_warning(package: Path, tier, compiler: str, flags: tuple[str, ...],
+                                      tmp_path: Path):
     """Alone, and next to the scene's own; also where fma is no instruction."""
-    files = scene_files(replace(scene_bits.functions(), tiers=(tier.name,)))
-    for name, text in files.items():
-        if name.endswith((".c", ".h")):
-            (tmp_path / name).write_text(text)
-    stem = f"{scene_bits.functions().name}_{tier.mark}"
-    both = f'#include "{stem}.c"\n#include "{scene_bits.functions().name}.c"\n'
-    (tmp_path / "both.c").write_text(both)
-    for source, more in ((f"{stem}.c", ()), ("both.c", FMA)):
-        command([compiler, *flags, *STRICT, *more, "-O1", "-c", tmp_path / source, "-o",
+    name = scene_bits.functions().name
+    both = tmp_path / "both.c"
+    both.write_text(f'#include "{name}_{tier.mark}.c"\n#include "{name}.c"\n')
+    for source, more in ((package / f"{name}_{tier.mark}.c", ()), (both, FMA)):
+        command([compiler, *flags, *STRICT, *more, "-O0", "-I", package, "-c", source, "-o",
                  tmp_path / "x.o"])
 
 
@@ -187,37 +197,36 @@ FLAGS = {"gcc": (("-O0",), ("-O3", "-march=native", "-ffp-contract=fast"),
                  ("-O2", *HASWELL, "-DKSL_HAS_FMA=0", "-ffp-contract=fast")),
          "clang": (("-O1",), ("-O3", "-march=native", "-ffp-contract=fast"),
                    ("-O2", *HASWELL, "-DKSL_CONTRACT_OFF"))}
+WHOLE = ("-O0", "-O1")  # levels at which all functions are compiled; at others, SOME
+SOME = ("inverse_dynamics", "mass_matrix", "energy", "body_poses")
 BUILDS = tuple((compiler, flags) for compiler in COMPILERS for flags in FLAGS[compiler])
 
 
-@pytest.fixture(scope="module")
-def carrier(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[SceneFunctions, object]]:
-    """A free body, a joint and all effects of joints; its package, with all tiers."""
-    folder = tmp_path_factory.mktemp("carrier")
-    of_all = replace(scene_bits.functions(), tiers=tuple(tier.name for tier in MARKED))
-    for name, text in scene_files(of_all).items():
-        path = folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
-    sys.path.insert(0, str(folder))
-    yield of_all, importlib.import_module(of_all.name)
-    sys.path.remove(str(folder))
+@cache
+def texts(tier: Tier, *names: str) -> tuple[SceneFunctions, dict[str, str]]:
+    """The scene's functions, of these names or all, in a tier; its C."""
+    of_all = scene_bits.functions()
+    made = in_tier(replace(of_all, functions=tuple(
+        f for f in of_all.functions if f.name in names or not names)), tier)
+    return made, scene_c_tier.files(made, BANNER) | scene_calls.tier_files(made, BANNER)
 
 
 @each_tier
 @pytest.mark.parametrize("compiler, flags", BUILDS,
                          ids=[" ".join((name, *flags)) for name, flags in BUILDS])
-def test_bits_are_the_same_in_c_and_numpy(carrier, tier, compiler: str, flags: tuple[str, ...],
-                                          tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+def test_bits_are_the_same_in_c_and_numpy(package: Path, tier, compiler: str,
+                                          flags: tuple[str, ...], tmp_path: Path,
+                                          monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    of_all, package = carrier
-    made = in_tier(of_all, tier)
+    monkeypatch.syspath_prepend(package)
+    made, files = texts(tier, *(() if {*flags} & {*WHOLE} else SOME))
     using = native.Compiler((compiler,), compiler, ("-fPIC", *flags))
-    files = scene_c_tier.files(made, BANNER) | scene_calls.tier_files(made, BANNER)
+    of_all = scene_bits.functions()
     library = library_of(files, of_all, made.stem, using, tuple(p.name for p in PRECISIONS))
     found = scene_calls.tier_interface(made)
+    assert {x.name for x in found.signatures} >= {*SOME}
     for p in PRECISIONS:
-        twins = importlib.import_module(f"{package.__name__}.{tier.mark}.{p.name}")
+        twins = importlib.import_module(f"{of_all.name}.{tier.mark}.{p.name}")
         for described in found.signatures:
             call = calls.compiled(found, library.opened, described, p)
             given = states(of_all, of_all.named(described.name), 40, p)

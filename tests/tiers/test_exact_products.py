@@ -9,7 +9,7 @@ import gmpy2
 import numpy as np
 import pytest
 
-from coscrew._exact import product_error, product_rest
+from coscrew._exact import product_error, product_rest, product_rest_single
 from tests.support.compiled.c_harness import EXACT, INCLUDE, run
 from tests.support.each import each_compiler
 
@@ -137,6 +137,19 @@ def test_numpy_rounds_once(rows, right):
     a, b, p, h = rows
     same(product_error(a, b, p), right[0], (a, b, p))
     same(product_rest(a, b, p, h), right[1], (a, b, h))
+
+
+def test_numpy_rounds_once_in_single_precision():
+    """h is a product's share of a sum, as the errors of sums have it."""
+    rng, n = np.random.default_rng(13), 20_000
+    a, b, c = (np.ldexp(rng.uniform(-1, 1, n), rng.integers(-20, 20, n)).astype(np.float32)
+               for _ in range(3))
+    p = a * b
+    h = p + c - (p + c - p)
+    with gmpy2.context(precision=24, emax=128, emin=-148, subnormalize=True):
+        wanted = [float(gmpy2.fms(*map(gmpy2.mpfr, row))) for row in zip(
+            a.tolist(), b.tolist(), h.tolist(), strict=True)]
+    assert product_rest_single(a, b, p, h).tolist() == wanted
 
 
 def same(got: np.ndarray, want: np.ndarray, inputs: tuple[np.ndarray, ...]) -> None:

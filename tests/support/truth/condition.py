@@ -47,11 +47,9 @@ def conditions(program: Program, inputs: Sequence[Sequence[Array]]) -> list[Arra
     """Of each result, for arrays of states; inf or NaN where there is no derivative."""
     changed, count = perturbed(program), len(program.results)
     given: list[Sequence[Any]] = [*inputs, [np.float64(1)] * changed.inputs[-1].quantity.size]
-    found: list[Array] = []
+    weights = list(np.eye(count)[:, :, None])  # of result k: 1 in row k, by which adjoints differ
     with np.errstate(all="ignore"):
-        for k in range(count):
-            weights = [np.float64(k == n) for n in range(count)]
-            results, slopes = adjoint(changed, ARRAYS, Functions(), given, weights)
-            total = sum((abs(x) for x in slopes[-1] if x is not None), np.zeros(1))
-            found.append(total / abs(results[k]) if np.any(total) else np.zeros(1))
-    return found
+        results, slopes = adjoint(changed, ARRAYS, Functions(), given, weights)
+        total = sum((abs(x) for x in slopes[-1] if x is not None), np.zeros((count, 1)))
+        return [size / abs(x) if np.any(size) else np.zeros(1)
+                for size, x in zip(total, results, strict=True)]

@@ -1,0 +1,14 @@
+"""The pairs tier: accurate single precision for processors that have no double.
+
+The accurate tier's compensated program, in single precision: every value, the model's decimals
+included, is carried as a pair of floats, hi + lo, and rounded at the end.
+"""
+
+from coscrew_codegen.formats import SINGLE
+from coscrew_codegen.tiers.accurate_scene import in_pairs
+from coscrew_codegen.tiers.tier import Tier
+
+TIER = Tier(
+    "pairs", 4, "Pairs tier: single precision compensated, every value a pair of floats.",
+    ("#8250c4", "#b58cf0"), make=None, scene=in_pairs, precisions=(SINGLE,), header="ksl_exact",
+    in_words="The pairs tier: float32 compensated, intermediate results carried as hi + lo.")

@@ -1,0 +1,78 @@
+"""What accuracy costs on a Cortex-M4F, whose double precision is software: instructions of a call,
+counted under qemu-user, and the largest errors found."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+from tabulate import tabulate
+
+from coscrew_codegen import emit
+from coscrew_codegen.formats import DOUBLE, SINGLE
+from coscrew_codegen.layout import scene_files
+from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene_functions import Function
+from coscrew_codegen.simulate.load import Kernels, load_scene
+from tests.support.compiled.cortex_m4 import built, counted
+from tests.support.scenes.robots import scene_of
+from tests.support.scenes.tiers import results, states
+
+ARM6 = Path(__file__).parents[2] / "examples" / "scenes" / "arm6.toml"
+ROBOTS = {"UR5": "ur_description/urdf/ur5_robot.urdf",
+          "Panda": "panda_description/urdf/panda.urdf"}
+FUNCTIONS = ("inverse_dynamics", "forward_dynamics")
+TIERS = ("accurate", "pairs")
+VARIANTS = ((SINGLE, ""), (SINGLE, "pairs"), (SINGLE, "accurate"), (DOUBLE, ""))
+STATES = 100
+
+
+def measured(kernels: Kernels, function: Function, folder: Path) -> Iterator[tuple[object, ...]]:
+    """A line for each variant: instructions, their ratio to plain's, worst error in units of
+    single's last digit, and that below a condition of 1000."""
+    least = 0
+    given = states(kernels.functions, function, STATES, SINGLE)  # numbers of both precisions
+    first = [x[0] for x in given]
+    for precision, tier in VARIANTS:
+        in_tier = getattr(kernels, tier) if tier else kernels
+        stem = "_".join(filter(None, (kernels.interface.name, tier)))
+        name = "_".join(filter(None, (kernels.interface.name, function.name, tier)))
+        made = folder / f"{stem}_{precision.name}.o"
+        if not made.exists():
+            built(folder, stem, precision)
+        count, there = counted(made, stem, function, f"{name}{precision.suffix}", first, precision)
+        found = getattr(getattr(in_tier, precision.name), function.name)(
+            *(x.astype(precision.numpy_type) for x in given))
+        assert np.array_equal(there, np.ravel(found[0])), "other bits than here"
+        judged = [(x.ulps(SINGLE), x.condition) for x in results(function.program, given, found)
+                  if x.true]
+        least = least or count
+        yield (function.name, precision.name, tier or "plain", count, f"{count / least:.1f}",
+               f"{max(u for u, _ in judged):.2g}",
+               f"{max(u for u, condition in judged if condition < 1000):.2g}")
+
+
+def rows() -> Iterator[tuple[object, ...]]:
+    """The lines of every robot."""
+    for name, scene in (("arm6", read_scene(ARM6)),
+                        *((name, scene_of(file)) for name, file in ROBOTS.items())):
+        kernels = load_scene(scene, functions=FUNCTIONS, tiers=TIERS)
+        with TemporaryDirectory() as folder:
+            emit.write({x: text for x, text in scene_files(kernels.functions).items()
+                        if x.endswith((".c", ".h"))}, Path(folder))
+            for function in kernels.functions.functions:
+                if not function.internal:
+                    for row in measured(kernels, function, Path(folder)):
+                        yield name, *row
+
+
+def main() -> None:
+    """Print the table."""
+    print(f"\nCortex-M4F (gcc -O2, qemu-arm): instructions of a call; errors of {STATES} states in "
+          "units of single's last digit")
+    print(tabulate(rows(), ("robot", "function", "precision", "tier", "instructions", "ratio",
+                            "worst", "worst, condition < 1000"), disable_numparse=True))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,79 @@
+"""Functions of scenes on a Cortex-M4F: their results and instruction counts, under qemu-user.
+
+Programs need no library to start: they make Linux's system calls.  With -singlestep every
+instruction is a block of its own, and qemu's log of blocks has a line for each.
+"""
+
+import subprocess
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.scene_functions import Function
+from coscrew_codegen.targets.scene_text import outputs, size
+from tests.support.compiled.c_harness import run
+
+COMPILER = ("arm-none-eabi-gcc", "-mcpu=cortex-m4", "-mthumb", "-mfpu=fpv4-sp-d16",
+            "-mfloat-abi=hard", "-O2")
+_START = """
+static int number;
+int *__errno(void) { return &number; }
+static void call_linux(long what, long a, const void *b, long c) {
+  register long r7 __asm__("r7") = what, r0 __asm__("r0") = a, r2 __asm__("r2") = c;
+  register const void *r1 __asm__("r1") = b;
+  __asm__ volatile("svc 0" : "+r"(r0) : "r"(r7), "r"(r1), "r"(r2) : "memory");
+}
+__attribute__((used)) static void start(const long *stack) { /* argc stands on it */
+  for (long k = 0; k < *stack; k++) call();
+  call_linux(4, 1, &result, sizeof result);
+  call_linux(1, 0, 0, 0);
+}
+__attribute__((naked)) void _start(void) { __asm__("mov r0, sp\\n\\tb start"); }
+"""
+
+
+def built(folder: Path, stem: str, precision: Precision) -> Path:
+    """The object of `stem`.c, which lies in this folder, in one precision."""
+    made = folder / f"{stem}_{precision.name}.o"
+    others = [f"-D{stem.partition('_')[0].upper()}_NO_{p.name.upper()}" for p in PRECISIONS
+              if p != precision]
+    run((*COMPILER, "-ffunction-sections", *others, "-c", folder / f"{stem}.c", "-o", made))
+    return made
+
+
+def counted(made: Path, header: str, function: Function, name: str, given: Sequence[np.ndarray],
+            precision: Precision) -> tuple[int, np.ndarray]:
+    """The instructions of a call, the difference between one call and two; and its results.
+    `name` is that of the function in this object."""
+    source, program = made.with_name(f"{name}_on_m4.c"), made.with_name(name)
+    source.write_text(_program(function, header, name, given, precision))
+    run((*COMPILER, "-Wl,--gc-sections", "-nostartfiles", source, made, "-o", program, "-lm"))
+    lengths, log = [], made.with_name(f"{name}.log")
+    for more in ((), ("again",)):
+        found = subprocess.run(
+            ("qemu-arm", "-singlestep", "-d", "exec,nochain", "-D", log, program, *more),
+            check=True, capture_output=True).stdout
+        lengths.append(sum(line.startswith("Trace") for line in log.open()))
+    return lengths[1] - lengths[0], np.frombuffer(found, precision.numpy_type)
+
+
+def _program(function: Function, header: str, name: str, given: Sequence[np.ndarray],
+             precision: Precision) -> str:
+    """A program that calls the function with one state, and writes its results."""
+    kind, suffix = precision.c_type, precision.suffix
+    arguments, lines = [], []
+    for a, x in zip(function.program.inputs, given, strict=True):
+        numbers = ", ".join(f"{float(y).hex()}{suffix}" for y in np.ravel(x))
+        lines.append(f"static volatile {kind} {a.name}_[] = {{{numbers}}};")
+        arguments.append(f"({kind} *){a.name}_" if a.quantity.shape else f"{a.name}_[0]")
+    members = outputs(function)
+    fields = " ".join(f"{kind} {a.name}[{size(a)}];" for a in members)
+    returned = not members[0].quantity.shape
+    arguments += [f"result.{a.name}" for a in members[returned:]]
+    call = f"{name}({', '.join(arguments)});"
+    lines += [f"static struct {{ {fields} }} result;",
+              "__attribute__((noinline)) static void call(void) { "
+              f"{f'result.{members[0].name}[0] = {call}' if returned else call} }}"]
+    return "\n".join((f'#include "{header}.h"', *lines, _START))
