@@ -6,6 +6,7 @@ from tests.benchmarks import (
     dynamics,
     gufuncs,
     header_kernels,
+    scene_calls,
     scene_tiers,
     tiers,
 )
@@ -14,6 +15,7 @@ header_kernels.main()
 gufuncs.main()
 tiers.main()
 scene_tiers.main()
+scene_calls.main()
 cortex_m4.main()
 accuracy.main()
 dynamics.main()
