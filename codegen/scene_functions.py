@@ -35,6 +35,7 @@ class Function:
     program: Program
     headings: tuple[tuple[int, str], ...] = ()
     internal: bool = False
+    rounding: str = ""  # how far roundings can move its outputs, if that is proved
 
     def takes(self, name: str) -> bool:
         """Whether an input has this name."""

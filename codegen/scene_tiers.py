@@ -56,7 +56,7 @@ def _function(plain: Function, tier: Tier, precision: Precision) -> Function:
         raise ValueError(f"scenes do not have the {tier.name} tier")
     program = tier.scene(plain.program, precision)
     words = {_heading(plain, place): text for place, text in plain.headings}
-    return replace(plain, program=program, headings=tuple(
+    return replace(plain, program=program, rounding="", headings=tuple(
         (place, words.get(heading, heading)) for place, heading in headings(program)))
 
 
