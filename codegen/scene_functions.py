@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.parameter import Sign
 from coscrew_codegen.program import Program
+from coscrew_codegen.quantity import Argument
 
 Arrays = tuple[tuple[str, tuple[int, ...]], ...]
 """Names and shapes of arguments or results."""
@@ -27,7 +28,8 @@ class Function:
     The program's inputs come in this order, as far as it has them: t, h (scalars), p (parameters),
     q, v, then a, tau, phi or others; in C its outputs follow, in Python they are returned.
     `headings` are pairs (index of an instruction, comment above it), one section per body.  An
-    `internal` function is called by steps only and is not declared in the header.
+    `internal` function is called by steps only and is not declared in the header.  Where `plain` is
+    given, the results of this plain program are computed first and are the program's last inputs.
     """
 
     name: str  # inverse_dynamics, jacobian_hand
@@ -36,6 +38,17 @@ class Function:
     headings: tuple[tuple[int, str], ...] = ()
     internal: bool = False
     rounding: str = ""  # how far roundings can move its outputs, if that is proved
+    plain: Program | None = None
+
+    @property
+    def inputs(self) -> tuple[Argument, ...]:
+        """What callers give it."""
+        return (self.plain or self.program).inputs
+
+    @property
+    def computed(self) -> tuple[Argument, ...]:
+        """The inputs of its program that are computed first."""
+        return self.program.inputs[len(self.inputs):]
 
     def takes(self, name: str) -> bool:
         """Whether an input has this name."""

@@ -10,7 +10,7 @@ from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.recording.recorder import headings
 from coscrew_codegen.scene_functions import Function, SceneFunctions
-from coscrew_codegen.tiers import Tier
+from coscrew_codegen.tiers import PLAIN, Tier
 
 
 class NoFunctionsError(ReportedError, ValueError):
@@ -29,6 +29,12 @@ class SceneTier:
     def first(self) -> SceneFunctions:
         """Its functions in the first precision: names and arguments are the same in all."""
         return self.in_precisions[0][1]
+
+    def called(self, scene: SceneFunctions) -> SceneFunctions:
+        """The plain functions whose results these functions of the tier take, as internal ones."""
+        taken = tuple(replace(self.plain.named(f.name), internal=True)
+                      for f in scene.functions if f.plain)
+        return replace(scene, functions=taken, mark=PLAIN.name)
 
     @property
     def stem(self) -> str:
@@ -56,8 +62,10 @@ def _function(plain: Function, tier: Tier, precision: Precision) -> Function:
         raise ValueError(f"scenes do not have the {tier.name} tier")
     program = tier.scene(plain.program, precision)
     words = {_heading(plain, place): text for place, text in plain.headings}
-    return replace(plain, program=program, rounding="", headings=tuple(
-        (place, words.get(heading, heading)) for place, heading in headings(program)))
+    more = len(program.inputs) > len(plain.program.inputs)
+    return replace(plain, program=program, plain=plain.program if more else None, rounding="",
+                   headings=tuple((place, words.get(heading, heading))
+                                  for place, heading in headings(program)))
 
 
 def _heading(function: Function, place: int) -> str:

@@ -112,7 +112,7 @@ def functions_of(scene: SceneFunctions, plans: Sequence[Plan], parts: Parts,
 def _function(scene: SceneFunctions, function: Function, body: str, precision: Precision
               ) -> CFunction:
     outputs = scene_text.outputs(function)
-    parameters = [*(arguments.read(a, precision) for a in function.program.inputs),
+    parameters = [*(arguments.read(a, precision) for a in function.inputs),
                   *(arguments.written(a, precision) for a in outputs)]
     shapes = [f"{a.name}: {' × '.join(map(str, a.quantity.shape))}."
               for a in outputs if len(a.quantity.shape) > 1]

@@ -40,7 +40,7 @@ def tier_interface(made: SceneTier) -> SceneInterface:
 
 def callables(scene: SceneFunctions) -> tuple[Signature, ...]:
     """All public functions, steps last."""
-    found = [Signature(f.name, tuple((a.name, tuple(a.quantity.shape)) for a in f.program.inputs),
+    found = [Signature(f.name, tuple((a.name, tuple(a.quantity.shape)) for a in f.inputs),
                   tuple((a.name, tuple(a.quantity.shape)) for a in scene_text.outputs(f)),
                   scene_text.words(f, not scene.mark), computes=bool(f.program.instructions))
              for f in scene.functions if not f.internal]

@@ -110,7 +110,8 @@ def _module(scene: SceneFunctions, plans: Sequence[Plan], banner: str, precision
     return render("scene/precision.py", banner=banner, name=scene.name, precision=precision,
                   title=f"{scene.name} in {precision.name} precision"
                         f"{scene.mark and f', {scene.mark} tier'}.",
-                  parent=".." if scene.mark else ".", working=working, exact=", ".join(exact),
+                  parent=".." if scene.mark else ".", working=working,
+                  plain=any(f.computed for f in functions), exact=", ".join(exact),
                   signs=bool(scene.signs),
                   names=[row for words in legend
                          for row in wrap(words, WIDTH, subsequent_indent="    ")],
@@ -152,15 +153,23 @@ def _function(scene: SceneFunctions, function: Function, plan: Plan, precision: 
     working = scene_text.working([program], precision)
     expressions = plan.printed(language(working, working.literal), scene_text.access(program),
                                headings)
-    given = [a.name for a in program.inputs]
-    lines = [_unpacking("components", [(a.name, _shape(a)) for a in program.inputs],
+    given, taken = [a.name for a in function.inputs], [a.name for a in program.inputs]
+    lines = [*_plain_results(function),
+             _unpacking("components", [(a.name, _shape(a)) for a in program.inputs],
                         precision, bool(scene.signs) and not function.internal),
-             *([_widened(given)] if program.wide and given else []),
+             *([_widened(taken)] if program.wide and taken else []),
              *map(_assigned, expressions.assigned)]
     made = list(_assembled(outputs, expressions.results, precision))
     lines.append(f"return delivered(out, {made[0]})" if len(made) == 1 else
                  listed("return delivered(", ["out", *made], ")", WIDTH - 4))
     return _text(python_name(function), given, scene_text.words(function), lines)
+
+
+def _plain_results(function: Function) -> Iterator[str]:
+    """The statement that computes what the program takes of the plain function."""
+    if function.computed:
+        names = ", ".join(a.name for a in function.computed)
+        yield f"{names} = plain.{function.name}({', '.join(a.name for a in function.inputs)})"
 
 
 def _widened(names: Sequence[str]) -> str:

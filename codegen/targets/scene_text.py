@@ -86,7 +86,7 @@ def step_words(scene: SceneFunctions, step: Step) -> tuple[str, ...]:
 def words(function: Function, costs: bool = True) -> tuple[str, ...]:
     """A function's documentation in Python, a paragraph each; the last what it costs."""
     given, made = (", ".join(f"{a.name} {tuple(a.quantity.shape)}" for a in side)
-                   for side in (function.program.inputs, outputs(function)))
+                   for side in (function.inputs, outputs(function)))
     return (sentence(function.words), f"Last axes: {given} -> {made}.",
             *filter(None, [function.rounding]), *([cost(function)] if costs else []))
 
@@ -168,7 +168,8 @@ def sentence(words: str) -> str:
 
 def cost(function: Function) -> str:
     """'24 mul, 18 add.'"""
-    return f"{counts_in_words(function.program).capitalize()}."
+    plain = ", and the plain function" if function.plain else ""
+    return f"{counts_in_words(function.program).capitalize()}{plain}."
 
 
 def order_in_words(scene: SceneFunctions) -> list[str]:

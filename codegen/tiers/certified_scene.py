@@ -19,7 +19,7 @@ rules:
                  where the choice is continuous, and covers a jump where it is not.
     sin, cos     d is what the function errs by, and slope d_x; s = 1 + s_x (1 + B_x / κ u): the
                  square of x's error is at most κ u (1 + B_x / κ u) k u s_x; tanh alike, with |ŷ|
-                 for 1;
+                 for 1; sin and cos of an exact x, if there are many, s = |ŷ|;
     exp          s = ŷ (1 + s_x (1 + B_x / κ u)) if B_x <= 1/4.
 
 To add e to a bound is to add e / m u² to s.  Inf and NaN are no statement.
@@ -29,7 +29,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 
-from coscrew_codegen.formats import Precision
+from coscrew_codegen.errors import ReportedError
+from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
 from coscrew_codegen.program import (
     Constant,
     Instruction,
@@ -40,17 +41,29 @@ from coscrew_codegen.program import (
     Ref,
     without_dead_steps,
 )
+from coscrew_codegen.program.ops import COMPARISONS
 from coscrew_codegen.program.program import name_of
+from coscrew_codegen.tiers.certified_wide import of_single, with_plain_results
 from coscrew_codegen.tiers.errors import ONE, ZERO, constant
 from coscrew_codegen.tiers.sizes import SPREAD, Size, Sizes
 from coscrew_codegen.tiers.tier import bounds_of_outputs
 
+MANY = 16
+"""Up to so many sines and cosines, 1 is a good size: it makes those of turned vectors up to √2
+larger at each joint, but factors of 1 cost nothing."""
 REST = 256
 """What is computed as an elementary function's error is right to REST u² of its result."""
 
 
+class NoRuleError(ReportedError, ValueError):
+    """A function has an operation whose error the tier cannot bound."""
+
+
 def of_scene(program: Program, precision: Precision) -> Program:
-    """The plain program of a scene's function, extended by bounds of its results' errors."""
+    """The plain program of a scene's function, extended by bounds of its results' errors; in single
+    precision they follow from the certified results in double.  Raises NoRuleError."""
+    if precision == SINGLE:
+        return with_plain_results(program, of_scene(of_single(program), DOUBLE))
     certifier = _Certifier(program, precision)
     for step in program.instructions:
         certifier.compensate(step)
@@ -72,18 +85,24 @@ class _Certifier(Sizes):
     def __init__(self, program: Program, precision: Precision) -> None:
         super().__init__(program, precision)
         self._tests: dict[str, Instruction] = {}
+        self._many = len(self.circular) > MANY
         self._size_of: dict[Op, Callable[[Instruction], Size]] = {
             Op.ADD: self.of_sum, Op.SUB: self.of_sum, Op.MUL: self.of_product,
             Op.NEG: lambda step: self.size(step.operands[0]), Op.ABS: self._of_absolute,
             Op.DIV: self._of_quotient, Op.SQRT: self._of_root, Op.SELECT: self._of_choice,
             Op.SIN: self._of_angle, Op.COS: self._of_angle, Op.TANH: self._of_tangent,
             Op.EXP: self._of_exponential}
+        unknown = sorted(op.value for op in program.counts
+                         if op not in self._size_of and op not in COMPARISONS)
+        if unknown:
+            raise NoRuleError(f"{program.name}: the certified tier has no rule for "
+                              f"{' and '.join(unknown)}")
 
     def compensate(self, step: Instruction) -> None:
         """Issue a plain instruction, its error and its size."""
         self._at = step
         super().compensate(step)
-        if step.op in (Op.LESS, Op.EQUAL):
+        if step.op in COMPARISONS:
             self._tests[step.name] = step
         else:
             self.follow(step, self._size_of[step.op](step))
@@ -185,6 +204,8 @@ class _Certifier(Sizes):
         return self.do(Op.ABS, self.do(Op.SUB, x, y))
 
     def _of_angle(self, step: Instruction) -> Size:
+        if self._many and self.size(step.operands[0]).exact:
+            return self._curved(step, self.do(Op.ABS, Ref(step.name)))
         return replace(self._curved(step, ONE), h=Fraction(0))
 
     def _of_tangent(self, step: Instruction) -> Size:

@@ -7,9 +7,8 @@ decimals, hi + lo in the given precision.
 
 from fractions import Fraction
 
-from coscrew_codegen.formats import SINGLE, Precision
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program
-from coscrew_codegen.program.program import name_of
 from coscrew_codegen.tiers.accurate_scene import OfScene
 
 
@@ -38,15 +37,6 @@ class Errors(OfScene):
     def nearest(self, x: Constant) -> Constant:
         """The constant in this precision."""
         return constant(Fraction(float(self.precision.rounded(self.precision.value(x)))))
-
-    def _rest(self, step: Instruction, x: Operand, share: Operand, name: str) -> Operand:
-        """As of its base; in single precision by the error of the product."""
-        product = self._products.get(name_of(x))
-        if product is None or self.precision != SINGLE:
-            return super()._rest(step, x, share, name)
-        error = self.issue(step, Op.PRODUCT_ERROR, (*product.operands, x), "error")
-        rest = self.issue(step, Op.EXACT_SUB, (x, share), name)
-        return self.issue(step, Op.ADD, (rest, error), name)
 
     def _normalized(self, step: Instruction, operand: Operand) -> Operand:
         """Itself: hi is the plain value."""

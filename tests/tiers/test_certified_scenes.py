@@ -11,7 +11,7 @@ from types import ModuleType
 import pytest
 
 from coscrew_codegen.elementary import ERRORS, Elementary
-from coscrew_codegen.formats import PRECISIONS
+from coscrew_codegen.formats import DOUBLE, PRECISIONS
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.program import Op, Operand, Program, Ref
 from coscrew_codegen.scene_files.toml_scene import read_scene
@@ -121,6 +121,15 @@ def test_no_bound_is_broken_by_a_formula(formula: str, toy: Toy):
     assert worst > 0.4  # and the search comes close
 
 
+@pytest.mark.parametrize("toy", TOYS, ids=str)
+@pytest.mark.parametrize("formula", ("sine", "circle"))
+def test_no_bound_is_broken_where_sines_are_many(formula: str, toy: Toy,
+                                                 monkeypatch: pytest.MonkeyPatch):
+    """Then their sizes are their own."""
+    monkeypatch.setattr(certified_scene, "MANY", 0)
+    test_no_bound_is_broken_by_a_formula(formula, toy)
+
+
 EXAMPLES = Path(__file__).parents[2] / "examples/scenes"
 FUNCTIONS = ("inverse_dynamics", "forward_dynamics", "mass_matrix", "energy", "body_poses",
              "body_twists", "integrated", "implicit_acceleration")
@@ -178,6 +187,15 @@ def _mutated(module: str, old: str, new: str) -> ModuleType:
         changed[name] = sys.modules[spec.name] = module_from_spec(spec)
         exec(compile(source, name, "exec"), vars(changed[name]))
     return changed["certified_scene"]
+
+
+@pytest.mark.parametrize("op", (Op.ATAN2, Op.SCALE))
+def test_an_operation_without_a_rule_is_named(op: Op):
+    w = Writer(*map(argument, NAMES))
+    plain = w.function("bearing", "", (argument("r"),), [w.do("r", op, *map(w.at, "ab"))]).program
+    with pytest.raises(certified_scene.NoRuleError, match=(
+            f"^bearing: the certified tier has no rule for {op.value}$")):
+        certified_scene.of_scene(plain, DOUBLE)
 
 
 @pytest.mark.parametrize("function", ERRORS, ids=lambda function: function.name)

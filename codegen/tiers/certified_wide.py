@@ -1,0 +1,81 @@
+"""The certified tier of scenes' functions in single precision.
+
+The plain results x̂ are computed first.  Then the certified program in double, with the exact
+decimals of single's constants, gives w and its bound B, so
+
+    |x̂ - x| <= |x̂ - w| + B.
+
+That is all but the true error, since w is 2^29 times more exact than x̂; the proof is that of
+double precision.  The sum has three roundings in double, and one to single precision, which loses
+at most u of it or half the least subnormal number: the factor 1 + 4 u and this number, added unless
+the sum is 0, are more than all.
+"""
+
+from dataclasses import replace
+from fractions import Fraction
+
+from coscrew_codegen.formats import SINGLE
+from coscrew_codegen.program import (
+    Constant,
+    Input,
+    Instruction,
+    NotANumber,
+    Op,
+    Operand,
+    Program,
+    Ref,
+    without_dead_steps,
+)
+from coscrew_codegen.quantity import Argument
+from coscrew_codegen.tiers.errors import ZERO, constant
+from coscrew_codegen.tiers.tier import bounds_of_outputs
+
+ROUNDED = constant(1 + 4 * SINGLE.u)
+LEAST = constant(2 * SINGLE.eta)
+
+
+def with_plain_results(plain: Program, certified: Program) -> Program:
+    """The bounds of the plain program's results in single precision; these results are further
+    inputs.  `certified` is the plain program's in double."""
+    count, first = len(plain.results), len(plain.inputs)
+    given = tuple(Argument(f"{plain.name}_{a.name}", a.quantity) for a in plain.outputs)
+    places = {f"{a.name}_{k}_distance": Input(first + n, k) for n, a in enumerate(given)
+              for k in range(a.quantity.size)}
+    steps, bounds = list(certified.instructions), []
+    for (name, x), w, bound in zip(places.items(), certified.results[:count],
+                                   certified.results[count:], strict=True):
+        bounds.append(bound if _is_kept(w, bound) else _bound(steps, name, x, w, bound))
+    return without_dead_steps(replace(
+        certified, inputs=(*plain.inputs, *given), instructions=tuple(steps), wide=True,
+        outputs=(*plain.outputs, *bounds_of_outputs(plain.outputs)),
+        results=(*places.values(), *bounds)))
+
+
+def of_single(program: Program) -> Program:
+    """The program whose constants in double have the values of single precision."""
+    def single(x: Operand) -> Operand:
+        return Constant(x.single, x.single, x.name) if isinstance(x, Constant) else x
+
+    return replace(program, results=tuple(map(single, program.results)), instructions=tuple(
+        replace(step, operands=tuple(map(single, step.operands))) for step in program.instructions))
+
+
+def _is_kept(w: Operand, bound: Operand) -> bool:
+    """Whether single precision has w and so no error, or the result is NaN."""
+    exact = isinstance(w, Input) or isinstance(w, Constant) and w.double == Fraction(
+        float(SINGLE.rounded(w.double)))
+    return bound == ZERO and exact or isinstance(bound, NotANumber)
+
+
+def _bound(steps: list[Instruction], name: str, x: Operand, w: Operand, bound: Operand) -> Operand:
+    """Issues |x̂ - w| + B, rounded up unless it is 0; its names begin with this one."""
+    last = "bounds of the errors:"
+    sums = ((Op.ADD, bound),) if bound != ZERO else ()
+    for number, (op, *more) in enumerate(((Op.SUB, w), (Op.ABS,), *sums, (Op.MUL, ROUNDED)), 1):
+        steps.append(Instruction(f"{name}_{number}", op, (x, *more), last))
+        x = Ref(f"{name}_{number}")
+    test, least, total = (f"{name}_{word}" for word in ("test", "least", "total"))
+    steps += [Instruction(test, Op.LESS, (ZERO, x), last),
+              Instruction(least, Op.SELECT, (Ref(test), LEAST, ZERO), last),
+              Instruction(total, Op.ADD, (x, Ref(least)), last)]
+    return Ref(total)

@@ -1,0 +1,115 @@
+"""How close certified bounds of scenes' functions are to the true errors, and what they cost.
+
+`python -m tests.benchmarks.certified_scenes` prints, for robots of example-robot-data, the median,
+the 90th percentile and the largest of bound / error, over all components with an error at random
+states.  The truth is the plain program in 60 digits with the model's exact decimals.  With
+--calibration it prints instead how many of 1e5 outputs of each function have a bound of at most so
+many times the error, judged in 113 bits.
+"""
+
+import argparse
+import tempfile
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import mpmath
+import numpy as np
+from tabulate import tabulate
+
+from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.scene_functions import Function, SceneFunctions
+from coscrew_codegen.simulate.load import Kernels, kernels_of
+from tests.support.scenes.robots import scene_of
+from tests.support.scenes.tiers import DIGITS, flat, states, truths
+from tests.support.truth import quad
+
+ROBOTS = {"ur5": ("ur_description/urdf/ur5_robot.urdf", False),
+          "panda": ("panda_description/urdf/panda.urdf", False),
+          "g1": ("g1_description/urdf/g1_29dof_rev_1_0.urdf", True)}
+"""Files, and whether the base is free: 6, 9 and 35 degrees of freedom."""
+FUNCTIONS = ("inverse_dynamics", "mass_matrix", "forward_dynamics")
+OUTPUTS = 1000
+"""Of each function and precision, at least."""
+CALIBRATED = 100_000
+FACTORS = (1.00001, 1.001, 1.01, 1.1, 2)
+
+
+def kernels(name: str) -> Kernels:
+    """The robot under gravity, with the certified tier."""
+    functions = derive(scene_of(*ROBOTS[name]), FUNCTIONS)
+    return kernels_of(replace(functions, name=name, tiers=("certified",)))
+
+
+def ratios(plain: SceneFunctions, function: Function, certified: object, p: Precision, count: int
+           ) -> tuple[np.ndarray, int]:
+    """Bound / error of each component that has an error, inf without a statement, at this many
+    states; and how many bounds are smaller."""
+    given = states(plain, function, count, p)
+    results, bounds = (flat(x, count) for x in certified(*given))
+    found, broken = [], 0
+    with mpmath.workdps(DIGITS):
+        for row, true in enumerate(truths(function.program, given)):
+            for x, bound, exact in zip(results[row], bounds[row], true, strict=True):
+                error = abs(mpmath.mpf(float(x)) - exact)
+                if not np.isfinite(bound):
+                    found.append(np.inf)
+                    continue
+                broken += bool(error > float(bound))
+                if error:
+                    found.append(float(float(bound) / error))
+    return np.array(found), broken
+
+
+def rows(name: str, outputs: int) -> Iterator[tuple[object, ...]]:
+    """A line for each function and precision."""
+    plain = kernels(name)
+    for function in plain.functions.functions:
+        count = -(-outputs // len(function.program.results))
+        for p in PRECISIONS:
+            certified = getattr(getattr(plain.certified, p.name), function.name)
+            found, broken = ratios(plain.functions, function, certified, p, count)
+            yield (name, function.name, p.name, count, len(found), *(f"{x:.4g}" for x in (
+                np.median(found), *np.quantile(found, (0.9, 1), method="higher"))),
+                int(np.isinf(found).sum()), broken)
+
+
+def calibration(name: str, outputs: int, folder: Path) -> Iterator[tuple[object, ...]]:
+    """A line for each function and precision: the parts of the outputs with an error whose bound is
+    at most each of FACTORS times it."""
+    plain = kernels(name)
+    for function in plain.functions.functions:
+        count, judge = -(-outputs // len(function.program.results)), quad.judge(
+            function.program, folder)
+        for p in PRECISIONS:
+            given = states(plain.functions, function, count, p)
+            certified = getattr(getattr(plain.certified, p.name), function.name)(*given)
+            found = judge(flat(tuple(given), count), *(flat(x, count) for x in certified))
+            bounds = 1 / found[found > 0]
+            yield (name, function.name, p.name, bounds.size, *(
+                f"{100 * np.mean(bounds <= x):.3f}" for x in FACTORS), f"{bounds.max():.4g}")
+
+
+def main() -> None:
+    """Print the table."""
+    parser = argparse.ArgumentParser(description="Certified bounds beside true errors.")
+    parser.add_argument("--robot", nargs="+", default=[*ROBOTS], choices=ROBOTS)
+    parser.add_argument("--outputs", type=int, default=OUTPUTS)
+    parser.add_argument("--calibration", action="store_true")
+    options = parser.parse_args()
+    if options.calibration:
+        with tempfile.TemporaryDirectory() as folder:
+            shares = [row for name in options.robot
+                      for row in calibration(name, CALIBRATED, Path(folder))]
+        print(tabulate(shares, ("robot", "function", "precision", "outputs with an error", *(
+            f"<= {x}" for x in FACTORS), "largest"), disable_numparse=True))
+        return
+    table = [row for name in options.robot for row in rows(name, options.outputs)]
+    print(tabulate(table, ("robot", "function", "precision", "states", "outputs with an error",
+                           "bound / error: median", "90 %", "largest", "no statement", "broken"),
+                   disable_numparse=True))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,51 @@
+"""Certified bounds of scenes hold in double and single precision, at hard states too, as compiled;
+and what is left out of the proof is noticed."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from coscrew_codegen.program import Constant, Op, Operand
+from coscrew_codegen.tiers import certified_wide
+from coscrew_codegen.tiers.errors import ONE, ZERO
+from coscrew_codegen.tiers.sizes import Size, Sizes
+from tests.certified_attack import Found, kernels, of_scene
+from tests.support.truth.wide import IS_WIDE
+
+FUNCTIONS = "inverse_dynamics", "energy"
+needs_quad = pytest.mark.skipif(not IS_WIDE, reason="numbers of 113 bits are libquadmath's, of x86")
+
+
+def _found(scene: str, outputs: int, folder: Path) -> dict[str, Found]:
+    """By precision."""
+    found: dict[str, Found] = {}
+    for _, precision, x in of_scene(kernels(scene, FUNCTIONS), outputs, folder, 1):
+        found[precision] = found.get(precision, Found()) + x
+    return found
+
+
+@needs_quad
+@pytest.mark.parametrize("scene", ("pendulum", "wingnut"))
+def test_no_bound_is_broken(scene: str, tmp_path: Path):
+    for found in _found(scene, 10_000, tmp_path).values():
+        assert not found.broken and found.outputs > 15_000
+        assert found.worst > 1 - 1e-6  # a bound is the error to so many digits
+
+
+def _first_order(self: Sizes, x: Operand, size: Size) -> Operand:
+    """|d| for a bound."""
+    low = None if isinstance(x, Constant) else self.low(self._at, x)
+    return ZERO if low is None else self.do(Op.ABS, low)
+
+
+@needs_quad
+@pytest.mark.parametrize("weaken, precision", (
+    (lambda patch: patch.setattr(Sizes, "_bound", _first_order), "double"),
+    (lambda patch: patch.setattr(certified_wide, "LEAST", ZERO), "single"),
+    (lambda patch: patch.setattr(certified_wide, "ROUNDED", ONE), "single")),
+    ids=("second order", "least number", "rounding"))
+def test_a_weaker_proof_is_noticed(weaken: Callable[[pytest.MonkeyPatch], None], precision: str,
+                                   tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    weaken(monkeypatch)
+    assert _found("pendulum", 10_000, tmp_path)[precision].broken
