@@ -11,6 +11,7 @@ import numpy as np
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.mechanics.derivation import tree_for
 from coscrew_codegen.program.interpreter import interpreter
+from coscrew_codegen.scene.model import Joint
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import Function
 from coscrew_codegen.simulate.load import Kernels
@@ -66,11 +67,15 @@ class Box:
         if name == "p":
             values = [float(np.float32(p.value)) for p in self.scene.parameters]
             return [0.0] * len(values), values
-        joints = [x.joint for x in tree_for(self.scene).links if x.driver is None]
-        ends = [(j.lower, j.upper) if name == "q" else (-j.velocity, j.velocity) for j in joints]
-        low, high = zip(*((-10.0, 10.0) if None in x else tuple(map(float, x)) for x in ends),
-                        strict=True)
+        low, high = zip(*(_limits(x.joint, name) for x in tree_for(self.scene).links
+                          if x.driver is None), strict=True)
         return list(low), list(high)
+
+
+def _limits(joint: Joint, name: str) -> tuple[float, float]:
+    speed = joint.velocity
+    low, high = (joint.lower, joint.upper) if name == "q" else (speed and -speed, speed)
+    return (-10.0, 10.0) if low is None or high is None else (float(low), float(high))
 
 
 def worst_found(kernels: Kernels, function: Function, output: str, states: int, rounds: int
