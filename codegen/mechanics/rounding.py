@@ -8,8 +8,8 @@ from math import inf, isfinite, nextafter
 
 from coscrew_codegen.elementary.sincos import FUNCTION as SINCOS
 from coscrew_codegen.formats import Precision, named
+from coscrew_codegen.mechanics.rounding_rules import Rounded, moved
 from coscrew_codegen.program import Program
-from coscrew_codegen.program.rounding import Rounded, moved
 from coscrew_codegen.scene.model import Joint, Kind
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.tree import Tree

@@ -14,9 +14,9 @@ import coscrew
 from coscrew_codegen.formats import PRECISIONS, SINGLE
 from coscrew_codegen.layout import scene_files
 from coscrew_codegen.mechanics import derive
+from coscrew_codegen.mechanics.rounding_rules import moved
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.interpreter import by_operation, exactly, interpreter
-from coscrew_codegen.program.rounding import moved
 from coscrew_codegen.scene.model import Kind, Model
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulate.load import Kernels, kernels_for

@@ -16,21 +16,18 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from math import frexp, inf, ldexp, nextafter, sqrt
-from typing import TYPE_CHECKING
 
-from coscrew_codegen.program.interpreter import Arithmetic, evaluate
-from coscrew_codegen.program.ops import Op
-from coscrew_codegen.program.program import (
+from coscrew_codegen.formats import Precision
+from coscrew_codegen.program import (
     Constant,
     Instruction,
     NotANumber,
+    Op,
     Operand,
     Program,
     scales,
 )
-
-if TYPE_CHECKING:
-    from coscrew_codegen.formats import Precision
+from coscrew_codegen.program.interpreter import Arithmetic, evaluate
 
 _CIRCULAR = {Op.SIN, Op.COS}
 FOLLOWED = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG, *_CIRCULAR})
@@ -48,7 +45,7 @@ class Rounded:
     rest: float = 0.0  # of a multiple: error less that of the other factor
 
 
-def moved(program: Program, precision: "Precision", sizes: Sequence[Sequence[float]],
+def moved(program: Program, precision: Precision, sizes: Sequence[Sequence[float]],
           of_sine: float) -> tuple[Rounded, ...] | None:
     """Every component of the results, for all arguments whose components are up to these sizes;
     None if the program has operations that are not followed.  A sine or cosine errs by at most
@@ -83,7 +80,7 @@ def _length(a: float, b: float) -> float:
 class _Follow:
     """The rules in a precision."""
 
-    precision: "Precision"
+    precision: Precision
     of_sine: float
 
     def __post_init__(self) -> None:
