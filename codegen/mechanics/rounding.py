@@ -80,7 +80,9 @@ def _domain(program: Program, tree: Tree) -> str:
         ("q", "limits"), ("v", "velocities")) if name in taken]
     if "q" in taken and not any(link.joint.lower is not None for link in tree.links):
         words[0] = "q"
-    return " and ".join([*words, *(["parameters up to the scene's"] if "p" in taken else [])])
+    if "p" in taken:
+        words.append("parameters up to the scene's in size")
+    return " and ".join(words)
 
 
 def _up(bound: float) -> str:

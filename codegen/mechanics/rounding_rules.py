@@ -13,9 +13,10 @@ Constants are the exact decimals.  Each of these bounds is rounded up.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from math import frexp, inf, ldexp, nextafter, sqrt
+from typing import NamedTuple
 
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import (
@@ -34,8 +35,7 @@ FOLLOWED = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG, *_CIRCULAR})
 """The operations that are followed."""
 
 
-@dataclass(frozen=True)
-class Rounded:
+class Rounded(NamedTuple):
     """|x| <= size, |x̂ - x| <= error; what it is a sine or cosine of, or a multiple of such."""
 
     size: float
@@ -124,7 +124,7 @@ class _Follow:
         for x, y in ((a, b), (b, a)):
             if x.circular and not x.factor:
                 rest = _sum(_product(x.error, y.size), both, last)
-                return replace(found, circular=x.circular, factor=y, rest=rest)
+                return found._replace(circular=x.circular, factor=y, rest=rest)
         return found
 
     def _function(self, of: tuple[Op, Operand], x: Rounded) -> Rounded:
