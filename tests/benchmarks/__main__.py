@@ -6,6 +6,7 @@ from tests.benchmarks import (
     dynamics,
     gufuncs,
     header_kernels,
+    rounding_statements,
     scene_calls,
     scene_tiers,
     tiers,
@@ -17,5 +18,6 @@ tiers.main()
 scene_tiers.main()
 scene_calls.main()
 cortex_m4.main()
+rounding_statements.main()
 accuracy.main()
 dynamics.main()

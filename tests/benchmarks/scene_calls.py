@@ -1,5 +1,5 @@
-"""What calls of a Panda's functions take from C: plain, with the C library's sine and cosine, and in
-the accurate and certified tiers; with every compiler, as users compile and for this processor."""
+"""What a call of a Panda's functions takes from C: plain, with the C library's sine and cosine, and
+in the accurate and certified tiers; with every compiler, by usual flags and for this processor."""
 
 import ctypes
 import shutil
