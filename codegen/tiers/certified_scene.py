@@ -22,6 +22,8 @@ rules:
                  for 1; sin and cos of an exact x, if there are many, s = |ŷ|;
     exp          s = ŷ (1 + s_x (1 + B_x / κ u)) if B_x <= 1/4.
 
+The first digits of a number that is split (splits.py) are exact: results do not depend on them.
+
 To add e to a bound is to add e / m u² to s.  Inf and NaN are no statement.
 """
 
@@ -46,6 +48,7 @@ from coscrew_codegen.program.program import name_of
 from coscrew_codegen.tiers.certified_wide import of_single, with_plain_results
 from coscrew_codegen.tiers.errors import ONE, ZERO, constant
 from coscrew_codegen.tiers.sizes import SPREAD, Size, Sizes
+from coscrew_codegen.tiers.splits import splits
 from coscrew_codegen.tiers.tier import bounds_of_outputs
 
 MANY = 16
@@ -86,6 +89,7 @@ class _Certifier(Sizes):
         super().__init__(program, precision)
         self._tests: dict[str, Instruction] = {}
         self._many = len(self.circular) > MANY
+        self._splits = splits(program)
         self._size_of: dict[Op, Callable[[Instruction], Size]] = {
             Op.ADD: self.of_sum, Op.SUB: self.of_sum, Op.MUL: self.of_product,
             Op.NEG: lambda step: self.size(step.operands[0]), Op.ABS: self._of_absolute,
@@ -101,6 +105,9 @@ class _Certifier(Sizes):
     def compensate(self, step: Instruction) -> None:
         """Issue a plain instruction, its error and its size."""
         self._at = step
+        if step.name in self._splits:
+            self.steps.append(step)
+            return
         super().compensate(step)
         if step.op in COMPARISONS:
             self._tests[step.name] = step

@@ -16,6 +16,7 @@ from coscrew_codegen.mechanics import derive
 from coscrew_codegen.program import Op, Operand, Program, Ref
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.tiers import certified_scene, sizes
+from coscrew_codegen.tiers.splits import splits
 from tests.support.scenes.generated_scenes import Writer, argument
 from tests.support.truth.toys import Toy, climbs, judge
 
@@ -187,6 +188,17 @@ def _mutated(module: str, old: str, new: str) -> ModuleType:
         changed[name] = sys.modules[spec.name] = module_from_spec(spec)
         exec(compile(source, name, "exec"), vars(changed[name]))
     return changed["certified_scene"]
+
+
+def test_split_numbers_are_found_where_results_do_not_depend_on_them():
+    """x² = h² + (x - h) (x + h) for every h."""
+    w = Writer(*map(argument, NAMES))
+    a, b = map(w.at, "ab")
+    h = w.do("h", Op.SUB, w.do("t", Op.ADD, a, b), b)
+    low, total = w.do("low", Op.SUB, a, h), w.do("total", Op.ADD, a, h)
+    square = w.do("x", Op.ADD, w.do("hh", Op.MUL, h, h), w.do("rest", Op.MUL, low, total))
+    found = [w.function("f", "", (argument("r"),), [x]).program for x in (square, total)]
+    assert [splits(program) for program in found] == [{"h"}, frozenset()]
 
 
 @pytest.mark.parametrize("op", (Op.ATAN2, Op.SCALE))
