@@ -1,6 +1,6 @@
 """A scene with all its effects, without each of them, and without any."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from coscrew_codegen.integrators import EMITTED
@@ -33,16 +33,28 @@ def parts(scene: Scene, asked: Sequence[str] = ()) -> tuple[Part, ...]:
     and without any.
 
     Effects that change the coordinates (mimic) always stay."""
+    chosen = [(WHOLE, scene.effects), *_fewer(scene)]
+    return tuple(part(words, replace(scene, effects=effects),
+                      whole(scene, asked) if words == WHOLE else SHOWN)
+                 for words, effects in chosen)
+
+
+def _fewer(scene: Scene) -> list[tuple[str, tuple[Applied, ...]]]:
+    """Without each effect, and without any: words, and the effects that stay."""
     names = tuple(dict.fromkeys(x.effect.name for x in scene.effects if _optional(x)))
-    chosen = [(WHOLE, scene.effects)]
+    chosen = []
     if len(names) > 1:
         chosen += [(f"without {name}", tuple(x for x in scene.effects if x.effect.name != name))
                    for name in names]
     if names:
         chosen.append(("bare", tuple(x for x in scene.effects if not _optional(x))))
-    return tuple(part(words, replace(scene, effects=effects),
-                      whole(scene, asked) if words == WHOLE else SHOWN)
-                 for words, effects in chosen)
+    return chosen
+
+
+def leaving_out(scene: Scene, functions: Sequence[str]) -> Iterator[tuple[str, SceneFunctions]]:
+    """These functions of the scene without each effect, and without any: in words, and derived."""
+    for words, effects in _fewer(scene):
+        yield words, derive(replace(scene, effects=effects), functions)
 
 
 def part(words: str, scene: Scene, functions: Sequence[str]) -> Part:

@@ -13,7 +13,7 @@ from coscrew_codegen.formats import BY_NAME, DOUBLE
 from coscrew_codegen.integrators import named
 from coscrew_codegen.scene.recorded import expected, recorded
 from coscrew_codegen.scene.scene import Expectation
-from coscrew_codegen.simulate import advice
+from coscrew_codegen.simulate import advice, check_rounding
 from coscrew_codegen.simulate.alarm import Alarm
 from coscrew_codegen.simulate.balance import balance
 from coscrew_codegen.simulate.findings import FINER, FINEST, Along, Findings, Met
@@ -33,10 +33,11 @@ _STATES = 1000  # states along the run at which matrices are checked
 _TIGHTER = 16  # divisor of tolerances for the second run
 
 
-def check(kernels: "Kernels", overrides: RunOverrides) -> Findings:
+def check(kernels: "Kernels", overrides: RunOverrides, rounding: bool = False) -> Findings:
     """Run the scene in its precisions, or in the selected one, with its steps and smaller ones.
 
-    Expectations are checked in double precision, unless only single is run.  Raises SimulateError.
+    Expectations are checked in double precision, unless only single is run.  With `rounding`, also
+    rounding errors and certified bounds, for which functions are compiled.  Raises SimulateError.
     """
     scene = scene_of(kernels)
     names = (overrides.precision,) if overrides.precision in BY_NAME else scene.precisions
@@ -49,7 +50,9 @@ def check(kernels: "Kernels", overrides: RunOverrides) -> Findings:
         along[1] = replace(along[1], double=along[0])
     along = [_tried(x, *runs[x.precision][:2]) for x in along]
     apart = differences(*(_sparse(x, y) for x, _, y in runs.values())) if len(runs) == 2 else ()
-    return Findings(met, tuple(along), apart, outside(its))
+    judged = check_rounding.rounding(kernels, [
+        (x, y) for x, _, y in runs.values()]) if rounding else ()
+    return Findings(met, tuple(along), apart, outside(its), judged)
 
 
 def _run(kernels: "Kernels", precision: str, overrides: RunOverrides

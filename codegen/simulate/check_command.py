@@ -10,9 +10,10 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser = commands.add_parser(
         "check", help="check a scene's run",
         description="Check a scene's run: its expectations, the balance of energy, both "
-        "precisions, inverse and forward dynamics.",
+        "precisions, inverse and forward dynamics, their rounding errors.",
         epilog="The exit status is 0 if all expectations are met; 1 if one is not, or a run stops "
-        "before its end, or energy or the momentum of a floating base is off by more than 0.001; "
+        "before its end, or energy or the momentum of a floating base is off by more than 0.001, "
+        "or a certified bound does not hold; "
         "2 for an error; 130 for an interrupt.")
     add_scene(parser)
     parser.add_argument("--strict", action="store_true",
@@ -23,7 +24,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def run(options: argparse.Namespace) -> int:
     """Check the scene; returns the exit status: 0, or 1 if an expectation is not met, a run stops
-    early, or energy or momentum is not kept (with --strict, within narrower limits)."""
+    early, or energy or momentum is not kept (with --strict, within narrower limits), or a
+    certified bound does not hold."""
     from coscrew_codegen.simulate import native
 
     native.ask()
@@ -34,6 +36,6 @@ def run(options: argparse.Namespace) -> int:
     kernels = kernels_for(scene, needs.of_check(scene, options.integrator))
     findings = check.check(kernels, outcome.RunOverrides(
         options.until, options.step, options.integrator, options.precision,
-        tuple(options.settings)))
+        tuple(options.settings)), rounding=True)
     print(verdict.table(findings, options.strict))
     return 0 if (findings.strictly_passed if options.strict else findings.passed) else 1

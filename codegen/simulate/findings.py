@@ -7,6 +7,7 @@ from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.integrator import Integrator
 from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulate.balance import Balance
+from coscrew_codegen.simulate.check_rounding import Rounded
 from coscrew_codegen.simulate.record import Difference
 
 ALLOWED = 1e-3
@@ -133,12 +134,14 @@ class Findings:
     along: tuple[Along, ...]  # in double, single, or one of them
     apart: tuple[Difference, ...]  # between both
     outside: str = ""  # joints that start outside their ranges, in words
+    rounding: tuple[Rounded, ...] = ()  # of the judged functions
 
     @property
     def passed(self) -> bool:
-        """Whether all expectations are met, and all runs reached their ends and kept energy and
-        momentum."""
-        return all(x.passed for x in self.met) and all(
+        """Whether all expectations are met, all runs reached their ends and kept energy and
+        momentum, and all certified bounds hold."""
+        held = not any(x.certified and x.certified.broken for x in self.rounding)
+        return held and all(x.passed for x in self.met) and all(
             x.true and not x.stopped for x in self.along)
 
     @property

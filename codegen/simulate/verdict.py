@@ -7,6 +7,7 @@ from tabulate import tabulate
 from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.integrators import DEFAULT
 from coscrew_codegen.simulate import advice
+from coscrew_codegen.simulate.check_rounding import DIGITS, Certified, Rounded
 from coscrew_codegen.simulate.findings import (
     ALLOWED,
     FINEST,
@@ -23,10 +24,13 @@ def table(findings: Findings, strict: bool = False) -> str:
     parts = [_expectations(findings.met)] if findings.met else []
     parts += [_checks(findings.along)]
     parts += [gaps(findings.apart)] if findings.apart else []
+    parts += [_rounding(findings.rounding)] if findings.rounding else []
     parts += [findings.outside] if findings.outside else []
     parts += [f"{x.precision}: {x.stopped}" for x in findings.along if x.stopped]
     parts += [f"FALSE: {x.precision}: {_false(x)}" for x in findings.along
               if not (x.true or x.stopped)]
+    parts += [f"FALSE: {x.precision}: {_broken(x)}" for x in findings.rounding
+              if x.certified and x.certified.broken]
     parts += [f"FALSE with --strict: {x.precision}: {_strictly_false(x)}" for x in findings.along
               if strict and x.true and not (x.strictly_true or x.stopped)]
     return "\n\n".join(parts)
@@ -65,6 +69,35 @@ def _checks(along: tuple[Along, ...]) -> str:
     columns = ("", *(f"{x.precision}, {x.step}" for x in along))
     return str(tabulate(rows, columns, disable_numparse=True,
                         colalign=("left", *("right" for _ in along))))
+
+
+def _rounding(found: tuple[Rounded, ...]) -> str:
+    rows = [(f"{x.function}, {x.precision}", f"{x.error:.2g}", f"{x.at:g}", f"{x.digits:.1f}",
+             f"{x.lost:.1f}", _bounds(x.certified)) for x in found]
+    columns = (f"rounding at states of the run, against {DIGITS} digits", "largest error",
+               "at t, s", "digits right", "digits lost", "certified bounds")
+    return str(tabulate(rows, columns, disable_numparse=True,
+                        colalign=("left", *["right"] * 4, "left")))
+
+
+def _bounds(certified: Certified | None) -> str:
+    if certified is None:
+        return 'not computed: large; select tiers = ["certified"]'
+    if certified.broken:
+        return "BROKEN"
+    if not certified.stated:
+        return f"0 of {certified.of} stated"
+    said = f"{certified.stated} of {certified.of} " if certified.stated < certified.of else ""
+    return f"{said or 'all '}hold, {certified.ratio:#.3g} times the error (median)"
+
+
+def _broken(found: Rounded) -> str:
+    """A sentence on the bound that is exceeded most."""
+    assert found.certified and found.certified.broken
+    worst = found.certified.broken
+    return (f"{found.function}: component {worst.place} at t = {worst.t:g} s errs by "
+            f"{worst.error:.3g}, beyond its certified bound {worst.bound:.3g}: this is a defect of "
+            "coscrew or of the compiler; please report it with the scene")
 
 
 def _false(along: Along) -> str:

@@ -24,6 +24,7 @@ ERROR_HEADER = "ksl_elementary_error"
 """The header that holds what they err by."""
 ALONE = {"sin": "sincos", "cos": "sincos", "sin_error": "sincos_error", "cos_error": "sincos_error"}
 """Results that can be had alone, and the functions that compute them."""
+_OWNER = {**ALONE, **dict.fromkeys(SEVERAL, "sincos")}
 CALLABLE = {group: (*(name for name, of in ALONE.items() if of in {x.name for x in functions}),
                     *(x.name for x in functions))
             for group, functions in ((HEADER, ELEMENTARY), (ERROR_HEADER, ERRORS))}
@@ -56,14 +57,20 @@ def called(texts: Iterable[str]) -> frozenset[str]:
     return frozenset(name for text in texts for name in _CALL.findall(text))
 
 
+def shared(several: Iterable[Collection[str]]) -> frozenset[str]:
+    """The names in these sets whose definitions all of them need."""
+    sets = [{name: _OWNER.get(name, name) for name in names} for names in several]
+    needed = frozenset.intersection(*(frozenset(owners.values()) for owners in sets))
+    return frozenset(name for owners in sets for name, owner in owners.items() if owner in needed)
+
+
 def written(precision: Precision, names: Collection[str], nested: bool = False) -> list[Written]:
     """What defines these names."""
-    of = {**ALONE, **dict.fromkeys(SEVERAL, "sincos")}
-    needed = {of.get(name, name) for name in names}
+    needed = {_OWNER.get(name, name) for name in names}
     wanted = [x for x in (*ELEMENTARY, *ERRORS) if x.name in needed]
     powers = [x for x in wanted if Op.POWER in x.kernel(precision).counts]
     return [replace(_written(x, precision, nested), power=x in powers[:1],
-                    alone=[name for name in ALONE if name in names and of[name] == x.name],
+                    alone=[name for name in ALONE if name in names and _OWNER[name] == x.name],
                     several=_several(x, precision, names)) for x in wanted]
 
 

@@ -96,9 +96,7 @@ def _of_all(sections: Sequence[Section]) -> frozenset[str]:
     """The elementary functions that all of several sections call."""
     if len(sections) < 2:
         return frozenset()
-    called = [x.called for x in sections]
-    both = {c_elementary.ALONE.get(x, x) for x in frozenset.intersection(*called)}
-    return frozenset(x for x in frozenset.union(*called) if c_elementary.ALONE.get(x, x) in both)
+    return c_elementary.shared(x.called for x in sections)
 
 
 @uncollected()

@@ -51,8 +51,16 @@ def kernels(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def costs(kernels):
-    return measure(kernels["SPRING"], RunOverrides(), Asked())
+def few(tmp_path_factory):
+    """The spring with few functions, so that their tiers are soon compiled."""
+    path = tmp_path_factory.mktemp("few") / "spring.toml"
+    path.write_text(texts.SPRING.replace("duration = 10", "duration = 2"))
+    return load_scene(path, functions=(*SHOWN, "energy", *STEPPED[1:]))
+
+
+@pytest.fixture(scope="module")
+def costs(few):
+    return measure(few, RunOverrides(), Asked())
 
 
 # what is left out
@@ -125,8 +133,8 @@ def test_runs_in_c_are_the_steps_of_the_kernels(kernels, precision, integrator):
     assert seconds > 0
 
 
-def test_every_function_and_part_has_a_row(costs, kernels):
-    public = [f.name for f in kernels["SPRING"].functions.functions if not f.internal]
+def test_every_function_and_part_has_a_row(costs, few):
+    public = [f.name for f in few.functions.functions if not f.internal]
     assert [x.function for x in costs.rows if x.part == "all effects"] == public
     for words in ("without spring", "without viscous", "bare"):
         assert [x.function for x in costs.rows if x.part == words] == [
@@ -217,6 +225,8 @@ def test_the_table_holds_what_was_measured(costs):
     for point in costs.points:
         assert three_digits(point.error) in text
     assert text.count("*") >= 2
+    for row in costs.run_errors.rows:
+        assert f"{row.cause}: {row.of} " in text
 
 
 def test_the_figure_holds_a_bar_for_each_part_and_a_curve_for_each_integrator(costs, tmp_path):
@@ -239,7 +249,7 @@ def point(integrator: str, seconds: float, error: float) -> Point:
 def rough(costs):
     """Costs whose reference is accurate to 1e-9; two of four runs are more accurate than that."""
     truth = replace(costs.reference, error=1e-9)
-    return replace(costs, reference=truth, points=(
+    return replace(costs, accuracy=(), reference=truth, points=(
         point("rk4", 1e-5, 1e-6), point("rk4", 2e-5, 3e-10), point("rk4", 4e-5, 2e-11),
         point("dop853", 1e-4, 1e-7)))
 

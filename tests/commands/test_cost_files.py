@@ -17,6 +17,7 @@ from coscrew_codegen.cost.accuracy import CHOICES, Bounds, Counts
 from coscrew_codegen.cost.asked import Asked
 from coscrew_codegen.cost.measure import Costs, Row
 from coscrew_codegen.cost.panels import shown
+from coscrew_codegen.cost.run_errors import RunError, RunErrors
 from coscrew_codegen.cost.table import accuracies, others
 from coscrew_codegen.cost.work_precision import Point, Reference
 from coscrew_codegen.native.intervals import Interval
@@ -77,6 +78,8 @@ def whole(costs) -> Costs:
               Point("rk4", "single", 1e-3, 1000, time, math.inf, "C"))
     return replace(
         costs, scene="</script><b>", accuracy=((*others, last), *costs.accuracy[1:]), runs=True,
+        run_errors=RunErrors("rk4", 1e-3, 2.0, (0.5, 1.0), (
+            RunError("rounding", "single", (1e-7, math.inf)),)),
         rows=(Row("all effects", "energy", "3 mul", 3, (time, time)),), points=points,
         reference=Reference("dop853, rtol 1e-13", 1.0, np.zeros(1), np.zeros(1), 1e-12))
 
@@ -116,6 +119,8 @@ def test_json_has_the_figures(whole, tmp_path):
         "worst": None, "least_ratio": 1.5, "typical_ratio": 2, "worst_ratio": None}
     assert [x["error"] for x in found["runs"]] == [1e-9, None]
     assert [x["best"] for x in found["runs"]] == [True, False]
+    assert found["run_errors"]["rows"] == [
+        {"cause": "rounding", "of": "single", "errors": [1e-7, None]}]
 
 
 def test_every_field_is_documented(whole, tmp_path):
@@ -155,20 +160,6 @@ def test_the_page_shows_the_figures_in_a_browser(whole, tmp_path):
     assert rows == [list(row) for x in tables for row in x.rows]
 
 
-def test_the_command_writes_all_files(scene, tmp_path, capsys):
-    files = {x: tmp_path / f"costs.{x}" for x in ("json", "html", "svg")}
-    assert main(["cost", str(scene), "--function", "energy", "--states", "4", "--until", "0.1",
-                 "--json", str(files["json"]), "--page", str(files["html"]), "--plot",
-                 str(files["svg"])]) == 0
-    printed = capsys.readouterr().out
-    found = json.loads(files["json"].read_text())
-    assert found["command"] == "coscrew cost spring.toml --function energy --until 0.1 --states 4"
-    for sentence in found["functions"][0]["sentences"]:
-        assert sentence in printed and sentence.replace("'", "&#39;") in files["html"].read_text()
-    assert sorted(x.name for x in tmp_path.iterdir()) == [
-        "costs.html", "costs.json", "costs.svg"]
-
-
 def test_what_cannot_be_written_leaves_the_old_file_whole(whole, tmp_path, monkeypatch):
     path = tmp_path / "costs.json"
     path.write_text("old")
@@ -184,7 +175,7 @@ def test_what_cannot_be_written_leaves_the_old_file_whole(whole, tmp_path, monke
 def test_functions_of_floating_bases_and_of_limits_can_be_asked_for(tmp_path):
     path = tmp_path / "floating.toml"
     path.write_text(FLOATING)
-    names = ("integrated", "with_free_momentum", "closing_contacts")
+    names = ("with_free_momentum", "closing_contacts")
     scene = read_scene(path)
     asked = Asked(names, Counts.of(4))
     found = measure.measure(kernels_for(scene, asked.needed(scene, None)), RunOverrides(), asked)
@@ -212,16 +203,26 @@ def test_the_scene_chooses_the_functions_unless_told(scene):
 
 
 def test_the_readme_figure_is_made_by_its_command(tmp_path, capsys):
-    """Tried with a scene that is quicker to derive, at few states."""
+    """Tried with a scene that is quicker to derive, at few states; with JSON and a page."""
     text = (ROOT / "README.md").read_text("utf-8")
     command = re.search(r"`coscrew (cost (\S+)\s[^`]+--plot (\S+))`", text)
+    made = {x: tmp_path / f"costs.{x}" for x in ("svg", "json", "html")}
     words = command[1].replace(command[2], str(ROOT / "examples/scenes/pendulum.toml")).replace(
-        command[3], str(tmp_path / "figure.svg")).split()
-    assert main([*words, "--states", "4"]) == 0
+        command[3], str(made["svg"])).split()
+    assert main([*words, "--states", "4", "--json", str(made["json"]), "--page",
+                 str(made["html"])]) == 0
+    assert sorted(tmp_path.iterdir()) == sorted(made.values())
     committed = Asked(tuple(re.findall(r"--function (\S+)", command[1]))).of(
         read_scene(ROOT / command[2]))
     marks = {f'id="{name} {x.precision.name} {x.tier}"' for name in committed for x in CHOICES}
     assert len(marks) == 18
-    for path in (tmp_path / "figure.svg", ROOT / command[3]):
+    for path in (made["svg"], ROOT / command[3]):
         drawn = path.read_text("utf-8")
         assert all(mark in drawn for mark in marks), path
+    printed, found = capsys.readouterr().out, json.loads(made["json"].read_text("utf-8"))
+    assert found["command"] == (
+        f"coscrew cost pendulum.toml {' '.join(f'--function {x}' for x in committed)} --states 4")
+    for function in found["functions"]:
+        for sentence in function["sentences"]:
+            assert sentence in printed
+            assert sentence.replace("'", "&#39;") in made["html"].read_text("utf-8")

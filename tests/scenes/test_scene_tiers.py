@@ -190,6 +190,36 @@ def test_a_precision_alone_is_whole(write, precision: str, tmp_path: Path):
     assert found.strip() == {"double": "float64", "single": "float32"}[precision]
 
 
+def test_sines_of_one_number_are_defined_beside_those_of_several(tmp_path: Path):
+    """One precision needs the sine of a time alone, the other its cosine, too; both need those of
+    several angles at once."""
+    path = tmp_path / "chain.toml"
+    links = [f"""
+[bodies.b{n}]
+mass = 1
+com = [0, 0.1, -0.3]
+inertia = [0.02, 0.03, 0.04]
+[joints.j{n}]
+type = "revolute"
+parent = "{f"b{n - 1}" if n else "world"}"
+child = "b{n}"
+axis = [0, {n % 2}, {1 - n % 2}]
+origin = {{ xyz = [0, 0, -0.5] }}
+""" for n in range(4)]
+    path.write_text("".join((*links, """
+[effects.actuator.j0]
+kind = "pd"
+kp = 10
+kd = 1
+target = "sin(3*t)"
+""")))
+    assert main(["generate", str(path), "--functions", "inverse_dynamics", "--tier", "accurate",
+                 "-o", str(tmp_path)]) == 0
+    text = (tmp_path / "chain_accurate.c").read_text()
+    assert "ksl_sin(" in text and "ksl_sincos_4(" in text
+    command(["gcc", *C11, *STRICT, "-c", tmp_path / "chain_accurate.c", "-o", tmp_path / "x.o"])
+
+
 # bits
 
 FLAGS = {"gcc": (("-O0",), ("-O3", "-march=native", "-ffp-contract=fast"),

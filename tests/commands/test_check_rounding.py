@@ -1,0 +1,137 @@
+"""coscrew check says what rounding takes, and holds certified bounds against the errors."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+
+import mpmath
+import numpy as np
+import pytest
+from mpmath import mpf
+
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.formats import BY_NAME
+from coscrew_codegen.simulate import check_rounding
+from coscrew_codegen.simulate.check_rounding import STATES, Rounded, rounding
+from coscrew_codegen.simulate.load import Kernels
+from coscrew_codegen.simulate.plan import Trajectory
+from coscrew_codegen.simulate.system import System, system
+from tests.support.scenes import scene_texts as texts
+from tests.support.scenes.selecting import checked
+
+SWING = """name = "swing"
+precision = "both"
+[bodies.bob]
+mass = 0.1
+com = [0, 0.01, -0.3]
+inertia = [0.02, 0.03, 0.04]
+[joints.hinge]
+type = "revolute"
+child = "bob"
+axis = [0, 1, 0]
+[start.q]
+hinge = 1.1
+[effects.gravity]
+[run]
+duration = 0.1
+step = 0.01
+"""
+
+
+@pytest.fixture(scope="module")
+def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    made = tmp_path_factory.mktemp("swing") / "swing.toml"
+    made.write_text(SWING)
+    return made
+
+
+@pytest.fixture(scope="module")
+def kernels(path: Path) -> Kernels:
+    return checked(path)
+
+
+def runs(kernels: Kernels) -> Iterator[tuple[System, Trajectory]]:
+    """As many states as are judged, in both precisions."""
+    draw = np.random.default_rng(3)
+    q, v = draw.uniform(-3, 3, (2, STATES, 1))
+    for name in BY_NAME:
+        its = system(kernels, name)
+        yield its, Trajectory(np.arange(STATES) / 8, q.astype(its.dtype), v.astype(its.dtype), 0, 0)
+
+
+def torque(q: mpf, a: mpf) -> mpf:
+    """I a + m g l sin q, I about the hinge."""
+    mass, length, g = mpf("0.1"), mpf("0.3"), mpf("9.81")
+    return (mpf("0.03") + mass * length**2) * a + mass * g * length * mpmath.sin(q)
+
+
+def test_errors_are_those_against_the_closed_form(kernels: Kernels):
+    found = {(x.function, x.precision): x for x in rounding(kernels, [*runs(kernels)])}
+    assert len(found) == 4
+    for its, trajectory in runs(kernels):
+        a = check_rounding._states(its, trajectory)["a"]
+        tau = its.call("inverse_dynamics", q=trajectory.q, v=trajectory.v, a=a)
+        with mpmath.workdps(50):
+            true = [torque(*(mpf(float(x[0])) for x in row))
+                    for row in zip(trajectory.q, a, strict=True)]
+            errors = [float(abs(mpf(float(x[0])) - y)) for x, y in zip(tau, true, strict=True)]
+        told, at = found["inverse_dynamics", its.precision.name], int(np.argmax(errors))
+        assert (told.error, told.at, told.states) == (errors[at], trajectory.t[at], STATES)
+        assert told.digits == pytest.approx(math.log10(abs(true[at]) / errors[at]), abs=1e-9)
+        assert told.certified and told.certified.stated == told.certified.of == STATES
+        assert 1 <= told.certified.ratio < 1.5 and told.certified.broken is None
+    for x in found.values():
+        own = -math.log10(BY_NAME[x.precision].u)
+        assert x.lost == max(0, own - x.digits) < 2
+
+
+def test_the_command_says_so(path: Path, capsys: pytest.CaptureFixture[str]):
+    assert main(["check", str(path)]) == 0
+    out = capsys.readouterr().out
+    assert out.count("all hold, 1.0") == 4
+    assert "digits right    digits lost" in out
+
+
+def test_a_bound_that_does_not_hold_fails(path: Path, capsys: pytest.CaptureFixture[str],
+                                          monkeypatch: pytest.MonkeyPatch):
+    """Halved, the bounds of forward dynamics are below the errors."""
+    certified = check_rounding.in_tier_of
+
+    def halved(kernels: Kernels, name: str) -> SimpleNamespace:
+        made = certified(kernels, name)
+
+        def forward(*given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+            a, bound = made.double.forward_dynamics(*given)
+            return a, bound / 2
+
+        class Double(dict[str, object]):
+            forward_dynamics = staticmethod(forward)
+            inverse_dynamics = made.double.inverse_dynamics
+
+        return SimpleNamespace(double=Double(dict.fromkeys(made.double)), single=made.single)
+
+    monkeypatch.setattr(check_rounding, "in_tier_of", halved)
+    assert main(["check", str(path)]) == 1
+    out = capsys.readouterr().out
+    assert "FALSE: double: forward_dynamics: component 0 at t = 0" in out
+    assert "beyond its certified bound" in out
+    assert out.count("BROKEN") == 1 and out.count("all hold") == 3
+
+
+def test_large_functions_are_compiled_only_if_selected(kernels: Kernels,
+                                                       monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(check_rounding, "MOST", 0)
+    assert all(x.certified is None for x in rounding(kernels, [*runs(kernels)]))
+    selected = replace(kernels, _derived=replace(kernels.functions, tiers=("certified",)))
+    assert all(isinstance(x, Rounded) and x.certified for x in rounding(
+        selected, [*runs(kernels)]))
+
+
+def test_states_that_are_not_finite_are_left_out(tmp_path: Path,
+                                                 capsys: pytest.CaptureFixture[str]):
+    path = tmp_path / "unstable.toml"
+    path.write_text(texts.UNSTABLE)
+    assert main(["check", str(path)]) == 1
+    assert "FALSE: double: inverse_dynamics" not in capsys.readouterr().out
