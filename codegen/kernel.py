@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from coscrew_codegen.operations import Operation, components
+from coscrew_codegen.operations.norm import Let
 from coscrew_codegen.quantity import Argument
 
 
@@ -32,8 +33,9 @@ class Kernel:
     values: tuple[sp.Expr, ...]  # every component of every output, row by row
 
 
-def kernel_of(operation: Operation) -> Kernel:
-    """The kernel of an operation: its derivation recorded, or its formula without lets."""
+def kernel_of(operation: Operation, fine: bool = False) -> Kernel:
+    """The kernel of an operation: its derivation recorded, or its formula without lets; fine: for
+    twice the digits."""
     bindings: list[Binding] = []
     taken = {a.name for a in (*operation.inputs, *operation.outputs)}
 
@@ -51,7 +53,7 @@ def kernel_of(operation: Operation) -> Kernel:
     if operation.derivation is None:
         values = operation.formula(*arguments)
     else:
-        values = operation.derivation(let, *arguments)
+        values = operation.derivation(Let(let, fine), *arguments)
     found, wanted = components(values), sum(a.quantity.size for a in operation.outputs)
     if len(found) != wanted:
         raise ValueError(f"{operation.name}: its formula has {len(found)} components, its outputs "

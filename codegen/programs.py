@@ -1,11 +1,13 @@
 """The plain Programs of operations."""
 
+from dataclasses import replace
 from functools import cache
 
 from coscrew_codegen.kernel import kernel_of
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.passes import simplified
 from coscrew_codegen.program import Program
+from coscrew_codegen.program.program import has_rounded_constants
 from coscrew_codegen.schedule import plain
 
 _OPERATIONS = {operation.name: operation for operation in OPERATIONS}
@@ -13,8 +15,16 @@ _OPERATIONS = {operation.name: operation for operation in OPERATIONS}
 
 @cache
 def program_of(operation: Operation) -> Program:
-    """The operation's program: kernel, passes, plain tier."""
-    return plain(simplified(kernel_of(operation)))
+    """The operation's program: kernel, passes, plain tier.  Where constants are rounded, it has
+    series, which end too early for twice the digits."""
+    program = _derived(operation)
+    if not has_rounded_constants(program):
+        return program
+    return replace(program, fine=_derived(operation, fine=True))
+
+
+def _derived(operation: Operation, fine: bool = False) -> Program:
+    return plain(simplified(kernel_of(operation, fine)))
 
 
 def library_program(name: str) -> Program:

@@ -17,17 +17,17 @@ if TYPE_CHECKING:  # imports SymPy and the operations: only the tests that need 
     from tests.support.truth.exact import Exact, Sample
 
 LONG = frozenset("""
-    test_absence test_cache test_certified_scenes test_check test_check_advice
-    test_check_alarms test_check_bounces test_checkers test_climb test_command_line
-    test_cost test_cross test_documents test_examples test_family_cache test_flags
-    test_found test_generate test_generate_scene test_gufuncs test_hard_cases
-    test_hard_effects test_headers test_implausible test_inverses test_load_scene
-    test_motions test_mujoco test_packaging test_parity test_pinocchio test_recording
-    test_references test_report_command test_report_files test_report_measure
-    test_report_page test_roundings test_sanitizers test_scene_agreement
-    test_scene_compilation test_scene_flags test_scene_names test_scene_parts
-    test_scene_signs test_scene_text test_scene_tiers test_selected_functions test_selfcheck
-    test_simulate test_tiers test_true_motion test_typing test_version test_view""".split())
+    test_absence test_accurate_functions test_cache test_certified_scenes test_check
+    test_check_advice test_check_alarms test_check_bounces test_checkers test_climb
+    test_command_line test_cost test_cross test_documents test_examples test_family_cache
+    test_flags test_found test_generate test_generate_scene test_gufuncs test_hard_cases
+    test_hard_effects test_headers test_implausible test_inverses test_load_scene test_motions
+    test_mujoco test_packaging test_parity test_pinocchio test_recording test_references
+    test_report_command test_report_files test_report_measure test_report_page test_roundings
+    test_sanitizers test_scene_agreement test_scene_compilation test_scene_flags
+    test_scene_names test_scene_parts test_scene_signs test_scene_text test_scene_tiers
+    test_selected_functions test_selfcheck test_simulate test_tiers test_true_motion test_typing
+    test_version test_view""".split())
 """Files that take more than five seconds of processor time, even with few parameters."""
 FEW = 4
 

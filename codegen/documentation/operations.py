@@ -9,11 +9,12 @@ from coscrew_codegen.documentation.notation import escaped, markdown
 from coscrew_codegen.formats import DOUBLE, PRECISIONS
 from coscrew_codegen.library import FamilyKernels, Library
 from coscrew_codegen.operations import FAMILIES, OPERATIONS, Operation, family_named
-from coscrew_codegen.program import Program, bounds, counts_in_words
+from coscrew_codegen.program import Program, bounds
 from coscrew_codegen.quantity import in_words
 from coscrew_codegen.render import render
 from coscrew_codegen.targets import c
-from coscrew_codegen.tiers import PLAIN, TIERS
+from coscrew_codegen.tiers import TIERS
+from coscrew_codegen.whole_cost import whole_cost
 
 _CODE = frozenset(operation.name for operation in OPERATIONS if "_" in operation.name)
 
@@ -99,8 +100,8 @@ def _tiers(operation: Operation, program: Program) -> Iterator[tuple[str, str, s
     for tier in (tier for tier in TIERS if tier.has(program)):
         made = tier.program(program, DOUBLE)
         returned = "returned beside the result" if len(made.outputs) > len(program.outputs) else ""
-        tested = operation.tested_bounds if tier is PLAIN else ""
-        yield (tier.name, counts_in_words(made),
+        tested = tier.operation(operation).tested_bounds
+        yield (tier.name, whole_cost(made, DOUBLE),
                _bound(bounds.in_words(made) or tested) or returned)
 
 

@@ -6,7 +6,8 @@ from functools import cache
 
 from coscrew_codegen.elementary import atan2, reduction_pairs, sincos_error
 from coscrew_codegen.elementary.function import Elementary
-from coscrew_codegen.elementary.pairs import power_of_two
+from coscrew_codegen.elementary.pairs import Pairs, power_of_two
+from coscrew_codegen.elementary.sincos_error import Computed
 from coscrew_codegen.elementary.steps import Steps, Value
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Op, Program
@@ -22,7 +23,8 @@ def kernel(precision: Precision) -> Program:
     steps = Steps(*INPUTS)
     y, x, angle = steps.inputs()
     k, r, r_low = reduction_pairs.reduced_near(angle, precision)
-    found = sincos_error.computed(r, r_low, reduction_pairs.near_spread(precision), precision)
+    found = _normal(sincos_error.computed(
+        r, r_low, reduction_pairs.near_spread(precision), precision), precision)
     (s, s_low), (c, c_low) = sincos_error.turned(k, found, precision)
     y, x = _scaled(y, x, precision)
     upward, across = steps.named("upward", y * c), steps.named("across", x * s)
@@ -32,6 +34,12 @@ def kernel(precision: Precision) -> Program:
     turn = steps.named("turn", ((upward - across) + low) / (x * c + y * s))
     return steps.program("atan2_error", OUTPUTS, [
         steps.named("angle_error", angle.equals(0).where(0, turn))])
+
+
+def _normal(of: Computed, precision: Precision) -> Computed:
+    """Each low part at most u of the whole."""
+    pairs = Pairs(precision)
+    return Computed(pairs.normal("sine", of.sine), pairs.normal("cosine", of.cosine))
 
 
 def _scaled(y: Value, x: Value, precision: Precision) -> tuple[Value, Value]:
@@ -56,15 +64,16 @@ def error(precision: Precision) -> Fraction:
     angle_error is not subnormal.
 
     In units of the angle times √(x² + y²), y cos a and x sin a are at most 1 and a little; they
-    differ by at most 2 u and what their pairs miss.  Neither is the tangent's cube, nor what
-    underflows, as large as u³."""
+    differ by at most 2 u and what their pairs miss.  Their high parts' products differ by 8 u at
+    most, so that their difference is exact (Sterbenz), unless they are below 16 u: then all errors
+    are, except u 8 u of that difference.  Neither is the tangent's cube, nor what underflows, as
+    large as u³."""
     u = precision.u
     sine, cosine = sincos_error.relative(reduction_pairs.near_spread(precision), precision)
-    rest, missed = sine.rest + cosine.rest, sine.error + cosine.error
+    rest, missed = 2 * u * (1 + 4 * u), sine.error + cosine.error
     turn = 2 * u + missed
-    first = turn + rest + 4 * u  # upward - across
     low = 3 * u + rest  # two errors of products, and two products, a difference, a sum: rounded
-    numerator = u * first + u * (2 * u + 2 * rest + low) + u * turn
+    numerator = u * (2 * u + 2 * rest + low) + u * turn
     denominator = 3 * u + rest  # relative: its terms have the same sign
     return (missed + numerator + turn * (u + denominator)) * (1 + 9 * u) + u**2 / 8
 

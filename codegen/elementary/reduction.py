@@ -81,7 +81,8 @@ def near(precision: Precision) -> Program:
 
 def to_integer(steps: Steps, x: Value, precision: Precision, unit: int = 1) -> Value:
     """x rounded to a multiple of the unit, a power of two; |x| up to 2^(digits - 2) units."""
-    shift = steps.constant(unit * integer_shift(precision), "shift")
+    name = f"shift{unit}" if unit > 1 else "shift"
+    shift = steps.constant(unit * integer_shift(precision), name)
     return (x + shift) - shift
 
 

@@ -2,6 +2,7 @@
 
 Nothing is folded, reordered or shared: elementary functions rely on every rounding."""
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -105,9 +106,12 @@ class Steps:
         return value
 
     def program(self, name: str, outputs: Sequence[Argument], results: Sequence[Value]) -> Program:
-        """The Program; every step must belong to a name."""
+        """The Program; every step must belong to a name, and names must differ."""
         if len(self._names) < len(self._instructions):
             raise ValueError(f"{name}: there are steps after the last name")
+        names = Counter(self._names.values())
+        if twice := [x for x, count in names.items() if count > 1]:
+            raise ValueError(f"{name}: two steps are named {twice[0]}")
         plain = Program(name, self._inputs, tuple(outputs), tuple(self._instructions),
                         tuple(x.operand for x in results))
         return renamed(plain, self._names)

@@ -57,10 +57,11 @@ def _scaled(x: Value | None, power: Value) -> Value:
 
 
 def _sums(whole: Pair, more: Pair, one: Pair, precision: Precision) -> tuple[Pair, Pair]:
-    """m = whole + more = 2^k - 1 + 2^k (e^r - 1), and d = m + 2; bounds in the unit of 2^k."""
+    """m = whole + more = 2^k - 1 + 2^k (e^r - 1), and d = m + 2; bounds in the unit of 2^k.  Low
+    parts are at most u of m and d."""
     pairs, two = Pairs(precision), one.high.steps.constant(2)
-    m = pairs.sum("m", whole, more)
-    return m, pairs.sum("d", Pair(two, None, 2 * one.size), m)
+    m = pairs.normal("m", pairs.sum("m_sum", whole, more))
+    return m, pairs.normal("d", pairs.sum("d_sum", Pair(two, None, 2 * one.size), m))
 
 
 @cache
@@ -92,9 +93,10 @@ def _quotient(m: Pair, d: Pair, precision: Precision) -> Fraction:
 
     m_high - y d_high rounded is exact, since both are close, and so is that product's error."""
     u, second = precision.u, m.error + d.error  # y d is m to 2 u
-    left = 3 * u + m.rest + d.rest  # of the high parts; with the product's error, u less or more
-    roundings = u * (left + u) + u * d.rest + u * (m.rest + d.rest) + u * (2 * u + second)
-    division = (2 * u + second) * (u + d.rest)
+    low = u * (1 + 2 * u)  # relative: those of m and d
+    left = 3 * u + 2 * low  # of the high parts; with the product's error, u less or more
+    roundings = u * (left + u) + u * low + u * 2 * low + u * (2 * u + second)
+    division = (2 * u + second) * (u + low)
     return (second + roundings + division) * (1 + 8 * u)
 
 

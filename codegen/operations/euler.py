@@ -10,7 +10,7 @@ import sympy as sp
 
 from coscrew_codegen.algebra import rotation_about
 from coscrew_codegen.operations.norm import Let, l2, nonzero, unnamed
-from coscrew_codegen.operations.operation import Operation
+from coscrew_codegen.operations.operation import WITHIN, Operation
 from coscrew_codegen.quantity import (
     ANGLES,
     MAT3X3,
@@ -77,12 +77,12 @@ def _pair(name: str, axes: tuple[int, int, int], derivation: Callable[[Let, sp.M
     return (
         Operation("mat3x3", f"mat3x3_from_euler_{name}", f"R = {turns}", (_angles,), (_R,),
                   lambda angles: _matrix(axes, angles),
-                  lambda let, angles: _bound_matrix(axes, let, angles)),
+                  lambda let, angles: _bound_matrix(axes, let, angles), accurate=WITHIN),
         Operation("mat3x3", f"euler_{name}_from_mat3x3",
                   f"angles of the rotation R = {turns}; a, c in [-π, π], {middle}; c = 0 in gimbal "
                   "lock", (_R,), (_angles,), lambda R: derivation(unnamed, R), derivation,
                   rounding=f"The rotation by these angles differs from R by at most {BACKWARD} u "
-                  "in each entry, near gimbal lock too; searched, not proved."),
+                  "in each entry, near gimbal lock too; searched, not proved.", accurate=WITHIN),
     )
 
 

@@ -23,8 +23,9 @@ from coscrew_codegen.algebra import (
 )
 from coscrew_codegen.operations import special
 from coscrew_codegen.operations.family import Family
+from coscrew_codegen.operations.half_angle import HalfAngle, angle_of
 from coscrew_codegen.operations.norm import Let, prefixed, unnamed
-from coscrew_codegen.operations.operation import Normwise, Operation
+from coscrew_codegen.operations.operation import WITHIN, Normwise, Operation
 from coscrew_codegen.operations.quaternion import PRINCIPAL, axis_and_angle, axis_angle
 from coscrew_codegen.operations.rotation import quaternion_of, rodrigues, rotation_vector, upper
 from coscrew_codegen.operations.series import Angle
@@ -57,7 +58,7 @@ _s, _small_s = Argument("s", SCREW, TURN), Argument("s", SCREW, HALF_TURN)
 _so = Argument("so", SCREW)
 _Do, _M = Argument("Do", SE3), Argument("M", MAT6X6)
 _angle, _k = Argument("angle", SCALAR, ANGLE), Argument("k", SCALAR, FRACTION)
-_op = partial(Operation, _NAME)
+_op = partial(Operation, _NAME, accurate=WITHIN)
 
 
 # Rotations.  `sign` is 1 for left Jacobians, -1 for right ones: J_r(v) = J_l(-v).
@@ -72,11 +73,14 @@ def _exp(v: sp.Matrix) -> sp.Matrix:
 
 
 def _bound_exp(let: Let, v: sp.Matrix) -> sp.Matrix:
-    across, g1, g2 = Angle.of(let, v).g(0, 1, 2)
+    if let.fine:
+        angle = HalfAngle.of_any(let, let("halved", v / 2))
+        return rodrigues(let, let("turning", angle.k * v), angle.c, sp.Rational(1, 2))
+    across, g1, g2 = angle_of(let, v).g(0, 1, 2)
     return rodrigues(let, v, g1, g2, across)
 
 
-def _log(let: Let, R: sp.Matrix) -> tuple[sp.Matrix, Angle]:
+def _log(let: Let, R: sp.Matrix) -> tuple[sp.Matrix, Angle | HalfAngle]:
     return rotation_vector(let, upper(let, quaternion_of(let, R)))
 
 
@@ -89,7 +93,7 @@ def _jacobian(sign: int, v: sp.Matrix) -> sp.Matrix:
 
 
 def _bound_jacobian(sign: int, let: Let, v: sp.Matrix) -> sp.Matrix:
-    g1, g2, g3 = Angle.of(let, v).g(1, 2, 3)
+    g1, g2, g3 = angle_of(let, v).g(1, 2, 3)
     return rodrigues(let, v, sign * g2, g3, g1)
 
 
@@ -98,7 +102,7 @@ def _jacobian_inverse(sign: int, v: sp.Matrix) -> sp.Matrix:
 
 
 def _bound_jacobian_inverse(sign: int, let: Let, v: sp.Matrix) -> sp.Matrix:
-    return rodrigues(let, v, -sign * sp.Rational(1, 2), *Angle.of(let, v).b())
+    return rodrigues(let, v, -sign * sp.Rational(1, 2), *angle_of(let, v).b())
 
 
 def _bound_turn(let: Let, axis: sp.Matrix, angle: sp.Expr) -> sp.Matrix:
@@ -137,12 +141,12 @@ _ROTATIONS = (
               "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; "
               "otherwise R is not a rotation",
               (_axis, _angle), (_R,), lambda a, t: _matrix(a, sp.sin(t), 1 - sp.cos(t)),
-              _bound_turn, (Normwise("R", 9),)),
+              _bound_turn, (Normwise("R", 9),), accurate=WITHIN),
     Operation("mat3x3", "axis_angle_from_mat3x3",
               f"angle and axis of the rotation R; {PRINCIPAL}", (_R,),
               (_angle, _axis_out), lambda R: axis_and_angle(_log_of(R)),
               lambda let, R: axis_angle(let, quaternion_of(let, R)),
-              (Normwise("angle", 8), Normwise("axis", 5))),
+              (Normwise("angle", 8), Normwise("axis", 5)), accurate=WITHIN),
     _op("mat3x3_orthonormalize", f"self = {_NEWTON}", (_self,), (_self,),
         lambda R: _newton(unnamed, R), _newton),
     _op("mat3x3_orthonormalized", f"Ro = {_NEWTON}", (_near,), (_Ro,),
@@ -159,7 +163,7 @@ def _move(s: sp.Matrix) -> sp.Matrix:
 
 def _bound_move(let: Let, s: sp.Matrix) -> sp.Matrix:
     v, w = lin(s), ang(s)
-    across, g1, g2, g3 = Angle.of(let, w).g(0, 1, 2, 3)
+    across, g1, g2, g3 = angle_of(let, w).g(0, 1, 2, 3)
     turned = let("turned", g2 * let("u", w.cross(v)))
     along = let("along", let("pitch", g3 * let("wv", w.dot(v))) * w)
     return displacement(rodrigues(let, w, g1, g2, across),
@@ -210,7 +214,7 @@ def _coupling(s: sp.Matrix) -> sp.Matrix:
 
 
 def _bound_motion_jacobian(sign: int, let: Let, s: sp.Matrix) -> sp.Matrix:
-    angle = Angle.of(let, ang(s))
+    angle = angle_of(let, ang(s))
     g1, g2, g3 = angle.g(1, 2, 3)
     rate2, rate3 = angle.g_rates(g1, g2, g3)
     J = let("J", rodrigues(let, ang(s), sign * g2, g3, g1))
@@ -225,7 +229,7 @@ def _motion_jacobian_inverse(sign: int, s: sp.Matrix) -> sp.Matrix:
 def _bound_motion_jacobian_inverse(sign: int, let: Let, s: sp.Matrix) -> sp.Matrix:
     """Its upper right block is the rate of J^-1, which needs no products of blocks as
     -J^-1 Q J^-1 does."""
-    angle, half = Angle.of(let, ang(s)), sp.Rational(1, 2)
+    angle, half = angle_of(let, ang(s)), sp.Rational(1, 2)
     b_, across = angle.b()
     J = let("J", rodrigues(let, ang(s), -sign * half, b_, across))
     rate = _rate(prefixed(let, "rate"), sign * s, -half, sp.Integer(0), b_, angle.b_rate())

@@ -6,6 +6,7 @@ itself subnormal.
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -21,7 +22,20 @@ from coscrew_codegen.operations.operation import (
     scaled,
 )
 
-Let = Callable[[str, sp.Expr | sp.Matrix], sp.Expr | sp.Matrix]
+
+@dataclass(frozen=True)
+class Let:
+    """let(name, value): the value, bound to the name.
+
+    `fine` is whether the results are computed to twice the digits, for which series need more terms
+    and other formulas are better."""
+
+    bind: Callable[[str, sp.Expr | sp.Matrix], sp.Expr | sp.Matrix]
+    fine: bool = False
+
+    def __call__(self, name: str, value: sp.Expr | sp.Matrix) -> sp.Expr | sp.Matrix:
+        return self.bind(name, value)
+
 
 
 def l2(x: sp.Matrix) -> sp.Expr:
@@ -127,9 +141,8 @@ def safe_normalized(let: Let, x: sp.Matrix, part: sp.Matrix) -> sp.Matrix:
 
 def prefixed(let: Let, prefix: str) -> Let:
     """`let` with a prefix to every name, for formulas used twice in a kernel."""
-    return lambda name, value: let(f"{prefix}_{name}", value)
+    return replace(let, bind=lambda name, value: let(f"{prefix}_{name}", value))
 
 
-def unnamed(name: str, value: sp.Expr | sp.Matrix) -> sp.Expr | sp.Matrix:
-    """A let that binds nothing: it turns a derivation into a formula."""
-    return value
+unnamed = Let(lambda name, value: value)
+"""Binds nothing: it turns a derivation into a formula."""

@@ -63,6 +63,12 @@ class scaled(sp.Function):
     nargs = 2
 
 
+WITHIN = ("Each component is within 1 ulp as long as its condition is below 1e13; in single "
+          "precision it is the nearest number, except near ties, as long as that is below 1e5; "
+          "searched, not proved.")
+"""What the accurate tier promises where angles and rotations are converted."""
+
+
 @dataclass(frozen=True)
 class Normwise:
     """|error| <= (k + θ / per_angle) u M for each component of `part`, a part of the result or an
@@ -112,6 +118,7 @@ class Operation:
     by_value: bool = False  # in C, arguments and result are passed by value
     remark: str = ""  # a further property of the tiers without fused operations
     rounding: str = ""  # further error bounds, in words
+    accurate: str = ""  # those of the accurate tier instead
 
     def __post_init__(self) -> None:
         for a in self.inputs:

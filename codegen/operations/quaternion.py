@@ -23,7 +23,7 @@ from coscrew_codegen.operations.norm import (
     safe_normalized,
     unnamed,
 )
-from coscrew_codegen.operations.operation import Normwise, Operation, scaled
+from coscrew_codegen.operations.operation import WITHIN, Normwise, Operation, scaled
 from coscrew_codegen.operations.quaternion_products import PRODUCTS
 from coscrew_codegen.operations.rotation import (
     conjugate,
@@ -68,7 +68,7 @@ _R, _R_out = Argument("R", MAT3X3, ROTATION), Argument("R", MAT3X3)
 _ordinary = Argument("q", QUATERNION, ORDINARY)
 
 PRINCIPAL = "0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0"
-_op = partial(Operation, _NAME)
+_op = partial(Operation, _NAME, accurate=WITHIN)  # polynomials have better bounds
 
 
 def _normalized(q: sp.Matrix) -> sp.Matrix:

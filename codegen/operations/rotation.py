@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from coscrew_codegen.algebra import skew
+from coscrew_codegen.operations.half_angle import HalfAngle, known_angle
 from coscrew_codegen.operations.norm import Let, nonzero, prefixed, safe_norm
 from coscrew_codegen.operations.series import Angle, far, taylor
 
@@ -69,13 +70,17 @@ def quaternion_of(let: Let, R: sp.Matrix) -> sp.Matrix:
                                     for one, other in zip(first, second, strict=True)]))
 
     low = choice("low", b < a, (x, s[2], s[1], p[0]), (s[2], y, s[0], p[1]))
-    high = choice("high", a < -b, (s[1], s[0], z, p[2]), (p[0], p[1], p[2], w))
+    opposite = let("opposite", a + b) < 0 if let.fine else a < -b  # as in `upper`
+    high = choice("high", opposite, (s[1], s[0], z, p[2]), (p[0], p[1], p[2], w))
     return choice("column", c < 0, low, high)
 
 
 def upper(let: Let, q: sp.Matrix) -> sp.Matrix:
-    """q or -q, whichever has w >= 0."""
-    return let("upper", q.applyfunc(lambda x: sp.Piecewise((-x, scalar_part(q) < 0), (x, True))))
+    """q or -q, whichever has w >= 0.  If fine, products may be fused into sums, which therefore are
+    not negated (tiers/negation.py)."""
+    w = scalar_part(q)
+    found = q.applyfunc(lambda x: sp.Piecewise((-x, w < 0), (x, True)))
+    return let("upper", quaternion(vector_part(found), sp.Abs(w)) if let.fine else found)
 
 
 def half_angle(let: Let, q: sp.Matrix, reduced: bool = False) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
@@ -85,16 +90,19 @@ def half_angle(let: Let, q: sp.Matrix, reduced: bool = False) -> tuple[sp.Expr, 
 
 
 def rotation_vector(let: Let, q: sp.Matrix,
-                    reduced: bool = False) -> tuple[sp.Matrix, Angle]:
+                    reduced: bool = False) -> tuple[sp.Matrix, Angle | HalfAngle]:
     """θ v / |v| and θ, of any positive multiple of a unit quaternion with w >= 0."""
     half, n, divisor = half_angle(let, q, reduced)
     theta = let("theta", 2 * half)
     k = let("k", theta / divisor)
-    return let("vector", k * vector_part(q)), Angle.known(let, theta, n, scalar_part(q))
+    return let("vector", k * vector_part(q)), known_angle(let, theta, n, scalar_part(q))
 
 
 def versor(let: Let, h: sp.Matrix) -> sp.Matrix:
     """exp (h; 0) = (h sin |h| / |h|; cos |h|)."""
+    if let.fine:
+        fine = HalfAngle.of_any(let, h)
+        return quaternion(fine.k * h, fine.c)
     angle = Angle.of(let, h)
     x, far_k = angle.square, let("far_k", angle.sine / angle.angle)
     k = let("k", far(x, far_k, taylor(1, x)))

@@ -128,9 +128,9 @@ def beyond(x: sp.Expr, value: sp.Expr, near: sp.Expr) -> sp.Piecewise:
     return sp.Piecewise((near, x < _MIDDLE), (value, True))
 
 
-def taylor(k: int, x: sp.Expr) -> sp.Expr:
+def taylor(k: int, x: sp.Expr, terms: int = _TAYLOR_TERMS) -> sp.Expr:
     """The series of g(k, x)."""
-    return horner([sp.Rational((-1)**j, sp.factorial(2 * j + k)) for j in range(_TAYLOR_TERMS)], x)
+    return horner([sp.Rational((-1)**j, sp.factorial(2 * j + k)) for j in range(terms)], x)
 
 
 def _taylor_rate(k: int, x: sp.Expr) -> sp.Expr:

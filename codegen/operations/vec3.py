@@ -16,7 +16,7 @@ from coscrew_codegen.operations.norm import (
     safe_norm,
     safe_normalized,
 )
-from coscrew_codegen.operations.operation import Operation
+from coscrew_codegen.operations.operation import WITHIN, Operation
 from coscrew_codegen.quantity import (
     ANY,
     SCALAR,
@@ -51,7 +51,7 @@ _PRODUCTS = (
     _op("vec3_normalized", "vo = v / |v|; the zero vector stays zero", (_v,), (_vo,),
         lambda v: divided(v, nonzero(l2(v))), _normalized),
     _op("angle_vv", "angle = atan2(|v1 × v2|, v1·v2), in [0, π]", (_v1, _v2), (_angle,),
-        lambda a, b: sp.atan2(l2(a.cross(b)), a.dot(b)), _angle_between),
+        lambda a, b: sp.atan2(l2(a.cross(b)), a.dot(b)), _angle_between, accurate=WITHIN),
     _op("dot_vv", "v1·v2", (_v1, _v2), (_dot,), lambda v1, v2: v1.dot(v2)),
     _op("product_avinv", "vo = k (-v)", (_k, _v), (_vo,), lambda k, v: -k * v),
     _op("product_ainvv", "vo = v / k", (_k, _v), (_vo,), lambda k, v: v / k),

@@ -32,6 +32,7 @@ from coscrew_codegen.program import (
     scales,
 )
 from coscrew_codegen.program.interpreter import Arithmetic, evaluate
+from coscrew_codegen.program.program import is_rounded
 
 Monomial = tuple[Input, ...]  # sorted; a power repeats its variable
 Number = int | Fraction  # most coefficients are whole numbers; as int they are many times faster
@@ -65,7 +66,7 @@ class _Series:
 def bounds_of(program: Program) -> tuple[Bound, ...] | None:
     """A bound per result component; None unless the program is a polynomial with exact constants.
     """
-    if any(step.op not in _RULES or any(map(_is_rounded_constant, step.operands))
+    if any(step.op not in _RULES or any(map(is_rounded, step.operands))
            for step in program.instructions):
         return None
     inputs = [[_Series({(): {(Input(number, i),): 1}}) for i in range(argument.quantity.size)]
@@ -163,12 +164,6 @@ def _applied(step: Instruction, number: int) -> Callable[..., _Series]:
         return _product
     rule = _RULES[step.op]
     return lambda *operands: rule(operands, number)
-
-
-def _is_rounded_constant(operand: Operand) -> bool:
-    """Whether the operand is a constant that is not a binary fraction, and so is rounded."""
-    denominator = operand.double.denominator if isinstance(operand, Constant) else 1
-    return bool(denominator & (denominator - 1))
 
 
 def _combined(*scaled: tuple[int, _Series]) -> _Series:

@@ -70,6 +70,12 @@ class Instruction:
     component: str
 
 
+def is_rounded(x: Operand) -> bool:
+    """Whether the operand is a constant that is not a binary fraction, and so is rounded."""
+    denominator = x.double.denominator if isinstance(x, Constant) else 1
+    return bool(denominator & (denominator - 1))
+
+
 def scales(step: Instruction) -> bool:
     """Whether this is a product with a constant power of two: exact barring over- and underflow."""
     return step.op is Op.MUL and any(
@@ -87,6 +93,8 @@ class Program:
     instructions: tuple[Instruction, ...]
     results: tuple[Operand, ...]  # every component of every output, row by row
     wide: bool = False  # computed in double though arguments are single, results rounded to single
+    fine: "Program | None" = field(default=None, compare=False)
+    """The same for twice the digits, if that takes other formulas: longer series, say."""
 
     def __hash__(self) -> int:
         return self._hash
@@ -105,6 +113,12 @@ class Program:
         """The input components that instructions or results use."""
         operands = [x for instruction in self.instructions for x in instruction.operands]
         return frozenset(x for x in (*operands, *self.results) if isinstance(x, Input))
+
+
+def has_rounded_constants(program: Program) -> bool:
+    """Whether the program computes with constants that are rounded."""
+    return any(is_rounded(x) for step in program.instructions if step.op.rounds
+               for x in step.operands)
 
 
 def without_dead_steps(program: Program) -> Program:
@@ -157,7 +171,12 @@ def by_component(program: Program) -> Iterator[tuple[Instruction, ...]]:
 
 def counts_in_words(program: Program) -> str:
     """'24 mul, 18 add': operations by kind, a subtraction counted as an addition."""
-    counts = Counter(program.counts)
+    return in_words(program.counts)
+
+
+def in_words(found: Mapping[Op, int]) -> str:
+    """'24 mul, 18 add' of counts."""
+    counts = Counter(found)
     counts[Op.ADD] += counts.pop(Op.SUB, 0)
     counts[Op.MUL] += counts.pop(Op.SCALE, 0)
     counts[Op.FMA] += counts.pop(Op.FMS, 0) + counts.pop(Op.FNMA, 0)

@@ -18,8 +18,8 @@ from tqdm import tqdm
 from coscrew_codegen.exact import formula, is_polynomial
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
-from coscrew_codegen.program import counts_in_words
-from coscrew_codegen.program.flops import flops
+from coscrew_codegen.program.flops import flops_of
+from coscrew_codegen.program.program import in_words
 from coscrew_codegen.report import errors, timing
 from coscrew_codegen.report.c_text import Variant
 from coscrew_codegen.report.drift import drifts
@@ -32,6 +32,7 @@ from coscrew_codegen.report.schema import SCHEMA, Drift, Entry, Report, Time
 from coscrew_codegen.report.timing import COUNTS, Timed
 from coscrew_codegen.report.variants import variants_of
 from coscrew_codegen.special import SPECIAL
+from coscrew_codegen.whole_cost import whole_counts
 
 # The most informative operations: measured first if time is short, and printed.
 SHOWN = ("product_CoAdc", "product_CoAdinvc", "product_Ads", "cross_sc", "cross_ss", "dot_cs",
@@ -171,11 +172,11 @@ def _called_in_python(variant: Variant, arguments: Arrays) -> Arrays:
 
 
 def _entry(variant: Variant, accuracy: Accuracy, its_times: tuple[Time, ...]) -> Entry:
-    operation = variant.operation
+    operation, counts = variant.operation, whole_counts(variant.program, variant.precision)
     return Entry(operation.name, operation.family, operation.statement, variant.precision.name,
                  variant.tier, "u" if operation.normwise else "ulp", accuracy.benign,
-                 accuracy.hard, accuracy.bound, accuracy.condition, flops(variant.program),
-                 counts_in_words(variant.program), its_times)
+                 accuracy.hard, accuracy.bound, accuracy.condition, flops_of(counts),
+                 in_words(counts), its_times)
 
 
 def _key(variant: Variant) -> Key:

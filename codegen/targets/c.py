@@ -11,11 +11,12 @@ from coscrew_codegen.program import (
     Op,
     Program,
     bounds,
-    counts_in_words,
+    renamed,
 )
 from coscrew_codegen.quantity import SCALAR, Argument, Quantity, in_words
 from coscrew_codegen.targets.c_function import Body, CFunction, Stored, documented
 from coscrew_codegen.targets.c_statements import WIDTH, listed
+from coscrew_codegen.whole_cost import whole_cost
 
 STRUCTS = ("vec3", "vec4", "mat3x3", "mat4x4", "SE3", "screw", "coscrew", "mat6x6", "quaternion",
            "inertia", "spatial_inertia")
@@ -118,8 +119,11 @@ class _Writer:
     """Writes one function of the library; structs are passed by address, numbers by value."""
 
     def __init__(self, operation: Operation, program: Program, precision: Precision, tier: str):
-        self.operation, self.program, self.precision = operation, program, precision
-        self.tier = tier
+        self.operation, self.precision, self.tier = operation, precision, tier
+        parameter = {a.name for a in parameters(operation)}
+        names = {step.name: f"{step.name}_" if step.name in parameter else step.name
+                 for step in program.instructions}
+        self.program = renamed(program, names) if parameter & names.keys() else program
 
     def function(self) -> CFunction:
         name = c_name(self.operation.name, self.precision) + (f"_{self.tier}" if self.tier else "")
@@ -131,7 +135,7 @@ class _Writer:
         remark = f"  {self.operation.remark}" if self.operation.remark and not fused else ""
         return [f"{self.operation.statement}.{remark}",
                 f"{in_words(parameters(self.operation))}.",
-                f"{counts_in_words(self.program).capitalize()}.",
+                f"{whole_cost(self.program, self.precision).capitalize()}.",
                 bounds.in_words(self.program) or self.operation.tested_bounds]
 
     def _stored(self) -> Stored:

@@ -19,7 +19,6 @@ from coscrew_codegen.program import (
     Op,
     Program,
     bounds,
-    counts_in_words,
 )
 from coscrew_codegen.quantity import Argument, in_words
 from coscrew_codegen.targets.c_statements import WIDTH, listed
@@ -33,6 +32,7 @@ from coscrew_codegen.targets.nesting import (
     Nesting,
 )
 from coscrew_codegen.tiers import TIERS, Tier
+from coscrew_codegen.whole_cost import whole_cost
 
 # operation → (pattern, precedence)
 SPELLING = {
@@ -96,7 +96,7 @@ def twins(kernels: FamilyKernels) -> Mapping[tuple[str, str], Twins]:
 
 def _twins(kernels: Kernels, precision: Precision) -> Twins:
     return Twins(tuple(function(op, program, precision) for op, program in kernels.items()),
-                 {op.name: docstring_of(op, program) for op, program in kernels.items()},
+                 {op.name: docstring_of(op, program, precision) for op, program in kernels.items()},
                  imports(tuple(kernels.values()), precision),
                  any(program.wide for program in kernels.values()))
 
@@ -121,12 +121,12 @@ def stub(operation: Operation, docstring: str, scalar: str) -> Stub:
     return Stub(operation.name, arguments, out, result, _indented(docstring))
 
 
-def docstring_of(operation: Operation, program: Program) -> str:
+def docstring_of(operation: Operation, program: Program, precision: Precision) -> str:
     """Equation, shapes, units, cost: the docstring of the operation in Python."""
     arguments = tuple({a.name: a for a in (*operation.inputs, *operation.outputs)}.values())
     remark = f"  {operation.remark}" if operation.remark else ""
     bound = bounds.in_words(program) or operation.tested_bounds
-    cost = f"{counts_in_words(program).capitalize()}.  {bound}".rstrip()
+    cost = f"{whole_cost(program, precision).capitalize()}.  {bound}".rstrip()
     shapes = f"{operation.signature}.  {in_words(arguments)}."
     paragraphs = (f"{operation.statement}.{remark}", "", shapes, cost)
     return "\n".join(row for paragraph in paragraphs
@@ -194,13 +194,13 @@ def _is_choice_of_constants(step: Instruction) -> bool:
 
 class _Writer:
     def __init__(self, operation: Operation, program: Program, precision: Precision):
-        self.operation, self.program = operation, program
+        self.operation, self.program, self.precision = operation, program, precision
         self.working = DOUBLE if program.wide else precision
 
     def function(self) -> PythonFunction:
         return PythonFunction(self.operation.name, self.operation.signature,
                               ", ".join(a.name for a in self.operation.inputs),
-                              _indented(docstring_of(self.operation, self.program)),
+                              _indented(docstring_of(self.operation, self.program, self.precision)),
                               "\n".join(f"    {line}" for line in self._body()))
 
     def _body(self) -> list[str]:

@@ -10,14 +10,50 @@ products of two errors remain.
 
 from dataclasses import replace
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
-from coscrew_codegen.program import Constant, Op, Operand, Program
+from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.bounds import bounds_of
 from coscrew_codegen.tiers.accurate_scene import of_scene
+from coscrew_codegen.tiers.compensated import rounded_constant
 from coscrew_codegen.tiers.negation import negating_terms
 from coscrew_codegen.tiers.nonlinear import COMPENSATED, Accurate, compensated
 from coscrew_codegen.tiers.tier import Tier, rounds_by
+
+if TYPE_CHECKING:
+    from coscrew_codegen.operations import Operation
+
+_HALF = Constant(Fraction(1, 2), Fraction(1, 2))
+
+
+class OfLibrary(Accurate):
+    """Of operations of the library: their angles may be large."""
+
+    def __init__(self, overlapping: frozenset[str] = frozenset()) -> None:
+        super().__init__(overlapping)
+        self._turns: dict[Operand, list[Ref]] = {}  # by lo of an angle, sine and cosine of its half
+
+    def _sine_or_cosine(self, step: Instruction, low: list[Operand | None]) -> Operand:
+        """lo of s = sin x: sin x - s + 2 p (q c - p s), where p and q are sine and cosine of
+        x_lo / 2; of c = cos x: cos x - c - 2 p (q s + p c)."""
+        error = self._error(step)
+        x_lo, = low
+        if x_lo is None:
+            return error
+        if x_lo not in self._turns:
+            half = self.issue(step, Op.MUL, (x_lo, _HALF), "half")
+            self._turns[x_lo] = [self.issue(step, op, (half,), f"half_{op.value}")
+                                 for op in (Op.SIN, Op.COS)]
+        p, q = self._turns[x_lo]
+        partner, sine = self._partners[step.name], step.op is Op.SIN
+        terms = (self.issue(step, Op.MUL, (q, partner), "slope1"),
+                 self.issue(step, Op.MUL, (p, Ref(step.name)), "slope2"))
+        slope = self.issue(step, Op.SUB if sine else Op.ADD, terms, "slope")
+        twice = self.issue(step, Op.ADD, (p, p), "twice")
+        more = self.issue(step, Op.MUL, (slope, twice), "more")
+        return self.issue(step, Op.ADD if sine else Op.SUB, (error, more), "lo")
+
 
 LARGEST_C2 = 45
 """The largest c2 of any polynomial program: 1 / (2 c2 u) is just above 1e14."""
@@ -25,20 +61,21 @@ LARGEST_C2 = 45
 
 def accurate(program: Program) -> Program:
     """The plain program compensated; c2 <= LARGEST_C2 if it is a polynomial."""
-    quick = compensated(program, Accurate())
+    quick = compensated(program, OfLibrary())
     bounds = bounds_of(quick)
     if bounds is None or all(bound.c2 <= LARGEST_C2 for bound in bounds):
         return quick
     sums = {step.name for step in program.instructions if step.op in (Op.ADD, Op.SUB)}
-    return compensated(program, Accurate(frozenset(sums)))
+    return compensated(program, OfLibrary(frozenset(sums)))
 
 
 def widened(program: Program) -> Program:
-    """The plain program computed in double, with the constants of single precision."""
+    """The plain program computed in double, with the thresholds of single precision."""
     def narrow(x: Operand) -> Operand:
         if not isinstance(x, Constant):
             return x
-        value = Fraction(float(SINGLE.rounded(x.single)))
+        same = x.double == x.single
+        value = Fraction(float(x.double if same else SINGLE.rounded(x.single)))
         return Constant(value, value)
 
     program = negating_terms(program)  # C may fuse exact products into sums
@@ -48,18 +85,35 @@ def widened(program: Program) -> Program:
 
 
 def _made(program: Program, precision: Precision) -> Program:
-    return accurate(program) if precision == DOUBLE else widened(program)
+    if precision != DOUBLE:
+        return replace(widened(program.fine or program), fine=None)
+    made = accurate(program.fine or program)
+    steps = tuple(replace(step, operands=tuple(map(_rounded, step.operands)))
+                  for step in made.instructions)
+    return replace(made, instructions=steps, fine=None)
+
+
+def accurate_operation(operation: "Operation") -> "Operation":
+    """The operation with the bounds of this tier."""
+    if not operation.normwise:
+        return replace(operation, rounding=operation.accurate or operation.rounding)
+    within = tuple(replace(bound, k=1, per_angle=0) for bound in operation.normwise)
+    words = f"{operation.accurate}  {operation.rounding}".strip()
+    return replace(operation, normwise=within, rounding=words)
+
+
+def _rounded(x: Operand) -> Operand:
+    return rounded_constant(x) if isinstance(x, Constant) else x
 
 
 def _has(program: Program) -> bool:
-    """Whether all is compensated; the rounding of an arctangent alone cannot be."""
-    return rounds_by(COMPENSATED - {Op.SIN, Op.COS, Op.EXP, Op.TANH}, program) and any(
-        op.rounds for op in program.counts.keys() - {Op.ATAN2})
+    return rounds_by(COMPENSATED, program)
 
 
 TIER = Tier(
     "accurate", 2, "Accurate tier: double compensated, single computed in double.",
-    ("#c2570c", "#f5a04d"), _made, has=_has, scene=of_scene, header="ksl_exact",
+    ("#c2570c", "#f5a04d"), _made, has=_has, operation=accurate_operation, scene=of_scene,
+    header="ksl_exact",
     in_words="""\
 The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed in
 float64 and rounded once.  The same bits as the C kernels, with fma or without.""")

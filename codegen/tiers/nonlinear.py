@@ -6,6 +6,7 @@ residuals of quotients and roots, a - q b and a - s s, are exact; what elementar
 is computed by functions of their own.  Where lo is NaN (0/0, an infinite hi), the result is hi.
 """
 
+from collections import Counter
 from dataclasses import replace
 from fractions import Fraction
 
@@ -39,6 +40,9 @@ def compensated(program: Program, compensator: "Accurate") -> Program:
         compensator.compensate(step)
     guarded = bool(program.counts.keys() & NONLINEAR)
     results = tuple(compensator.final(result, guarded) for result in program.results)
+    names = Counter(step.name for step in compensator.steps)
+    if twice := [name for name, count in names.items() if count > 1]:
+        raise ValueError(f"{program.name}: rename {twice[0]!r}, as its compensation is named")
     return without_dead_steps(replace(program, instructions=tuple(compensator.steps),
                                       results=results))
 
@@ -216,8 +220,8 @@ class Accurate(Compensator):
         return self.issue(step, Op.ADD, (error, more), "lo")
 
     def _scaled(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
-        """lo of p = a s, s a power of two: (a - p / s + a_lo) s if p has lost digits by underflow;
-        else 0, since p is already (a + a_lo) s rounded."""
+        """lo of p = a s, s a power of two: (a - p / s + a_lo) s; a and p / s differ only where
+        p has lost digits by underflow."""
         if low[0] is None:
             return None
         (a, s), p = step.operands, Ref(step.name)
@@ -226,9 +230,7 @@ class Accurate(Compensator):
         back = self.issue(step, Op.MUL, (p, self._inverses[s]), "back")
         lost = self.issue(step, Op.SUB, (a, back), "lost")
         rest = self.issue(step, Op.ADD, (lost, low[0]), "rest")
-        small = self.issue(step, Op.MUL, (rest, s), "small")
-        nothing = self.issue(step, Op.EQUAL, (lost, _ZERO), "nothing_lost")
-        return self.issue(step, Op.SELECT, (nothing, _ZERO, small), "lo")
+        return self.issue(step, Op.MUL, (rest, s), "lo")
 
     def _absolute(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
         if low[0] is None:

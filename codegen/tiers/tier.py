@@ -6,8 +6,9 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.formats import PRECISIONS, Precision
-from coscrew_codegen.program import Constant, Op, Operand, Program
+from coscrew_codegen.program import Op, Program
 from coscrew_codegen.program.ops import POLYNOMIAL
+from coscrew_codegen.program.program import has_rounded_constants
 from coscrew_codegen.quantity import Argument
 
 if TYPE_CHECKING:  # with it comes SymPy, for which `coscrew simulate` need not wait
@@ -16,22 +17,13 @@ if TYPE_CHECKING:  # with it comes SymPy, for which `coscrew simulate` need not 
 
 def is_polynomial(program: Program) -> bool:
     """Whether the program rounds, by sums and products only, and all its constants are exact."""
-    return rounds_by(POLYNOMIAL, program)
+    return rounds_by(POLYNOMIAL, program) and not has_rounded_constants(program)
 
 
 def rounds_by(ops: frozenset[Op], program: Program) -> bool:
-    """Whether the program rounds, by these operations only, and computes with exact constants only:
-    no tier can correct a rounded constant."""
+    """Whether the program rounds, by these operations only."""
     held = program.counts.keys()
-    return any(op.rounds for op in held) and held <= ops and not any(
-        _is_rounded(x) for step in program.instructions if step.op.rounds
-        for x in step.operands)
-
-
-def _is_rounded(operand: Operand) -> bool:
-    """Whether the operand is a constant that is not a binary fraction."""
-    denominator = operand.double.denominator if isinstance(operand, Constant) else 1
-    return bool(denominator & (denominator - 1))
+    return any(op.rounds for op in held) and held <= ops
 
 
 def bounds_of_outputs(outputs: tuple[Argument, ...]) -> tuple[Argument, ...]:

@@ -1586,30 +1586,31 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).\n"
     "\n"
     "(3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.\n"
-    "14 mul, 4 add, 3 sin, 3 cos, 3 neg.\n",
+    "98 mul, 103 add, 3 neg, 3 abs.\n",
    1, 1, mat3x3_from_euler_xyz_loops},
   {"euler_xyz_from_mat3x3", "(3,3)->(3)",
     "angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in\n"
     "[-π/2, π/2]; c = 0 in gimbal lock.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
-    "6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.  The rotation by these\n"
-    "angles differs from R by at most 12 u in each entry, near gimbal lock too; searched, not\n"
-    "proved.\n",
+    "93 mul, 108 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  The\n"
+    "rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;\n"
+    "searched, not proved.\n",
    1, 1, euler_xyz_from_mat3x3_loops},
   {"mat3x3_from_euler_xyx", "(3)->(3,3)",
     "R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).\n"
     "\n"
     "(3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.\n"
-    "14 mul, 4 add, 3 sin, 3 cos, 2 neg.\n",
+    "98 mul, 103 add, 2 neg, 3 abs.\n",
    1, 1, mat3x3_from_euler_xyx_loops},
   {"euler_xyx_from_mat3x3", "(3,3)->(3)",
     "angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in\n"
     "[0, π]; c = 0 in gimbal lock.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
-    "6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles\n"
-    "differs from R by at most 12 u in each entry, near gimbal lock too; searched, not proved.\n",
+    "93 mul, 108 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  The\n"
+    "rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;\n"
+    "searched, not proved.\n",
    1, 1, euler_xyx_from_mat3x3_loops},
   {"mat3x3_jacobi", "(3,3),(3,3)->(3,3),(3,3)",
     "A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes\n"
@@ -1625,15 +1626,15 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "not a rotation.\n"
     "\n"
     "(3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.\n"
-    "15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 9 u of its largest component\n"
-    "for |axis| = 1; searched, not proved.\n",
+    "71 mul, 79 add, 2 abs, 1 less, 1 select.  Error <= R: 9 u of its largest component for\n"
+    "|axis| = 1; searched, not proved.\n",
    2, 1, mat3x3_from_axis_angle_loops},
   {"axis_angle_from_mat3x3", "(3,3)->(),(3)",
     "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.\n"
     "\n"
     "(3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.\n"
-    "8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.  Error <=\n"
-    "angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not proved.\n",
+    "37 mul, 51 add, 4 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 18 less, 2 equal, 40 select.  Error\n"
+    "<= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not proved.\n",
    1, 2, axis_angle_from_mat3x3_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

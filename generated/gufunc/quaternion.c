@@ -4823,7 +4823,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "rotation is by another angle.\n"
     "\n"
     "(3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.\n"
-    "4 mul, 1 sin, 1 cos.  Error <= qo: 3 u of its largest component for |axis| = 1; searched,\n"
+    "32 mul, 33 add, 1 abs.  Error <= qo: 3 u of its largest component for |axis| = 1; searched,\n"
     "not proved.\n",
    2, 1, quaternion_from_axis_angle_loops},
   {"axis_angle_from_quaternion", "(4)->(),(3)",
@@ -4831,32 +4831,31 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "angle is 0; any multiple of a quaternion.\n"
     "\n"
     "(4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.\n"
-    "12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.  Error <=\n"
-    "angle: 6 u, axis: 4 u of its largest component; searched, not proved.\n",
+    "41 mul, 37 add, 4 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 32 select.  Error\n"
+    "<= angle: 6 u, axis: 4 u of its largest component; searched, not proved.\n",
    1, 2, axis_angle_from_quaternion_loops},
   {"quaternion_exp", "(3)->(4)",
     "qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.\n"
     "\n"
     "(3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.\n"
-    "43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 2 less, 6 select.  Error <= qo: (7 +\n"
-    "θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not\n"
-    "proved.\n",
+    "71 mul, 86 add, 2 div, 1 sqrt, 5 abs, 2 less, 6 select.  Error <= qo: (7 + θ/200) u of its\n"
+    "largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.\n",
    1, 1, quaternion_exp_loops},
   {"quaternion_log", "(4)->(3)",
     "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of\n"
     "it.\n"
     "\n"
     "(4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.\n"
-    "15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 17 select.  Error <=\n"
-    "vo: 6 u of its largest component; searched, not proved.\n",
+    "44 mul, 37 add, 2 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 31 select.  Error\n"
+    "<= vo: 6 u of its largest component; searched, not proved.\n",
    1, 1, quaternion_log_loops},
   {"quaternion_interpolated", "(4),(4),()->(4)",
     "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.\n"
     "\n"
     "(4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.\n"
-    "85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19\n"
-    "select.  Error <= qo: 16 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=\n"
-    "1; searched, not proved.\n",
+    "142 mul, 147 add, 4 div, 2 sqrt, 5 neg, 10 abs, 2 copysign, 17 less, 2 equal, 33 select.\n"
+    "Error <= qo: 16 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;\n"
+    "searched, not proved.\n",
    3, 1, quaternion_interpolated_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

@@ -93,7 +93,7 @@ const coscrew_gufunc TABLE(trig)[] = {
     "dc = (sin θ, cos θ), θ in rad.\n"
     "\n"
     "()->(2).  theta: number; dc: (sin θ, cos θ).\n"
-    "1 sin, 1 cos.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is\n"
+    "28 mul, 33 add, 1 abs.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is\n"
     "subnormal; proved.\n",
    1, 1, dc_loops},
   {NULL, NULL, NULL, 0, 0, NULL},

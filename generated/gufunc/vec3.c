@@ -2316,7 +2316,7 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "angle = atan2(|v1 × v2|, v1·v2), in [0, π].\n"
     "\n"
     "(3),(3)->().  v1, v2: vector; angle: number.\n"
-    "22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 18 less, 18 select.\n",
+    "51 mul, 42 add, 1 div, 1 sqrt, 1 neg, 11 abs, 2 copysign, 24 less, 1 equal, 32 select.\n",
    2, 1, angle_vv_loops},
   {"dot_vv", "(3),(3)->()",
     "v1·v2.\n"

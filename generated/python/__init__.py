@@ -14,7 +14,7 @@ from pathlib import Path
 from coscrew import c, double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "484c375255c2a6d9")
+COMPILED: bool = is_compiled("coscrew._gufunc", "25cf64115b5d7056")
 
 if COMPILED:
     from coscrew._gufunc import (

@@ -17,7 +17,7 @@ def sincos(x: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floa
     """s = sin x, c = cos x, x in rad.
 
     ()->(),().  x, s, c: number.
-    1 sin, 1 cos.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is
+    28 mul, 33 add, 1 abs.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is
     subnormal; proved.
     """
 
@@ -25,40 +25,40 @@ def sin(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floa
     """s = sin x, x in rad.
 
     ()->().  x, s: number.
-    1 sin.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal;
-    proved.
+    28 mul, 33 add, 1 abs.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is
+    subnormal; proved.
     """
 
 def cos(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """c = cos x, x in rad.
 
     ()->().  x, c: number.
-    1 cos.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal;
-    proved.
+    28 mul, 33 add, 1 abs.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is
+    subnormal; proved.
     """
 
 def exp(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """y = e^x.
 
     ()->().  x, y: number.
-    1 exp.  Error <= 0.755 ulp, in single precision 0.757 ulp, unless a result is subnormal;
-    proved.
+    19 mul, 20 add, 1 power of two, 3 less, 4 select.  Error <= 0.755 ulp, in single precision
+    0.757 ulp, unless a result is subnormal; proved.
     """
 
 def tanh(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """y = tanh x.
 
     ()->().  x, y: number.
-    1 tanh.  Error <= 0.979 ulp, in single precision 0.967 ulp, unless a result is subnormal;
-    proved.
+    29 mul, 30 add, 1 div, 1 power of two, 1 abs, 1 copysign, 2 less, 5 select.  Error <= 0.979
+    ulp, in single precision 0.967 ulp, unless a result is subnormal; proved.
     """
 
 def atan2(y: ArrayLike, x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """angle of the vector (x, y) to the x axis, in rad, from -π to π.
 
     (),()->().  y, x, angle: number.
-    1 atan2.  Error <= 0.934 ulp, in single precision 0.896 ulp, unless a result is subnormal;
-    proved.
+    29 mul, 35 add, 1 div, 1 neg, 2 abs, 2 copysign, 6 less, 1 equal, 14 select.  Error <= 0.934
+    ulp, in single precision 0.896 ulp, unless a result is subnormal; proved.
     """
 
 def vec3_copy(vi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -171,7 +171,7 @@ def angle_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ..
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 18 less, 18 select.
+    51 mul, 42 add, 1 div, 1 sqrt, 1 neg, 11 abs, 2 copysign, 24 less, 1 equal, 32 select.
     """
 
 def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -420,7 +420,7 @@ def mat3x3_from_euler_xyz(angles: ArrayLike, out: NDArray[np.floating] | None = 
     """R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
 
     (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
-    14 mul, 4 add, 3 sin, 3 cos, 3 neg.
+    98 mul, 103 add, 3 neg, 3 abs.
     """
 
 def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -428,16 +428,16 @@ def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) 
     [-π/2, π/2]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.  The rotation by these
-    angles differs from R by at most 12 u in each entry, near gimbal lock too; searched, not
-    proved.
+    93 mul, 108 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  The
+    rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;
+    searched, not proved.
     """
 
 def mat3x3_from_euler_xyx(angles: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
 
     (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
-    14 mul, 4 add, 3 sin, 3 cos, 2 neg.
+    98 mul, 103 add, 2 neg, 3 abs.
     """
 
 def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -445,8 +445,9 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) 
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles
-    differs from R by at most 12 u in each entry, near gimbal lock too; searched, not proved.
+    93 mul, 108 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  The
+    rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;
+    searched, not proved.
     """
 
 def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
@@ -920,7 +921,7 @@ def dc(theta: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.f
     """dc = (sin θ, cos θ), θ in rad.
 
     ()->(2).  theta: number; dc: (sin θ, cos θ).
-    1 sin, 1 cos.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is
+    28 mul, 33 add, 1 abs.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is
     subnormal; proved.
     """
 
@@ -2099,7 +2100,7 @@ def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[n
     rotation is by another angle.
 
     (3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
-    4 mul, 1 sin, 1 cos.  Error <= qo: 3 u of its largest component for |axis| = 1; searched,
+    32 mul, 33 add, 1 abs.  Error <= qo: 3 u of its largest component for |axis| = 1; searched,
     not proved.
     """
 
@@ -2108,17 +2109,16 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.floating] | N
     angle is 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.  Error <=
-    angle: 6 u, axis: 4 u of its largest component; searched, not proved.
+    41 mul, 37 add, 4 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 32 select.  Error
+    <= angle: 6 u, axis: 4 u of its largest component; searched, not proved.
     """
 
 def quaternion_exp(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
 
     (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
-    43 mul, 53 add, 2 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 2 less, 6 select.  Error <= qo: (7 +
-    θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
-    proved.
+    71 mul, 86 add, 2 div, 1 sqrt, 5 abs, 2 less, 6 select.  Error <= qo: (7 + θ/200) u of its
+    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.
     """
 
 def quaternion_log(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -2126,52 +2126,49 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDAr
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 17 select.  Error <=
-    vo: 6 u of its largest component; searched, not proved.
+    44 mul, 37 add, 2 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 31 select.  Error
+    <= vo: 6 u of its largest component; searched, not proved.
     """
 
 def quaternion_interpolated(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-    85 mul, 79 add, 3 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 4 neg, 7 abs, 11 less, 1 equal, 19
-    select.  Error <= qo: 16 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <=
-    1; searched, not proved.
+    142 mul, 147 add, 4 div, 2 sqrt, 5 neg, 10 abs, 2 copysign, 17 less, 2 equal, 33 select.
+    Error <= qo: 16 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
+    searched, not proved.
     """
 
 def SO3_exp(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.  Error <= R: (6 +
-    θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
-    proved.
+    77 mul, 102 add, 3 div, 1 sqrt, 5 abs, 5 less, 11 select.  Error <= R: (6 + θ/200) u of its
+    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.
     """
 
 def SO3_log(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
-    vo: 7 u of its largest component for R a rotation; searched, not proved.
+    40 mul, 51 add, 2 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 18 less, 2 equal, 39 select.  Error
+    <= vo: 7 u of its largest component for R a rotation; searched, not proved.
     """
 
 def SO3_leftJacobian(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.  Error <= R: (7 +
-    θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
-    proved.
+    88 mul, 114 add, 4 div, 1 sqrt, 5 abs, 6 less, 12 select.  Error <= R: (7 + θ/200) u of its
+    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.
     """
 
 def SO3_rightJacobian(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.  Error <= R:
-    (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
-    not proved.
+    88 mul, 114 add, 4 div, 1 sqrt, 3 neg, 5 abs, 6 less, 12 select.  Error <= R: (7 + θ/200) u
+    of its largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.
     """
 
 def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -2179,8 +2176,8 @@ def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ...
     except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.  Error <= R: 6
-    u of its largest component for |v| <= π; searched, not proved.
+    71 mul, 96 add, 3 div, 1 sqrt, 3 neg, 5 abs, 7 less, 12 select.  Error <= R: 6 u of its
+    largest component for |v| <= π; searched, not proved.
     """
 
 def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -2188,8 +2185,8 @@ def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ..
     except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.  Error <= R: 6 u of
-    its largest component for |v| <= π; searched, not proved.
+    71 mul, 96 add, 3 div, 1 sqrt, 5 abs, 7 less, 12 select.  Error <= R: 6 u of its largest
+    component for |v| <= π; searched, not proved.
     """
 
 def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -2197,16 +2194,16 @@ def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.fl
     not a rotation.
 
     (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
-    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 9 u of its largest component
-    for |axis| = 1; searched, not proved.
+    71 mul, 79 add, 2 abs, 1 less, 1 select.  Error <= R: 9 u of its largest component for
+    |axis| = 1; searched, not proved.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.  Error <=
-    angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not proved.
+    37 mul, 51 add, 4 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 18 less, 2 equal, 40 select.  Error
+    <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not proved.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
@@ -2229,18 +2226,18 @@ def SE3_exp(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (6 +
-    θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is larger, for |ω
-    of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate sums may
-    overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36.
+    108 mul, 126 add, 4 div, 1 sqrt, 5 abs, 6 less, 13 select.  Error <= R: (6 + θ/200) u, t:
+    (14 + θ/200) u of its largest component, or of s.lin if that is larger, for |ω of s| <=
+    1e13, in single precision 1e5; searched, not proved.  Intermediate sums may overflow where
+    |v|, or |ω| |v|, is above 2e306, in single precision 5e36.
     """
 
 def SE3_log(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.  Error <=
-    lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not proved.
+    79 mul, 80 add, 4 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 20 less, 2 equal, 43 select.  Error
+    <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not proved.
     Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36.
     """
 
@@ -2248,45 +2245,45 @@ def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> ND
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.  Error <= M:
-    20 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums
-    may overflow where |v| is above 2e306, in single precision 5e36.
+    149 mul, 166 add, 6 div, 1 sqrt, 1 neg, 5 abs, 7 less, 15 select.  Error <= M: 20 u of its
+    largest component for |ω of s| <= π; searched, not proved.  Intermediate sums may overflow
+    where |v| is above 2e306, in single precision 5e36.
     """
 
 def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.  Error <=
-    M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums
-    may overflow where |v| is above 2e306, in single precision 5e36.
+    149 mul, 166 add, 6 div, 1 sqrt, 13 neg, 5 abs, 7 less, 15 select.  Error <= M: 20 u of its
+    largest component for |ω of s| <= π; searched, not proved.  Intermediate sums may overflow
+    where |v| is above 2e306, in single precision 5e36.
     """
 
 def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    14 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums
-    may overflow where |v| is above 2e306, in single precision 5e36.
+    121 mul, 139 add, 5 div, 1 sqrt, 7 neg, 5 abs, 7 less, 13 select.  Error <= M: 14 u of its
+    largest component for |ω of s| <= π; searched, not proved.  Intermediate sums may overflow
+    where |v| is above 2e306, in single precision 5e36.
     """
 
 def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    14 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums
-    may overflow where |v| is above 2e306, in single precision 5e36.
+    121 mul, 139 add, 5 div, 1 sqrt, 7 neg, 5 abs, 7 less, 13 select.  Error <= M: 14 u of its
+    largest component for |ω of s| <= π; searched, not proved.  Intermediate sums may overflow
+    where |v| is above 2e306, in single precision 5e36.
     """
 
 def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
-    select.  Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is
-    larger, for R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.
+    265 mul, 260 add, 8 div, 2 sqrt, 6 neg, 10 abs, 2 copysign, 26 less, 2 equal, 56 select.
+    Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is larger,
+    for R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.
     Intermediate sums may overflow where |t| of D1 or D2 is above 2e306, in single precision
     5e36.
     """

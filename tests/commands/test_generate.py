@@ -200,10 +200,10 @@ def imported_modules(node: ast.AST) -> list[str]:
 def test_imports_run_one_way():
     """version < … < algebra < … < kernel < passes < schedule < tiers < targets < … < emit."""
     order = ["version", "errors", "collection", "parameter", "found", "integrator", "integrators",
-             "identifiers", "algebra", "quantity", "program", "formats", "elementary", "domains",
-             "operations", "kernel", "passes", "scene_functions", "scene_symbols", "schedule",
-             "programs", "recording", "tiers", "scene_tiers", "library", "render", "plots", "pages",
-             "machine",
+             "identifiers", "algebra", "quantity", "program", "formats", "elementary", "whole_cost",
+             "domains", "operations", "kernel", "passes", "scene_functions", "scene_symbols",
+             "schedule", "programs", "recording", "tiers", "scene_tiers", "library", "render",
+             "plots", "pages", "machine",
              "native", "targets", "special", "exact", "selection", "family_cache", "layout", "emit",
              "report", "scene", "mechanics", "effects", "scene_files", "documentation", "console",
              "simulate", "cost",

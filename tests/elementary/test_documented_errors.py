@@ -1,11 +1,13 @@
 """The documentation's table of errors holds the proved ones and the largest committed cases."""
 
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from coscrew_codegen.elementary import ELEMENTARY, Elementary
+from coscrew_codegen.elementary import ELEMENTARY, ERRORS, Elementary
+from coscrew_codegen.elementary.pairs import power_of_two
 from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
 from tests.support.truth.elementary import errors, results, worst_cases
 
@@ -31,3 +33,11 @@ def test_rows_are_true(function):
                    for x in (float(function.error(p)), found[p.name][name]))
         row = f"| `{name}` | {' | '.join(f'{x:.3f}' for x in numbers)} |"
         assert row in _GUIDE.read_text().splitlines(), row
+
+
+@pytest.mark.parametrize("function", ERRORS, ids=lambda x: x.name)
+def test_errors_of_errors_are_true(function):
+    proved = [function.error(p) for p in (DOUBLE, SINGLE)]
+    row = f"| `ksl_{function.name}` | {' | '.join(map(power_of_two, proved))} |"
+    assert row in _GUIDE.read_text().splitlines(), row
+    assert proved[0] <= Fraction(1, 2**100)

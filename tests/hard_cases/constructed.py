@@ -43,6 +43,9 @@ FAR: dict[str, Callable[[], mp.mpf]] = {  # the last two are next to multiples o
     "2π + 1e-6": lambda: 2 * mp.pi + mp.mpf("1e-6"),
     "40": lambda: mp.mpf(40), "1e3": lambda: mp.mpf(1000), "99999": lambda: mp.mpf(99999),
     "31831 π": lambda: 31831 * mp.pi, "63661 π/2": lambda: 63661 * mp.pi / 2}
+SERIES: dict[str, Callable[[], mp.mpf]] = {  # where those of the accurate tier end
+    "1 - 2^-20": lambda: 1 - mp.mpf(2)**-20, "1 + 2^-20": lambda: 1 + mp.mpf(2)**-20,
+    "2 - 2^-20": lambda: 2 - mp.mpf(2)**-20}
 FARTHER: dict[str, Callable[[], mp.mpf]] = {  # in double precision
     "1e6": lambda: mp.mpf(10)**6, "636619 π/2": lambda: 636619 * mp.pi / 2,
     "1e10": lambda: mp.mpf(10)**10, "9.9e12": lambda: mp.mpf("9.9e12")}
@@ -74,7 +77,7 @@ def _described(operation: Operation) -> Iterator[Described]:
     if operation.normwise or not is_polynomial(operation) and any(
             a.domain == ROTATION for a in operation.inputs):
         far = FAR if any(a.domain == TURN for a in operation.inputs) else {}
-        yield from _motions(operation, ANGLES | far, AXES)
+        yield from _motions(operation, ANGLES | far | SERIES, AXES)
         yield from _no_rotations(operation)
     if operation.name in _CANCELLING:
         yield from _CANCELLING[operation.name]()

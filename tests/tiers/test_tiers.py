@@ -13,11 +13,10 @@ from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.operations import Operation
 from tests.support.cases import for_all
 from tests.support.compiled.c_harness import COMPILERS
-from tests.support.compiled.implementations import compiled, implementations, twin
+from tests.support.compiled.implementations import compiled, implementations, same_bits, twin
 from tests.support.each import each_precision
 from tests.support.truth.attack import (
     TIERED,
-    Arrays,
     attack,
     bounds,
     exact_rows,
@@ -126,15 +125,6 @@ def _copies(operation: Operation) -> bool:
     """Whether some components are copies of inputs, finite or not, with zero bounds."""
     symbols = {symbol for a in operation.inputs for symbol in a.symbols}
     return any(abs(x) in map(abs, symbols) or -x in symbols for x in operation.truth())
-
-
-def same_bits(got: Arrays, want: Arrays) -> bool:
-    """Equal bits; of NaN only "is NaN" counts."""
-    for g, w in zip(got, want, strict=True):
-        different = g.view(f"u{g.itemsize}") != np.ascontiguousarray(w).view(f"u{g.itemsize}")
-        if (different & ~(np.isnan(g) & np.isnan(w))).any():
-            return False
-    return True
 
 
 @operations

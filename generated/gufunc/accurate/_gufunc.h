@@ -62,12 +62,14 @@ typedef struct {
 
 int coscrew_add_promoter(PyObject *ufunc);
 
+extern const coscrew_gufunc coscrew_elementary_gufuncs[], coscrew_elementary_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_vec3_gufuncs[], coscrew_vec3_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_vec4_gufuncs[], coscrew_vec4_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_mat3x3_gufuncs[], coscrew_mat3x3_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_SE3_gufuncs[], coscrew_SE3_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_mat6x6_gufuncs[], coscrew_mat6x6_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_matrix_gufuncs[], coscrew_matrix_gufuncs_avx2[];
+extern const coscrew_gufunc coscrew_trig_gufuncs[], coscrew_trig_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_screw_gufuncs[], coscrew_screw_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_coscrew_gufuncs[], coscrew_coscrew_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_quaternion_gufuncs[], coscrew_quaternion_gufuncs_avx2[];

@@ -3597,22 +3597,22 @@ const coscrew_gufunc TABLE(coscrew)[] = {
     "|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).\n"
     "\n"
     "(6)->().  ci: coscrew (f in N; τ in N m); norm: number.\n"
-    "10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 4 equal, 17\n"
+    "10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 3 equal, 16\n"
     "select.\n",
    1, 1, coscrew_norm_loops},
   {"coscrew_normalize", "(6)->(6)",
     "self = self / |self|, with coscrew_norm; the zero coscrew stays zero.\n"
     "\n"
     "(6)->(6).  self: coscrew (f in N; τ in N m).\n"
-    "43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,\n"
-    "40 select.\n",
+    "43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal,\n"
+    "34 select.\n",
    1, 1, coscrew_normalize_loops},
   {"coscrew_normalized", "(6)->(6)",
     "co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.\n"
     "\n"
     "(6)->(6).  ci, co: coscrew (f in N; τ in N m).\n"
-    "43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,\n"
-    "40 select.\n",
+    "43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal,\n"
+    "34 select.\n",
    1, 1, coscrew_normalized_loops},
   {"add_cct", "(6),(6)->(6)",
     "co = (c1.lin + c2.lin ; c1.ang).\n"

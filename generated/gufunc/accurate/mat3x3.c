@@ -485,6 +485,87 @@ static void mat3x3_setFromAxisDC_single(
 static PyUFuncGenericFunction mat3x3_setFromAxisDC_loops[] = {
     mat3x3_setFromAxisDC_double, mat3x3_setFromAxisDC_single};
 
+/* (3)->(3,3) */
+INLINED void mat3x3_from_euler_xyz_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t angles;
+  load_vec3_double(&angles, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t R;
+    if (step[0] != 0) {
+      load_vec3_double(&angles, p0 + i * step[0], core + 0);
+    }
+    ksl_mat3x3_from_euler_xyz_accurate(&angles, &R);
+    store_mat3x3_double(&R, p1 + i * step[1], core + 1);
+  }
+}
+
+static void mat3x3_from_euler_xyz_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_from_euler_xyz_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_from_euler_xyz_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  mat3x3_from_euler_xyz_double_over(data, n[0], step, step + 2);
+}
+
+/* (3)->(3,3) */
+INLINED void mat3x3_from_euler_xyz_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t angles;
+  load_vec3_single(&angles, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t R;
+    if (step[0] != 0) {
+      load_vec3_single(&angles, p0 + i * step[0], core + 0);
+    }
+    ksl_mat3x3f_from_euler_xyz_accurate(&angles, &R);
+    store_mat3x3_single(&R, p1 + i * step[1], core + 1);
+  }
+}
+
+static void mat3x3_from_euler_xyz_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_from_euler_xyz_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_from_euler_xyz_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  mat3x3_from_euler_xyz_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction mat3x3_from_euler_xyz_loops[] = {
+    mat3x3_from_euler_xyz_double, mat3x3_from_euler_xyz_single};
+
 /* (3,3)->(3) */
 INLINED void euler_xyz_from_mat3x3_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
@@ -565,6 +646,87 @@ static void euler_xyz_from_mat3x3_single(
 
 static PyUFuncGenericFunction euler_xyz_from_mat3x3_loops[] = {
     euler_xyz_from_mat3x3_double, euler_xyz_from_mat3x3_single};
+
+/* (3)->(3,3) */
+INLINED void mat3x3_from_euler_xyx_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t angles;
+  load_vec3_double(&angles, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3_t R;
+    if (step[0] != 0) {
+      load_vec3_double(&angles, p0 + i * step[0], core + 0);
+    }
+    ksl_mat3x3_from_euler_xyx_accurate(&angles, &R);
+    store_mat3x3_double(&R, p1 + i * step[1], core + 1);
+  }
+}
+
+static void mat3x3_from_euler_xyx_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 72, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_from_euler_xyx_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 72, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_from_euler_xyx_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  mat3x3_from_euler_xyx_double_over(data, n[0], step, step + 2);
+}
+
+/* (3)->(3,3) */
+INLINED void mat3x3_from_euler_xyx_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t angles;
+  load_vec3_single(&angles, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_mat3x3f_t R;
+    if (step[0] != 0) {
+      load_vec3_single(&angles, p0 + i * step[0], core + 0);
+    }
+    ksl_mat3x3f_from_euler_xyx_accurate(&angles, &R);
+    store_mat3x3_single(&R, p1 + i * step[1], core + 1);
+  }
+}
+
+static void mat3x3_from_euler_xyx_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 36, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_from_euler_xyx_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 36, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_from_euler_xyx_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  mat3x3_from_euler_xyx_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction mat3x3_from_euler_xyx_loops[] = {
+    mat3x3_from_euler_xyx_double, mat3x3_from_euler_xyx_single};
 
 /* (3,3)->(3) */
 INLINED void euler_xyx_from_mat3x3_double_over(
@@ -712,6 +874,93 @@ static void mat3x3_jacobi_single(
 static PyUFuncGenericFunction mat3x3_jacobi_loops[] = {
     mat3x3_jacobi_double, mat3x3_jacobi_single};
 
+/* (3),()->(3,3) */
+INLINED void mat3x3_from_axis_angle_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t axis;
+  load_vec3_double(&axis, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    double angle;
+    ksl_mat3x3_t R;
+    if (step[0] != 0) {
+      load_vec3_double(&axis, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&angle, p1 + i * step[1], core + 1);
+    ksl_mat3x3_from_axis_angle_accurate(&axis, angle, &R);
+    store_mat3x3_double(&R, p2 + i * step[2], core + 1);
+  }
+}
+
+static void mat3x3_from_axis_angle_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 8, 72, 8, 24, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_from_axis_angle_double_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 72, 8, 24, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_from_axis_angle_double_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  mat3x3_from_axis_angle_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),()->(3,3) */
+INLINED void mat3x3_from_axis_angle_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t axis;
+  load_vec3_single(&axis, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    float angle;
+    ksl_mat3x3f_t R;
+    if (step[0] != 0) {
+      load_vec3_single(&axis, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&angle, p1 + i * step[1], core + 1);
+    ksl_mat3x3f_from_axis_angle_accurate(&axis, angle, &R);
+    store_mat3x3_single(&R, p2 + i * step[2], core + 1);
+  }
+}
+
+static void mat3x3_from_axis_angle_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 4, 36, 4, 12, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    mat3x3_from_axis_angle_single_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 36, 4, 12, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    mat3x3_from_axis_angle_single_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  mat3x3_from_axis_angle_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction mat3x3_from_axis_angle_loops[] = {
+    mat3x3_from_axis_angle_double, mat3x3_from_axis_angle_single};
+
 /* (3,3)->(),(3) */
 INLINED void axis_angle_from_mat3x3_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
@@ -821,8 +1070,8 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "(double 1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.\n"
     "\n"
     "(3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.\n"
-    "106 mul, 290 add, 10 product error, 32 product rest, 22 div, 2 neg, 19 abs, 17 less, 23\n"
-    "equal, 67 select.  Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the\n"
+    "106 mul, 290 add, 10 product error, 32 product rest, 22 div, 2 neg, 19 abs, 17 less, 11\n"
+    "equal, 55 select.  Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the\n"
     "sum of the |terms| of the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more;\n"
     "barring over- and underflow of Ro_ij itself.\n",
    1, 2, mat3x3_inverse_loops},
@@ -833,7 +1082,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3,3)->(3,3).  self: rotation or other 3×3 matrix.\n"
     "154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,\n"
-    "27 equal, 79 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.\n",
+    "18 equal, 70 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.\n",
    1, 1, mat3x3_normalize_loops},
   {"mat3x3_normalized", "(3,3)->(3,3)",
     "Ro = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on\n"
@@ -842,7 +1091,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.\n"
     "154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,\n"
-    "27 equal, 79 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.\n",
+    "18 equal, 70 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.\n",
    1, 1, mat3x3_normalized_loops},
   {"mat3x3_setFromAxisDC", "(3),(2)->(3,3)",
     "R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),\n"
@@ -852,23 +1101,43 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "21 mul, 66 add, 3 product error, 15 product rest.  Error <= u |result| + 14 u^2 S, S the sum\n"
     "of the |terms| of the expanded formula; barring over- and underflow.\n",
    2, 1, mat3x3_setFromAxisDC_loops},
+  {"mat3x3_from_euler_xyz", "(3)->(3,3)",
+    "R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).\n"
+    "\n"
+    "(3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.\n"
+    "381 mul, 779 add, 69 product error, 8 product rest, 9 neg, 9 abs, 3 less, 9 equal, 12\n"
+    "select.  Each component is within 1 ulp as long as its condition is below 1e13; in single\n"
+    "precision it is the nearest number, except near ties, as long as that is below 1e5;\n"
+    "searched, not proved.\n",
+   1, 1, mat3x3_from_euler_xyz_loops},
   {"euler_xyz_from_mat3x3", "(3,3)->(3)",
     "angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in\n"
     "[-π/2, π/2]; c = 0 in gimbal lock.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
-    "25 mul, 65 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 3 atan2 error, 1\n"
-    "neg, 4 abs, 2 less, 7 equal, 16 select.  The rotation by these angles differs from R by at\n"
-    "most 12 u in each entry, near gimbal lock too; searched, not proved.\n",
+    "391 mul, 821 add, 72 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12\n"
+    "copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its\n"
+    "condition is below 1e13; in single precision it is the nearest number, except near ties, as\n"
+    "long as that is below 1e5; searched, not proved.\n",
    1, 1, euler_xyz_from_mat3x3_loops},
+  {"mat3x3_from_euler_xyx", "(3)->(3,3)",
+    "R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).\n"
+    "\n"
+    "(3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.\n"
+    "381 mul, 779 add, 69 product error, 8 product rest, 5 neg, 9 abs, 3 less, 9 equal, 12\n"
+    "select.  Each component is within 1 ulp as long as its condition is below 1e13; in single\n"
+    "precision it is the nearest number, except near ties, as long as that is below 1e5;\n"
+    "searched, not proved.\n",
+   1, 1, mat3x3_from_euler_xyx_loops},
   {"euler_xyx_from_mat3x3", "(3,3)->(3)",
     "angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in\n"
     "[0, π]; c = 0 in gimbal lock.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
-    "25 mul, 65 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 3 atan2 error, 4\n"
-    "abs, 2 less, 7 equal, 16 select.  The rotation by these angles differs from R by at most 12\n"
-    "u in each entry, near gimbal lock too; searched, not proved.\n",
+    "391 mul, 821 add, 72 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12\n"
+    "copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its\n"
+    "condition is below 1e13; in single precision it is the nearest number, except near ties, as\n"
+    "long as that is below 1e5; searched, not proved.\n",
    1, 1, euler_xyx_from_mat3x3_loops},
   {"mat3x3_jacobi", "(3,3),(3,3)->(3,3),(3,3)",
     "A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes\n"
@@ -880,13 +1149,25 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "equal, 18 select.  V A V^T changes by at most 28 u max |A| for orthonormal V; searched, not\n"
     "proved.\n",
    2, 2, mat3x3_jacobi_loops},
+  {"mat3x3_from_axis_angle", "(3),()->(3,3)",
+    "R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is\n"
+    "not a rotation.\n"
+    "\n"
+    "(3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.\n"
+    "256 mul, 581 add, 46 product error, 18 product rest, 6 abs, 3 less, 9 equal, 13 select.\n"
+    "Error <= R: 1 u of its largest component for |axis| = 1; searched, not proved.  Each\n"
+    "component is within 1 ulp as long as its condition is below 1e13; in single precision it is\n"
+    "the nearest number, except near ties, as long as that is below 1e5; searched, not proved.\n",
+   2, 1, mat3x3_from_axis_angle_loops},
   {"axis_angle_from_mat3x3", "(3,3)->(),(3)",
     "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.\n"
     "\n"
     "(3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.\n"
-    "35 mul, 236 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 1 atan2 error, 12\n"
-    "neg, 5 abs, 16 less, 11 equal, 61 select.  Error <= angle: 8 u, axis: 5 u of its largest\n"
-    "component for R a rotation; searched, not proved.\n",
+    "157 mul, 488 add, 27 product error, 3 product rest, 14 div, 1 sqrt, 13 neg, 13 abs, 4\n"
+    "copysign, 29 less, 10 equal, 80 select.  Error <= angle: 1 u, axis: 1 u of its largest\n"
+    "component for R a rotation; searched, not proved.  Each component is within 1 ulp as long as\n"
+    "its condition is below 1e13; in single precision it is the nearest number, except near ties,\n"
+    "as long as that is below 1e5; searched, not proved.\n",
    1, 2, axis_angle_from_mat3x3_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };

@@ -3840,6 +3840,93 @@ static void quaternion_from_mat3x3_single(
 static PyUFuncGenericFunction quaternion_from_mat3x3_loops[] = {
     quaternion_from_mat3x3_double, quaternion_from_mat3x3_single};
 
+/* (3),()->(4) */
+INLINED void quaternion_from_axis_angle_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t axis;
+  load_vec3_double(&axis, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    double angle;
+    ksl_quaternion_t qo;
+    if (step[0] != 0) {
+      load_vec3_double(&axis, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&angle, p1 + i * step[1], core + 1);
+    ksl_quaternion_from_axis_angle_accurate(&axis, angle, &qo);
+    store_quaternion_double(&qo, p2 + i * step[2], core + 1);
+  }
+}
+
+static void quaternion_from_axis_angle_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 8, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    quaternion_from_axis_angle_double_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    quaternion_from_axis_angle_double_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  quaternion_from_axis_angle_double_over(data, n[0], step, step + 3);
+}
+
+/* (3),()->(4) */
+INLINED void quaternion_from_axis_angle_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t axis;
+  load_vec3_single(&axis, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    float angle;
+    ksl_quaternionf_t qo;
+    if (step[0] != 0) {
+      load_vec3_single(&axis, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&angle, p1 + i * step[1], core + 1);
+    ksl_quaternionf_from_axis_angle_accurate(&axis, angle, &qo);
+    store_quaternion_single(&qo, p2 + i * step[2], core + 1);
+  }
+}
+
+static void quaternion_from_axis_angle_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 4, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    quaternion_from_axis_angle_single_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    quaternion_from_axis_angle_single_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  quaternion_from_axis_angle_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction quaternion_from_axis_angle_loops[] = {
+    quaternion_from_axis_angle_double, quaternion_from_axis_angle_single};
+
 /* (4)->(),(3) */
 INLINED void axis_angle_from_quaternion_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
@@ -3927,6 +4014,87 @@ static void axis_angle_from_quaternion_single(
 static PyUFuncGenericFunction axis_angle_from_quaternion_loops[] = {
     axis_angle_from_quaternion_double, axis_angle_from_quaternion_single};
 
+/* (3)->(4) */
+INLINED void quaternion_exp_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v;
+  load_vec3_double(&v, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_quaternion_t qo;
+    if (step[0] != 0) {
+      load_vec3_double(&v, p0 + i * step[0], core + 0);
+    }
+    ksl_quaternion_exp_accurate(&v, &qo);
+    store_quaternion_double(&qo, p1 + i * step[1], core + 1);
+  }
+}
+
+static void quaternion_exp_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 32, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    quaternion_exp_double_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 32, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    quaternion_exp_double_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  quaternion_exp_double_over(data, n[0], step, step + 2);
+}
+
+/* (3)->(4) */
+INLINED void quaternion_exp_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v;
+  load_vec3_single(&v, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_quaternionf_t qo;
+    if (step[0] != 0) {
+      load_vec3_single(&v, p0 + i * step[0], core + 0);
+    }
+    ksl_quaternionf_exp_accurate(&v, &qo);
+    store_quaternion_single(&qo, p1 + i * step[1], core + 1);
+  }
+}
+
+static void quaternion_exp_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 16, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    quaternion_exp_single_over(
+        data, n[0], dense_1, dense_1 + 2);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    quaternion_exp_single_over(
+        data, n[0], dense_2, dense_2 + 2);
+    return;
+  }
+  quaternion_exp_single_over(data, n[0], step, step + 2);
+}
+
+static PyUFuncGenericFunction quaternion_exp_loops[] = {
+    quaternion_exp_double, quaternion_exp_single};
+
 /* (4)->(3) */
 INLINED void quaternion_log_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
@@ -4008,6 +4176,99 @@ static void quaternion_log_single(
 static PyUFuncGenericFunction quaternion_log_loops[] = {
     quaternion_log_double, quaternion_log_single};
 
+/* (4),(4),()->(4) */
+INLINED void quaternion_interpolated_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_quaternion_t q1;
+  load_quaternion_double(&q1, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_quaternion_t q2;
+    double k;
+    ksl_quaternion_t qo;
+    if (step[0] != 0) {
+      load_quaternion_double(&q1, p0 + i * step[0], core + 0);
+    }
+    load_quaternion_double(&q2, p1 + i * step[1], core + 1);
+    load_scalar_double(&k, p2 + i * step[2], core + 2);
+    ksl_quaternion_interpolated_accurate(&q1, &q2, k, &qo);
+    store_quaternion_double(&qo, p3 + i * step[3], core + 2);
+  }
+}
+
+static void quaternion_interpolated_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 32, 32, 8, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    quaternion_interpolated_double_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 32, 8, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    quaternion_interpolated_double_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  quaternion_interpolated_double_over(data, n[0], step, step + 4);
+}
+
+/* (4),(4),()->(4) */
+INLINED void quaternion_interpolated_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_quaternionf_t q1;
+  load_quaternion_single(&q1, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_quaternionf_t q2;
+    float k;
+    ksl_quaternionf_t qo;
+    if (step[0] != 0) {
+      load_quaternion_single(&q1, p0 + i * step[0], core + 0);
+    }
+    load_quaternion_single(&q2, p1 + i * step[1], core + 1);
+    load_scalar_single(&k, p2 + i * step[2], core + 2);
+    ksl_quaternionf_interpolated_accurate(&q1, &q2, k, &qo);
+    store_quaternion_single(&qo, p3 + i * step[3], core + 2);
+  }
+}
+
+static void quaternion_interpolated_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 16, 16, 4, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    quaternion_interpolated_single_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 4, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    quaternion_interpolated_single_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  quaternion_interpolated_single_over(data, n[0], step, step + 4);
+}
+
+static PyUFuncGenericFunction quaternion_interpolated_loops[] = {
+    quaternion_interpolated_double, quaternion_interpolated_single};
+
 const coscrew_gufunc TABLE(quaternion)[] = {
   {"quaternion_scale", "(4),()->(4)",
     "self = a self.\n"
@@ -4026,22 +4287,28 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "|q| = sqrt(v·v + w^2).\n"
     "\n"
     "(4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.\n"
-    "12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12\n"
-    "select.\n",
+    "12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 2 equal, 11\n"
+    "select.  Each component is within 1 ulp as long as its condition is below 1e13; in single\n"
+    "precision it is the nearest number, except near ties, as long as that is below 1e5;\n"
+    "searched, not proved.\n",
    1, 1, quaternion_norm_loops},
   {"quaternion_normalize", "(4)->(4)",
     "self = self / |self|; zero stays zero.\n"
     "\n"
     "(4)->(4).  self: quaternion (x, y, z, w), the scalar last.\n"
-    "33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19\n"
-    "select.\n",
+    "33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15\n"
+    "select.  Each component is within 1 ulp as long as its condition is below 1e13; in single\n"
+    "precision it is the nearest number, except near ties, as long as that is below 1e5;\n"
+    "searched, not proved.\n",
    1, 1, quaternion_normalize_loops},
   {"quaternion_normalized", "(4)->(4)",
     "qo = q / |q|; zero stays zero.\n"
     "\n"
     "(4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.\n"
-    "33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19\n"
-    "select.\n",
+    "33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15\n"
+    "select.  Each component is within 1 ulp as long as its condition is below 1e13; in single\n"
+    "precision it is the nearest number, except near ties, as long as that is below 1e5;\n"
+    "searched, not proved.\n",
    1, 1, quaternion_normalized_loops},
   {"rotate_qv", "(4),(3)->(3)",
     "vo = R(q) v, |q| = 1.\n"
@@ -4315,35 +4582,74 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.\n"
     "\n"
     "(4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.\n"
-    "41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 8\n"
+    "41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 1\n"
     "u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 < |q| < 2^63;\n"
-    "searched, not proved.\n",
+    "searched, not proved.  Each component is within 1 ulp as long as its condition is below\n"
+    "1e13; in single precision it is the nearest number, except near ties, as long as that is\n"
+    "below 1e5; searched, not proved.\n",
    1, 1, mat3x3_from_quaternion_loops},
   {"quaternion_from_mat3x3", "(3,3)->(4)",
     "qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.\n"
     "\n"
     "(3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.\n"
     "21 mul, 182 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37\n"
-    "select.  Error <= qo: 6 u of its largest component for R a rotation; searched, not proved.\n",
+    "select.  Error <= qo: 1 u of its largest component for R a rotation; searched, not proved.\n"
+    "Each component is within 1 ulp as long as its condition is below 1e13; in single precision\n"
+    "it is the nearest number, except near ties, as long as that is below 1e5; searched, not\n"
+    "proved.\n",
    1, 1, quaternion_from_mat3x3_loops},
+  {"quaternion_from_axis_angle", "(3),()->(4)",
+    "qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its\n"
+    "rotation is by another angle.\n"
+    "\n"
+    "(3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.\n"
+    "120 mul, 249 add, 24 product error, 3 abs, 1 less, 4 equal, 5 select.  Error <= qo: 1 u of\n"
+    "its largest component for |axis| = 1; searched, not proved.  Each component is within 1 ulp\n"
+    "as long as its condition is below 1e13; in single precision it is the nearest number, except\n"
+    "near ties, as long as that is below 1e5; searched, not proved.\n",
+   2, 1, quaternion_from_axis_angle_loops},
   {"axis_angle_from_quaternion", "(4)->(),(3)",
     "angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the\n"
     "angle is 0; any multiple of a quaternion.\n"
     "\n"
     "(4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.\n"
-    "27 mul, 56 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 1 atan2 error, 4\n"
-    "neg, 9 abs, 14 less, 8 equal, 29 select.  Error <= angle: 6 u, axis: 4 u of its largest\n"
-    "component; searched, not proved.\n",
+    "149 mul, 308 add, 27 product error, 3 product rest, 13 div, 1 sqrt, 5 neg, 17 abs, 4\n"
+    "copysign, 27 less, 10 equal, 51 select.  Error <= angle: 1 u, axis: 1 u of its largest\n"
+    "component; searched, not proved.  Each component is within 1 ulp as long as its condition is\n"
+    "below 1e13; in single precision it is the nearest number, except near ties, as long as that\n"
+    "is below 1e5; searched, not proved.\n",
    1, 2, axis_angle_from_quaternion_loops},
+  {"quaternion_exp", "(3)->(4)",
+    "qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.\n"
+    "\n"
+    "(3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.\n"
+    "169 mul, 338 add, 26 product error, 3 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 6 equal,\n"
+    "14 select.  Error <= qo: 1 u of its largest component for |v| <= 1e13, in single precision\n"
+    "1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below\n"
+    "1e13; in single precision it is the nearest number, except near ties, as long as that is\n"
+    "below 1e5; searched, not proved.\n",
+   1, 1, quaternion_exp_loops},
   {"quaternion_log", "(4)->(3)",
     "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of\n"
     "it.\n"
     "\n"
     "(4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.\n"
-    "29 mul, 59 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 1 atan2 error, 4\n"
-    "neg, 9 abs, 14 less, 7 equal, 26 select.  Error <= vo: 6 u of its largest component;\n"
+    "151 mul, 311 add, 28 product error, 3 product rest, 9 div, 1 sqrt, 5 neg, 17 abs, 4\n"
+    "copysign, 27 less, 9 equal, 48 select.  Error <= vo: 1 u of its largest component; searched,\n"
+    "not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in\n"
+    "single precision it is the nearest number, except near ties, as long as that is below 1e5;\n"
     "searched, not proved.\n",
    1, 1, quaternion_log_loops},
+  {"quaternion_interpolated", "(4),(4),()->(4)",
+    "qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.\n"
+    "\n"
+    "(4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.\n"
+    "395 mul, 921 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 14 neg, 21 abs, 4\n"
+    "copysign, 35 less, 12 equal, 68 select.  Error <= qo: 1 u of its largest component for |q1|\n"
+    "= 1 and |q2| = 1 and 0 <= k <= 1; searched, not proved.  Each component is within 1 ulp as\n"
+    "long as its condition is below 1e13; in single precision it is the nearest number, except\n"
+    "near ties, as long as that is below 1e5; searched, not proved.\n",
+   3, 1, quaternion_interpolated_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };
 

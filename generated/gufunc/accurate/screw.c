@@ -2901,22 +2901,22 @@ const coscrew_gufunc TABLE(screw)[] = {
     "|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).\n"
     "\n"
     "(6)->().  si: screw (v in m/s; ω in rad/s); norm: number.\n"
-    "10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 4 equal, 17\n"
+    "10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 3 equal, 16\n"
     "select.\n",
    1, 1, screw_norm_loops},
   {"screw_normalize", "(6)->(6)",
     "self = self / |self|, with screw_norm; the zero screw stays zero.\n"
     "\n"
     "(6)->(6).  self: screw (v in m/s; ω in rad/s).\n"
-    "43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,\n"
-    "40 select.\n",
+    "43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal,\n"
+    "34 select.\n",
    1, 1, screw_normalize_loops},
   {"screw_normalized", "(6)->(6)",
     "so = si / |si|, with screw_norm; the zero screw stays zero.\n"
     "\n"
     "(6)->(6).  si, so: screw (v in m/s; ω in rad/s).\n"
-    "43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,\n"
-    "40 select.\n",
+    "43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal,\n"
+    "34 select.\n",
    1, 1, screw_normalized_loops},
   {"add_sst", "(6),(6)->(6)",
     "so = (s1.lin + s2.lin ; s1.ang).\n"

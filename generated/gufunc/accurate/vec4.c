@@ -389,21 +389,21 @@ const coscrew_gufunc TABLE(vec4)[] = {
     "|v| = sqrt(v·v), all four components.\n"
     "\n"
     "(4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.\n"
-    "12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12\n"
+    "12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 2 equal, 11\n"
     "select.\n",
    1, 1, vec4_l2norm_loops},
   {"vec4_normalize", "(4)->(4)",
     "self = self / |self|; the zero vector stays zero.\n"
     "\n"
     "(4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.\n"
-    "33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19\n"
+    "33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15\n"
     "select.\n",
    1, 1, vec4_normalize_loops},
   {"vec4_normalized", "(4)->(4)",
     "vo = v / |v|; the zero vector stays zero.\n"
     "\n"
     "(4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.\n"
-    "33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19\n"
+    "33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15\n"
     "select.\n",
    1, 1, vec4_normalized_loops},
   {NULL, NULL, NULL, 0, 0, NULL},

@@ -16,9 +16,8 @@ def SO3_exp(v):
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    49 mul, 69 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 5 less, 11 select.  Error <= R: (6 +
-    θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
-    proved.
+    77 mul, 102 add, 3 div, 1 sqrt, 5 abs, 5 less, 11 select.  Error <= R: (6 + θ/200) u of its
+    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -104,8 +103,8 @@ def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
-    vo: 7 u of its largest component for R a rotation; searched, not proved.
+    40 mul, 51 add, 2 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 18 less, 2 equal, 39 select.  Error
+    <= vo: 7 u of its largest component for R a rotation; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -174,9 +173,8 @@ def SO3_leftJacobian(v):
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 12 select.  Error <= R: (7 +
-    θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched, not
-    proved.
+    88 mul, 114 add, 4 div, 1 sqrt, 5 abs, 6 less, 12 select.  Error <= R: (7 + θ/200) u of its
+    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -270,9 +268,8 @@ def SO3_rightJacobian(v):
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    60 mul, 81 add, 4 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 6 less, 12 select.  Error <= R:
-    (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
-    not proved.
+    88 mul, 114 add, 4 div, 1 sqrt, 3 neg, 5 abs, 6 less, 12 select.  Error <= R: (7 + θ/200) u
+    of its largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -367,8 +364,8 @@ def SO3_leftJacobianInverse(v):
     except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 3 neg, 4 abs, 7 less, 12 select.  Error <= R: 6
-    u of its largest component for |v| <= π; searched, not proved.
+    71 mul, 96 add, 3 div, 1 sqrt, 3 neg, 5 abs, 7 less, 12 select.  Error <= R: 6 u of its
+    largest component for |v| <= π; searched, not proved.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -457,8 +454,8 @@ def SO3_rightJacobianInverse(v):
     except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    43 mul, 63 add, 3 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 7 less, 12 select.  Error <= R: 6 u of
-    its largest component for |v| <= π; searched, not proved.
+    71 mul, 96 add, 3 div, 1 sqrt, 5 abs, 7 less, 12 select.  Error <= R: 6 u of its largest
+    component for |v| <= π; searched, not proved.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -616,10 +613,10 @@ def SE3_exp(s):
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    80 mul, 93 add, 4 div, 1 sqrt, 1 sin, 1 cos, 4 abs, 6 less, 13 select.  Error <= R: (6 +
-    θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is larger, for |ω
-    of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate sums may
-    overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36.
+    108 mul, 126 add, 4 div, 1 sqrt, 5 abs, 6 less, 13 select.  Error <= R: (6 + θ/200) u, t:
+    (14 + θ/200) u of its largest component, or of s.lin if that is larger, for |ω of s| <=
+    1e13, in single precision 1e5; searched, not proved.  Intermediate sums may overflow where
+    |v|, or |ω| |v|, is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -731,8 +728,8 @@ def SE3_log(D):
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    50 mul, 45 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 14 less, 1 equal, 29 select.  Error <=
-    lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not proved.
+    79 mul, 80 add, 4 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 20 less, 2 equal, 43 select.  Error
+    <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not proved.
     Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
@@ -835,9 +832,9 @@ def SE3_leftJacobian(s):
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 1 neg, 4 abs, 7 less, 15 select.  Error <= M:
-    20 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums
-    may overflow where |v| is above 2e306, in single precision 5e36.
+    149 mul, 166 add, 6 div, 1 sqrt, 1 neg, 5 abs, 7 less, 15 select.  Error <= M: 20 u of its
+    largest component for |ω of s| <= π; searched, not proved.  Intermediate sums may overflow
+    where |v| is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -982,9 +979,9 @@ def SE3_rightJacobian(s):
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    121 mul, 133 add, 6 div, 1 sqrt, 1 sin, 1 cos, 13 neg, 4 abs, 7 less, 15 select.  Error <=
-    M: 20 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums
-    may overflow where |v| is above 2e306, in single precision 5e36.
+    149 mul, 166 add, 6 div, 1 sqrt, 13 neg, 5 abs, 7 less, 15 select.  Error <= M: 20 u of its
+    largest component for |ω of s| <= π; searched, not proved.  Intermediate sums may overflow
+    where |v| is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -1129,9 +1126,9 @@ def SE3_leftJacobianInverse(s):
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    14 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums
-    may overflow where |v| is above 2e306, in single precision 5e36.
+    121 mul, 139 add, 5 div, 1 sqrt, 7 neg, 5 abs, 7 less, 13 select.  Error <= M: 14 u of its
+    largest component for |ω of s| <= π; searched, not proved.  Intermediate sums may overflow
+    where |v| is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -1263,9 +1260,9 @@ def SE3_rightJacobianInverse(s):
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    93 mul, 106 add, 5 div, 1 sqrt, 1 sin, 1 cos, 7 neg, 4 abs, 7 less, 13 select.  Error <= M:
-    14 u of its largest component for |ω of s| <= π; searched, not proved.  Intermediate sums
-    may overflow where |v| is above 2e306, in single precision 5e36.
+    121 mul, 139 add, 5 div, 1 sqrt, 7 neg, 5 abs, 7 less, 13 select.  Error <= M: 14 u of its
+    largest component for |ω of s| <= π; searched, not proved.  Intermediate sums may overflow
+    where |v| is above 2e306, in single precision 5e36.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -1397,9 +1394,9 @@ def SE3_interpolated(D1, D2, k):
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    208 mul, 192 add, 7 div, 2 sqrt, 1 sin, 1 cos, 1 atan2, 5 neg, 7 abs, 20 less, 1 equal, 42
-    select.  Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is
-    larger, for R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.
+    265 mul, 260 add, 8 div, 2 sqrt, 6 neg, 10 abs, 2 copysign, 26 less, 2 equal, 56 select.
+    Error <= R: 22 u, t: 60 u of its largest component, or of D1.t or D2.t if that is larger,
+    for R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.
     Intermediate sums may overflow where |t| of D1 or D2 is above 2e306, in single precision
     5e36.
     """

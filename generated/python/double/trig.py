@@ -15,7 +15,7 @@ def dc(theta):
     """dc = (sin θ, cos θ), θ in rad.
 
     ()->(2).  theta: number; dc: (sin θ, cos θ).
-    1 sin, 1 cos.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is
+    28 mul, 33 add, 1 abs.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is
     subnormal; proved.
     """
     dc_0, dc_1 = elementary.sincos(theta)

@@ -15,7 +15,7 @@ def sincos(x):
     """s = sin x, c = cos x, x in rad.
 
     ()->(),().  x, s, c: number.
-    1 sin, 1 cos.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is
+    22 mul, 27 add, 1 abs.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is
     subnormal; proved.
     """
     s, c = elementary.sincos(x)
@@ -27,8 +27,8 @@ def sin(x):
     """s = sin x, x in rad.
 
     ()->().  x, s: number.
-    1 sin.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal;
-    proved.
+    22 mul, 27 add, 1 abs.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is
+    subnormal; proved.
     """
     s = elementary.sin(x)
     return s
@@ -39,8 +39,8 @@ def cos(x):
     """c = cos x, x in rad.
 
     ()->().  x, c: number.
-    1 cos.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal;
-    proved.
+    22 mul, 27 add, 1 abs.  Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is
+    subnormal; proved.
     """
     c = elementary.cos(x)
     return c
@@ -51,8 +51,8 @@ def exp(x):
     """y = e^x.
 
     ()->().  x, y: number.
-    1 exp.  Error <= 0.755 ulp, in single precision 0.757 ulp, unless a result is subnormal;
-    proved.
+    12 mul, 15 add, 1 power of two, 3 less, 4 select.  Error <= 0.755 ulp, in single precision
+    0.757 ulp, unless a result is subnormal; proved.
     """
     y = elementary.exp(x)
     return y
@@ -63,8 +63,8 @@ def tanh(x):
     """y = tanh x.
 
     ()->().  x, y: number.
-    1 tanh.  Error <= 0.979 ulp, in single precision 0.967 ulp, unless a result is subnormal;
-    proved.
+    20 mul, 23 add, 1 div, 1 power of two, 1 abs, 1 copysign, 2 less, 5 select.  Error <= 0.979
+    ulp, in single precision 0.967 ulp, unless a result is subnormal; proved.
     """
     y = elementary.tanh(x)
     return y
@@ -75,8 +75,8 @@ def atan2(y, x):
     """angle of the vector (x, y) to the x axis, in rad, from -π to π.
 
     (),()->().  y, x, angle: number.
-    1 atan2.  Error <= 0.934 ulp, in single precision 0.896 ulp, unless a result is subnormal;
-    proved.
+    22 mul, 29 add, 1 div, 1 neg, 2 abs, 2 copysign, 6 less, 1 equal, 14 select.  Error <= 0.934
+    ulp, in single precision 0.896 ulp, unless a result is subnormal; proved.
     """
     angle = elementary.atan2(y, x)
     return angle

@@ -527,7 +527,7 @@ def mat3x3_from_euler_xyz(angles):
     """R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
 
     (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
-    14 mul, 4 add, 3 sin, 3 cos, 3 neg.
+    80 mul, 85 add, 3 neg, 3 abs.
     """
     angles_0, angles_1, angles_2 = angles
     s_0, c_0 = elementary.sincos(angles_0)
@@ -552,9 +552,9 @@ def euler_xyz_from_mat3x3(R):
     [-π/2, π/2]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.  The rotation by these
-    angles differs from R by at most 12 u in each entry, near gimbal lock too; searched, not
-    proved.
+    72 mul, 90 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  The
+    rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;
+    searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n = sqrt(R_00 * R_00 + R_01 * R_01)
@@ -577,7 +577,7 @@ def mat3x3_from_euler_xyx(angles):
     """R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
 
     (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
-    14 mul, 4 add, 3 sin, 3 cos, 2 neg.
+    80 mul, 85 add, 2 neg, 3 abs.
     """
     angles_0, angles_1, angles_2 = angles
     s_0, c_0 = elementary.sincos(angles_0)
@@ -602,8 +602,9 @@ def euler_xyx_from_mat3x3(R):
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles
-    differs from R by at most 12 u in each entry, near gimbal lock too; searched, not proved.
+    72 mul, 90 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  The
+    rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;
+    searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n = sqrt(R_01 * R_01 + R_02 * R_02)
@@ -665,8 +666,8 @@ def mat3x3_from_axis_angle(axis, angle):
     not a rotation.
 
     (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
-    15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.  Error <= R: 9 u of its largest component
-    for |axis| = 1; searched, not proved.
+    59 mul, 67 add, 2 abs, 1 less, 1 select.  Error <= R: 9 u of its largest component for
+    |axis| = 1; searched, not proved.
     """
     axis_0, axis_1, axis_2 = axis
     half = 0.5 * angle
@@ -705,8 +706,8 @@ def axis_angle_from_mat3x3(R):
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.  Error <=
-    angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not proved.
+    30 mul, 45 add, 4 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 18 less, 2 equal, 40 select.  Error
+    <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12

@@ -34,6 +34,7 @@ RELATIVE: dict[str, float] = {
        for verb in ("normalize", "normalized")}}
 FLOOR = {("angle_vv", "plain"): 1.0}  # a cross product cancels; the accurate tier's does not
 DEFECT = 4  # a result may be this many times as far from a rotation as its input
+FREE = 8  # defect in u that k of the plain tier covers
 
 
 @dataclass(frozen=True)
@@ -63,7 +64,7 @@ def groups(operation: Operation, tier: str) -> tuple[Group, ...]:
     """The bounds of an operation that is not polynomial."""
     size = sum(a.quantity.size for a in operation.outputs)
     if operation.name in RELATIVE:
-        k = 1 if tier == "accurate" and operation.name != "angle_vv" else RELATIVE[operation.name]
+        k = 1 if tier == "accurate" else RELATIVE[operation.name]
         floor = FLOOR.get((operation.name, tier), 0)
         return tuple(Group((i,), k, floor=floor) for i in range(size))
     names = [{a.name, a.quantity.parts[a.quantity.place(*place)[0]].name}
@@ -73,7 +74,7 @@ def groups(operation: Operation, tier: str) -> tuple[Group, ...]:
     return tuple(Group(tuple(i for i in range(size) if bound.part in names[i]), bound.k,
                        tuple(i for i, name in enumerate(inputs) if name in bound.beside),
                        slope=1 / bound.per_angle if bound.per_angle else 0)
-                 for bound in operation.normwise)
+                 for bound in tier_named(tier).operation(operation).normwise)
 
 
 def ratio(operation: Operation, precision: Precision, tier: str, given: Sequence[float],
@@ -154,7 +155,8 @@ def _underflow(operation: Operation, precision: Precision, tier: str,
 def _normwise(operation: Operation, precision: Precision, tier: str, given: Sequence[float],
               got: Sequence[float], expected: Components) -> float:
     info, u, worst = np.finfo(precision.numpy_type), float(UNIT[precision.name]), 0.0
-    slack = DEFECT * _defect_in_u(operation, precision, given) if operation.normwise else 0.0
+    free = 0 if tier == "accurate" else FREE
+    slack = DEFECT * _defect_in_u(operation, precision, given, free) if operation.normwise else 0.0
     lost = 16 * mp.mpf(float(info.smallest_subnormal))
     for group in groups(operation, tier):
         size = max(group.floor, *(abs(expected[i]) for i in group.places),
@@ -169,6 +171,7 @@ def _normwise(operation: Operation, precision: Precision, tier: str, given: Sequ
     return worst
 
 
-def _defect_in_u(operation: Operation, precision: Precision, given: Sequence[float]) -> float:
-    """The defect of rotations and unit vectors among the inputs, beyond rounding."""
-    return max(0.0, defect(operation, given) / float(UNIT[precision.name]) - 8)
+def _defect_in_u(operation: Operation, precision: Precision, given: Sequence[float],
+                 free: float = FREE) -> float:
+    """The defect of rotations and unit vectors among the inputs, beyond what is free."""
+    return max(0.0, defect(operation, given) / float(UNIT[precision.name]) - free)

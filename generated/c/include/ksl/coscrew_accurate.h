@@ -279,7 +279,7 @@ static inline void ksl_subtract_cc_accurate(const ksl_coscrew_t *c1, const ksl_c
 
 /* |ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
    ci: coscrew (f in N; τ in N m).
-   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 4 equal, 17
+   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 3 equal, 16
      select. */
 static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -323,7 +323,7 @@ static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
       norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = KSL_MUL(norm_of_n, r),
       norm_inverse = 1.0 / r, norm_back = KSL_MUL(norm, norm_inverse),
       norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
-      norm_small = KSL_MUL(norm_rest, r), norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+      norm_lo = KSL_MUL(norm_rest, r);
   const double norm_rounded = norm + norm_lo,
       norm_final = norm_rounded == norm_rounded ? norm_rounded : norm;
   return norm_final;
@@ -331,7 +331,7 @@ static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
 
 /* self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
    self: coscrew (f in N; τ in N m).
-   43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal, 40
+   43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal, 34
      select. */
 static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -467,8 +467,7 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
-      self_0_new_small = KSL_MUL(self_0_new_rest, after_0),
-      self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
+      self_0_new_lo = KSL_MUL(self_0_new_rest, after_0);
   const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
       self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
       self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right,
@@ -480,8 +479,7 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_1_new_back = KSL_MUL(self_1_new, self_1_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
-      self_1_new_small = KSL_MUL(self_1_new_rest, after_1),
-      self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
+      self_1_new_lo = KSL_MUL(self_1_new_rest, after_1);
   const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
       self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
       self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right,
@@ -493,8 +491,7 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_2_new_back = KSL_MUL(self_2_new, self_2_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
-      self_2_new_small = KSL_MUL(self_2_new_rest, after_2),
-      self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
+      self_2_new_lo = KSL_MUL(self_2_new_rest, after_2);
   const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
       self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3,
       self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right,
@@ -506,8 +503,7 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_3_new_back = KSL_MUL(self_3_new, self_3_new_inverse),
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
       self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
-      self_3_new_small = KSL_MUL(self_3_new_rest, after_3),
-      self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
+      self_3_new_lo = KSL_MUL(self_3_new_rest, after_3);
   const double self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo,
       self_4_new_of_quotient_4_right = self_4_new_of_quotient_4 - quotient_4,
       self_4_new_of_quotient_4_left = self_4_new_of_quotient_4 - self_4_new_of_quotient_4_right,
@@ -519,8 +515,7 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_4_new_back = KSL_MUL(self_4_new, self_4_new_inverse),
       self_4_new_lost = self_4_new_of_quotient_4 - self_4_new_back,
       self_4_new_rest = self_4_new_lost + self_4_new_of_quotient_4_lo,
-      self_4_new_small = KSL_MUL(self_4_new_rest, after_4),
-      self_4_new_lo = self_4_new_lost == 0.0 ? 0.0 : self_4_new_small;
+      self_4_new_lo = KSL_MUL(self_4_new_rest, after_4);
   const double self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo,
       self_5_new_of_quotient_5_right = self_5_new_of_quotient_5 - quotient_5,
       self_5_new_of_quotient_5_left = self_5_new_of_quotient_5 - self_5_new_of_quotient_5_right,
@@ -532,8 +527,7 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
       self_5_new_back = KSL_MUL(self_5_new, self_5_new_inverse),
       self_5_new_lost = self_5_new_of_quotient_5 - self_5_new_back,
       self_5_new_rest = self_5_new_lost + self_5_new_of_quotient_5_lo,
-      self_5_new_small = KSL_MUL(self_5_new_rest, after_5),
-      self_5_new_lo = self_5_new_lost == 0.0 ? 0.0 : self_5_new_small;
+      self_5_new_lo = KSL_MUL(self_5_new_rest, after_5);
   const double self_0_new_rounded = self_0_new + self_0_new_lo,
       self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
   const double self_1_new_rounded = self_1_new + self_1_new_lo,
@@ -556,7 +550,7 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
 
 /* co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
    ci, co: coscrew (f in N; τ in N m).
-   43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal, 40
+   43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal, 34
      select. */
 static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -689,8 +683,7 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       co_0_of_quotient_0_lo = co_0_of_quotient_0_left_rest + co_0_of_quotient_0_right_rest,
       co_0 = KSL_MUL(co_0_of_quotient_0, after_0), co_0_inverse = 1.0 / after_0,
       co_0_back = KSL_MUL(co_0, co_0_inverse), co_0_lost = co_0_of_quotient_0 - co_0_back,
-      co_0_rest = co_0_lost + co_0_of_quotient_0_lo, co_0_small = KSL_MUL(co_0_rest, after_0),
-      co_0_lo = co_0_lost == 0.0 ? 0.0 : co_0_small;
+      co_0_rest = co_0_lost + co_0_of_quotient_0_lo, co_0_lo = KSL_MUL(co_0_rest, after_0);
   const double co_1_of_quotient_1 = quotient_1 + quotient_1_lo,
       co_1_of_quotient_1_right = co_1_of_quotient_1 - quotient_1,
       co_1_of_quotient_1_left = co_1_of_quotient_1 - co_1_of_quotient_1_right,
@@ -699,8 +692,7 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       co_1_of_quotient_1_lo = co_1_of_quotient_1_left_rest + co_1_of_quotient_1_right_rest,
       co_1 = KSL_MUL(co_1_of_quotient_1, after_1), co_1_inverse = 1.0 / after_1,
       co_1_back = KSL_MUL(co_1, co_1_inverse), co_1_lost = co_1_of_quotient_1 - co_1_back,
-      co_1_rest = co_1_lost + co_1_of_quotient_1_lo, co_1_small = KSL_MUL(co_1_rest, after_1),
-      co_1_lo = co_1_lost == 0.0 ? 0.0 : co_1_small;
+      co_1_rest = co_1_lost + co_1_of_quotient_1_lo, co_1_lo = KSL_MUL(co_1_rest, after_1);
   const double co_2_of_quotient_2 = quotient_2 + quotient_2_lo,
       co_2_of_quotient_2_right = co_2_of_quotient_2 - quotient_2,
       co_2_of_quotient_2_left = co_2_of_quotient_2 - co_2_of_quotient_2_right,
@@ -709,8 +701,7 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       co_2_of_quotient_2_lo = co_2_of_quotient_2_left_rest + co_2_of_quotient_2_right_rest,
       co_2 = KSL_MUL(co_2_of_quotient_2, after_2), co_2_inverse = 1.0 / after_2,
       co_2_back = KSL_MUL(co_2, co_2_inverse), co_2_lost = co_2_of_quotient_2 - co_2_back,
-      co_2_rest = co_2_lost + co_2_of_quotient_2_lo, co_2_small = KSL_MUL(co_2_rest, after_2),
-      co_2_lo = co_2_lost == 0.0 ? 0.0 : co_2_small;
+      co_2_rest = co_2_lost + co_2_of_quotient_2_lo, co_2_lo = KSL_MUL(co_2_rest, after_2);
   const double co_3_of_quotient_3 = quotient_3 + quotient_3_lo,
       co_3_of_quotient_3_right = co_3_of_quotient_3 - quotient_3,
       co_3_of_quotient_3_left = co_3_of_quotient_3 - co_3_of_quotient_3_right,
@@ -719,8 +710,7 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       co_3_of_quotient_3_lo = co_3_of_quotient_3_left_rest + co_3_of_quotient_3_right_rest,
       co_3 = KSL_MUL(co_3_of_quotient_3, after_3), co_3_inverse = 1.0 / after_3,
       co_3_back = KSL_MUL(co_3, co_3_inverse), co_3_lost = co_3_of_quotient_3 - co_3_back,
-      co_3_rest = co_3_lost + co_3_of_quotient_3_lo, co_3_small = KSL_MUL(co_3_rest, after_3),
-      co_3_lo = co_3_lost == 0.0 ? 0.0 : co_3_small;
+      co_3_rest = co_3_lost + co_3_of_quotient_3_lo, co_3_lo = KSL_MUL(co_3_rest, after_3);
   const double co_4_of_quotient_4 = quotient_4 + quotient_4_lo,
       co_4_of_quotient_4_right = co_4_of_quotient_4 - quotient_4,
       co_4_of_quotient_4_left = co_4_of_quotient_4 - co_4_of_quotient_4_right,
@@ -729,8 +719,7 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       co_4_of_quotient_4_lo = co_4_of_quotient_4_left_rest + co_4_of_quotient_4_right_rest,
       co_4 = KSL_MUL(co_4_of_quotient_4, after_4), co_4_inverse = 1.0 / after_4,
       co_4_back = KSL_MUL(co_4, co_4_inverse), co_4_lost = co_4_of_quotient_4 - co_4_back,
-      co_4_rest = co_4_lost + co_4_of_quotient_4_lo, co_4_small = KSL_MUL(co_4_rest, after_4),
-      co_4_lo = co_4_lost == 0.0 ? 0.0 : co_4_small;
+      co_4_rest = co_4_lost + co_4_of_quotient_4_lo, co_4_lo = KSL_MUL(co_4_rest, after_4);
   const double co_5_of_quotient_5 = quotient_5 + quotient_5_lo,
       co_5_of_quotient_5_right = co_5_of_quotient_5 - quotient_5,
       co_5_of_quotient_5_left = co_5_of_quotient_5 - co_5_of_quotient_5_right,
@@ -739,8 +728,7 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
       co_5_of_quotient_5_lo = co_5_of_quotient_5_left_rest + co_5_of_quotient_5_right_rest,
       co_5 = KSL_MUL(co_5_of_quotient_5, after_5), co_5_inverse = 1.0 / after_5,
       co_5_back = KSL_MUL(co_5, co_5_inverse), co_5_lost = co_5_of_quotient_5 - co_5_back,
-      co_5_rest = co_5_lost + co_5_of_quotient_5_lo, co_5_small = KSL_MUL(co_5_rest, after_5),
-      co_5_lo = co_5_lost == 0.0 ? 0.0 : co_5_small;
+      co_5_rest = co_5_lost + co_5_of_quotient_5_lo, co_5_lo = KSL_MUL(co_5_rest, after_5);
   const double co_0_rounded = co_0 + co_0_lo,
       co_0_final = co_0_rounded == co_0_rounded ? co_0_rounded : co_0;
   const double co_1_rounded = co_1 + co_1_lo,

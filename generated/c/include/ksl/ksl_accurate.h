@@ -5,12 +5,14 @@
 #ifndef KSL_ACCURATE_H
 #define KSL_ACCURATE_H
 
+#include "elementary_accurate.h"
 #include "vec3_accurate.h"
 #include "vec4_accurate.h"
 #include "mat3x3_accurate.h"
 #include "SE3_accurate.h"
 #include "mat6x6_accurate.h"
 #include "matrix_accurate.h"
+#include "trig_accurate.h"
 #include "screw_accurate.h"
 #include "coscrew_accurate.h"
 #include "quaternion_accurate.h"

@@ -12,9 +12,9 @@
 #define KSL_ATAN2_ERROR
 /* angle_error = atan2(y, x) - angle, angle as atan2 has it.
    (y c - x s) / (x c + y s), s and c the angle's sine and cosine as pairs; angle + angle_error
-     is within 2^-99.3 of atan2(y, x), relative to it (proved), and 0.51 of the least subnormal
+     is within 2^-100.1 of atan2(y, x), relative to it (proved), and 0.51 of the least subnormal
      number; 0 where the angle is 0.
-   93 mul, 211 add, 23 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
+   93 mul, 217 add, 23 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
 static inline double ksl_atan2_error(const double y, const double x, const double angle) {
   const double quadrant_1 = KSL_MUL(angle, 0.6366197723675814),
       quadrant_2 = quadrant_1 + 6755399441055744.0, quadrant = quadrant_2 - 6755399441055744.0;
@@ -214,18 +214,22 @@ static inline double ksl_atan2_error(const double y, const double x, const doubl
   const double cos_r = 1.0 + cos_sum;
   const double cos_r_error_1 = cos_r - 1.0, cos_r_error = cos_sum - cos_r_error_1;
   const double cos_r_low = cos_r_error + cos_sum_low;
+  const double sine = sin_r + sin_r_low;
+  const double sine_low_1 = sine - sin_r, sine_low = sin_r_low - sine_low_1;
+  const double cosine = cos_r + cos_r_low;
+  const double cosine_low_1 = cosine - cos_r, cosine_low = cos_r_low - cosine_low_1;
   const double q_1 = quadrant + 2.7021597764222976e+16, q_2 = q_1 - 2.7021597764222976e+16,
       q = q_2 - quadrant;
   const double cos_k_1 = fabs(q), cos_k = 1.0 - cos_k_1;
   const double minus_sin_k_1 = 1.0 + cos_k, minus_sin_k = KSL_MUL(q, minus_sin_k_1);
-  const double sin_x_1 = KSL_MUL(sin_r, cos_k), sin_x_2 = KSL_MUL(cos_r, minus_sin_k),
+  const double sin_x_1 = KSL_MUL(sine, cos_k), sin_x_2 = KSL_MUL(cosine, minus_sin_k),
       sin_x = sin_x_1 - sin_x_2;
-  const double sin_x_low_1 = KSL_MUL(sin_r_low, cos_k),
-      sin_x_low_2 = KSL_MUL(cos_r_low, minus_sin_k), sin_x_low = sin_x_low_1 - sin_x_low_2;
-  const double cos_x_1 = KSL_MUL(cos_r, cos_k), cos_x_2 = KSL_MUL(sin_r, minus_sin_k),
+  const double sin_x_low_1 = KSL_MUL(sine_low, cos_k),
+      sin_x_low_2 = KSL_MUL(cosine_low, minus_sin_k), sin_x_low = sin_x_low_1 - sin_x_low_2;
+  const double cos_x_1 = KSL_MUL(cosine, cos_k), cos_x_2 = KSL_MUL(sine, minus_sin_k),
       cos_x = cos_x_1 + cos_x_2;
-  const double cos_x_low_1 = KSL_MUL(cos_r_low, cos_k),
-      cos_x_low_2 = KSL_MUL(sin_r_low, minus_sin_k), cos_x_low = cos_x_low_1 + cos_x_low_2;
+  const double cos_x_low_1 = KSL_MUL(cosine_low, cos_k),
+      cos_x_low_2 = KSL_MUL(sine_low, minus_sin_k), cos_x_low = cos_x_low_1 + cos_x_low_2;
   const double size_1 = fabs(y), size_2 = fabs(x), size = size_1 < size_2 ? size_2 : size_1;
   const double scale_3 = 1.0463951242053392e+298 < size ? 9.094947017729282e-13 : 1.0,
       scale_4 = size < 1.152921504606847e+18 ? 9.076030935533344e+279 : scale_3,
@@ -833,9 +837,9 @@ static inline double ksl_cos_error(const double x, const double c) {
 #ifndef KSL_TANH_ERROR
 #define KSL_TANH_ERROR
 /* y_error = tanh x - y, y as tanh has it.
-   m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-99.2 of tanh
-     x, relative to it (proved); 0 for |x| below 2^-54 and above 40.
-   61 mul, 139 add, 16 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
+   m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-100 of tanh x,
+     relative to it (proved); 0 for |x| below 2^-54 and above 40.
+   61 mul, 145 add, 16 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
 static inline double ksl_tanh_error(const double x, const double y) {
   const double size = fabs(x);
   const double within_1 = size < 5.551115123125783e-17 ? 1.0 : size,
@@ -993,14 +997,20 @@ static inline double ksl_tanh_error(const double x, const double y) {
   const double grown_low_1 = grown_more_low + r_low, grown_low = grown_error + grown_low_1;
   const double more = KSL_MUL(grown, power);
   const double more_low = KSL_MUL(grown_low, power);
-  const double m = whole + more;
-  const double m_error_1 = m - whole, m_error_2 = m - m_error_1, m_error_3 = whole - m_error_2,
-      m_error_4 = more - m_error_1, m_error = m_error_3 + m_error_4;
-  const double m_low_1 = more_low + whole_error, m_low = m_error + m_low_1;
-  const double d = 2.0 + m;
-  const double d_error_1 = d - 2.0, d_error_2 = d - d_error_1, d_error_3 = 2.0 - d_error_2,
-      d_error_4 = m - d_error_1, d_error = d_error_3 + d_error_4;
-  const double d_low = d_error + m_low;
+  const double m_sum = whole + more;
+  const double m_sum_error_1 = m_sum - whole, m_sum_error_2 = m_sum - m_sum_error_1,
+      m_sum_error_3 = whole - m_sum_error_2, m_sum_error_4 = more - m_sum_error_1,
+      m_sum_error = m_sum_error_3 + m_sum_error_4;
+  const double m_sum_low_1 = more_low + whole_error, m_sum_low = m_sum_error + m_sum_low_1;
+  const double m = m_sum + m_sum_low;
+  const double m_low_1 = m - m_sum, m_low = m_sum_low - m_low_1;
+  const double d_sum = 2.0 + m;
+  const double d_sum_error_1 = d_sum - 2.0, d_sum_error_2 = d_sum - d_sum_error_1,
+      d_sum_error_3 = 2.0 - d_sum_error_2, d_sum_error_4 = m - d_sum_error_1,
+      d_sum_error = d_sum_error_3 + d_sum_error_4;
+  const double d_sum_low = d_sum_error + m_low;
+  const double d = d_sum + d_sum_low;
+  const double d_low_1 = d - d_sum, d_low = d_sum_low - d_low_1;
   const double product = KSL_MUL(result, d);
   const double product_rest = ksl_product_error(result, d, product);
   const double error_1 = m - product, error_2 = error_1 - product_rest,
@@ -1018,9 +1028,9 @@ static inline double ksl_tanh_error(const double x, const double y) {
 #define KSL_ATAN2_ERRORF
 /* angle_error = atan2(y, x) - angle, angle as atan2 has it.
    (y c - x s) / (x c + y s), s and c the angle's sine and cosine as pairs; angle + angle_error
-     is within 2^-41.3 of atan2(y, x), relative to it (proved), and 0.51 of the least subnormal
+     is within 2^-42.1 of atan2(y, x), relative to it (proved), and 0.51 of the least subnormal
      number; 0 where the angle is 0.
-   68 mul, 158 add, 16 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
+   68 mul, 164 add, 16 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
 static inline float ksl_atan2_errorf(const float y, const float x, const float angle) {
   const float quadrant_1 = KSL_MULF(angle, 0.63661975f), quadrant_2 = quadrant_1 + 1.2582912e+07f,
       quadrant = quadrant_2 - 1.2582912e+07f;
@@ -1161,17 +1171,21 @@ static inline float ksl_atan2_errorf(const float y, const float x, const float a
   const float cos_r = 1.0f + cos_sum;
   const float cos_r_error_1 = cos_r - 1.0f, cos_r_error = cos_sum - cos_r_error_1;
   const float cos_r_low = cos_r_error + cos_sum_low;
+  const float sine = sin_r + sin_r_low;
+  const float sine_low_1 = sine - sin_r, sine_low = sin_r_low - sine_low_1;
+  const float cosine = cos_r + cos_r_low;
+  const float cosine_low_1 = cosine - cos_r, cosine_low = cos_r_low - cosine_low_1;
   const float q_1 = quadrant + 5.033165e+07f, q_2 = q_1 - 5.033165e+07f, q = q_2 - quadrant;
   const float cos_k_1 = fabsf(q), cos_k = 1.0f - cos_k_1;
   const float minus_sin_k_1 = 1.0f + cos_k, minus_sin_k = KSL_MULF(q, minus_sin_k_1);
-  const float sin_x_1 = KSL_MULF(sin_r, cos_k), sin_x_2 = KSL_MULF(cos_r, minus_sin_k),
+  const float sin_x_1 = KSL_MULF(sine, cos_k), sin_x_2 = KSL_MULF(cosine, minus_sin_k),
       sin_x = sin_x_1 - sin_x_2;
-  const float sin_x_low_1 = KSL_MULF(sin_r_low, cos_k),
-      sin_x_low_2 = KSL_MULF(cos_r_low, minus_sin_k), sin_x_low = sin_x_low_1 - sin_x_low_2;
-  const float cos_x_1 = KSL_MULF(cos_r, cos_k), cos_x_2 = KSL_MULF(sin_r, minus_sin_k),
+  const float sin_x_low_1 = KSL_MULF(sine_low, cos_k),
+      sin_x_low_2 = KSL_MULF(cosine_low, minus_sin_k), sin_x_low = sin_x_low_1 - sin_x_low_2;
+  const float cos_x_1 = KSL_MULF(cosine, cos_k), cos_x_2 = KSL_MULF(sine, minus_sin_k),
       cos_x = cos_x_1 + cos_x_2;
-  const float cos_x_low_1 = KSL_MULF(cos_r_low, cos_k),
-      cos_x_low_2 = KSL_MULF(sin_r_low, minus_sin_k), cos_x_low = cos_x_low_1 + cos_x_low_2;
+  const float cos_x_low_1 = KSL_MULF(cosine_low, cos_k),
+      cos_x_low_2 = KSL_MULF(sine_low, minus_sin_k), cos_x_low = cos_x_low_1 + cos_x_low_2;
   const float size_1 = fabsf(y), size_2 = fabsf(x), size = size_1 < size_2 ? size_2 : size_1;
   const float scale_3 = 1.2980742e+33f < size ? 9.536743e-07f : 1.0f,
       scale_4 = size < 2.6843546e+08f ? 4.8357033e+24f : scale_3,
@@ -1635,9 +1649,9 @@ static inline float ksl_cos_errorf(const float x, const float c) {
 #ifndef KSL_TANH_ERRORF
 #define KSL_TANH_ERRORF
 /* y_error = tanh x - y, y as tanh has it.
-   m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-41.2 of tanh
-     x, relative to it (proved); 0 for |x| below 2^-25 and above 20.
-   39 mul, 93 add, 10 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
+   m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-42 of tanh x,
+     relative to it (proved); 0 for |x| below 2^-25 and above 20.
+   39 mul, 99 add, 10 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
 static inline float ksl_tanh_errorf(const float x, const float y) {
   const float size = fabsf(x);
   const float within_1 = size < 2.9802322e-08f ? 1.0f : size,
@@ -1725,14 +1739,20 @@ static inline float ksl_tanh_errorf(const float x, const float y) {
   const float grown_low_1 = grown_more_low + r_low, grown_low = grown_error + grown_low_1;
   const float more = KSL_MULF(grown, power);
   const float more_low = KSL_MULF(grown_low, power);
-  const float m = whole + more;
-  const float m_error_1 = m - whole, m_error_2 = m - m_error_1, m_error_3 = whole - m_error_2,
-      m_error_4 = more - m_error_1, m_error = m_error_3 + m_error_4;
-  const float m_low_1 = more_low + whole_error, m_low = m_error + m_low_1;
-  const float d = 2.0f + m;
-  const float d_error_1 = d - 2.0f, d_error_2 = d - d_error_1, d_error_3 = 2.0f - d_error_2,
-      d_error_4 = m - d_error_1, d_error = d_error_3 + d_error_4;
-  const float d_low = d_error + m_low;
+  const float m_sum = whole + more;
+  const float m_sum_error_1 = m_sum - whole, m_sum_error_2 = m_sum - m_sum_error_1,
+      m_sum_error_3 = whole - m_sum_error_2, m_sum_error_4 = more - m_sum_error_1,
+      m_sum_error = m_sum_error_3 + m_sum_error_4;
+  const float m_sum_low_1 = more_low + whole_error, m_sum_low = m_sum_error + m_sum_low_1;
+  const float m = m_sum + m_sum_low;
+  const float m_low_1 = m - m_sum, m_low = m_sum_low - m_low_1;
+  const float d_sum = 2.0f + m;
+  const float d_sum_error_1 = d_sum - 2.0f, d_sum_error_2 = d_sum - d_sum_error_1,
+      d_sum_error_3 = 2.0f - d_sum_error_2, d_sum_error_4 = m - d_sum_error_1,
+      d_sum_error = d_sum_error_3 + d_sum_error_4;
+  const float d_sum_low = d_sum_error + m_low;
+  const float d = d_sum + d_sum_low;
+  const float d_low_1 = d - d_sum, d_low = d_sum_low - d_low_1;
   const float product = KSL_MULF(result, d);
   const float product_rest = ksl_product_errorf(result, d, product);
   const float error_1 = m - product, error_2 = error_1 - product_rest,

@@ -678,7 +678,7 @@ static inline void ksl_mat3x3_setFromAxisDC(ksl_mat3x3_t *R, const ksl_vec3_t *a
 
 /* R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
    angles: vector; R: rotation or other 3×3 matrix.
-   14 mul, 4 add, 3 sin, 3 cos, 3 neg. */
+   98 mul, 103 add, 3 neg, 3 abs. */
 static inline void ksl_mat3x3_from_euler_xyz(const ksl_vec3_t *angles, ksl_mat3x3_t *R) {
   double c_0; const double s_0 = ksl_sincos(angles->x, &c_0);
   double c_1; const double s_1 = ksl_sincos(angles->y, &c_1);
@@ -711,7 +711,7 @@ static inline void ksl_mat3x3_from_euler_xyz(const ksl_vec3_t *angles, ksl_mat3x
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
+   93 mul, 108 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
    The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
      too; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
@@ -735,7 +735,7 @@ static inline void ksl_euler_xyz_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *
 
 /* R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
    angles: vector; R: rotation or other 3×3 matrix.
-   14 mul, 4 add, 3 sin, 3 cos, 2 neg. */
+   98 mul, 103 add, 2 neg, 3 abs. */
 static inline void ksl_mat3x3_from_euler_xyx(const ksl_vec3_t *angles, ksl_mat3x3_t *R) {
   double c_0; const double s_0 = ksl_sincos(angles->x, &c_0);
   double c_1; const double s_1 = ksl_sincos(angles->y, &c_1);
@@ -768,7 +768,7 @@ static inline void ksl_mat3x3_from_euler_xyx(const ksl_vec3_t *angles, ksl_mat3x
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
+   93 mul, 108 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
    The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
      too; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
@@ -847,7 +847,7 @@ static inline void ksl_mat3x3_jacobi(ksl_mat3x3_t *A, ksl_mat3x3_t *V) {
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
      not a rotation.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
-   15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
+   71 mul, 79 add, 2 abs, 1 less, 1 select.
    Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
 static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const double angle,
     ksl_mat3x3_t *R) {
@@ -893,7 +893,7 @@ static inline void ksl_mat3x3_from_axis_angle(const ksl_vec3_t *axis, const doub
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.
+   37 mul, 51 add, 4 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 18 less, 2 equal, 40 select.
    Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
      proved. */
 static inline double ksl_axis_angle_from_mat3x3(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
@@ -1622,7 +1622,7 @@ static inline void ksl_mat3x3f_setFromAxisDC(ksl_mat3x3f_t *R, const ksl_vec3f_t
 
 /* R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
    angles: vector; R: rotation or other 3×3 matrix.
-   14 mul, 4 add, 3 sin, 3 cos, 3 neg. */
+   80 mul, 85 add, 3 neg, 3 abs. */
 static inline void ksl_mat3x3f_from_euler_xyz(const ksl_vec3f_t *angles, ksl_mat3x3f_t *R) {
   float c_0; const float s_0 = ksl_sincosf(angles->x, &c_0);
   float c_1; const float s_1 = ksl_sincosf(angles->y, &c_1);
@@ -1655,7 +1655,7 @@ static inline void ksl_mat3x3f_from_euler_xyz(const ksl_vec3f_t *angles, ksl_mat
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
+   72 mul, 90 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
    The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
      too; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
@@ -1679,7 +1679,7 @@ static inline void ksl_euler_xyz_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_
 
 /* R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
    angles: vector; R: rotation or other 3×3 matrix.
-   14 mul, 4 add, 3 sin, 3 cos, 2 neg. */
+   80 mul, 85 add, 2 neg, 3 abs. */
 static inline void ksl_mat3x3f_from_euler_xyx(const ksl_vec3f_t *angles, ksl_mat3x3f_t *R) {
   float c_0; const float s_0 = ksl_sincosf(angles->x, &c_0);
   float c_1; const float s_1 = ksl_sincosf(angles->y, &c_1);
@@ -1712,7 +1712,7 @@ static inline void ksl_mat3x3f_from_euler_xyx(const ksl_vec3f_t *angles, ksl_mat
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
+   72 mul, 90 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
    The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
      too; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *angles) {
@@ -1791,7 +1791,7 @@ static inline void ksl_mat3x3f_jacobi(ksl_mat3x3f_t *A, ksl_mat3x3f_t *V) {
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
      not a rotation.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
-   15 mul, 13 add, 2 sin, 1 cos, 1 less, 1 select.
+   59 mul, 67 add, 2 abs, 1 less, 1 select.
    Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
 static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const float angle,
     ksl_mat3x3f_t *R) {
@@ -1837,7 +1837,7 @@ static inline void ksl_mat3x3f_from_axis_angle(const ksl_vec3f_t *axis, const fl
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.
+   30 mul, 45 add, 4 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 18 less, 2 equal, 40 select.
    Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
      proved. */
 static inline float ksl_axis_angle_from_mat3x3f(const ksl_mat3x3f_t *R, ksl_vec3f_t *axis) {

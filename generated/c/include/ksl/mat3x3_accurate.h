@@ -121,8 +121,8 @@ static inline double ksl_mat3x3_determinant_accurate(const ksl_mat3x3_t *R) {
      Returns 0, with Ro = NaN, where R may be singular: |det R| <= 8 u p + 1e-29 m^3 (double
      1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.
    R, Ro: rotation or other 3×3 matrix.
-   106 mul, 290 add, 10 product error, 32 product rest, 22 div, 2 neg, 19 abs, 17 less, 23 equal,
-     67 select.
+   106 mul, 290 add, 10 product error, 32 product rest, 22 div, 2 neg, 19 abs, 17 less, 11 equal,
+     55 select.
    Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the sum of the |terms| of
      the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more; barring over- and underflow
      of Ro_ij itself. */
@@ -445,8 +445,7 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_0_back = KSL_MUL(inverse_0, inverse_0_inverse),
       inverse_0_lost = inverse_0_of_quotient_0 - inverse_0_back,
       inverse_0_rest = inverse_0_lost + inverse_0_of_quotient_0_lo,
-      inverse_0_small = KSL_MUL(inverse_0_rest, s),
-      inverse_0_lo = inverse_0_lost == 0.0 ? 0.0 : inverse_0_small;
+      inverse_0_lo = KSL_MUL(inverse_0_rest, s);
   const double inverse_1_of_quotient_1 = quotient_1 + quotient_1_lo,
       inverse_1_of_quotient_1_right = inverse_1_of_quotient_1 - quotient_1,
       inverse_1_of_quotient_1_left = inverse_1_of_quotient_1 - inverse_1_of_quotient_1_right,
@@ -458,8 +457,7 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_1_back = KSL_MUL(inverse_1, inverse_0_inverse),
       inverse_1_lost = inverse_1_of_quotient_1 - inverse_1_back,
       inverse_1_rest = inverse_1_lost + inverse_1_of_quotient_1_lo,
-      inverse_1_small = KSL_MUL(inverse_1_rest, s),
-      inverse_1_lo = inverse_1_lost == 0.0 ? 0.0 : inverse_1_small;
+      inverse_1_lo = KSL_MUL(inverse_1_rest, s);
   const double inverse_2_of_quotient_2 = quotient_2 + quotient_2_lo,
       inverse_2_of_quotient_2_right = inverse_2_of_quotient_2 - quotient_2,
       inverse_2_of_quotient_2_left = inverse_2_of_quotient_2 - inverse_2_of_quotient_2_right,
@@ -471,8 +469,7 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_2_back = KSL_MUL(inverse_2, inverse_0_inverse),
       inverse_2_lost = inverse_2_of_quotient_2 - inverse_2_back,
       inverse_2_rest = inverse_2_lost + inverse_2_of_quotient_2_lo,
-      inverse_2_small = KSL_MUL(inverse_2_rest, s),
-      inverse_2_lo = inverse_2_lost == 0.0 ? 0.0 : inverse_2_small;
+      inverse_2_lo = KSL_MUL(inverse_2_rest, s);
   const double inverse_3_of_quotient_3 = quotient_3 + quotient_3_lo,
       inverse_3_of_quotient_3_right = inverse_3_of_quotient_3 - quotient_3,
       inverse_3_of_quotient_3_left = inverse_3_of_quotient_3 - inverse_3_of_quotient_3_right,
@@ -484,8 +481,7 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_3_back = KSL_MUL(inverse_3, inverse_0_inverse),
       inverse_3_lost = inverse_3_of_quotient_3 - inverse_3_back,
       inverse_3_rest = inverse_3_lost + inverse_3_of_quotient_3_lo,
-      inverse_3_small = KSL_MUL(inverse_3_rest, s),
-      inverse_3_lo = inverse_3_lost == 0.0 ? 0.0 : inverse_3_small;
+      inverse_3_lo = KSL_MUL(inverse_3_rest, s);
   const double inverse_4_of_quotient_4 = quotient_4 + quotient_4_lo,
       inverse_4_of_quotient_4_right = inverse_4_of_quotient_4 - quotient_4,
       inverse_4_of_quotient_4_left = inverse_4_of_quotient_4 - inverse_4_of_quotient_4_right,
@@ -497,8 +493,7 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_4_back = KSL_MUL(inverse_4, inverse_0_inverse),
       inverse_4_lost = inverse_4_of_quotient_4 - inverse_4_back,
       inverse_4_rest = inverse_4_lost + inverse_4_of_quotient_4_lo,
-      inverse_4_small = KSL_MUL(inverse_4_rest, s),
-      inverse_4_lo = inverse_4_lost == 0.0 ? 0.0 : inverse_4_small;
+      inverse_4_lo = KSL_MUL(inverse_4_rest, s);
   const double inverse_5_of_quotient_5 = quotient_5 + quotient_5_lo,
       inverse_5_of_quotient_5_right = inverse_5_of_quotient_5 - quotient_5,
       inverse_5_of_quotient_5_left = inverse_5_of_quotient_5 - inverse_5_of_quotient_5_right,
@@ -510,8 +505,7 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_5_back = KSL_MUL(inverse_5, inverse_0_inverse),
       inverse_5_lost = inverse_5_of_quotient_5 - inverse_5_back,
       inverse_5_rest = inverse_5_lost + inverse_5_of_quotient_5_lo,
-      inverse_5_small = KSL_MUL(inverse_5_rest, s),
-      inverse_5_lo = inverse_5_lost == 0.0 ? 0.0 : inverse_5_small;
+      inverse_5_lo = KSL_MUL(inverse_5_rest, s);
   const double inverse_6_of_quotient_6 = quotient_6 + quotient_6_lo,
       inverse_6_of_quotient_6_right = inverse_6_of_quotient_6 - quotient_6,
       inverse_6_of_quotient_6_left = inverse_6_of_quotient_6 - inverse_6_of_quotient_6_right,
@@ -523,8 +517,7 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_6_back = KSL_MUL(inverse_6, inverse_0_inverse),
       inverse_6_lost = inverse_6_of_quotient_6 - inverse_6_back,
       inverse_6_rest = inverse_6_lost + inverse_6_of_quotient_6_lo,
-      inverse_6_small = KSL_MUL(inverse_6_rest, s),
-      inverse_6_lo = inverse_6_lost == 0.0 ? 0.0 : inverse_6_small;
+      inverse_6_lo = KSL_MUL(inverse_6_rest, s);
   const double inverse_7_of_quotient_7 = quotient_7 + quotient_7_lo,
       inverse_7_of_quotient_7_right = inverse_7_of_quotient_7 - quotient_7,
       inverse_7_of_quotient_7_left = inverse_7_of_quotient_7 - inverse_7_of_quotient_7_right,
@@ -536,8 +529,7 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_7_back = KSL_MUL(inverse_7, inverse_0_inverse),
       inverse_7_lost = inverse_7_of_quotient_7 - inverse_7_back,
       inverse_7_rest = inverse_7_lost + inverse_7_of_quotient_7_lo,
-      inverse_7_small = KSL_MUL(inverse_7_rest, s),
-      inverse_7_lo = inverse_7_lost == 0.0 ? 0.0 : inverse_7_small;
+      inverse_7_lo = KSL_MUL(inverse_7_rest, s);
   const double inverse_8_of_quotient_8 = quotient_8 + quotient_8_lo,
       inverse_8_of_quotient_8_right = inverse_8_of_quotient_8 - quotient_8,
       inverse_8_of_quotient_8_left = inverse_8_of_quotient_8 - inverse_8_of_quotient_8_right,
@@ -549,8 +541,7 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       inverse_8_back = KSL_MUL(inverse_8, inverse_0_inverse),
       inverse_8_lost = inverse_8_of_quotient_8 - inverse_8_back,
       inverse_8_rest = inverse_8_lost + inverse_8_of_quotient_8_lo,
-      inverse_8_small = KSL_MUL(inverse_8_rest, s),
-      inverse_8_lo = inverse_8_lost == 0.0 ? 0.0 : inverse_8_small;
+      inverse_8_lo = KSL_MUL(inverse_8_rest, s);
   const double start_a = -8.452712498170644e+270,
       start_c = regular_a_of_d < 0.0 ? start_a : 8.452712498170644e+270,
       start = R_largest8 < 4.149515568880993e+180 ? regular_a_of_d : start_c,
@@ -563,8 +554,7 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       once_of_start_lo = once_of_start_left_rest + once_of_start_right_rest,
       once = KSL_MUL(once_of_start, r2), once_inverse = 1.0 / r2,
       once_back = KSL_MUL(once, once_inverse), once_lost = once_of_start - once_back,
-      once_rest = once_lost + once_of_start_lo, once_small = KSL_MUL(once_rest, r2),
-      once_lo = once_lost == 0.0 ? 0.0 : once_small;
+      once_rest = once_lost + once_of_start_lo, once_lo = KSL_MUL(once_rest, r2);
   const double r3 = R_largest8 < 2.409919865102884e-181 ? 1.1830521861667747e-271 : 1.0;
   const double twice_of_once = once + once_lo, twice_of_once_right = twice_of_once - once,
       twice_of_once_left = twice_of_once - twice_of_once_right,
@@ -573,8 +563,7 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       twice_of_once_lo = twice_of_once_left_rest + twice_of_once_right_rest,
       twice = KSL_MUL(twice_of_once, r3), twice_inverse = 1.0 / r3,
       twice_back = KSL_MUL(twice, twice_inverse), twice_lost = twice_of_once - twice_back,
-      twice_rest = twice_lost + twice_of_once_lo, twice_small = KSL_MUL(twice_rest, r3),
-      twice_lo = twice_lost == 0.0 ? 0.0 : twice_small;
+      twice_rest = twice_lost + twice_of_once_lo, twice_lo = KSL_MUL(twice_rest, r3);
   const double r_a = R_largest8 < 2.037035976334486e+90 ? 1.0 : 8.452712498170644e+270,
       r = R_largest8 < 1.0 ? 1.1830521861667747e-271 : r_a;
   const double det_R_of_twice = twice + twice_lo, det_R_of_twice_right = det_R_of_twice - twice,
@@ -584,8 +573,7 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
       det_R_of_twice_lo = det_R_of_twice_left_rest + det_R_of_twice_right_rest,
       det_R = KSL_MUL(det_R_of_twice, r), det_R_inverse = 1.0 / r,
       det_R_back = KSL_MUL(det_R, det_R_inverse), det_R_lost = det_R_of_twice - det_R_back,
-      det_R_rest = det_R_lost + det_R_of_twice_lo, det_R_small = KSL_MUL(det_R_rest, r),
-      det_R_lo = det_R_lost == 0.0 ? 0.0 : det_R_small;
+      det_R_rest = det_R_lost + det_R_of_twice_lo, det_R_lo = KSL_MUL(det_R_rest, r);
   const double det = regular == 1.0 ? det_R : 0.0, det_lo = regular == 1.0 ? det_R_lo : 0.0;
   const double Ro_00 = regular == 1.0 ? inverse_0 : (double)NAN,
       Ro_00_lo = regular == 1.0 ? inverse_0_lo : 0.0;
@@ -642,7 +630,7 @@ static inline double ksl_mat3x3_inverse_accurate(const ksl_mat3x3_t *R, ksl_mat3
      dependent to rounding.
    self: rotation or other 3×3 matrix.
    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
-     27 equal, 79 select.
+     18 equal, 70 select.
    |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
   const double q0_s_size_0 = fabs(self->m00);
@@ -731,8 +719,7 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q0_0_of_q0_quotient_0_lo = q0_0_of_q0_quotient_0_left_rest + q0_0_of_q0_quotient_0_right_rest,
       q0_0 = KSL_MUL(q0_0_of_q0_quotient_0, q0_down), q0_0_inverse = 1.0 / q0_down,
       q0_0_back = KSL_MUL(q0_0, q0_0_inverse), q0_0_lost = q0_0_of_q0_quotient_0 - q0_0_back,
-      q0_0_rest = q0_0_lost + q0_0_of_q0_quotient_0_lo, q0_0_small = KSL_MUL(q0_0_rest, q0_down),
-      q0_0_lo = q0_0_lost == 0.0 ? 0.0 : q0_0_small;
+      q0_0_rest = q0_0_lost + q0_0_of_q0_quotient_0_lo, q0_0_lo = KSL_MUL(q0_0_rest, q0_down);
   const double q0_1_of_q0_quotient_1 = q0_quotient_1 + q0_quotient_1_lo,
       q0_1_of_q0_quotient_1_right = q0_1_of_q0_quotient_1 - q0_quotient_1,
       q0_1_of_q0_quotient_1_left = q0_1_of_q0_quotient_1 - q0_1_of_q0_quotient_1_right,
@@ -741,8 +728,7 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q0_1_of_q0_quotient_1_lo = q0_1_of_q0_quotient_1_left_rest + q0_1_of_q0_quotient_1_right_rest,
       q0_1 = KSL_MUL(q0_1_of_q0_quotient_1, q0_down), q0_1_back = KSL_MUL(q0_1, q0_0_inverse),
       q0_1_lost = q0_1_of_q0_quotient_1 - q0_1_back,
-      q0_1_rest = q0_1_lost + q0_1_of_q0_quotient_1_lo, q0_1_small = KSL_MUL(q0_1_rest, q0_down),
-      q0_1_lo = q0_1_lost == 0.0 ? 0.0 : q0_1_small;
+      q0_1_rest = q0_1_lost + q0_1_of_q0_quotient_1_lo, q0_1_lo = KSL_MUL(q0_1_rest, q0_down);
   const double q0_2_of_q0_quotient_2 = q0_quotient_2 + q0_quotient_2_lo,
       q0_2_of_q0_quotient_2_right = q0_2_of_q0_quotient_2 - q0_quotient_2,
       q0_2_of_q0_quotient_2_left = q0_2_of_q0_quotient_2 - q0_2_of_q0_quotient_2_right,
@@ -751,8 +737,7 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       q0_2_of_q0_quotient_2_lo = q0_2_of_q0_quotient_2_left_rest + q0_2_of_q0_quotient_2_right_rest,
       q0_2 = KSL_MUL(q0_2_of_q0_quotient_2, q0_down), q0_2_back = KSL_MUL(q0_2, q0_0_inverse),
       q0_2_lost = q0_2_of_q0_quotient_2 - q0_2_back,
-      q0_2_rest = q0_2_lost + q0_2_of_q0_quotient_2_lo, q0_2_small = KSL_MUL(q0_2_rest, q0_down),
-      q0_2_lo = q0_2_lost == 0.0 ? 0.0 : q0_2_small;
+      q0_2_rest = q0_2_lost + q0_2_of_q0_quotient_2_lo, q0_2_lo = KSL_MUL(q0_2_rest, q0_down);
   const double u1_s_size_0 = fabs(self->m10);
   const double u1_s_size_1 = fabs(self->m11);
   const double u1_s_size_2 = fabs(self->m12);
@@ -839,8 +824,7 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u1_0_of_u1_quotient_0_lo = u1_0_of_u1_quotient_0_left_rest + u1_0_of_u1_quotient_0_right_rest,
       u1_0 = KSL_MUL(u1_0_of_u1_quotient_0, u1_down), u1_0_inverse = 1.0 / u1_down,
       u1_0_back = KSL_MUL(u1_0, u1_0_inverse), u1_0_lost = u1_0_of_u1_quotient_0 - u1_0_back,
-      u1_0_rest = u1_0_lost + u1_0_of_u1_quotient_0_lo, u1_0_small = KSL_MUL(u1_0_rest, u1_down),
-      u1_0_lo = u1_0_lost == 0.0 ? 0.0 : u1_0_small;
+      u1_0_rest = u1_0_lost + u1_0_of_u1_quotient_0_lo, u1_0_lo = KSL_MUL(u1_0_rest, u1_down);
   const double u1_1_of_u1_quotient_1 = u1_quotient_1 + u1_quotient_1_lo,
       u1_1_of_u1_quotient_1_right = u1_1_of_u1_quotient_1 - u1_quotient_1,
       u1_1_of_u1_quotient_1_left = u1_1_of_u1_quotient_1 - u1_1_of_u1_quotient_1_right,
@@ -849,8 +833,7 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u1_1_of_u1_quotient_1_lo = u1_1_of_u1_quotient_1_left_rest + u1_1_of_u1_quotient_1_right_rest,
       u1_1 = KSL_MUL(u1_1_of_u1_quotient_1, u1_down), u1_1_back = KSL_MUL(u1_1, u1_0_inverse),
       u1_1_lost = u1_1_of_u1_quotient_1 - u1_1_back,
-      u1_1_rest = u1_1_lost + u1_1_of_u1_quotient_1_lo, u1_1_small = KSL_MUL(u1_1_rest, u1_down),
-      u1_1_lo = u1_1_lost == 0.0 ? 0.0 : u1_1_small;
+      u1_1_rest = u1_1_lost + u1_1_of_u1_quotient_1_lo, u1_1_lo = KSL_MUL(u1_1_rest, u1_down);
   const double u1_2_of_u1_quotient_2 = u1_quotient_2 + u1_quotient_2_lo,
       u1_2_of_u1_quotient_2_right = u1_2_of_u1_quotient_2 - u1_quotient_2,
       u1_2_of_u1_quotient_2_left = u1_2_of_u1_quotient_2 - u1_2_of_u1_quotient_2_right,
@@ -859,8 +842,7 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u1_2_of_u1_quotient_2_lo = u1_2_of_u1_quotient_2_left_rest + u1_2_of_u1_quotient_2_right_rest,
       u1_2 = KSL_MUL(u1_2_of_u1_quotient_2, u1_down), u1_2_back = KSL_MUL(u1_2, u1_0_inverse),
       u1_2_lost = u1_2_of_u1_quotient_2 - u1_2_back,
-      u1_2_rest = u1_2_lost + u1_2_of_u1_quotient_2_lo, u1_2_small = KSL_MUL(u1_2_rest, u1_down),
-      u1_2_lo = u1_2_lost == 0.0 ? 0.0 : u1_2_small;
+      u1_2_rest = u1_2_lost + u1_2_of_u1_quotient_2_lo, u1_2_lo = KSL_MUL(u1_2_rest, u1_down);
   const double along_a = KSL_MUL(q0_0, u1_0), along_a_cross1 = KSL_MUL(q0_0_lo, u1_0),
       along_a_cross2 = KSL_MUL(q0_0, u1_0_lo), along_a_cross = along_a_cross1 + along_a_cross2,
       along_b = KSL_MUL(q0_1, u1_1), along_b_cross1 = KSL_MUL(q0_1_lo, u1_1),
@@ -1126,8 +1108,7 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest,
       u2_0 = KSL_MUL(u2_0_of_u2_quotient_0, u2_down), u2_0_inverse = 1.0 / u2_down,
       u2_0_back = KSL_MUL(u2_0, u2_0_inverse), u2_0_lost = u2_0_of_u2_quotient_0 - u2_0_back,
-      u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo, u2_0_small = KSL_MUL(u2_0_rest, u2_down),
-      u2_0_lo = u2_0_lost == 0.0 ? 0.0 : u2_0_small;
+      u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo, u2_0_lo = KSL_MUL(u2_0_rest, u2_down);
   const double u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo,
       u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1,
       u2_1_of_u2_quotient_1_left = u2_1_of_u2_quotient_1 - u2_1_of_u2_quotient_1_right,
@@ -1136,8 +1117,7 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest,
       u2_1 = KSL_MUL(u2_1_of_u2_quotient_1, u2_down), u2_1_back = KSL_MUL(u2_1, u2_0_inverse),
       u2_1_lost = u2_1_of_u2_quotient_1 - u2_1_back,
-      u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo, u2_1_small = KSL_MUL(u2_1_rest, u2_down),
-      u2_1_lo = u2_1_lost == 0.0 ? 0.0 : u2_1_small;
+      u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo, u2_1_lo = KSL_MUL(u2_1_rest, u2_down);
   const double u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo,
       u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2,
       u2_2_of_u2_quotient_2_left = u2_2_of_u2_quotient_2 - u2_2_of_u2_quotient_2_right,
@@ -1146,8 +1126,7 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
       u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest,
       u2_2 = KSL_MUL(u2_2_of_u2_quotient_2, u2_down), u2_2_back = KSL_MUL(u2_2, u2_0_inverse),
       u2_2_lost = u2_2_of_u2_quotient_2 - u2_2_back,
-      u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo, u2_2_small = KSL_MUL(u2_2_rest, u2_down),
-      u2_2_lo = u2_2_lost == 0.0 ? 0.0 : u2_2_small;
+      u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo, u2_2_lo = KSL_MUL(u2_2_rest, u2_down);
   const double side_a = KSL_MUL(normal_0, u2_0), side_a_cross1 = KSL_MUL(normal_0_lo, u2_0),
       side_a_cross2 = KSL_MUL(normal_0, u2_0_lo), side_a_cross = side_a_cross1 + side_a_cross2,
       side_b = KSL_MUL(normal_1, u2_1), side_b_cross1 = KSL_MUL(normal_1_lo, u2_1),
@@ -1250,7 +1229,7 @@ static inline void ksl_mat3x3_normalize_accurate(ksl_mat3x3_t *self) {
      to rounding.
    R, Ro: rotation or other 3×3 matrix.
    154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
-     27 equal, 79 select.
+     18 equal, 70 select.
    |R R^T - I|_ij <= 8 u for the result R; searched, not proved. */
 static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
   const double q0_s_size_0 = fabs(R->m00);
@@ -1339,8 +1318,7 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q0_0_of_q0_quotient_0_lo = q0_0_of_q0_quotient_0_left_rest + q0_0_of_q0_quotient_0_right_rest,
       q0_0 = KSL_MUL(q0_0_of_q0_quotient_0, q0_down), q0_0_inverse = 1.0 / q0_down,
       q0_0_back = KSL_MUL(q0_0, q0_0_inverse), q0_0_lost = q0_0_of_q0_quotient_0 - q0_0_back,
-      q0_0_rest = q0_0_lost + q0_0_of_q0_quotient_0_lo, q0_0_small = KSL_MUL(q0_0_rest, q0_down),
-      q0_0_lo = q0_0_lost == 0.0 ? 0.0 : q0_0_small;
+      q0_0_rest = q0_0_lost + q0_0_of_q0_quotient_0_lo, q0_0_lo = KSL_MUL(q0_0_rest, q0_down);
   const double q0_1_of_q0_quotient_1 = q0_quotient_1 + q0_quotient_1_lo,
       q0_1_of_q0_quotient_1_right = q0_1_of_q0_quotient_1 - q0_quotient_1,
       q0_1_of_q0_quotient_1_left = q0_1_of_q0_quotient_1 - q0_1_of_q0_quotient_1_right,
@@ -1349,8 +1327,7 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q0_1_of_q0_quotient_1_lo = q0_1_of_q0_quotient_1_left_rest + q0_1_of_q0_quotient_1_right_rest,
       q0_1 = KSL_MUL(q0_1_of_q0_quotient_1, q0_down), q0_1_back = KSL_MUL(q0_1, q0_0_inverse),
       q0_1_lost = q0_1_of_q0_quotient_1 - q0_1_back,
-      q0_1_rest = q0_1_lost + q0_1_of_q0_quotient_1_lo, q0_1_small = KSL_MUL(q0_1_rest, q0_down),
-      q0_1_lo = q0_1_lost == 0.0 ? 0.0 : q0_1_small;
+      q0_1_rest = q0_1_lost + q0_1_of_q0_quotient_1_lo, q0_1_lo = KSL_MUL(q0_1_rest, q0_down);
   const double q0_2_of_q0_quotient_2 = q0_quotient_2 + q0_quotient_2_lo,
       q0_2_of_q0_quotient_2_right = q0_2_of_q0_quotient_2 - q0_quotient_2,
       q0_2_of_q0_quotient_2_left = q0_2_of_q0_quotient_2 - q0_2_of_q0_quotient_2_right,
@@ -1359,8 +1336,7 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       q0_2_of_q0_quotient_2_lo = q0_2_of_q0_quotient_2_left_rest + q0_2_of_q0_quotient_2_right_rest,
       q0_2 = KSL_MUL(q0_2_of_q0_quotient_2, q0_down), q0_2_back = KSL_MUL(q0_2, q0_0_inverse),
       q0_2_lost = q0_2_of_q0_quotient_2 - q0_2_back,
-      q0_2_rest = q0_2_lost + q0_2_of_q0_quotient_2_lo, q0_2_small = KSL_MUL(q0_2_rest, q0_down),
-      q0_2_lo = q0_2_lost == 0.0 ? 0.0 : q0_2_small;
+      q0_2_rest = q0_2_lost + q0_2_of_q0_quotient_2_lo, q0_2_lo = KSL_MUL(q0_2_rest, q0_down);
   const double u1_s_size_0 = fabs(R->m10);
   const double u1_s_size_1 = fabs(R->m11);
   const double u1_s_size_2 = fabs(R->m12);
@@ -1447,8 +1423,7 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u1_0_of_u1_quotient_0_lo = u1_0_of_u1_quotient_0_left_rest + u1_0_of_u1_quotient_0_right_rest,
       u1_0 = KSL_MUL(u1_0_of_u1_quotient_0, u1_down), u1_0_inverse = 1.0 / u1_down,
       u1_0_back = KSL_MUL(u1_0, u1_0_inverse), u1_0_lost = u1_0_of_u1_quotient_0 - u1_0_back,
-      u1_0_rest = u1_0_lost + u1_0_of_u1_quotient_0_lo, u1_0_small = KSL_MUL(u1_0_rest, u1_down),
-      u1_0_lo = u1_0_lost == 0.0 ? 0.0 : u1_0_small;
+      u1_0_rest = u1_0_lost + u1_0_of_u1_quotient_0_lo, u1_0_lo = KSL_MUL(u1_0_rest, u1_down);
   const double u1_1_of_u1_quotient_1 = u1_quotient_1 + u1_quotient_1_lo,
       u1_1_of_u1_quotient_1_right = u1_1_of_u1_quotient_1 - u1_quotient_1,
       u1_1_of_u1_quotient_1_left = u1_1_of_u1_quotient_1 - u1_1_of_u1_quotient_1_right,
@@ -1457,8 +1432,7 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u1_1_of_u1_quotient_1_lo = u1_1_of_u1_quotient_1_left_rest + u1_1_of_u1_quotient_1_right_rest,
       u1_1 = KSL_MUL(u1_1_of_u1_quotient_1, u1_down), u1_1_back = KSL_MUL(u1_1, u1_0_inverse),
       u1_1_lost = u1_1_of_u1_quotient_1 - u1_1_back,
-      u1_1_rest = u1_1_lost + u1_1_of_u1_quotient_1_lo, u1_1_small = KSL_MUL(u1_1_rest, u1_down),
-      u1_1_lo = u1_1_lost == 0.0 ? 0.0 : u1_1_small;
+      u1_1_rest = u1_1_lost + u1_1_of_u1_quotient_1_lo, u1_1_lo = KSL_MUL(u1_1_rest, u1_down);
   const double u1_2_of_u1_quotient_2 = u1_quotient_2 + u1_quotient_2_lo,
       u1_2_of_u1_quotient_2_right = u1_2_of_u1_quotient_2 - u1_quotient_2,
       u1_2_of_u1_quotient_2_left = u1_2_of_u1_quotient_2 - u1_2_of_u1_quotient_2_right,
@@ -1467,8 +1441,7 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u1_2_of_u1_quotient_2_lo = u1_2_of_u1_quotient_2_left_rest + u1_2_of_u1_quotient_2_right_rest,
       u1_2 = KSL_MUL(u1_2_of_u1_quotient_2, u1_down), u1_2_back = KSL_MUL(u1_2, u1_0_inverse),
       u1_2_lost = u1_2_of_u1_quotient_2 - u1_2_back,
-      u1_2_rest = u1_2_lost + u1_2_of_u1_quotient_2_lo, u1_2_small = KSL_MUL(u1_2_rest, u1_down),
-      u1_2_lo = u1_2_lost == 0.0 ? 0.0 : u1_2_small;
+      u1_2_rest = u1_2_lost + u1_2_of_u1_quotient_2_lo, u1_2_lo = KSL_MUL(u1_2_rest, u1_down);
   const double along_a = KSL_MUL(q0_0, u1_0), along_a_cross1 = KSL_MUL(q0_0_lo, u1_0),
       along_a_cross2 = KSL_MUL(q0_0, u1_0_lo), along_a_cross = along_a_cross1 + along_a_cross2,
       along_b = KSL_MUL(q0_1, u1_1), along_b_cross1 = KSL_MUL(q0_1_lo, u1_1),
@@ -1734,8 +1707,7 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest,
       u2_0 = KSL_MUL(u2_0_of_u2_quotient_0, u2_down), u2_0_inverse = 1.0 / u2_down,
       u2_0_back = KSL_MUL(u2_0, u2_0_inverse), u2_0_lost = u2_0_of_u2_quotient_0 - u2_0_back,
-      u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo, u2_0_small = KSL_MUL(u2_0_rest, u2_down),
-      u2_0_lo = u2_0_lost == 0.0 ? 0.0 : u2_0_small;
+      u2_0_rest = u2_0_lost + u2_0_of_u2_quotient_0_lo, u2_0_lo = KSL_MUL(u2_0_rest, u2_down);
   const double u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo,
       u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1,
       u2_1_of_u2_quotient_1_left = u2_1_of_u2_quotient_1 - u2_1_of_u2_quotient_1_right,
@@ -1744,8 +1716,7 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest,
       u2_1 = KSL_MUL(u2_1_of_u2_quotient_1, u2_down), u2_1_back = KSL_MUL(u2_1, u2_0_inverse),
       u2_1_lost = u2_1_of_u2_quotient_1 - u2_1_back,
-      u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo, u2_1_small = KSL_MUL(u2_1_rest, u2_down),
-      u2_1_lo = u2_1_lost == 0.0 ? 0.0 : u2_1_small;
+      u2_1_rest = u2_1_lost + u2_1_of_u2_quotient_1_lo, u2_1_lo = KSL_MUL(u2_1_rest, u2_down);
   const double u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo,
       u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2,
       u2_2_of_u2_quotient_2_left = u2_2_of_u2_quotient_2 - u2_2_of_u2_quotient_2_right,
@@ -1754,8 +1725,7 @@ static inline void ksl_mat3x3_normalized_accurate(const ksl_mat3x3_t *R, ksl_mat
       u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest,
       u2_2 = KSL_MUL(u2_2_of_u2_quotient_2, u2_down), u2_2_back = KSL_MUL(u2_2, u2_0_inverse),
       u2_2_lost = u2_2_of_u2_quotient_2 - u2_2_back,
-      u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo, u2_2_small = KSL_MUL(u2_2_rest, u2_down),
-      u2_2_lo = u2_2_lost == 0.0 ? 0.0 : u2_2_small;
+      u2_2_rest = u2_2_lost + u2_2_of_u2_quotient_2_lo, u2_2_lo = KSL_MUL(u2_2_rest, u2_down);
   const double side_a = KSL_MUL(normal_0, u2_0), side_a_cross1 = KSL_MUL(normal_0_lo, u2_0),
       side_a_cross2 = KSL_MUL(normal_0, u2_0_lo), side_a_cross = side_a_cross1 + side_a_cross2,
       side_b = KSL_MUL(normal_1, u2_1), side_b_cross1 = KSL_MUL(normal_1_lo, u2_1),
@@ -1936,13 +1906,120 @@ static inline void ksl_mat3x3_setFromAxisDC_accurate(ksl_mat3x3_t *R, const ksl_
   R->m22 = R_22_rounded;
 }
 
+/* R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
+   angles: vector; R: rotation or other 3×3 matrix.
+   381 mul, 779 add, 69 product error, 8 product rest, 9 neg, 9 abs, 3 less, 9 equal, 12 select.
+   Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
+     is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
+static inline void ksl_mat3x3_from_euler_xyz_accurate(const ksl_vec3_t *angles, ksl_mat3x3_t *R) {
+  double c_0; const double s_0 = ksl_sincos(angles->x, &c_0);
+  double c_0_own_error; const double s_0_own_error = ksl_sincos_error(angles->x, s_0, c_0,
+      &c_0_own_error);
+  double c_1; const double s_1 = ksl_sincos(angles->y, &c_1);
+  double c_1_own_error; const double s_1_own_error = ksl_sincos_error(angles->y, s_1, c_1,
+      &c_1_own_error);
+  double c_2; const double s_2 = ksl_sincos(angles->z, &c_2);
+  double c_2_own_error; const double s_2_own_error = ksl_sincos_error(angles->z, s_2, c_2,
+      &c_2_own_error);
+  const double first_0 = KSL_MUL(c_1, c_2), first_0_cross1 = KSL_MUL(c_1_own_error, c_2),
+      first_0_cross2 = KSL_MUL(c_1, c_2_own_error), first_0_cross = first_0_cross1 + first_0_cross2;
+  const double first_1a = KSL_MUL(s_2, c_1), first_1a_cross1 = KSL_MUL(s_2_own_error, c_1),
+      first_1a_cross2 = KSL_MUL(s_2, c_1_own_error),
+      first_1a_cross = first_1a_cross1 + first_1a_cross2, first_1 = -first_1a,
+      first_1_cross = -first_1a_cross, first_1_factor = -s_2;
+  const double first_6a = KSL_MUL(s_1, c_2), first_6a_cross1 = KSL_MUL(s_1_own_error, c_2),
+      first_6a_cross2 = KSL_MUL(s_1, c_2_own_error),
+      first_6a_cross = first_6a_cross1 + first_6a_cross2, first_6 = -first_6a,
+      first_6_cross = -first_6a_cross, first_6_factor = -s_1;
+  const double first_7 = KSL_MUL(s_1, s_2), first_7_cross1 = KSL_MUL(s_1_own_error, s_2),
+      first_7_cross2 = KSL_MUL(s_1, s_2_own_error), first_7_cross = first_7_cross1 + first_7_cross2;
+  const double last_3a = KSL_MUL(s_2, c_0), last_3a_cross1 = KSL_MUL(s_2_own_error, c_0),
+      last_3a_cross2 = KSL_MUL(s_2, c_0_own_error), last_3a_cross = last_3a_cross1 + last_3a_cross2,
+      first_6_error = ksl_product_error(first_6_factor, c_2, first_6),
+      first_6_lo = first_6_error + first_6_cross, last_3b = KSL_MUL(s_0, first_6),
+      last_3b_cross1 = KSL_MUL(s_0_own_error, first_6), last_3b_cross2 = KSL_MUL(s_0, first_6_lo),
+      last_3b_cross = last_3b_cross1 + last_3b_cross2, last_3 = last_3a - last_3b,
+      last_3_right = last_3a - last_3, last_3_left = last_3 + last_3_right,
+      last_3_left_rest = ksl_product_rest(s_2, c_0, last_3a, last_3_left),
+      last_3_right_rest = ksl_product_rest(s_0, first_6, last_3b, last_3_right),
+      last_3_cross = last_3a_cross - last_3b_cross,
+      last_3_lo1 = last_3_left_rest - last_3_right_rest, last_3_lo = last_3_lo1 + last_3_cross;
+  const double last_4a = KSL_MUL(c_0, c_2), last_4a_cross1 = KSL_MUL(c_0_own_error, c_2),
+      last_4a_cross2 = KSL_MUL(c_0, c_2_own_error), last_4a_cross = last_4a_cross1 + last_4a_cross2,
+      first_7_error = ksl_product_error(s_1, s_2, first_7),
+      first_7_lo = first_7_error + first_7_cross, last_4b = KSL_MUL(s_0, first_7),
+      last_4b_cross1 = KSL_MUL(s_0_own_error, first_7), last_4b_cross2 = KSL_MUL(s_0, first_7_lo),
+      last_4b_cross = last_4b_cross1 + last_4b_cross2, last_4 = last_4a - last_4b,
+      last_4_right = last_4a - last_4, last_4_left = last_4 + last_4_right,
+      last_4_left_rest = ksl_product_rest(c_0, c_2, last_4a, last_4_left),
+      last_4_right_rest = ksl_product_rest(s_0, first_7, last_4b, last_4_right),
+      last_4_cross = last_4a_cross - last_4b_cross,
+      last_4_lo1 = last_4_left_rest - last_4_right_rest, last_4_lo = last_4_lo1 + last_4_cross;
+  const double last_5a = KSL_MUL(s_0, c_1), last_5a_cross1 = KSL_MUL(s_0_own_error, c_1),
+      last_5a_cross2 = KSL_MUL(s_0, c_1_own_error), last_5a_cross = last_5a_cross1 + last_5a_cross2,
+      last_5 = -last_5a, last_5_cross = -last_5a_cross, last_5_factor = -s_0;
+  const double last_6a = KSL_MUL(s_0, s_2), last_6a_cross1 = KSL_MUL(s_0_own_error, s_2),
+      last_6a_cross2 = KSL_MUL(s_0, s_2_own_error), last_6a_cross = last_6a_cross1 + last_6a_cross2,
+      last_6b = KSL_MUL(c_0, first_6), last_6b_cross1 = KSL_MUL(c_0_own_error, first_6),
+      last_6b_cross2 = KSL_MUL(c_0, first_6_lo), last_6b_cross = last_6b_cross1 + last_6b_cross2,
+      last_6 = last_6a + last_6b, last_6_right = last_6 - last_6a,
+      last_6_left = last_6 - last_6_right,
+      last_6_left_rest = ksl_product_rest(s_0, s_2, last_6a, last_6_left),
+      last_6_right_rest = ksl_product_rest(c_0, first_6, last_6b, last_6_right),
+      last_6_cross = last_6a_cross + last_6b_cross,
+      last_6_lo1 = last_6_left_rest + last_6_right_rest, last_6_lo = last_6_lo1 + last_6_cross;
+  const double last_7a = KSL_MUL(s_0, c_2), last_7a_cross1 = KSL_MUL(s_0_own_error, c_2),
+      last_7a_cross2 = KSL_MUL(s_0, c_2_own_error), last_7a_cross = last_7a_cross1 + last_7a_cross2,
+      last_7b = KSL_MUL(c_0, first_7), last_7b_cross1 = KSL_MUL(c_0_own_error, first_7),
+      last_7b_cross2 = KSL_MUL(c_0, first_7_lo), last_7b_cross = last_7b_cross1 + last_7b_cross2,
+      last_7 = last_7a + last_7b, last_7_right = last_7 - last_7a,
+      last_7_left = last_7 - last_7_right,
+      last_7_left_rest = ksl_product_rest(s_0, c_2, last_7a, last_7_left),
+      last_7_right_rest = ksl_product_rest(c_0, first_7, last_7b, last_7_right),
+      last_7_cross = last_7a_cross + last_7b_cross,
+      last_7_lo1 = last_7_left_rest + last_7_right_rest, last_7_lo = last_7_lo1 + last_7_cross;
+  const double last_8 = KSL_MUL(c_0, c_1), last_8_cross1 = KSL_MUL(c_0_own_error, c_1),
+      last_8_cross2 = KSL_MUL(c_0, c_1_own_error), last_8_cross = last_8_cross1 + last_8_cross2;
+  const double first_0_error = ksl_product_error(c_1, c_2, first_0),
+      first_0_lo = first_0_error + first_0_cross, first_0_rounded = first_0 + first_0_lo,
+      first_0_final = first_0_rounded == first_0_rounded ? first_0_rounded : first_0;
+  const double first_1_error = ksl_product_error(first_1_factor, c_1, first_1),
+      first_1_lo = first_1_error + first_1_cross, first_1_rounded = first_1 + first_1_lo,
+      first_1_final = first_1_rounded == first_1_rounded ? first_1_rounded : first_1;
+  const double s_1_rounded = s_1 + s_1_own_error,
+      s_1_final = s_1_rounded == s_1_rounded ? s_1_rounded : s_1;
+  const double last_3_rounded = last_3 + last_3_lo,
+      last_3_final = last_3_rounded == last_3_rounded ? last_3_rounded : last_3;
+  const double last_4_rounded = last_4 + last_4_lo,
+      last_4_final = last_4_rounded == last_4_rounded ? last_4_rounded : last_4;
+  const double last_5_error = ksl_product_error(last_5_factor, c_1, last_5),
+      last_5_lo = last_5_error + last_5_cross, last_5_rounded = last_5 + last_5_lo,
+      last_5_final = last_5_rounded == last_5_rounded ? last_5_rounded : last_5;
+  const double last_6_rounded = last_6 + last_6_lo,
+      last_6_final = last_6_rounded == last_6_rounded ? last_6_rounded : last_6;
+  const double last_7_rounded = last_7 + last_7_lo,
+      last_7_final = last_7_rounded == last_7_rounded ? last_7_rounded : last_7;
+  const double last_8_error = ksl_product_error(c_0, c_1, last_8),
+      last_8_lo = last_8_error + last_8_cross, last_8_rounded = last_8 + last_8_lo,
+      last_8_final = last_8_rounded == last_8_rounded ? last_8_rounded : last_8;
+  R->m00 = first_0_final;
+  R->m01 = first_1_final;
+  R->m02 = s_1_final;
+  R->m10 = last_3_final;
+  R->m11 = last_4_final;
+  R->m12 = last_5_final;
+  R->m20 = last_6_final;
+  R->m21 = last_7_final;
+  R->m22 = last_8_final;
+}
+
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   25 mul, 65 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 3 atan2 error, 1
-     neg, 4 abs, 2 less, 7 equal, 16 select.
-   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
-     too; searched, not proved. */
+   391 mul, 821 add, 72 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
+     copysign, 41 less, 16 equal, 85 select.
+   Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
+     is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m00, R->m00), n_b = KSL_MUL(R->m01, R->m01), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -2062,13 +2139,117 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
   angles->z = third_final;
 }
 
+/* R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
+   angles: vector; R: rotation or other 3×3 matrix.
+   381 mul, 779 add, 69 product error, 8 product rest, 5 neg, 9 abs, 3 less, 9 equal, 12 select.
+   Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
+     is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
+static inline void ksl_mat3x3_from_euler_xyx_accurate(const ksl_vec3_t *angles, ksl_mat3x3_t *R) {
+  double c_0; const double s_0 = ksl_sincos(angles->x, &c_0);
+  double c_0_own_error; const double s_0_own_error = ksl_sincos_error(angles->x, s_0, c_0,
+      &c_0_own_error);
+  double c_1; const double s_1 = ksl_sincos(angles->y, &c_1);
+  double c_1_own_error; const double s_1_own_error = ksl_sincos_error(angles->y, s_1, c_1,
+      &c_1_own_error);
+  double c_2; const double s_2 = ksl_sincos(angles->z, &c_2);
+  double c_2_own_error; const double s_2_own_error = ksl_sincos_error(angles->z, s_2, c_2,
+      &c_2_own_error);
+  const double first_1 = KSL_MUL(s_1, s_2), first_1_cross1 = KSL_MUL(s_1_own_error, s_2),
+      first_1_cross2 = KSL_MUL(s_1, s_2_own_error), first_1_cross = first_1_cross1 + first_1_cross2;
+  const double first_2 = KSL_MUL(s_1, c_2), first_2_cross1 = KSL_MUL(s_1_own_error, c_2),
+      first_2_cross2 = KSL_MUL(s_1, c_2_own_error), first_2_cross = first_2_cross1 + first_2_cross2;
+  const double first_7 = KSL_MUL(s_2, c_1), first_7_cross1 = KSL_MUL(s_2_own_error, c_1),
+      first_7_cross2 = KSL_MUL(s_2, c_1_own_error), first_7_cross = first_7_cross1 + first_7_cross2;
+  const double first_8 = KSL_MUL(c_1, c_2), first_8_cross1 = KSL_MUL(c_1_own_error, c_2),
+      first_8_cross2 = KSL_MUL(c_1, c_2_own_error), first_8_cross = first_8_cross1 + first_8_cross2;
+  const double last_3 = KSL_MUL(s_0, s_1), last_3_cross1 = KSL_MUL(s_0_own_error, s_1),
+      last_3_cross2 = KSL_MUL(s_0, s_1_own_error), last_3_cross = last_3_cross1 + last_3_cross2;
+  const double last_4a = KSL_MUL(c_0, c_2), last_4a_cross1 = KSL_MUL(c_0_own_error, c_2),
+      last_4a_cross2 = KSL_MUL(c_0, c_2_own_error), last_4a_cross = last_4a_cross1 + last_4a_cross2,
+      first_7_error = ksl_product_error(s_2, c_1, first_7),
+      first_7_lo = first_7_error + first_7_cross, last_4b = KSL_MUL(s_0, first_7),
+      last_4b_cross1 = KSL_MUL(s_0_own_error, first_7), last_4b_cross2 = KSL_MUL(s_0, first_7_lo),
+      last_4b_cross = last_4b_cross1 + last_4b_cross2, last_4 = last_4a - last_4b,
+      last_4_right = last_4a - last_4, last_4_left = last_4 + last_4_right,
+      last_4_left_rest = ksl_product_rest(c_0, c_2, last_4a, last_4_left),
+      last_4_right_rest = ksl_product_rest(s_0, first_7, last_4b, last_4_right),
+      last_4_cross = last_4a_cross - last_4b_cross,
+      last_4_lo1 = last_4_left_rest - last_4_right_rest, last_4_lo = last_4_lo1 + last_4_cross;
+  const double first_8_error = ksl_product_error(c_1, c_2, first_8),
+      first_8_lo = first_8_error + first_8_cross, last_5a = KSL_MUL(s_0, first_8),
+      last_5a_cross1 = KSL_MUL(s_0_own_error, first_8), last_5a_cross2 = KSL_MUL(s_0, first_8_lo),
+      last_5a_cross = last_5a_cross1 + last_5a_cross2, last_5b = KSL_MUL(s_2, c_0),
+      last_5b_cross1 = KSL_MUL(s_2_own_error, c_0), last_5b_cross2 = KSL_MUL(s_2, c_0_own_error),
+      last_5b_cross = last_5b_cross1 + last_5b_cross2, last_5c = last_5a + last_5b,
+      last_5c_right = last_5c - last_5a, last_5c_left = last_5c - last_5c_right,
+      last_5c_left_rest = ksl_product_rest(s_0, first_8, last_5a, last_5c_left),
+      last_5c_right_rest = ksl_product_rest(s_2, c_0, last_5b, last_5c_right),
+      last_5c_cross = last_5a_cross + last_5b_cross,
+      last_5c_lo1 = last_5c_left_rest + last_5c_right_rest,
+      last_5c_lo = last_5c_lo1 + last_5c_cross, last_5 = -last_5c, last_5_lo = -last_5c_lo;
+  const double last_6a = KSL_MUL(s_1, c_0), last_6a_cross1 = KSL_MUL(s_1_own_error, c_0),
+      last_6a_cross2 = KSL_MUL(s_1, c_0_own_error), last_6a_cross = last_6a_cross1 + last_6a_cross2,
+      last_6 = -last_6a, last_6_cross = -last_6a_cross, last_6_factor = -s_1;
+  const double last_7a = KSL_MUL(s_0, c_2), last_7a_cross1 = KSL_MUL(s_0_own_error, c_2),
+      last_7a_cross2 = KSL_MUL(s_0, c_2_own_error), last_7a_cross = last_7a_cross1 + last_7a_cross2,
+      last_7b = KSL_MUL(c_0, first_7), last_7b_cross1 = KSL_MUL(c_0_own_error, first_7),
+      last_7b_cross2 = KSL_MUL(c_0, first_7_lo), last_7b_cross = last_7b_cross1 + last_7b_cross2,
+      last_7 = last_7a + last_7b, last_7_right = last_7 - last_7a,
+      last_7_left = last_7 - last_7_right,
+      last_7_left_rest = ksl_product_rest(s_0, c_2, last_7a, last_7_left),
+      last_7_right_rest = ksl_product_rest(c_0, first_7, last_7b, last_7_right),
+      last_7_cross = last_7a_cross + last_7b_cross,
+      last_7_lo1 = last_7_left_rest + last_7_right_rest, last_7_lo = last_7_lo1 + last_7_cross;
+  const double last_8a = KSL_MUL(c_0, first_8), last_8a_cross1 = KSL_MUL(c_0_own_error, first_8),
+      last_8a_cross2 = KSL_MUL(c_0, first_8_lo), last_8a_cross = last_8a_cross1 + last_8a_cross2,
+      last_8b = KSL_MUL(s_0, s_2), last_8b_cross1 = KSL_MUL(s_0_own_error, s_2),
+      last_8b_cross2 = KSL_MUL(s_0, s_2_own_error), last_8b_cross = last_8b_cross1 + last_8b_cross2,
+      last_8 = last_8a - last_8b, last_8_right = last_8a - last_8,
+      last_8_left = last_8 + last_8_right,
+      last_8_left_rest = ksl_product_rest(c_0, first_8, last_8a, last_8_left),
+      last_8_right_rest = ksl_product_rest(s_0, s_2, last_8b, last_8_right),
+      last_8_cross = last_8a_cross - last_8b_cross,
+      last_8_lo1 = last_8_left_rest - last_8_right_rest, last_8_lo = last_8_lo1 + last_8_cross;
+  const double c_1_rounded = c_1 + c_1_own_error,
+      c_1_final = c_1_rounded == c_1_rounded ? c_1_rounded : c_1;
+  const double first_1_error = ksl_product_error(s_1, s_2, first_1),
+      first_1_lo = first_1_error + first_1_cross, first_1_rounded = first_1 + first_1_lo,
+      first_1_final = first_1_rounded == first_1_rounded ? first_1_rounded : first_1;
+  const double first_2_error = ksl_product_error(s_1, c_2, first_2),
+      first_2_lo = first_2_error + first_2_cross, first_2_rounded = first_2 + first_2_lo,
+      first_2_final = first_2_rounded == first_2_rounded ? first_2_rounded : first_2;
+  const double last_3_error = ksl_product_error(s_0, s_1, last_3),
+      last_3_lo = last_3_error + last_3_cross, last_3_rounded = last_3 + last_3_lo,
+      last_3_final = last_3_rounded == last_3_rounded ? last_3_rounded : last_3;
+  const double last_4_rounded = last_4 + last_4_lo,
+      last_4_final = last_4_rounded == last_4_rounded ? last_4_rounded : last_4;
+  const double last_5_rounded = last_5 + last_5_lo,
+      last_5_final = last_5_rounded == last_5_rounded ? last_5_rounded : last_5;
+  const double last_6_error = ksl_product_error(last_6_factor, c_0, last_6),
+      last_6_lo = last_6_error + last_6_cross, last_6_rounded = last_6 + last_6_lo,
+      last_6_final = last_6_rounded == last_6_rounded ? last_6_rounded : last_6;
+  const double last_7_rounded = last_7 + last_7_lo,
+      last_7_final = last_7_rounded == last_7_rounded ? last_7_rounded : last_7;
+  const double last_8_rounded = last_8 + last_8_lo,
+      last_8_final = last_8_rounded == last_8_rounded ? last_8_rounded : last_8;
+  R->m00 = c_1_final;
+  R->m01 = first_1_final;
+  R->m02 = first_2_final;
+  R->m10 = last_3_final;
+  R->m11 = last_4_final;
+  R->m12 = last_5_final;
+  R->m20 = last_6_final;
+  R->m21 = last_7_final;
+  R->m22 = last_8_final;
+}
+
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   25 mul, 65 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 3 atan2 error, 4
-     abs, 2 less, 7 equal, 16 select.
-   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
-     too; searched, not proved. */
+   391 mul, 821 add, 72 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
+     copysign, 41 less, 16 equal, 85 select.
+   Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
+     is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *angles) {
   const double n_a = KSL_MUL(R->m01, R->m01), n_b = KSL_MUL(R->m02, R->m02), n_c = n_a + n_b,
       n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
@@ -2396,12 +2577,151 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
   V->m22 = vp_2_final;
 }
 
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
+     not a rotation.
+   axis: vector; angle: number; R: rotation or other 3×3 matrix.
+   256 mul, 581 add, 46 product error, 18 product rest, 6 abs, 3 less, 9 equal, 13 select.
+   Error <= R: 1 u of its largest component for |axis| = 1; searched, not proved.  Each component
+     is within 1 ulp as long as its condition is below 1e13; in single precision it is the
+     nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
+static inline void ksl_mat3x3_from_axis_angle_accurate(const ksl_vec3_t *axis, const double angle,
+    ksl_mat3x3_t *R) {
+  const double half = KSL_MUL(0.5, angle);
+  const double h = ksl_sin(half), h_own_error = ksl_sin_error(half, h);
+  double cosine; const double sine = ksl_sincos(angle, &cosine);
+  double cosine_own_error; const double sine_own_error = ksl_sincos_error(angle, sine, cosine,
+      &cosine_own_error);
+  const double versine_a = KSL_MUL(h, h), versine_a_cross1 = KSL_MUL(h_own_error, h),
+      versine_a_cross2 = KSL_MUL(h, h_own_error),
+      versine_a_cross = versine_a_cross1 + versine_a_cross2,
+      versine_a_error = ksl_product_error(h, h, versine_a),
+      versine_a_lo = versine_a_error + versine_a_cross, versine_b = KSL_MUL(2.0, versine_a),
+      versine_b_cross2 = KSL_MUL(2.0, versine_a_lo), versine_c = 1.0 - cosine,
+      versine_c_right = 1.0 - versine_c, versine_c_left = versine_c + versine_c_right,
+      versine_c_left_rest = 1.0 - versine_c_left, versine_c_right_rest = cosine - versine_c_right,
+      versine_c_lo1 = versine_c_left_rest - versine_c_right_rest,
+      versine_c_lo = versine_c_lo1 - cosine_own_error,
+      versine_d_of_cosine = cosine + cosine_own_error,
+      versine = versine_d_of_cosine < 0.0 ? versine_c : versine_b,
+      versine_lo = versine_d_of_cosine < 0.0 ? versine_c_lo : versine_b_cross2;
+  const double beta_v_0 = KSL_MUL(axis->x, versine), beta_v_0_cross2 = KSL_MUL(axis->x, versine_lo);
+  const double beta_v_1 = KSL_MUL(axis->y, versine), beta_v_1_cross2 = KSL_MUL(axis->y, versine_lo);
+  const double beta_v_2 = KSL_MUL(axis->z, versine), beta_v_2_cross2 = KSL_MUL(axis->z, versine_lo);
+  const double beta_v_0_error = ksl_product_error(axis->x, versine, beta_v_0),
+      beta_v_0_lo = beta_v_0_error + beta_v_0_cross2, m_0 = KSL_MUL(axis->x, beta_v_0),
+      m_0_cross2 = KSL_MUL(axis->x, beta_v_0_lo);
+  const double beta_v_1_error = ksl_product_error(axis->y, versine, beta_v_1),
+      beta_v_1_lo = beta_v_1_error + beta_v_1_cross2, m_1 = KSL_MUL(axis->y, beta_v_1),
+      m_1_cross2 = KSL_MUL(axis->y, beta_v_1_lo);
+  const double beta_v_2_error = ksl_product_error(axis->z, versine, beta_v_2),
+      beta_v_2_lo = beta_v_2_error + beta_v_2_cross2, m_2 = KSL_MUL(axis->z, beta_v_2),
+      m_2_cross2 = KSL_MUL(axis->z, beta_v_2_lo);
+  const double m_3 = KSL_MUL(axis->y, beta_v_0), m_3_cross2 = KSL_MUL(axis->y, beta_v_0_lo);
+  const double m_4 = KSL_MUL(axis->z, beta_v_0), m_4_cross2 = KSL_MUL(axis->z, beta_v_0_lo);
+  const double m_5 = KSL_MUL(axis->z, beta_v_1), m_5_cross2 = KSL_MUL(axis->z, beta_v_1_lo);
+  const double others_0 = m_1 + m_2, others_0_right = others_0 - m_1,
+      others_0_left = others_0 - others_0_right,
+      others_0_left_rest = ksl_product_rest(axis->y, beta_v_1, m_1, others_0_left),
+      others_0_right_rest = ksl_product_rest(axis->z, beta_v_2, m_2, others_0_right),
+      others_0_cross = m_1_cross2 + m_2_cross2,
+      others_0_lo1 = others_0_left_rest + others_0_right_rest,
+      others_0_lo = others_0_lo1 + others_0_cross;
+  const double others_1 = m_0 + m_2, others_1_right = others_1 - m_0,
+      others_1_left = others_1 - others_1_right,
+      others_1_left_rest = ksl_product_rest(axis->x, beta_v_0, m_0, others_1_left),
+      others_1_right_rest = ksl_product_rest(axis->z, beta_v_2, m_2, others_1_right),
+      others_1_cross = m_0_cross2 + m_2_cross2,
+      others_1_lo1 = others_1_left_rest + others_1_right_rest,
+      others_1_lo = others_1_lo1 + others_1_cross;
+  const double others_2 = m_0 + m_1, others_2_right = others_2 - m_0,
+      others_2_left = others_2 - others_2_right,
+      others_2_left_rest = ksl_product_rest(axis->x, beta_v_0, m_0, others_2_left),
+      others_2_right_rest = ksl_product_rest(axis->y, beta_v_1, m_1, others_2_right),
+      others_2_cross = m_0_cross2 + m_1_cross2,
+      others_2_lo1 = others_2_left_rest + others_2_right_rest,
+      others_2_lo = others_2_lo1 + others_2_cross;
+  const double alpha_v_0 = KSL_MUL(axis->x, sine),
+      alpha_v_0_cross2 = KSL_MUL(axis->x, sine_own_error);
+  const double alpha_v_1 = KSL_MUL(axis->y, sine),
+      alpha_v_1_cross2 = KSL_MUL(axis->y, sine_own_error);
+  const double alpha_v_2 = KSL_MUL(axis->z, sine),
+      alpha_v_2_cross2 = KSL_MUL(axis->z, sine_own_error);
+  const double R_00 = 1.0 - others_0, R_00_right = 1.0 - R_00, R_00_left = R_00 + R_00_right,
+      R_00_left_rest = 1.0 - R_00_left, R_00_right_rest = others_0 - R_00_right,
+      R_00_lo1 = R_00_left_rest - R_00_right_rest, R_00_lo = R_00_lo1 - others_0_lo;
+  const double R_01 = m_3 - alpha_v_2, R_01_right = m_3 - R_01, R_01_left = R_01 + R_01_right,
+      R_01_left_rest = ksl_product_rest(axis->y, beta_v_0, m_3, R_01_left),
+      R_01_right_rest = ksl_product_rest(axis->z, sine, alpha_v_2, R_01_right),
+      R_01_cross = m_3_cross2 - alpha_v_2_cross2, R_01_lo1 = R_01_left_rest - R_01_right_rest,
+      R_01_lo = R_01_lo1 + R_01_cross;
+  const double R_02 = m_4 + alpha_v_1, R_02_right = R_02 - m_4, R_02_left = R_02 - R_02_right,
+      R_02_left_rest = ksl_product_rest(axis->z, beta_v_0, m_4, R_02_left),
+      R_02_right_rest = ksl_product_rest(axis->y, sine, alpha_v_1, R_02_right),
+      R_02_cross = m_4_cross2 + alpha_v_1_cross2, R_02_lo1 = R_02_left_rest + R_02_right_rest,
+      R_02_lo = R_02_lo1 + R_02_cross;
+  const double R_10 = m_3 + alpha_v_2, R_10_right = R_10 - m_3, R_10_left = R_10 - R_10_right,
+      R_10_left_rest = ksl_product_rest(axis->y, beta_v_0, m_3, R_10_left),
+      R_10_right_rest = ksl_product_rest(axis->z, sine, alpha_v_2, R_10_right),
+      R_10_cross = m_3_cross2 + alpha_v_2_cross2, R_10_lo1 = R_10_left_rest + R_10_right_rest,
+      R_10_lo = R_10_lo1 + R_10_cross;
+  const double R_11 = 1.0 - others_1, R_11_right = 1.0 - R_11, R_11_left = R_11 + R_11_right,
+      R_11_left_rest = 1.0 - R_11_left, R_11_right_rest = others_1 - R_11_right,
+      R_11_lo1 = R_11_left_rest - R_11_right_rest, R_11_lo = R_11_lo1 - others_1_lo;
+  const double R_12 = m_5 - alpha_v_0, R_12_right = m_5 - R_12, R_12_left = R_12 + R_12_right,
+      R_12_left_rest = ksl_product_rest(axis->z, beta_v_1, m_5, R_12_left),
+      R_12_right_rest = ksl_product_rest(axis->x, sine, alpha_v_0, R_12_right),
+      R_12_cross = m_5_cross2 - alpha_v_0_cross2, R_12_lo1 = R_12_left_rest - R_12_right_rest,
+      R_12_lo = R_12_lo1 + R_12_cross;
+  const double R_20 = m_4 - alpha_v_1, R_20_right = m_4 - R_20, R_20_left = R_20 + R_20_right,
+      R_20_left_rest = ksl_product_rest(axis->z, beta_v_0, m_4, R_20_left),
+      R_20_right_rest = ksl_product_rest(axis->y, sine, alpha_v_1, R_20_right),
+      R_20_cross = m_4_cross2 - alpha_v_1_cross2, R_20_lo1 = R_20_left_rest - R_20_right_rest,
+      R_20_lo = R_20_lo1 + R_20_cross;
+  const double R_21 = m_5 + alpha_v_0, R_21_right = R_21 - m_5, R_21_left = R_21 - R_21_right,
+      R_21_left_rest = ksl_product_rest(axis->z, beta_v_1, m_5, R_21_left),
+      R_21_right_rest = ksl_product_rest(axis->x, sine, alpha_v_0, R_21_right),
+      R_21_cross = m_5_cross2 + alpha_v_0_cross2, R_21_lo1 = R_21_left_rest + R_21_right_rest,
+      R_21_lo = R_21_lo1 + R_21_cross;
+  const double R_22 = 1.0 - others_2, R_22_right = 1.0 - R_22, R_22_left = R_22 + R_22_right,
+      R_22_left_rest = 1.0 - R_22_left, R_22_right_rest = others_2 - R_22_right,
+      R_22_lo1 = R_22_left_rest - R_22_right_rest, R_22_lo = R_22_lo1 - others_2_lo;
+  const double R_00_rounded = R_00 + R_00_lo,
+      R_00_final = R_00_rounded == R_00_rounded ? R_00_rounded : R_00;
+  const double R_01_rounded = R_01 + R_01_lo,
+      R_01_final = R_01_rounded == R_01_rounded ? R_01_rounded : R_01;
+  const double R_02_rounded = R_02 + R_02_lo,
+      R_02_final = R_02_rounded == R_02_rounded ? R_02_rounded : R_02;
+  const double R_10_rounded = R_10 + R_10_lo,
+      R_10_final = R_10_rounded == R_10_rounded ? R_10_rounded : R_10;
+  const double R_11_rounded = R_11 + R_11_lo,
+      R_11_final = R_11_rounded == R_11_rounded ? R_11_rounded : R_11;
+  const double R_12_rounded = R_12 + R_12_lo,
+      R_12_final = R_12_rounded == R_12_rounded ? R_12_rounded : R_12;
+  const double R_20_rounded = R_20 + R_20_lo,
+      R_20_final = R_20_rounded == R_20_rounded ? R_20_rounded : R_20;
+  const double R_21_rounded = R_21 + R_21_lo,
+      R_21_final = R_21_rounded == R_21_rounded ? R_21_rounded : R_21;
+  const double R_22_rounded = R_22 + R_22_lo,
+      R_22_final = R_22_rounded == R_22_rounded ? R_22_rounded : R_22;
+  R->m00 = R_00_final;
+  R->m01 = R_01_final;
+  R->m02 = R_02_final;
+  R->m10 = R_10_final;
+  R->m11 = R_11_final;
+  R->m12 = R_12_final;
+  R->m20 = R_20_final;
+  R->m21 = R_21_final;
+  R->m22 = R_22_final;
+}
+
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   35 mul, 236 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 1 atan2 error, 12
-     neg, 5 abs, 16 less, 11 equal, 61 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
-     proved. */
+   157 mul, 488 add, 27 product error, 3 product rest, 14 div, 1 sqrt, 13 neg, 13 abs, 4
+     copysign, 29 less, 10 equal, 80 select.
+   Error <= angle: 1 u, axis: 1 u of its largest component for R a rotation; searched, not
+     proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
+     precision it is the nearest number, except near ties, as long as that is below 1e5;
+     searched, not proved. */
 static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *axis) {
   const double p_0 = R->m21 - R->m12, p_0_right = R->m21 - p_0, p_0_left = p_0 + p_0_right,
       p_0_left_rest = R->m21 - p_0_left, p_0_right_rest = R->m12 - p_0_right,
@@ -2561,16 +2881,13 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       v_s = v_s_a_of_v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
   const double v_y_0 = KSL_MUL(v_s_size_0_of_upper_0, v_s), v_y_0_inverse = 1.0 / v_s,
       v_y_0_back = KSL_MUL(v_y_0, v_y_0_inverse), v_y_0_lost = v_s_size_0_of_upper_0 - v_y_0_back,
-      v_y_0_rest = v_y_0_lost + v_s_size_0_of_upper_0_lo, v_y_0_small = KSL_MUL(v_y_0_rest, v_s),
-      v_y_0_lo = v_y_0_lost == 0.0 ? 0.0 : v_y_0_small;
+      v_y_0_rest = v_y_0_lost + v_s_size_0_of_upper_0_lo, v_y_0_lo = KSL_MUL(v_y_0_rest, v_s);
   const double v_y_1 = KSL_MUL(v_s_size_1_of_upper_1, v_s),
       v_y_1_back = KSL_MUL(v_y_1, v_y_0_inverse), v_y_1_lost = v_s_size_1_of_upper_1 - v_y_1_back,
-      v_y_1_rest = v_y_1_lost + v_s_size_1_of_upper_1_lo, v_y_1_small = KSL_MUL(v_y_1_rest, v_s),
-      v_y_1_lo = v_y_1_lost == 0.0 ? 0.0 : v_y_1_small;
+      v_y_1_rest = v_y_1_lost + v_s_size_1_of_upper_1_lo, v_y_1_lo = KSL_MUL(v_y_1_rest, v_s);
   const double v_y_2 = KSL_MUL(v_s_size_2_of_upper_2, v_s),
       v_y_2_back = KSL_MUL(v_y_2, v_y_0_inverse), v_y_2_lost = v_s_size_2_of_upper_2 - v_y_2_back,
-      v_y_2_rest = v_y_2_lost + v_s_size_2_of_upper_2_lo, v_y_2_small = KSL_MUL(v_y_2_rest, v_s),
-      v_y_2_lo = v_y_2_lost == 0.0 ? 0.0 : v_y_2_small;
+      v_y_2_rest = v_y_2_lost + v_s_size_2_of_upper_2_lo, v_y_2_lo = KSL_MUL(v_y_2_rest, v_s);
   const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_a_cross1 = KSL_MUL(v_y_0_lo, v_y_0),
       v_n_a_cross2 = KSL_MUL(v_y_0, v_y_0_lo), v_n_a_cross = v_n_a_cross1 + v_n_a_cross2,
       v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_b_cross1 = KSL_MUL(v_y_1_lo, v_y_1),
@@ -2603,8 +2920,7 @@ static inline double ksl_axis_angle_from_mat3x3_accurate(const ksl_mat3x3_t *R, 
       n_of_v_n_right_rest = v_n_lo - n_of_v_n_right,
       n_of_v_n_lo = n_of_v_n_left_rest + n_of_v_n_right_rest, n = KSL_MUL(n_of_v_n, v_r),
       n_inverse = 1.0 / v_r, n_back = KSL_MUL(n, n_inverse), n_lost = n_of_v_n - n_back,
-      n_rest = n_lost + n_of_v_n_lo, n_small = KSL_MUL(n_rest, v_r),
-      n_lo = n_lost == 0.0 ? 0.0 : n_small;
+      n_rest = n_lost + n_of_v_n_lo, n_lo = KSL_MUL(n_rest, v_r);
   const double half_of_n = n + n_lo, half_of_n_right = half_of_n - n,
       half_of_n_left = half_of_n - half_of_n_right, half_of_n_left_rest = n - half_of_n_left,
       half_of_n_right_rest = n_lo - half_of_n_right,
@@ -3180,12 +3496,47 @@ static inline void ksl_mat3x3f_setFromAxisDC_accurate(ksl_mat3x3f_t *R, const ks
   R->m22 = (float)R_22;
 }
 
+/* R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
+   angles: vector; R: rotation or other 3×3 matrix.
+   98 mul, 103 add, 3 neg, 3 abs.
+   Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
+     is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
+static inline void ksl_mat3x3f_from_euler_xyz_accurate(const ksl_vec3f_t *angles,
+    ksl_mat3x3f_t *R) {
+  double c_0; const double s_0 = ksl_sincos((double)angles->x, &c_0);
+  double c_1; const double s_1 = ksl_sincos((double)angles->y, &c_1);
+  double c_2; const double s_2 = ksl_sincos((double)angles->z, &c_2);
+  const double first_0 = KSL_MUL(c_1, c_2);
+  const double first_1a = KSL_MUL(s_2, c_1), first_1 = -first_1a;
+  const double first_6a = KSL_MUL(s_1, c_2), first_6 = -first_6a;
+  const double first_7 = KSL_MUL(s_1, s_2);
+  const double last_3a = KSL_MUL(s_2, c_0), last_3b = KSL_MUL(s_0, first_6),
+      last_3 = last_3a - last_3b;
+  const double last_4a = KSL_MUL(c_0, c_2), last_4b = KSL_MUL(s_0, first_7),
+      last_4 = last_4a - last_4b;
+  const double last_5a = KSL_MUL(s_0, c_1), last_5 = -last_5a;
+  const double last_6a = KSL_MUL(s_0, s_2), last_6b = KSL_MUL(c_0, first_6),
+      last_6 = last_6a + last_6b;
+  const double last_7a = KSL_MUL(s_0, c_2), last_7b = KSL_MUL(c_0, first_7),
+      last_7 = last_7a + last_7b;
+  const double last_8 = KSL_MUL(c_0, c_1);
+  R->m00 = (float)first_0;
+  R->m01 = (float)first_1;
+  R->m02 = (float)s_1;
+  R->m10 = (float)last_3;
+  R->m11 = (float)last_4;
+  R->m12 = (float)last_5;
+  R->m20 = (float)last_6;
+  R->m21 = (float)last_7;
+  R->m22 = (float)last_8;
+}
+
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.
-   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
-     too; searched, not proved. */
+   93 mul, 108 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
+   Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
+     is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles) {
   const double n_a = (double)R->m00 * (double)R->m00,
@@ -3206,12 +3557,47 @@ static inline void ksl_euler_xyz_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
   angles->z = (float)third;
 }
 
+/* R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
+   angles: vector; R: rotation or other 3×3 matrix.
+   98 mul, 103 add, 2 neg, 3 abs.
+   Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
+     is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
+static inline void ksl_mat3x3f_from_euler_xyx_accurate(const ksl_vec3f_t *angles,
+    ksl_mat3x3f_t *R) {
+  double c_0; const double s_0 = ksl_sincos((double)angles->x, &c_0);
+  double c_1; const double s_1 = ksl_sincos((double)angles->y, &c_1);
+  double c_2; const double s_2 = ksl_sincos((double)angles->z, &c_2);
+  const double first_1 = KSL_MUL(s_1, s_2);
+  const double first_2 = KSL_MUL(s_1, c_2);
+  const double first_7 = KSL_MUL(s_2, c_1);
+  const double first_8 = KSL_MUL(c_1, c_2);
+  const double last_3 = KSL_MUL(s_0, s_1);
+  const double last_4a = KSL_MUL(c_0, c_2), last_4b = KSL_MUL(s_0, first_7),
+      last_4 = last_4a - last_4b;
+  const double last_5a = KSL_MUL(s_0, first_8), last_5b = KSL_MUL(s_2, c_0),
+      last_5c_lead = -last_5a, last_5 = last_5c_lead - last_5b;
+  const double last_6a = KSL_MUL(s_1, c_0), last_6 = -last_6a;
+  const double last_7a = KSL_MUL(s_0, c_2), last_7b = KSL_MUL(c_0, first_7),
+      last_7 = last_7a + last_7b;
+  const double last_8a = KSL_MUL(c_0, first_8), last_8b = KSL_MUL(s_0, s_2),
+      last_8 = last_8a - last_8b;
+  R->m00 = (float)c_1;
+  R->m01 = (float)first_1;
+  R->m02 = (float)first_2;
+  R->m10 = (float)last_3;
+  R->m11 = (float)last_4;
+  R->m12 = (float)last_5;
+  R->m20 = (float)last_6;
+  R->m21 = (float)last_7;
+  R->m22 = (float)last_8;
+}
+
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.
-   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
-     too; searched, not proved. */
+   93 mul, 108 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.
+   Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
+     is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_euler_xyx_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles) {
   const double n_a = (double)R->m01 * (double)R->m01,
@@ -3294,11 +3680,62 @@ static inline void ksl_mat3x3f_jacobi_accurate(ksl_mat3x3f_t *A, ksl_mat3x3f_t *
   V->m22 = (float)vp_2;
 }
 
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
+     not a rotation.
+   axis: vector; angle: number; R: rotation or other 3×3 matrix.
+   71 mul, 79 add, 2 abs, 1 less, 1 select.
+   Error <= R: 1 u of its largest component for |axis| = 1; searched, not proved.  Each component
+     is within 1 ulp as long as its condition is below 1e13; in single precision it is the
+     nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
+static inline void ksl_mat3x3f_from_axis_angle_accurate(const ksl_vec3f_t *axis,
+    const float angle, ksl_mat3x3f_t *R) {
+  const double half = 0.5 * (double)angle;
+  const double h = ksl_sin(half);
+  double cosine; const double sine = ksl_sincos((double)angle, &cosine);
+  const double versine_a = KSL_MUL(h, h), versine_b = KSL_MUL(2.0, versine_a),
+      versine_c = 1.0 - cosine, versine = cosine < 0.0 ? versine_c : versine_b;
+  const double beta_v_0 = KSL_MUL((double)axis->x, versine);
+  const double beta_v_1 = KSL_MUL((double)axis->y, versine);
+  const double beta_v_2 = KSL_MUL((double)axis->z, versine);
+  const double m_0 = KSL_MUL((double)axis->x, beta_v_0);
+  const double m_1 = KSL_MUL((double)axis->y, beta_v_1);
+  const double m_2 = KSL_MUL((double)axis->z, beta_v_2);
+  const double m_3 = KSL_MUL((double)axis->y, beta_v_0);
+  const double m_4 = KSL_MUL((double)axis->z, beta_v_0);
+  const double m_5 = KSL_MUL((double)axis->z, beta_v_1);
+  const double others_0 = m_1 + m_2;
+  const double others_1 = m_0 + m_2;
+  const double others_2 = m_0 + m_1;
+  const double alpha_v_0 = KSL_MUL((double)axis->x, sine);
+  const double alpha_v_1 = KSL_MUL((double)axis->y, sine);
+  const double alpha_v_2 = KSL_MUL((double)axis->z, sine);
+  const double R_00 = 1.0 - others_0;
+  const double R_01 = m_3 - alpha_v_2;
+  const double R_02 = m_4 + alpha_v_1;
+  const double R_10 = m_3 + alpha_v_2;
+  const double R_11 = 1.0 - others_1;
+  const double R_12 = m_5 - alpha_v_0;
+  const double R_20 = m_4 - alpha_v_1;
+  const double R_21 = m_5 + alpha_v_0;
+  const double R_22 = 1.0 - others_2;
+  R->m00 = (float)R_00;
+  R->m01 = (float)R_01;
+  R->m02 = (float)R_02;
+  R->m10 = (float)R_10;
+  R->m11 = (float)R_11;
+  R->m12 = (float)R_12;
+  R->m20 = (float)R_20;
+  R->m21 = (float)R_21;
+  R->m22 = (float)R_22;
+}
+
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
-     proved. */
+   37 mul, 51 add, 4 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 18 less, 2 equal, 40 select.
+   Error <= angle: 1 u, axis: 1 u of its largest component for R a rotation; searched, not
+     proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
+     precision it is the nearest number, except near ties, as long as that is below 1e5;
+     searched, not proved. */
 static inline float ksl_axis_angle_from_mat3x3f_accurate(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *axis) {
   const double p_0 = (double)R->m21 - (double)R->m12;

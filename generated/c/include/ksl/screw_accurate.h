@@ -278,7 +278,7 @@ static inline void ksl_subtract_ss_accurate(const ksl_screw_t *s1, const ksl_scr
 
 /* |si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
    si: screw (v in m/s; ω in rad/s).
-   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 4 equal, 17
+   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 3 equal, 16
      select. */
 static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -322,7 +322,7 @@ static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
       norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = KSL_MUL(norm_of_n, r),
       norm_inverse = 1.0 / r, norm_back = KSL_MUL(norm, norm_inverse),
       norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
-      norm_small = KSL_MUL(norm_rest, r), norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+      norm_lo = KSL_MUL(norm_rest, r);
   const double norm_rounded = norm + norm_lo,
       norm_final = norm_rounded == norm_rounded ? norm_rounded : norm;
   return norm_final;
@@ -330,7 +330,7 @@ static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
 
 /* self = self / |self|, with screw_norm; the zero screw stays zero.
    self: screw (v in m/s; ω in rad/s).
-   43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal, 40
+   43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal, 34
      select. */
 static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -466,8 +466,7 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
-      self_0_new_small = KSL_MUL(self_0_new_rest, after_0),
-      self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
+      self_0_new_lo = KSL_MUL(self_0_new_rest, after_0);
   const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
       self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
       self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right,
@@ -479,8 +478,7 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_1_new_back = KSL_MUL(self_1_new, self_1_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
-      self_1_new_small = KSL_MUL(self_1_new_rest, after_1),
-      self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
+      self_1_new_lo = KSL_MUL(self_1_new_rest, after_1);
   const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
       self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
       self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right,
@@ -492,8 +490,7 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_2_new_back = KSL_MUL(self_2_new, self_2_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
-      self_2_new_small = KSL_MUL(self_2_new_rest, after_2),
-      self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
+      self_2_new_lo = KSL_MUL(self_2_new_rest, after_2);
   const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
       self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3,
       self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right,
@@ -505,8 +502,7 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_3_new_back = KSL_MUL(self_3_new, self_3_new_inverse),
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
       self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
-      self_3_new_small = KSL_MUL(self_3_new_rest, after_3),
-      self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
+      self_3_new_lo = KSL_MUL(self_3_new_rest, after_3);
   const double self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo,
       self_4_new_of_quotient_4_right = self_4_new_of_quotient_4 - quotient_4,
       self_4_new_of_quotient_4_left = self_4_new_of_quotient_4 - self_4_new_of_quotient_4_right,
@@ -518,8 +514,7 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_4_new_back = KSL_MUL(self_4_new, self_4_new_inverse),
       self_4_new_lost = self_4_new_of_quotient_4 - self_4_new_back,
       self_4_new_rest = self_4_new_lost + self_4_new_of_quotient_4_lo,
-      self_4_new_small = KSL_MUL(self_4_new_rest, after_4),
-      self_4_new_lo = self_4_new_lost == 0.0 ? 0.0 : self_4_new_small;
+      self_4_new_lo = KSL_MUL(self_4_new_rest, after_4);
   const double self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo,
       self_5_new_of_quotient_5_right = self_5_new_of_quotient_5 - quotient_5,
       self_5_new_of_quotient_5_left = self_5_new_of_quotient_5 - self_5_new_of_quotient_5_right,
@@ -531,8 +526,7 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
       self_5_new_back = KSL_MUL(self_5_new, self_5_new_inverse),
       self_5_new_lost = self_5_new_of_quotient_5 - self_5_new_back,
       self_5_new_rest = self_5_new_lost + self_5_new_of_quotient_5_lo,
-      self_5_new_small = KSL_MUL(self_5_new_rest, after_5),
-      self_5_new_lo = self_5_new_lost == 0.0 ? 0.0 : self_5_new_small;
+      self_5_new_lo = KSL_MUL(self_5_new_rest, after_5);
   const double self_0_new_rounded = self_0_new + self_0_new_lo,
       self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
   const double self_1_new_rounded = self_1_new + self_1_new_lo,
@@ -555,7 +549,7 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
 
 /* so = si / |si|, with screw_norm; the zero screw stays zero.
    si, so: screw (v in m/s; ω in rad/s).
-   43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal, 40
+   43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal, 34
      select. */
 static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_screw_t *so) {
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
@@ -688,8 +682,7 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       so_0_of_quotient_0_lo = so_0_of_quotient_0_left_rest + so_0_of_quotient_0_right_rest,
       so_0 = KSL_MUL(so_0_of_quotient_0, after_0), so_0_inverse = 1.0 / after_0,
       so_0_back = KSL_MUL(so_0, so_0_inverse), so_0_lost = so_0_of_quotient_0 - so_0_back,
-      so_0_rest = so_0_lost + so_0_of_quotient_0_lo, so_0_small = KSL_MUL(so_0_rest, after_0),
-      so_0_lo = so_0_lost == 0.0 ? 0.0 : so_0_small;
+      so_0_rest = so_0_lost + so_0_of_quotient_0_lo, so_0_lo = KSL_MUL(so_0_rest, after_0);
   const double so_1_of_quotient_1 = quotient_1 + quotient_1_lo,
       so_1_of_quotient_1_right = so_1_of_quotient_1 - quotient_1,
       so_1_of_quotient_1_left = so_1_of_quotient_1 - so_1_of_quotient_1_right,
@@ -698,8 +691,7 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       so_1_of_quotient_1_lo = so_1_of_quotient_1_left_rest + so_1_of_quotient_1_right_rest,
       so_1 = KSL_MUL(so_1_of_quotient_1, after_1), so_1_inverse = 1.0 / after_1,
       so_1_back = KSL_MUL(so_1, so_1_inverse), so_1_lost = so_1_of_quotient_1 - so_1_back,
-      so_1_rest = so_1_lost + so_1_of_quotient_1_lo, so_1_small = KSL_MUL(so_1_rest, after_1),
-      so_1_lo = so_1_lost == 0.0 ? 0.0 : so_1_small;
+      so_1_rest = so_1_lost + so_1_of_quotient_1_lo, so_1_lo = KSL_MUL(so_1_rest, after_1);
   const double so_2_of_quotient_2 = quotient_2 + quotient_2_lo,
       so_2_of_quotient_2_right = so_2_of_quotient_2 - quotient_2,
       so_2_of_quotient_2_left = so_2_of_quotient_2 - so_2_of_quotient_2_right,
@@ -708,8 +700,7 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       so_2_of_quotient_2_lo = so_2_of_quotient_2_left_rest + so_2_of_quotient_2_right_rest,
       so_2 = KSL_MUL(so_2_of_quotient_2, after_2), so_2_inverse = 1.0 / after_2,
       so_2_back = KSL_MUL(so_2, so_2_inverse), so_2_lost = so_2_of_quotient_2 - so_2_back,
-      so_2_rest = so_2_lost + so_2_of_quotient_2_lo, so_2_small = KSL_MUL(so_2_rest, after_2),
-      so_2_lo = so_2_lost == 0.0 ? 0.0 : so_2_small;
+      so_2_rest = so_2_lost + so_2_of_quotient_2_lo, so_2_lo = KSL_MUL(so_2_rest, after_2);
   const double so_3_of_quotient_3 = quotient_3 + quotient_3_lo,
       so_3_of_quotient_3_right = so_3_of_quotient_3 - quotient_3,
       so_3_of_quotient_3_left = so_3_of_quotient_3 - so_3_of_quotient_3_right,
@@ -718,8 +709,7 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       so_3_of_quotient_3_lo = so_3_of_quotient_3_left_rest + so_3_of_quotient_3_right_rest,
       so_3 = KSL_MUL(so_3_of_quotient_3, after_3), so_3_inverse = 1.0 / after_3,
       so_3_back = KSL_MUL(so_3, so_3_inverse), so_3_lost = so_3_of_quotient_3 - so_3_back,
-      so_3_rest = so_3_lost + so_3_of_quotient_3_lo, so_3_small = KSL_MUL(so_3_rest, after_3),
-      so_3_lo = so_3_lost == 0.0 ? 0.0 : so_3_small;
+      so_3_rest = so_3_lost + so_3_of_quotient_3_lo, so_3_lo = KSL_MUL(so_3_rest, after_3);
   const double so_4_of_quotient_4 = quotient_4 + quotient_4_lo,
       so_4_of_quotient_4_right = so_4_of_quotient_4 - quotient_4,
       so_4_of_quotient_4_left = so_4_of_quotient_4 - so_4_of_quotient_4_right,
@@ -728,8 +718,7 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       so_4_of_quotient_4_lo = so_4_of_quotient_4_left_rest + so_4_of_quotient_4_right_rest,
       so_4 = KSL_MUL(so_4_of_quotient_4, after_4), so_4_inverse = 1.0 / after_4,
       so_4_back = KSL_MUL(so_4, so_4_inverse), so_4_lost = so_4_of_quotient_4 - so_4_back,
-      so_4_rest = so_4_lost + so_4_of_quotient_4_lo, so_4_small = KSL_MUL(so_4_rest, after_4),
-      so_4_lo = so_4_lost == 0.0 ? 0.0 : so_4_small;
+      so_4_rest = so_4_lost + so_4_of_quotient_4_lo, so_4_lo = KSL_MUL(so_4_rest, after_4);
   const double so_5_of_quotient_5 = quotient_5 + quotient_5_lo,
       so_5_of_quotient_5_right = so_5_of_quotient_5 - quotient_5,
       so_5_of_quotient_5_left = so_5_of_quotient_5 - so_5_of_quotient_5_right,
@@ -738,8 +727,7 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
       so_5_of_quotient_5_lo = so_5_of_quotient_5_left_rest + so_5_of_quotient_5_right_rest,
       so_5 = KSL_MUL(so_5_of_quotient_5, after_5), so_5_inverse = 1.0 / after_5,
       so_5_back = KSL_MUL(so_5, so_5_inverse), so_5_lost = so_5_of_quotient_5 - so_5_back,
-      so_5_rest = so_5_lost + so_5_of_quotient_5_lo, so_5_small = KSL_MUL(so_5_rest, after_5),
-      so_5_lo = so_5_lost == 0.0 ? 0.0 : so_5_small;
+      so_5_rest = so_5_lost + so_5_of_quotient_5_lo, so_5_lo = KSL_MUL(so_5_rest, after_5);
   const double so_0_rounded = so_0 + so_0_lo,
       so_0_final = so_0_rounded == so_0_rounded ? so_0_rounded : so_0;
   const double so_1_rounded = so_1 + so_1_lo,

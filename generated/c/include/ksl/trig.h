@@ -10,7 +10,7 @@
 
 /* dc = (sin θ, cos θ), θ in rad.
    theta: number; dc: (sin θ, cos θ).
-   1 sin, 1 cos.
+   28 mul, 33 add, 1 abs.
    Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
 static inline void ksl_dc(const double theta, double dc[2]) {
   double dc_1; const double dc_0 = ksl_sincos(theta, &dc_1);
@@ -20,7 +20,7 @@ static inline void ksl_dc(const double theta, double dc[2]) {
 
 /* dc = (sin θ, cos θ), θ in rad.
    theta: number; dc: (sin θ, cos θ).
-   1 sin, 1 cos.
+   22 mul, 27 add, 1 abs.
    Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
 static inline void ksl_dcf(const float theta, float dc[2]) {
   float dc_1; const float dc_0 = ksl_sincosf(theta, &dc_1);

@@ -187,7 +187,7 @@ static inline void ksl_vec3_scaled_accurate(const ksl_vec3_t *v, const double k,
 
 /* |v| = sqrt(v·v).
    v: vector.
-   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 8 less, 3 equal, 11
+   10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 8 less, 2 equal, 10
      select. */
 static inline double ksl_vec3_l2norm_accurate(const ksl_vec3_t *v) {
   const double s_size_0 = fabs(v->x);
@@ -225,7 +225,7 @@ static inline double ksl_vec3_l2norm_accurate(const ksl_vec3_t *v) {
       norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = KSL_MUL(norm_of_n, r),
       norm_inverse = 1.0 / r, norm_back = KSL_MUL(norm, norm_inverse),
       norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
-      norm_small = KSL_MUL(norm_rest, r), norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+      norm_lo = KSL_MUL(norm_rest, r);
   const double norm_rounded = norm + norm_lo,
       norm_final = norm_rounded == norm_rounded ? norm_rounded : norm;
   return norm_final;
@@ -233,7 +233,7 @@ static inline double ksl_vec3_l2norm_accurate(const ksl_vec3_t *v) {
 
 /* self = self / |self|; the zero vector stays zero.
    self: vector.
-   25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 8 equal, 16
+   25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 5 equal, 13
      select. */
 static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
   const double s_size_0 = fabs(self->x);
@@ -318,8 +318,7 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
-      self_0_new_small = KSL_MUL(self_0_new_rest, down),
-      self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
+      self_0_new_lo = KSL_MUL(self_0_new_rest, down);
   const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
       self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
       self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right,
@@ -331,8 +330,7 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       self_1_new_back = KSL_MUL(self_1_new, self_0_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
-      self_1_new_small = KSL_MUL(self_1_new_rest, down),
-      self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
+      self_1_new_lo = KSL_MUL(self_1_new_rest, down);
   const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
       self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
       self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right,
@@ -344,8 +342,7 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
       self_2_new_back = KSL_MUL(self_2_new, self_0_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
-      self_2_new_small = KSL_MUL(self_2_new_rest, down),
-      self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
+      self_2_new_lo = KSL_MUL(self_2_new_rest, down);
   const double self_0_new_rounded = self_0_new + self_0_new_lo,
       self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
   const double self_1_new_rounded = self_1_new + self_1_new_lo,
@@ -359,7 +356,7 @@ static inline void ksl_vec3_normalize_accurate(ksl_vec3_t *self) {
 
 /* vo = v / |v|; the zero vector stays zero.
    v, vo: vector.
-   25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 8 equal, 16
+   25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 5 equal, 13
      select. */
 static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t *vo) {
   const double s_size_0 = fabs(v->x);
@@ -441,8 +438,7 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
       vo_0_of_quotient_0_lo = vo_0_of_quotient_0_left_rest + vo_0_of_quotient_0_right_rest,
       vo_0 = KSL_MUL(vo_0_of_quotient_0, down), vo_0_inverse = 1.0 / down,
       vo_0_back = KSL_MUL(vo_0, vo_0_inverse), vo_0_lost = vo_0_of_quotient_0 - vo_0_back,
-      vo_0_rest = vo_0_lost + vo_0_of_quotient_0_lo, vo_0_small = KSL_MUL(vo_0_rest, down),
-      vo_0_lo = vo_0_lost == 0.0 ? 0.0 : vo_0_small;
+      vo_0_rest = vo_0_lost + vo_0_of_quotient_0_lo, vo_0_lo = KSL_MUL(vo_0_rest, down);
   const double vo_1_of_quotient_1 = quotient_1 + quotient_1_lo,
       vo_1_of_quotient_1_right = vo_1_of_quotient_1 - quotient_1,
       vo_1_of_quotient_1_left = vo_1_of_quotient_1 - vo_1_of_quotient_1_right,
@@ -451,7 +447,7 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
       vo_1_of_quotient_1_lo = vo_1_of_quotient_1_left_rest + vo_1_of_quotient_1_right_rest,
       vo_1 = KSL_MUL(vo_1_of_quotient_1, down), vo_1_back = KSL_MUL(vo_1, vo_0_inverse),
       vo_1_lost = vo_1_of_quotient_1 - vo_1_back, vo_1_rest = vo_1_lost + vo_1_of_quotient_1_lo,
-      vo_1_small = KSL_MUL(vo_1_rest, down), vo_1_lo = vo_1_lost == 0.0 ? 0.0 : vo_1_small;
+      vo_1_lo = KSL_MUL(vo_1_rest, down);
   const double vo_2_of_quotient_2 = quotient_2 + quotient_2_lo,
       vo_2_of_quotient_2_right = vo_2_of_quotient_2 - quotient_2,
       vo_2_of_quotient_2_left = vo_2_of_quotient_2 - vo_2_of_quotient_2_right,
@@ -460,7 +456,7 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
       vo_2_of_quotient_2_lo = vo_2_of_quotient_2_left_rest + vo_2_of_quotient_2_right_rest,
       vo_2 = KSL_MUL(vo_2_of_quotient_2, down), vo_2_back = KSL_MUL(vo_2, vo_0_inverse),
       vo_2_lost = vo_2_of_quotient_2 - vo_2_back, vo_2_rest = vo_2_lost + vo_2_of_quotient_2_lo,
-      vo_2_small = KSL_MUL(vo_2_rest, down), vo_2_lo = vo_2_lost == 0.0 ? 0.0 : vo_2_small;
+      vo_2_lo = KSL_MUL(vo_2_rest, down);
   const double vo_0_rounded = vo_0 + vo_0_lo,
       vo_0_final = vo_0_rounded == vo_0_rounded ? vo_0_rounded : vo_0;
   const double vo_1_rounded = vo_1 + vo_1_lo,
@@ -474,8 +470,10 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
 
 /* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
    v1, v2: vector.
-   42 mul, 121 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 1 atan2 error, 3
-     neg, 11 abs, 22 less, 7 equal, 32 select. */
+   164 mul, 373 add, 24 product error, 12 product rest, 8 div, 1 sqrt, 4 neg, 19 abs, 4 copysign,
+     35 less, 6 equal, 51 select.
+   Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
+     is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_t *v2) {
   const double s1_size_0 = fabs(v1->x);
   const double s1_size_1 = fabs(v1->y);
@@ -577,14 +575,13 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
       s = s_a_of_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
   const double y_0 = KSL_MUL(s_size_0_of_c_0, s), y_0_inverse = 1.0 / s,
       y_0_back = KSL_MUL(y_0, y_0_inverse), y_0_lost = s_size_0_of_c_0 - y_0_back,
-      y_0_rest = y_0_lost + s_size_0_of_c_0_lo, y_0_small = KSL_MUL(y_0_rest, s),
-      y_0_lo = y_0_lost == 0.0 ? 0.0 : y_0_small;
+      y_0_rest = y_0_lost + s_size_0_of_c_0_lo, y_0_lo = KSL_MUL(y_0_rest, s);
   const double y_1 = KSL_MUL(s_size_1_of_c_1, s), y_1_back = KSL_MUL(y_1, y_0_inverse),
       y_1_lost = s_size_1_of_c_1 - y_1_back, y_1_rest = y_1_lost + s_size_1_of_c_1_lo,
-      y_1_small = KSL_MUL(y_1_rest, s), y_1_lo = y_1_lost == 0.0 ? 0.0 : y_1_small;
+      y_1_lo = KSL_MUL(y_1_rest, s);
   const double y_2 = KSL_MUL(s_size_2_of_c_2, s), y_2_back = KSL_MUL(y_2, y_0_inverse),
       y_2_lost = s_size_2_of_c_2 - y_2_back, y_2_rest = y_2_lost + s_size_2_of_c_2_lo,
-      y_2_small = KSL_MUL(y_2_rest, s), y_2_lo = y_2_lost == 0.0 ? 0.0 : y_2_small;
+      y_2_lo = KSL_MUL(y_2_rest, s);
   const double n_a = KSL_MUL(y_0, y_0), n_a_cross1 = KSL_MUL(y_0_lo, y_0),
       n_a_cross2 = KSL_MUL(y_0, y_0_lo), n_a_cross = n_a_cross1 + n_a_cross2,
       n_b = KSL_MUL(y_1, y_1), n_b_cross1 = KSL_MUL(y_1_lo, y_1), n_b_cross2 = KSL_MUL(y_1, y_1_lo),
@@ -614,7 +611,7 @@ static inline double ksl_angle_vv_accurate(const ksl_vec3_t *v1, const ksl_vec3_
       cross_of_n_lo = cross_of_n_left_rest + cross_of_n_right_rest, cross = KSL_MUL(cross_of_n, r),
       cross_inverse = 1.0 / r, cross_back = KSL_MUL(cross, cross_inverse),
       cross_lost = cross_of_n - cross_back, cross_rest = cross_lost + cross_of_n_lo,
-      cross_small = KSL_MUL(cross_rest, r), cross_lo = cross_lost == 0.0 ? 0.0 : cross_small;
+      cross_lo = KSL_MUL(cross_rest, r);
   const double dot__a = KSL_MUL(scaled_s1_0, scaled_s2_0),
       dot__b = KSL_MUL(scaled_s1_1, scaled_s2_1), dot__c = dot__a + dot__b,
       dot__c_right = dot__c - dot__a, dot__c_left = dot__c - dot__c_right,
@@ -1080,7 +1077,9 @@ static inline void ksl_vec3f_normalized_accurate(const ksl_vec3f_t *v, ksl_vec3f
 
 /* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
    v1, v2: vector.
-   22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 18 less, 18 select. */
+   51 mul, 42 add, 1 div, 1 sqrt, 1 neg, 11 abs, 2 copysign, 24 less, 1 equal, 32 select.
+   Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
+     is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline float ksl_angle_vvf_accurate(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2) {
   const double s1_size_0 = fabs((double)v1->x);
   const double s1_size_1 = fabs((double)v1->y);

@@ -52,7 +52,7 @@ static inline void ksl_vec4_scaled_accurate(const ksl_vec4_t *v, const double k,
 
 /* |v| = sqrt(v·v), all four components.
    v: vector (x, y, z) and a homogeneous coordinate w.
-   12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12
+   12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 2 equal, 11
      select. */
 static inline double ksl_vec4_l2norm_accurate(const ksl_vec4_t *v) {
   const double s_size_0 = fabs(v->x);
@@ -96,7 +96,7 @@ static inline double ksl_vec4_l2norm_accurate(const ksl_vec4_t *v) {
       norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = KSL_MUL(norm_of_n, r),
       norm_inverse = 1.0 / r, norm_back = KSL_MUL(norm, norm_inverse),
       norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
-      norm_small = KSL_MUL(norm_rest, r), norm_lo = norm_lost == 0.0 ? 0.0 : norm_small;
+      norm_lo = KSL_MUL(norm_rest, r);
   const double norm_rounded = norm + norm_lo,
       norm_final = norm_rounded == norm_rounded ? norm_rounded : norm;
   return norm_final;
@@ -104,7 +104,7 @@ static inline double ksl_vec4_l2norm_accurate(const ksl_vec4_t *v) {
 
 /* self = self / |self|; the zero vector stays zero.
    self: vector (x, y, z) and a homogeneous coordinate w.
-   33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
+   33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15
      select. */
 static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
   const double s_size_0 = fabs(self->x);
@@ -205,8 +205,7 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
       self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
       self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
-      self_0_new_small = KSL_MUL(self_0_new_rest, down),
-      self_0_new_lo = self_0_new_lost == 0.0 ? 0.0 : self_0_new_small;
+      self_0_new_lo = KSL_MUL(self_0_new_rest, down);
   const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
       self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
       self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right,
@@ -218,8 +217,7 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       self_1_new_back = KSL_MUL(self_1_new, self_0_new_inverse),
       self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
       self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
-      self_1_new_small = KSL_MUL(self_1_new_rest, down),
-      self_1_new_lo = self_1_new_lost == 0.0 ? 0.0 : self_1_new_small;
+      self_1_new_lo = KSL_MUL(self_1_new_rest, down);
   const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
       self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
       self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right,
@@ -231,8 +229,7 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       self_2_new_back = KSL_MUL(self_2_new, self_0_new_inverse),
       self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
       self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
-      self_2_new_small = KSL_MUL(self_2_new_rest, down),
-      self_2_new_lo = self_2_new_lost == 0.0 ? 0.0 : self_2_new_small;
+      self_2_new_lo = KSL_MUL(self_2_new_rest, down);
   const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
       self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3,
       self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right,
@@ -244,8 +241,7 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
       self_3_new_back = KSL_MUL(self_3_new, self_0_new_inverse),
       self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
       self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
-      self_3_new_small = KSL_MUL(self_3_new_rest, down),
-      self_3_new_lo = self_3_new_lost == 0.0 ? 0.0 : self_3_new_small;
+      self_3_new_lo = KSL_MUL(self_3_new_rest, down);
   const double self_0_new_rounded = self_0_new + self_0_new_lo,
       self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
   const double self_1_new_rounded = self_1_new + self_1_new_lo,
@@ -262,7 +258,7 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
 
 /* vo = v / |v|; the zero vector stays zero.
    v, vo: vector (x, y, z) and a homogeneous coordinate w.
-   33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
+   33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15
      select. */
 static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t *vo) {
   const double s_size_0 = fabs(v->x);
@@ -360,8 +356,7 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
       vo_0_of_quotient_0_lo = vo_0_of_quotient_0_left_rest + vo_0_of_quotient_0_right_rest,
       vo_0 = KSL_MUL(vo_0_of_quotient_0, down), vo_0_inverse = 1.0 / down,
       vo_0_back = KSL_MUL(vo_0, vo_0_inverse), vo_0_lost = vo_0_of_quotient_0 - vo_0_back,
-      vo_0_rest = vo_0_lost + vo_0_of_quotient_0_lo, vo_0_small = KSL_MUL(vo_0_rest, down),
-      vo_0_lo = vo_0_lost == 0.0 ? 0.0 : vo_0_small;
+      vo_0_rest = vo_0_lost + vo_0_of_quotient_0_lo, vo_0_lo = KSL_MUL(vo_0_rest, down);
   const double vo_1_of_quotient_1 = quotient_1 + quotient_1_lo,
       vo_1_of_quotient_1_right = vo_1_of_quotient_1 - quotient_1,
       vo_1_of_quotient_1_left = vo_1_of_quotient_1 - vo_1_of_quotient_1_right,
@@ -370,7 +365,7 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
       vo_1_of_quotient_1_lo = vo_1_of_quotient_1_left_rest + vo_1_of_quotient_1_right_rest,
       vo_1 = KSL_MUL(vo_1_of_quotient_1, down), vo_1_back = KSL_MUL(vo_1, vo_0_inverse),
       vo_1_lost = vo_1_of_quotient_1 - vo_1_back, vo_1_rest = vo_1_lost + vo_1_of_quotient_1_lo,
-      vo_1_small = KSL_MUL(vo_1_rest, down), vo_1_lo = vo_1_lost == 0.0 ? 0.0 : vo_1_small;
+      vo_1_lo = KSL_MUL(vo_1_rest, down);
   const double vo_2_of_quotient_2 = quotient_2 + quotient_2_lo,
       vo_2_of_quotient_2_right = vo_2_of_quotient_2 - quotient_2,
       vo_2_of_quotient_2_left = vo_2_of_quotient_2 - vo_2_of_quotient_2_right,
@@ -379,7 +374,7 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
       vo_2_of_quotient_2_lo = vo_2_of_quotient_2_left_rest + vo_2_of_quotient_2_right_rest,
       vo_2 = KSL_MUL(vo_2_of_quotient_2, down), vo_2_back = KSL_MUL(vo_2, vo_0_inverse),
       vo_2_lost = vo_2_of_quotient_2 - vo_2_back, vo_2_rest = vo_2_lost + vo_2_of_quotient_2_lo,
-      vo_2_small = KSL_MUL(vo_2_rest, down), vo_2_lo = vo_2_lost == 0.0 ? 0.0 : vo_2_small;
+      vo_2_lo = KSL_MUL(vo_2_rest, down);
   const double vo_3_of_quotient_3 = quotient_3 + quotient_3_lo,
       vo_3_of_quotient_3_right = vo_3_of_quotient_3 - quotient_3,
       vo_3_of_quotient_3_left = vo_3_of_quotient_3 - vo_3_of_quotient_3_right,
@@ -388,7 +383,7 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
       vo_3_of_quotient_3_lo = vo_3_of_quotient_3_left_rest + vo_3_of_quotient_3_right_rest,
       vo_3 = KSL_MUL(vo_3_of_quotient_3, down), vo_3_back = KSL_MUL(vo_3, vo_0_inverse),
       vo_3_lost = vo_3_of_quotient_3 - vo_3_back, vo_3_rest = vo_3_lost + vo_3_of_quotient_3_lo,
-      vo_3_small = KSL_MUL(vo_3_rest, down), vo_3_lo = vo_3_lost == 0.0 ? 0.0 : vo_3_small;
+      vo_3_lo = KSL_MUL(vo_3_rest, down);
   const double vo_0_rounded = vo_0 + vo_0_lo,
       vo_0_final = vo_0_rounded == vo_0_rounded ? vo_0_rounded : vo_0;
   const double vo_1_rounded = vo_1 + vo_1_lo,

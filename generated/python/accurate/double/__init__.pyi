@@ -4,6 +4,54 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+def sincos(x: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """s = sin x, c = cos x, x in rad.
+
+    ()->(),().  x, s, c: number.
+    113 mul, 244 add, 21 product error, 3 abs, 1 less, 2 equal, 3 select.  Error <= 0.501 ulp,
+    unless a result is subnormal; proved.
+    """
+
+def sin(x: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """s = sin x, x in rad.
+
+    ()->().  x, s: number.
+    113 mul, 243 add, 21 product error, 3 abs, 1 less, 1 equal, 2 select.  Error <= 0.501 ulp,
+    unless a result is subnormal; proved.
+    """
+
+def cos(x: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """c = cos x, x in rad.
+
+    ()->().  x, c: number.
+    113 mul, 243 add, 21 product error, 3 abs, 1 less, 1 equal, 2 select.  Error <= 0.501 ulp,
+    unless a result is subnormal; proved.
+    """
+
+def exp(x: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """y = e^x.
+
+    ()->().  x, y: number.
+    80 mul, 150 add, 15 product error, 5 power of two, 1 abs, 7 less, 2 equal, 10 select.  Error
+    <= 0.501 ulp, unless a result is subnormal; proved.
+    """
+
+def tanh(x: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """y = tanh x.
+
+    ()->().  x, y: number.
+    90 mul, 176 add, 16 product error, 2 div, 2 power of two, 4 abs, 2 copysign, 5 less, 1
+    equal, 12 select.  Error <= 0.501 ulp, unless a result is subnormal; proved.
+    """
+
+def atan2(y: ArrayLike, x: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """angle of the vector (x, y) to the x axis, in rad, from -π to π.
+
+    (),()->().  y, x, angle: number.
+    122 mul, 253 add, 23 product error, 2 div, 1 neg, 8 abs, 4 copysign, 13 less, 4 equal, 24
+    select.  Error <= 0.501 ulp, unless a result is subnormal; proved.
+    """
+
 def vec3_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """self = a self.
 
@@ -65,7 +113,7 @@ def vec3_l2norm(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[
     """|v| = sqrt(v·v).
 
     (3)->().  v: vector; norm: number.
-    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 8 less, 3 equal, 11
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 3 abs, 8 less, 2 equal, 10
     select.
     """
 
@@ -73,7 +121,7 @@ def vec3_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> ND
     """self = self / |self|; the zero vector stays zero.
 
     (3)->(3).  self: vector.
-    25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 8 equal, 16
+    25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 5 equal, 13
     select.
     """
 
@@ -81,7 +129,7 @@ def vec3_normalized(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDAr
     """vo = v / |v|; the zero vector stays zero.
 
     (3)->(3).  v, vo: vector.
-    25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 8 equal, 16
+    25 mul, 68 add, 4 product error, 3 product rest, 8 div, 1 sqrt, 3 abs, 7 less, 5 equal, 13
     select.
     """
 
@@ -89,8 +137,10 @@ def angle_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    42 mul, 121 add, 1 product error, 12 product rest, 6 div, 1 sqrt, 1 atan2, 1 atan2 error, 3
-    neg, 11 abs, 22 less, 7 equal, 32 select.
+    164 mul, 373 add, 24 product error, 12 product rest, 8 div, 1 sqrt, 4 neg, 19 abs, 4
+    copysign, 35 less, 6 equal, 51 select.  Each component is within 1 ulp as long as its
+    condition is below 1e13; in single precision it is the nearest number, except near ties, as
+    long as that is below 1e5; searched, not proved.
     """
 
 def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -191,7 +241,7 @@ def vec4_l2norm(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[
     """|v| = sqrt(v·v), all four components.
 
     (4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.
-    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12
+    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 2 equal, 11
     select.
     """
 
@@ -199,7 +249,7 @@ def vec4_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> ND
     """self = self / |self|; the zero vector stays zero.
 
     (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
-    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15
     select.
     """
 
@@ -207,7 +257,7 @@ def vec4_normalized(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDAr
     """vo = v / |v|; the zero vector stays zero.
 
     (4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.
-    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15
     select.
     """
 
@@ -234,8 +284,8 @@ def mat3x3_inverse(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[
     (double 1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.
 
     (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
-    106 mul, 290 add, 10 product error, 32 product rest, 22 div, 2 neg, 19 abs, 17 less, 23
-    equal, 67 select.  Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the
+    106 mul, 290 add, 10 product error, 32 product rest, 22 div, 2 neg, 19 abs, 17 less, 11
+    equal, 55 select.  Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the
     sum of the |terms| of the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more;
     barring over- and underflow of Ro_ij itself.
     """
@@ -247,7 +297,7 @@ def mat3x3_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> 
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
     154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
-    27 equal, 79 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.
+    18 equal, 70 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.
     """
 
 def mat3x3_normalized(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -257,7 +307,7 @@ def mat3x3_normalized(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> ND
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
     154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
-    27 equal, 79 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.
+    18 equal, 70 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.
     """
 
 def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -269,14 +319,35 @@ def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: NDArray[np.float64
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
+def mat3x3_from_euler_xyz(angles: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
+
+    (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
+    381 mul, 779 add, 69 product error, 8 product rest, 9 neg, 9 abs, 3 less, 9 equal, 12
+    select.  Each component is within 1 ulp as long as its condition is below 1e13; in single
+    precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.
+    """
+
 def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
     [-π/2, π/2]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    25 mul, 65 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 3 atan2 error, 1
-    neg, 4 abs, 2 less, 7 equal, 16 select.  The rotation by these angles differs from R by at
-    most 12 u in each entry, near gimbal lock too; searched, not proved.
+    391 mul, 821 add, 72 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
+    copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its
+    condition is below 1e13; in single precision it is the nearest number, except near ties, as
+    long as that is below 1e5; searched, not proved.
+    """
+
+def mat3x3_from_euler_xyx(angles: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
+
+    (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
+    381 mul, 779 add, 69 product error, 8 product rest, 5 neg, 9 abs, 3 less, 9 equal, 12
+    select.  Each component is within 1 ulp as long as its condition is below 1e13; in single
+    precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.
     """
 
 def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -284,9 +355,10 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    25 mul, 65 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 3 atan2 error, 4
-    abs, 2 less, 7 equal, 16 select.  The rotation by these angles differs from R by at most 12
-    u in each entry, near gimbal lock too; searched, not proved.
+    391 mul, 821 add, 72 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
+    copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its
+    condition is below 1e13; in single precision it is the nearest number, except near ties, as
+    long as that is below 1e5; searched, not proved.
     """
 
 def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -658,6 +730,14 @@ def product_ddtzinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None 
     |terms| of the expanded formula; barring over- and underflow.
     """
 
+def dc(theta: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """dc = (sin θ, cos θ), θ in rad.
+
+    ()->(2).  theta: number; dc: (sin θ, cos θ).
+    113 mul, 244 add, 21 product error, 3 abs, 1 less, 2 equal, 3 select.  Error <= 0.501 ulp,
+    unless a result is subnormal; proved.
+    """
+
 def screw_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """self = a self.
 
@@ -712,7 +792,7 @@ def screw_norm(si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[
     """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
-    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 4 equal, 17
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 3 equal, 16
     select.
     """
 
@@ -720,16 +800,16 @@ def screw_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> N
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,
-    40 select.
+    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal,
+    34 select.
     """
 
 def screw_normalized(si: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,
-    40 select.
+    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal,
+    34 select.
     """
 
 def add_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -985,7 +1065,7 @@ def coscrew_norm(ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArra
     """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
-    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 4 equal, 17
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 3 equal, 16
     select.
     """
 
@@ -993,16 +1073,16 @@ def coscrew_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) ->
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
-    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,
-    40 select.
+    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal,
+    34 select.
     """
 
 def coscrew_normalized(ci: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
-    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,
-    40 select.
+    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal,
+    34 select.
     """
 
 def add_cct(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1292,24 +1372,30 @@ def quaternion_norm(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDAr
     """|q| = sqrt(v·v + w^2).
 
     (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
-    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12
-    select.
+    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 2 equal, 11
+    select.  Each component is within 1 ulp as long as its condition is below 1e13; in single
+    precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.
     """
 
 def quaternion_normalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """self = self / |self|; zero stays zero.
 
     (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
-    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
-    select.
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15
+    select.  Each component is within 1 ulp as long as its condition is below 1e13; in single
+    precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.
     """
 
 def quaternion_normalized(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """qo = q / |q|; zero stays zero.
 
     (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
-    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
-    select.
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15
+    select.  Each component is within 1 ulp as long as its condition is below 1e13; in single
+    precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.
     """
 
 def rotate_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1622,9 +1708,11 @@ def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float64] | None = ...) 
     """R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
-    41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 8
+    41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 1
     u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 < |q| < 2^63;
-    searched, not proved.
+    searched, not proved.  Each component is within 1 ulp as long as its condition is below
+    1e13; in single precision it is the nearest number, except near ties, as long as that is
+    below 1e5; searched, not proved.
     """
 
 def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1632,7 +1720,21 @@ def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float64] | None = ...) 
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
     21 mul, 182 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
-    select.  Error <= qo: 6 u of its largest component for R a rotation; searched, not proved.
+    select.  Error <= qo: 1 u of its largest component for R a rotation; searched, not proved.
+    Each component is within 1 ulp as long as its condition is below 1e13; in single precision
+    it is the nearest number, except near ties, as long as that is below 1e5; searched, not
+    proved.
+    """
+
+def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
+    rotation is by another angle.
+
+    (3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
+    120 mul, 249 add, 24 product error, 3 abs, 1 less, 4 equal, 5 select.  Error <= qo: 1 u of
+    its largest component for |axis| = 1; searched, not proved.  Each component is within 1 ulp
+    as long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.
     """
 
 def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -1640,9 +1742,22 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float64] | No
     angle is 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    27 mul, 56 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 1 atan2 error, 4
-    neg, 9 abs, 14 less, 8 equal, 29 select.  Error <= angle: 6 u, axis: 4 u of its largest
-    component; searched, not proved.
+    149 mul, 308 add, 27 product error, 3 product rest, 13 div, 1 sqrt, 5 neg, 17 abs, 4
+    copysign, 27 less, 10 equal, 51 select.  Error <= angle: 1 u, axis: 1 u of its largest
+    component; searched, not proved.  Each component is within 1 ulp as long as its condition is
+    below 1e13; in single precision it is the nearest number, except near ties, as long as that
+    is below 1e5; searched, not proved.
+    """
+
+def quaternion_exp(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
+
+    (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
+    169 mul, 338 add, 26 product error, 3 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 6 equal,
+    14 select.  Error <= qo: 1 u of its largest component for |v| <= 1e13, in single precision
+    1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
+    1e13; in single precision it is the nearest number, except near ties, as long as that is
+    below 1e5; searched, not proved.
     """
 
 def quaternion_log(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1650,27 +1765,112 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArr
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    29 mul, 59 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 1 atan2 error, 4
-    neg, 9 abs, 14 less, 7 equal, 26 select.  Error <= vo: 6 u of its largest component;
+    151 mul, 311 add, 28 product error, 3 product rest, 9 div, 1 sqrt, 5 neg, 17 abs, 4
+    copysign, 27 less, 9 equal, 48 select.  Error <= vo: 1 u of its largest component; searched,
+    not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
+    single precision it is the nearest number, except near ties, as long as that is below 1e5;
     searched, not proved.
+    """
+
+def quaternion_interpolated(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
+
+    (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
+    395 mul, 921 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 14 neg, 21 abs, 4
+    copysign, 35 less, 12 equal, 68 select.  Error <= qo: 1 u of its largest component for |q1|
+    = 1 and |q2| = 1 and 0 <= k <= 1; searched, not proved.  Each component is within 1 ulp as
+    long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.
+    """
+
+def SO3_exp(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
+
+    (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
+    202 mul, 427 add, 26 product error, 21 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 11 equal,
+    19 select.  Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision
+    1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
+    1e13; in single precision it is the nearest number, except near ties, as long as that is
+    below 1e5; searched, not proved.
     """
 
 def SO3_log(R: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
     """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    40 mul, 221 add, 5 product error, 3 product rest, 8 div, 1 sqrt, 1 atan2, 1 atan2 error, 12
-    neg, 5 abs, 16 less, 10 equal, 58 select.  Error <= vo: 7 u of its largest component for R a
-    rotation; searched, not proved.
+    162 mul, 473 add, 28 product error, 3 product rest, 10 div, 1 sqrt, 13 neg, 13 abs, 4
+    copysign, 29 less, 9 equal, 77 select.  Error <= vo: 1 u of its largest component for R a
+    rotation; searched, not proved.  Each component is within 1 ulp as long as its condition is
+    below 1e13; in single precision it is the nearest number, except near ties, as long as that
+    is below 1e5; searched, not proved.
+    """
+
+def SO3_leftJacobian(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
+
+    (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
+    235 mul, 580 add, 31 product error, 42 product rest, 5 div, 1 sqrt, 4 abs, 5 less, 11 equal,
+    25 select.  Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision
+    1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
+    1e13; in single precision it is the nearest number, except near ties, as long as that is
+    below 1e5; searched, not proved.
+    """
+
+def SO3_rightJacobian(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
+
+    (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
+    235 mul, 580 add, 31 product error, 42 product rest, 5 div, 1 sqrt, 9 neg, 4 abs, 5 less, 11
+    equal, 25 select.  Error <= R: 1 u of its largest component for |v| <= 1e13, in single
+    precision 1e5; searched, not proved.  Each component is within 1 ulp as long as its
+    condition is below 1e13; in single precision it is the nearest number, except near ties, as
+    long as that is below 1e5; searched, not proved.
+    """
+
+def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
+    except 0.
+
+    (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
+    235 mul, 611 add, 33 product error, 33 product rest, 9 div, 1 sqrt, 3 neg, 4 abs, 5 less, 11
+    equal, 25 select.  Error <= R: 1 u of its largest component for |v| <= π; searched, not
+    proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
+    precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.
+    """
+
+def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
+    except 0.
+
+    (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
+    235 mul, 611 add, 33 product error, 33 product rest, 9 div, 1 sqrt, 4 abs, 5 less, 11 equal,
+    25 select.  Error <= R: 1 u of its largest component for |v| <= π; searched, not proved.
+    Each component is within 1 ulp as long as its condition is below 1e13; in single precision
+    it is the nearest number, except near ties, as long as that is below 1e5; searched, not
+    proved.
+    """
+
+def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
+    not a rotation.
+
+    (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
+    256 mul, 581 add, 46 product error, 18 product rest, 6 abs, 3 less, 9 equal, 13 select.
+    Error <= R: 1 u of its largest component for |axis| = 1; searched, not proved.  Each
+    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
+    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    35 mul, 236 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 1 atan2 error, 12
-    neg, 5 abs, 16 less, 11 equal, 61 select.  Error <= angle: 8 u, axis: 5 u of its largest
-    component for R a rotation; searched, not proved.
+    157 mul, 488 add, 27 product error, 3 product rest, 14 div, 1 sqrt, 13 neg, 13 abs, 4
+    copysign, 29 less, 10 equal, 80 select.  Error <= angle: 1 u, axis: 1 u of its largest
+    component for R a rotation; searched, not proved.  Each component is within 1 ulp as long as
+    its condition is below 1e13; in single precision it is the nearest number, except near ties,
+    as long as that is below 1e5; searched, not proved.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
@@ -1687,6 +1887,91 @@ def mat3x3_orthonormalized(R: ArrayLike, out: NDArray[np.float64] | None = ...) 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
     84 mul, 288 add, 45 product rest, 6 neg.  Error <= u |result| + 44 u^2 S, S the sum of the
     |terms| of the expanded formula; barring over- and underflow.
+    """
+
+def SE3_exp(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """D = exp s = [exp ω~ | J_l(ω) v].
+
+    (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
+    273 mul, 662 add, 34 product error, 57 product rest, 5 div, 1 sqrt, 4 abs, 5 less, 14 equal,
+    28 select.  Error <= R: 1 u, t: 1 u of its largest component, or of s.lin if that is larger,
+    for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Each component is
+    within 1 ulp as long as its condition is below 1e13; in single precision it is the nearest
+    number, except near ties, as long as that is below 1e5; searched, not proved.  Intermediate
+    sums may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36.
+    """
+
+def SE3_log(D: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
+
+    (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+    282 mul, 788 add, 38 product error, 35 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
+    copysign, 31 less, 14 equal, 88 select.  Error <= lin: 1 u, ang: 1 u of its largest
+    component for R of D a rotation; searched, not proved.  Each component is within 1 ulp as
+    long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
+    overflow where |t| is above 2e306, in single precision 5e36.
+    """
+
+def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
+
+    (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+    348 mul, 928 add, 41 product error, 86 product rest, 9 div, 1 sqrt, 3 neg, 4 abs, 5 less, 20
+    equal, 38 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not
+    proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
+    precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.  Intermediate sums may overflow where |v| is above 2e306, in single
+    precision 5e36.
+    """
+
+def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
+
+    (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+    348 mul, 928 add, 41 product error, 86 product rest, 9 div, 1 sqrt, 36 neg, 4 abs, 5 less,
+    20 equal, 38 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
+    not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
+    single precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.  Intermediate sums may overflow where |v| is above 2e306, in single
+    precision 5e36.
+    """
+
+def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
+
+    (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+    310 mul, 830 add, 44 product error, 59 product rest, 13 div, 1 sqrt, 9 neg, 4 abs, 5 less,
+    20 equal, 36 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
+    not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
+    single precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.  Intermediate sums may overflow where |v| is above 2e306, in single
+    precision 5e36.
+    """
+
+def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
+
+    (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+    310 mul, 830 add, 44 product error, 59 product rest, 13 div, 1 sqrt, 21 neg, 4 abs, 5 less,
+    20 equal, 36 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
+    not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
+    single precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.  Intermediate sums may overflow where |v| is above 2e306, in single
+    precision 5e36.
+    """
+
+def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np.float64] | None = ...) -> NDArray[np.float64]:
+    """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
+
+    (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
+    741 mul, 1861 add, 78 product error, 164 product rest, 28 div, 3 sqrt, 11 neg, 18 abs, 4
+    copysign, 36 less, 22 equal, 110 select.  Error <= R: 1 u, t: 1 u of its largest component,
+    or of D1.t or D2.t if that is larger, for R of D1 a rotation and R of D2 a rotation and 0 <=
+    k <= 1; searched, not proved.  Each component is within 1 ulp as long as its condition is
+    below 1e13; in single precision it is the nearest number, except near ties, as long as that
+    is below 1e5; searched, not proved.  Intermediate sums may overflow where |t| of D1 or D2 is
+    above 2e306, in single precision 5e36.
     """
 
 def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

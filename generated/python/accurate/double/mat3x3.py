@@ -120,8 +120,8 @@ def mat3x3_inverse(R):
     (double 1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.
 
     (3,3)->(),(3,3).  R, Ro: rotation or other 3×3 matrix; det: number.
-    106 mul, 290 add, 10 product error, 32 product rest, 22 div, 2 neg, 19 abs, 17 less, 23
-    equal, 67 select.  Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the
+    106 mul, 290 add, 10 product error, 32 product rest, 22 div, 2 neg, 19 abs, 17 less, 11
+    equal, 55 select.  Error of Ro_ij <= 2 u m_ji / |det R| + 6 u |Ro_ij| p / |det R|, m_ji the
     sum of the |terms| of the cofactor, or 2^-80 m^2 (double 2^-700 m^2) if that is more;
     barring over- and underflow of Ro_ij itself.
     """
@@ -404,72 +404,72 @@ def mat3x3_inverse(R):
     inverse_0_of_quotient_0_left_rest = quotient_0 - inverse_0_of_quotient_0_left
     inverse_0 = inverse_0_of_quotient_0 * s
     inverse_0_inverse = 1 / s
-    inverse_0_lost = inverse_0_of_quotient_0 - inverse_0 * inverse_0_inverse
     inverse_0_of_quotient_0_lo = inverse_0_of_quotient_0_left_rest + inverse_0_of_quotient_0_right_rest
+    inverse_0_lost = inverse_0_of_quotient_0 - inverse_0 * inverse_0_inverse
     inverse_1_of_quotient_1 = quotient_1 + quotient_1_lo
     inverse_1_of_quotient_1_right = inverse_1_of_quotient_1 - quotient_1
     inverse_1_of_quotient_1_left = inverse_1_of_quotient_1 - inverse_1_of_quotient_1_right
     inverse_1_of_quotient_1_right_rest = quotient_1_lo - inverse_1_of_quotient_1_right
     inverse_1_of_quotient_1_left_rest = quotient_1 - inverse_1_of_quotient_1_left
     inverse_1 = inverse_1_of_quotient_1 * s
-    inverse_1_lost = inverse_1_of_quotient_1 - inverse_1 * inverse_0_inverse
     inverse_1_of_quotient_1_lo = inverse_1_of_quotient_1_left_rest + inverse_1_of_quotient_1_right_rest
+    inverse_1_lost = inverse_1_of_quotient_1 - inverse_1 * inverse_0_inverse
     inverse_2_of_quotient_2 = quotient_2 + quotient_2_lo
     inverse_2_of_quotient_2_right = inverse_2_of_quotient_2 - quotient_2
     inverse_2_of_quotient_2_left = inverse_2_of_quotient_2 - inverse_2_of_quotient_2_right
     inverse_2_of_quotient_2_right_rest = quotient_2_lo - inverse_2_of_quotient_2_right
     inverse_2_of_quotient_2_left_rest = quotient_2 - inverse_2_of_quotient_2_left
     inverse_2 = inverse_2_of_quotient_2 * s
-    inverse_2_lost = inverse_2_of_quotient_2 - inverse_2 * inverse_0_inverse
     inverse_2_of_quotient_2_lo = inverse_2_of_quotient_2_left_rest + inverse_2_of_quotient_2_right_rest
+    inverse_2_lost = inverse_2_of_quotient_2 - inverse_2 * inverse_0_inverse
     inverse_3_of_quotient_3 = quotient_3 + quotient_3_lo
     inverse_3_of_quotient_3_right = inverse_3_of_quotient_3 - quotient_3
     inverse_3_of_quotient_3_left = inverse_3_of_quotient_3 - inverse_3_of_quotient_3_right
     inverse_3_of_quotient_3_right_rest = quotient_3_lo - inverse_3_of_quotient_3_right
     inverse_3_of_quotient_3_left_rest = quotient_3 - inverse_3_of_quotient_3_left
     inverse_3 = inverse_3_of_quotient_3 * s
-    inverse_3_lost = inverse_3_of_quotient_3 - inverse_3 * inverse_0_inverse
     inverse_3_of_quotient_3_lo = inverse_3_of_quotient_3_left_rest + inverse_3_of_quotient_3_right_rest
+    inverse_3_lost = inverse_3_of_quotient_3 - inverse_3 * inverse_0_inverse
     inverse_4_of_quotient_4 = quotient_4 + quotient_4_lo
     inverse_4_of_quotient_4_right = inverse_4_of_quotient_4 - quotient_4
     inverse_4_of_quotient_4_left = inverse_4_of_quotient_4 - inverse_4_of_quotient_4_right
     inverse_4_of_quotient_4_right_rest = quotient_4_lo - inverse_4_of_quotient_4_right
     inverse_4_of_quotient_4_left_rest = quotient_4 - inverse_4_of_quotient_4_left
     inverse_4 = inverse_4_of_quotient_4 * s
-    inverse_4_lost = inverse_4_of_quotient_4 - inverse_4 * inverse_0_inverse
     inverse_4_of_quotient_4_lo = inverse_4_of_quotient_4_left_rest + inverse_4_of_quotient_4_right_rest
+    inverse_4_lost = inverse_4_of_quotient_4 - inverse_4 * inverse_0_inverse
     inverse_5_of_quotient_5 = quotient_5 + quotient_5_lo
     inverse_5_of_quotient_5_right = inverse_5_of_quotient_5 - quotient_5
     inverse_5_of_quotient_5_left = inverse_5_of_quotient_5 - inverse_5_of_quotient_5_right
     inverse_5_of_quotient_5_right_rest = quotient_5_lo - inverse_5_of_quotient_5_right
     inverse_5_of_quotient_5_left_rest = quotient_5 - inverse_5_of_quotient_5_left
     inverse_5 = inverse_5_of_quotient_5 * s
-    inverse_5_lost = inverse_5_of_quotient_5 - inverse_5 * inverse_0_inverse
     inverse_5_of_quotient_5_lo = inverse_5_of_quotient_5_left_rest + inverse_5_of_quotient_5_right_rest
+    inverse_5_lost = inverse_5_of_quotient_5 - inverse_5 * inverse_0_inverse
     inverse_6_of_quotient_6 = quotient_6 + quotient_6_lo
     inverse_6_of_quotient_6_right = inverse_6_of_quotient_6 - quotient_6
     inverse_6_of_quotient_6_left = inverse_6_of_quotient_6 - inverse_6_of_quotient_6_right
     inverse_6_of_quotient_6_right_rest = quotient_6_lo - inverse_6_of_quotient_6_right
     inverse_6_of_quotient_6_left_rest = quotient_6 - inverse_6_of_quotient_6_left
     inverse_6 = inverse_6_of_quotient_6 * s
-    inverse_6_lost = inverse_6_of_quotient_6 - inverse_6 * inverse_0_inverse
     inverse_6_of_quotient_6_lo = inverse_6_of_quotient_6_left_rest + inverse_6_of_quotient_6_right_rest
+    inverse_6_lost = inverse_6_of_quotient_6 - inverse_6 * inverse_0_inverse
     inverse_7_of_quotient_7 = quotient_7 + quotient_7_lo
     inverse_7_of_quotient_7_right = inverse_7_of_quotient_7 - quotient_7
     inverse_7_of_quotient_7_left = inverse_7_of_quotient_7 - inverse_7_of_quotient_7_right
     inverse_7_of_quotient_7_right_rest = quotient_7_lo - inverse_7_of_quotient_7_right
     inverse_7_of_quotient_7_left_rest = quotient_7 - inverse_7_of_quotient_7_left
     inverse_7 = inverse_7_of_quotient_7 * s
-    inverse_7_lost = inverse_7_of_quotient_7 - inverse_7 * inverse_0_inverse
     inverse_7_of_quotient_7_lo = inverse_7_of_quotient_7_left_rest + inverse_7_of_quotient_7_right_rest
+    inverse_7_lost = inverse_7_of_quotient_7 - inverse_7 * inverse_0_inverse
     inverse_8_of_quotient_8 = quotient_8 + quotient_8_lo
     inverse_8_of_quotient_8_right = inverse_8_of_quotient_8 - quotient_8
     inverse_8_of_quotient_8_left = inverse_8_of_quotient_8 - inverse_8_of_quotient_8_right
     inverse_8_of_quotient_8_right_rest = quotient_8_lo - inverse_8_of_quotient_8_right
     inverse_8_of_quotient_8_left_rest = quotient_8 - inverse_8_of_quotient_8_left
     inverse_8 = inverse_8_of_quotient_8 * s
-    inverse_8_lost = inverse_8_of_quotient_8 - inverse_8 * inverse_0_inverse
     inverse_8_of_quotient_8_lo = inverse_8_of_quotient_8_left_rest + inverse_8_of_quotient_8_right_rest
+    inverse_8_lost = inverse_8_of_quotient_8 - inverse_8 * inverse_0_inverse
     start_c = where(regular_a_of_d < 0, -8.452712498170644e+270, 8.452712498170644e+270)
     start = where(s_c, regular_a_of_d, start_c)
     start_lo = where(s_c, regular_a_of_d_lo, 0)
@@ -478,53 +478,42 @@ def mat3x3_inverse(R):
     once_of_start_right = once_of_start - start
     once_of_start_left_rest = start - (once_of_start - once_of_start_right)
     once = once_of_start * r2
-    once_lost = once_of_start - once * (1 / r2)
-    once_small = (once_lost + (once_of_start_left_rest + (start_lo - once_of_start_right))) * r2
-    once_lo = where(once_lost == 0, 0, once_small)
+    once_of_start_lo = once_of_start_left_rest + (start_lo - once_of_start_right)
+    once_lo = (once_of_start - once * (1 / r2) + once_of_start_lo) * r2
     r3 = where(s_k, float64(1.1830521861667747e-271), float64(1))
     twice_of_once = once + once_lo
     twice_of_once_right = twice_of_once - once
     twice_of_once_left_rest = once - (twice_of_once - twice_of_once_right)
     twice = twice_of_once * r3
-    twice_lost = twice_of_once - twice * (1 / r3)
-    twice_small = (twice_lost + (twice_of_once_left_rest + (once_lo - twice_of_once_right))) * r3
-    twice_lo = where(twice_lost == 0, 0, twice_small)
+    twice_of_once_lo = twice_of_once_left_rest + (once_lo - twice_of_once_right)
+    twice_lo = (twice_of_once - twice * (1 / r3) + twice_of_once_lo) * r3
     r = where(s_g, 1.1830521861667747e-271, where(s_e, float64(1), float64(8.452712498170644e+270)))
     det_R_of_twice = twice + twice_lo
     det_R_of_twice_right = det_R_of_twice - twice
     det_R_of_twice_left_rest = twice - (det_R_of_twice - det_R_of_twice_right)
     det_R = det_R_of_twice * r
-    det_R_lost = det_R_of_twice - det_R * (1 / r)
-    det_R_small = (det_R_lost + (det_R_of_twice_left_rest + (twice_lo - det_R_of_twice_right))) * r
+    det_R_of_twice_lo = det_R_of_twice_left_rest + (twice_lo - det_R_of_twice_right)
     det = where(divisor_a, det_R, 0)
     Ro_00 = where(divisor_a, inverse_0, nan)
-    inverse_0_lo = where(inverse_0_lost == 0, 0, (inverse_0_lost + inverse_0_of_quotient_0_lo) * s)
     Ro_01 = where(divisor_a, inverse_1, nan)
-    inverse_1_lo = where(inverse_1_lost == 0, 0, (inverse_1_lost + inverse_1_of_quotient_1_lo) * s)
     Ro_02 = where(divisor_a, inverse_2, nan)
-    inverse_2_lo = where(inverse_2_lost == 0, 0, (inverse_2_lost + inverse_2_of_quotient_2_lo) * s)
     Ro_10 = where(divisor_a, inverse_3, nan)
-    inverse_3_lo = where(inverse_3_lost == 0, 0, (inverse_3_lost + inverse_3_of_quotient_3_lo) * s)
     Ro_11 = where(divisor_a, inverse_4, nan)
-    inverse_4_lo = where(inverse_4_lost == 0, 0, (inverse_4_lost + inverse_4_of_quotient_4_lo) * s)
     Ro_12 = where(divisor_a, inverse_5, nan)
-    inverse_5_lo = where(inverse_5_lost == 0, 0, (inverse_5_lost + inverse_5_of_quotient_5_lo) * s)
     Ro_20 = where(divisor_a, inverse_6, nan)
-    inverse_6_lo = where(inverse_6_lost == 0, 0, (inverse_6_lost + inverse_6_of_quotient_6_lo) * s)
     Ro_21 = where(divisor_a, inverse_7, nan)
-    inverse_7_lo = where(inverse_7_lost == 0, 0, (inverse_7_lost + inverse_7_of_quotient_7_lo) * s)
     Ro_22 = where(divisor_a, inverse_8, nan)
-    inverse_8_lo = where(inverse_8_lost == 0, 0, (inverse_8_lost + inverse_8_of_quotient_8_lo) * s)
-    det_rounded = det + where(divisor_a, where(det_R_lost == 0, 0, det_R_small), 0)
-    Ro_00_rounded = Ro_00 + where(divisor_a, inverse_0_lo, 0)
-    Ro_01_rounded = Ro_01 + where(divisor_a, inverse_1_lo, 0)
-    Ro_02_rounded = Ro_02 + where(divisor_a, inverse_2_lo, 0)
-    Ro_10_rounded = Ro_10 + where(divisor_a, inverse_3_lo, 0)
-    Ro_11_rounded = Ro_11 + where(divisor_a, inverse_4_lo, 0)
-    Ro_12_rounded = Ro_12 + where(divisor_a, inverse_5_lo, 0)
-    Ro_20_rounded = Ro_20 + where(divisor_a, inverse_6_lo, 0)
-    Ro_21_rounded = Ro_21 + where(divisor_a, inverse_7_lo, 0)
-    Ro_22_rounded = Ro_22 + where(divisor_a, inverse_8_lo, 0)
+    det_lo = where(divisor_a, (det_R_of_twice - det_R * (1 / r) + det_R_of_twice_lo) * r, 0)
+    det_rounded = det + det_lo
+    Ro_00_rounded = Ro_00 + where(divisor_a, (inverse_0_lost + inverse_0_of_quotient_0_lo) * s, 0)
+    Ro_01_rounded = Ro_01 + where(divisor_a, (inverse_1_lost + inverse_1_of_quotient_1_lo) * s, 0)
+    Ro_02_rounded = Ro_02 + where(divisor_a, (inverse_2_lost + inverse_2_of_quotient_2_lo) * s, 0)
+    Ro_10_rounded = Ro_10 + where(divisor_a, (inverse_3_lost + inverse_3_of_quotient_3_lo) * s, 0)
+    Ro_11_rounded = Ro_11 + where(divisor_a, (inverse_4_lost + inverse_4_of_quotient_4_lo) * s, 0)
+    Ro_12_rounded = Ro_12 + where(divisor_a, (inverse_5_lost + inverse_5_of_quotient_5_lo) * s, 0)
+    Ro_20_rounded = Ro_20 + where(divisor_a, (inverse_6_lost + inverse_6_of_quotient_6_lo) * s, 0)
+    Ro_21_rounded = Ro_21 + where(divisor_a, (inverse_7_lost + inverse_7_of_quotient_7_lo) * s, 0)
+    Ro_22_rounded = Ro_22 + where(divisor_a, (inverse_8_lost + inverse_8_of_quotient_8_lo) * s, 0)
     det_final = where(det_rounded == det_rounded, det_rounded, det)
     Ro_00_final = where(Ro_00_rounded == Ro_00_rounded, Ro_00_rounded, Ro_00)
     Ro_01_final = where(Ro_01_rounded == Ro_01_rounded, Ro_01_rounded, Ro_01)
@@ -547,7 +536,7 @@ def mat3x3_normalize(self):
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
     154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
-    27 equal, 79 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.
+    18 equal, 70 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.
     """
     self_00, self_01, self_02, self_10, self_11, self_12, self_20, self_21, self_22 = self
     q0_s_size_0 = absolute(self_00)
@@ -625,27 +614,24 @@ def mat3x3_normalize(self):
     q0_0_of_q0_quotient_0_left_rest = q0_quotient_0 - q0_0_of_q0_quotient_0_left
     q0_0 = q0_0_of_q0_quotient_0 * q0_down
     q0_0_inverse = 1 / q0_down
-    q0_0_lost = q0_0_of_q0_quotient_0 - q0_0 * q0_0_inverse
-    q0_0_rest = q0_0_lost + (q0_0_of_q0_quotient_0_left_rest + q0_0_of_q0_quotient_0_right_rest)
-    q0_0_lo = where(q0_0_lost == 0, 0, q0_0_rest * q0_down)
+    q0_0_of_q0_quotient_0_lo = q0_0_of_q0_quotient_0_left_rest + q0_0_of_q0_quotient_0_right_rest
+    q0_0_lo = (q0_0_of_q0_quotient_0 - q0_0 * q0_0_inverse + q0_0_of_q0_quotient_0_lo) * q0_down
     q0_1_of_q0_quotient_1 = q0_quotient_1 + q0_quotient_1_lo
     q0_1_of_q0_quotient_1_right = q0_1_of_q0_quotient_1 - q0_quotient_1
     q0_1_of_q0_quotient_1_left = q0_1_of_q0_quotient_1 - q0_1_of_q0_quotient_1_right
     q0_1_of_q0_quotient_1_right_rest = q0_quotient_1_lo - q0_1_of_q0_quotient_1_right
     q0_1_of_q0_quotient_1_left_rest = q0_quotient_1 - q0_1_of_q0_quotient_1_left
     q0_1 = q0_1_of_q0_quotient_1 * q0_down
-    q0_1_lost = q0_1_of_q0_quotient_1 - q0_1 * q0_0_inverse
-    q0_1_rest = q0_1_lost + (q0_1_of_q0_quotient_1_left_rest + q0_1_of_q0_quotient_1_right_rest)
-    q0_1_lo = where(q0_1_lost == 0, 0, q0_1_rest * q0_down)
+    q0_1_of_q0_quotient_1_lo = q0_1_of_q0_quotient_1_left_rest + q0_1_of_q0_quotient_1_right_rest
+    q0_1_lo = (q0_1_of_q0_quotient_1 - q0_1 * q0_0_inverse + q0_1_of_q0_quotient_1_lo) * q0_down
     q0_2_of_q0_quotient_2 = q0_quotient_2 + q0_quotient_2_lo
     q0_2_of_q0_quotient_2_right = q0_2_of_q0_quotient_2 - q0_quotient_2
     q0_2_of_q0_quotient_2_left = q0_2_of_q0_quotient_2 - q0_2_of_q0_quotient_2_right
     q0_2_of_q0_quotient_2_right_rest = q0_quotient_2_lo - q0_2_of_q0_quotient_2_right
     q0_2_of_q0_quotient_2_left_rest = q0_quotient_2 - q0_2_of_q0_quotient_2_left
     q0_2 = q0_2_of_q0_quotient_2 * q0_down
-    q0_2_lost = q0_2_of_q0_quotient_2 - q0_2 * q0_0_inverse
-    q0_2_rest = q0_2_lost + (q0_2_of_q0_quotient_2_left_rest + q0_2_of_q0_quotient_2_right_rest)
-    q0_2_lo = where(q0_2_lost == 0, 0, q0_2_rest * q0_down)
+    q0_2_of_q0_quotient_2_lo = q0_2_of_q0_quotient_2_left_rest + q0_2_of_q0_quotient_2_right_rest
+    q0_2_lo = (q0_2_of_q0_quotient_2 - q0_2 * q0_0_inverse + q0_2_of_q0_quotient_2_lo) * q0_down
     u1_s_size_0 = absolute(self_10)
     u1_s_size_1 = absolute(self_11)
     u1_s_size_2 = absolute(self_12)
@@ -721,27 +707,24 @@ def mat3x3_normalize(self):
     u1_0_of_u1_quotient_0_left_rest = u1_quotient_0 - u1_0_of_u1_quotient_0_left
     u1_0 = u1_0_of_u1_quotient_0 * u1_down
     u1_0_inverse = 1 / u1_down
-    u1_0_lost = u1_0_of_u1_quotient_0 - u1_0 * u1_0_inverse
-    u1_0_rest = u1_0_lost + (u1_0_of_u1_quotient_0_left_rest + u1_0_of_u1_quotient_0_right_rest)
-    u1_0_lo = where(u1_0_lost == 0, 0, u1_0_rest * u1_down)
+    u1_0_of_u1_quotient_0_lo = u1_0_of_u1_quotient_0_left_rest + u1_0_of_u1_quotient_0_right_rest
+    u1_0_lo = (u1_0_of_u1_quotient_0 - u1_0 * u1_0_inverse + u1_0_of_u1_quotient_0_lo) * u1_down
     u1_1_of_u1_quotient_1 = u1_quotient_1 + u1_quotient_1_lo
     u1_1_of_u1_quotient_1_right = u1_1_of_u1_quotient_1 - u1_quotient_1
     u1_1_of_u1_quotient_1_left = u1_1_of_u1_quotient_1 - u1_1_of_u1_quotient_1_right
     u1_1_of_u1_quotient_1_right_rest = u1_quotient_1_lo - u1_1_of_u1_quotient_1_right
     u1_1_of_u1_quotient_1_left_rest = u1_quotient_1 - u1_1_of_u1_quotient_1_left
     u1_1 = u1_1_of_u1_quotient_1 * u1_down
-    u1_1_lost = u1_1_of_u1_quotient_1 - u1_1 * u1_0_inverse
-    u1_1_rest = u1_1_lost + (u1_1_of_u1_quotient_1_left_rest + u1_1_of_u1_quotient_1_right_rest)
-    u1_1_lo = where(u1_1_lost == 0, 0, u1_1_rest * u1_down)
+    u1_1_of_u1_quotient_1_lo = u1_1_of_u1_quotient_1_left_rest + u1_1_of_u1_quotient_1_right_rest
+    u1_1_lo = (u1_1_of_u1_quotient_1 - u1_1 * u1_0_inverse + u1_1_of_u1_quotient_1_lo) * u1_down
     u1_2_of_u1_quotient_2 = u1_quotient_2 + u1_quotient_2_lo
     u1_2_of_u1_quotient_2_right = u1_2_of_u1_quotient_2 - u1_quotient_2
     u1_2_of_u1_quotient_2_left = u1_2_of_u1_quotient_2 - u1_2_of_u1_quotient_2_right
     u1_2_of_u1_quotient_2_right_rest = u1_quotient_2_lo - u1_2_of_u1_quotient_2_right
     u1_2_of_u1_quotient_2_left_rest = u1_quotient_2 - u1_2_of_u1_quotient_2_left
     u1_2 = u1_2_of_u1_quotient_2 * u1_down
-    u1_2_lost = u1_2_of_u1_quotient_2 - u1_2 * u1_0_inverse
-    u1_2_rest = u1_2_lost + (u1_2_of_u1_quotient_2_left_rest + u1_2_of_u1_quotient_2_right_rest)
-    u1_2_lo = where(u1_2_lost == 0, 0, u1_2_rest * u1_down)
+    u1_2_of_u1_quotient_2_lo = u1_2_of_u1_quotient_2_left_rest + u1_2_of_u1_quotient_2_right_rest
+    u1_2_lo = (u1_2_of_u1_quotient_2 - u1_2 * u1_0_inverse + u1_2_of_u1_quotient_2_lo) * u1_down
     along_a = q0_0 * u1_0
     along_b = q0_1 * u1_1
     along_c = along_a + along_b
@@ -952,38 +935,37 @@ def mat3x3_normalize(self):
     u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left
     u2_0 = u2_0_of_u2_quotient_0 * u2_down
     u2_0_inverse = 1 / u2_down
-    u2_0_lost = u2_0_of_u2_quotient_0 - u2_0 * u2_0_inverse
-    u2_0_rest = u2_0_lost + (u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest)
+    u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest
     u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo
     u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1
     u2_1_of_u2_quotient_1_left = u2_1_of_u2_quotient_1 - u2_1_of_u2_quotient_1_right
     u2_1_of_u2_quotient_1_right_rest = u2_quotient_1_lo - u2_1_of_u2_quotient_1_right
     u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left
     u2_1 = u2_1_of_u2_quotient_1 * u2_down
-    u2_1_lost = u2_1_of_u2_quotient_1 - u2_1 * u2_0_inverse
-    u2_1_rest = u2_1_lost + (u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest)
+    u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest
     u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo
     u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2
     u2_2_of_u2_quotient_2_left = u2_2_of_u2_quotient_2 - u2_2_of_u2_quotient_2_right
     u2_2_of_u2_quotient_2_right_rest = u2_quotient_2_lo - u2_2_of_u2_quotient_2_right
     u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left
     u2_2 = u2_2_of_u2_quotient_2 * u2_down
-    u2_2_lost = u2_2_of_u2_quotient_2 - u2_2 * u2_0_inverse
-    u2_2_rest = u2_2_lost + (u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest)
+    u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest
     side_a = normal_0 * u2_0
+    u2_0_lo = (u2_0_of_u2_quotient_0 - u2_0 * u2_0_inverse + u2_0_of_u2_quotient_0_lo) * u2_down
     side_b = normal_1 * u2_1
+    u2_1_lo = (u2_1_of_u2_quotient_1 - u2_1 * u2_0_inverse + u2_1_of_u2_quotient_1_lo) * u2_down
     side_c = side_a + side_b
     side_c_right = side_c - side_a
-    side_a_cross = normal_0_lo * u2_0 + normal_0 * where(u2_0_lost == 0, 0, u2_0_rest * u2_down)
-    side_b_cross = normal_1_lo * u2_1 + normal_1 * where(u2_1_lost == 0, 0, u2_1_rest * u2_down)
+    side_a_cross = normal_0_lo * u2_0 + normal_0 * u2_0_lo
     side_c_left_rest = product_rest(normal_0, u2_0, side_a, side_c - side_c_right)
     side_c_lo1 = side_c_left_rest + product_rest(normal_1, u2_1, side_b, side_c_right)
     side_d = normal_2 * u2_2
+    u2_2_lo = (u2_2_of_u2_quotient_2 - u2_2 * u2_0_inverse + u2_2_of_u2_quotient_2_lo) * u2_down
     side = side_c + side_d
     side_right = side - side_c
     side_lo1 = side_c - (side - side_right) + product_rest(normal_2, u2_2, side_d, side_right)
-    side_d_cross = normal_2_lo * u2_2 + normal_2 * where(u2_2_lost == 0, 0, u2_2_rest * u2_down)
-    side_lo = side_lo1 + side_d_cross + (side_c_lo1 + (side_a_cross + side_b_cross))
+    side_c_lo = side_c_lo1 + (side_a_cross + (normal_1_lo * u2_1 + normal_1 * u2_1_lo))
+    side_lo = side_lo1 + (normal_2_lo * u2_2 + normal_2 * u2_2_lo) + side_c_lo
     q2_0b_of_side = side + side_lo
     q2_0b_of_side_right = q2_0b_of_side - side
     q2_0b_of_side_left_rest = side - (q2_0b_of_side - q2_0b_of_side_right)
@@ -1055,7 +1037,7 @@ def mat3x3_normalized(R):
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
     154 mul, 405 add, 16 product error, 33 product rest, 31 div, 4 sqrt, 7 neg, 10 abs, 25 less,
-    27 equal, 79 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.
+    18 equal, 70 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     q0_s_size_0 = absolute(R_00)
@@ -1133,27 +1115,24 @@ def mat3x3_normalized(R):
     q0_0_of_q0_quotient_0_left_rest = q0_quotient_0 - q0_0_of_q0_quotient_0_left
     q0_0 = q0_0_of_q0_quotient_0 * q0_down
     q0_0_inverse = 1 / q0_down
-    q0_0_lost = q0_0_of_q0_quotient_0 - q0_0 * q0_0_inverse
-    q0_0_rest = q0_0_lost + (q0_0_of_q0_quotient_0_left_rest + q0_0_of_q0_quotient_0_right_rest)
-    q0_0_lo = where(q0_0_lost == 0, 0, q0_0_rest * q0_down)
+    q0_0_of_q0_quotient_0_lo = q0_0_of_q0_quotient_0_left_rest + q0_0_of_q0_quotient_0_right_rest
+    q0_0_lo = (q0_0_of_q0_quotient_0 - q0_0 * q0_0_inverse + q0_0_of_q0_quotient_0_lo) * q0_down
     q0_1_of_q0_quotient_1 = q0_quotient_1 + q0_quotient_1_lo
     q0_1_of_q0_quotient_1_right = q0_1_of_q0_quotient_1 - q0_quotient_1
     q0_1_of_q0_quotient_1_left = q0_1_of_q0_quotient_1 - q0_1_of_q0_quotient_1_right
     q0_1_of_q0_quotient_1_right_rest = q0_quotient_1_lo - q0_1_of_q0_quotient_1_right
     q0_1_of_q0_quotient_1_left_rest = q0_quotient_1 - q0_1_of_q0_quotient_1_left
     q0_1 = q0_1_of_q0_quotient_1 * q0_down
-    q0_1_lost = q0_1_of_q0_quotient_1 - q0_1 * q0_0_inverse
-    q0_1_rest = q0_1_lost + (q0_1_of_q0_quotient_1_left_rest + q0_1_of_q0_quotient_1_right_rest)
-    q0_1_lo = where(q0_1_lost == 0, 0, q0_1_rest * q0_down)
+    q0_1_of_q0_quotient_1_lo = q0_1_of_q0_quotient_1_left_rest + q0_1_of_q0_quotient_1_right_rest
+    q0_1_lo = (q0_1_of_q0_quotient_1 - q0_1 * q0_0_inverse + q0_1_of_q0_quotient_1_lo) * q0_down
     q0_2_of_q0_quotient_2 = q0_quotient_2 + q0_quotient_2_lo
     q0_2_of_q0_quotient_2_right = q0_2_of_q0_quotient_2 - q0_quotient_2
     q0_2_of_q0_quotient_2_left = q0_2_of_q0_quotient_2 - q0_2_of_q0_quotient_2_right
     q0_2_of_q0_quotient_2_right_rest = q0_quotient_2_lo - q0_2_of_q0_quotient_2_right
     q0_2_of_q0_quotient_2_left_rest = q0_quotient_2 - q0_2_of_q0_quotient_2_left
     q0_2 = q0_2_of_q0_quotient_2 * q0_down
-    q0_2_lost = q0_2_of_q0_quotient_2 - q0_2 * q0_0_inverse
-    q0_2_rest = q0_2_lost + (q0_2_of_q0_quotient_2_left_rest + q0_2_of_q0_quotient_2_right_rest)
-    q0_2_lo = where(q0_2_lost == 0, 0, q0_2_rest * q0_down)
+    q0_2_of_q0_quotient_2_lo = q0_2_of_q0_quotient_2_left_rest + q0_2_of_q0_quotient_2_right_rest
+    q0_2_lo = (q0_2_of_q0_quotient_2 - q0_2 * q0_0_inverse + q0_2_of_q0_quotient_2_lo) * q0_down
     u1_s_size_0 = absolute(R_10)
     u1_s_size_1 = absolute(R_11)
     u1_s_size_2 = absolute(R_12)
@@ -1229,27 +1208,24 @@ def mat3x3_normalized(R):
     u1_0_of_u1_quotient_0_left_rest = u1_quotient_0 - u1_0_of_u1_quotient_0_left
     u1_0 = u1_0_of_u1_quotient_0 * u1_down
     u1_0_inverse = 1 / u1_down
-    u1_0_lost = u1_0_of_u1_quotient_0 - u1_0 * u1_0_inverse
-    u1_0_rest = u1_0_lost + (u1_0_of_u1_quotient_0_left_rest + u1_0_of_u1_quotient_0_right_rest)
-    u1_0_lo = where(u1_0_lost == 0, 0, u1_0_rest * u1_down)
+    u1_0_of_u1_quotient_0_lo = u1_0_of_u1_quotient_0_left_rest + u1_0_of_u1_quotient_0_right_rest
+    u1_0_lo = (u1_0_of_u1_quotient_0 - u1_0 * u1_0_inverse + u1_0_of_u1_quotient_0_lo) * u1_down
     u1_1_of_u1_quotient_1 = u1_quotient_1 + u1_quotient_1_lo
     u1_1_of_u1_quotient_1_right = u1_1_of_u1_quotient_1 - u1_quotient_1
     u1_1_of_u1_quotient_1_left = u1_1_of_u1_quotient_1 - u1_1_of_u1_quotient_1_right
     u1_1_of_u1_quotient_1_right_rest = u1_quotient_1_lo - u1_1_of_u1_quotient_1_right
     u1_1_of_u1_quotient_1_left_rest = u1_quotient_1 - u1_1_of_u1_quotient_1_left
     u1_1 = u1_1_of_u1_quotient_1 * u1_down
-    u1_1_lost = u1_1_of_u1_quotient_1 - u1_1 * u1_0_inverse
-    u1_1_rest = u1_1_lost + (u1_1_of_u1_quotient_1_left_rest + u1_1_of_u1_quotient_1_right_rest)
-    u1_1_lo = where(u1_1_lost == 0, 0, u1_1_rest * u1_down)
+    u1_1_of_u1_quotient_1_lo = u1_1_of_u1_quotient_1_left_rest + u1_1_of_u1_quotient_1_right_rest
+    u1_1_lo = (u1_1_of_u1_quotient_1 - u1_1 * u1_0_inverse + u1_1_of_u1_quotient_1_lo) * u1_down
     u1_2_of_u1_quotient_2 = u1_quotient_2 + u1_quotient_2_lo
     u1_2_of_u1_quotient_2_right = u1_2_of_u1_quotient_2 - u1_quotient_2
     u1_2_of_u1_quotient_2_left = u1_2_of_u1_quotient_2 - u1_2_of_u1_quotient_2_right
     u1_2_of_u1_quotient_2_right_rest = u1_quotient_2_lo - u1_2_of_u1_quotient_2_right
     u1_2_of_u1_quotient_2_left_rest = u1_quotient_2 - u1_2_of_u1_quotient_2_left
     u1_2 = u1_2_of_u1_quotient_2 * u1_down
-    u1_2_lost = u1_2_of_u1_quotient_2 - u1_2 * u1_0_inverse
-    u1_2_rest = u1_2_lost + (u1_2_of_u1_quotient_2_left_rest + u1_2_of_u1_quotient_2_right_rest)
-    u1_2_lo = where(u1_2_lost == 0, 0, u1_2_rest * u1_down)
+    u1_2_of_u1_quotient_2_lo = u1_2_of_u1_quotient_2_left_rest + u1_2_of_u1_quotient_2_right_rest
+    u1_2_lo = (u1_2_of_u1_quotient_2 - u1_2 * u1_0_inverse + u1_2_of_u1_quotient_2_lo) * u1_down
     along_a = q0_0 * u1_0
     along_b = q0_1 * u1_1
     along_c = along_a + along_b
@@ -1460,38 +1436,37 @@ def mat3x3_normalized(R):
     u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left
     u2_0 = u2_0_of_u2_quotient_0 * u2_down
     u2_0_inverse = 1 / u2_down
-    u2_0_lost = u2_0_of_u2_quotient_0 - u2_0 * u2_0_inverse
-    u2_0_rest = u2_0_lost + (u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest)
+    u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest
     u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo
     u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1
     u2_1_of_u2_quotient_1_left = u2_1_of_u2_quotient_1 - u2_1_of_u2_quotient_1_right
     u2_1_of_u2_quotient_1_right_rest = u2_quotient_1_lo - u2_1_of_u2_quotient_1_right
     u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left
     u2_1 = u2_1_of_u2_quotient_1 * u2_down
-    u2_1_lost = u2_1_of_u2_quotient_1 - u2_1 * u2_0_inverse
-    u2_1_rest = u2_1_lost + (u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest)
+    u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest
     u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo
     u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2
     u2_2_of_u2_quotient_2_left = u2_2_of_u2_quotient_2 - u2_2_of_u2_quotient_2_right
     u2_2_of_u2_quotient_2_right_rest = u2_quotient_2_lo - u2_2_of_u2_quotient_2_right
     u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left
     u2_2 = u2_2_of_u2_quotient_2 * u2_down
-    u2_2_lost = u2_2_of_u2_quotient_2 - u2_2 * u2_0_inverse
-    u2_2_rest = u2_2_lost + (u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest)
+    u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest
     side_a = normal_0 * u2_0
+    u2_0_lo = (u2_0_of_u2_quotient_0 - u2_0 * u2_0_inverse + u2_0_of_u2_quotient_0_lo) * u2_down
     side_b = normal_1 * u2_1
+    u2_1_lo = (u2_1_of_u2_quotient_1 - u2_1 * u2_0_inverse + u2_1_of_u2_quotient_1_lo) * u2_down
     side_c = side_a + side_b
     side_c_right = side_c - side_a
-    side_a_cross = normal_0_lo * u2_0 + normal_0 * where(u2_0_lost == 0, 0, u2_0_rest * u2_down)
-    side_b_cross = normal_1_lo * u2_1 + normal_1 * where(u2_1_lost == 0, 0, u2_1_rest * u2_down)
+    side_a_cross = normal_0_lo * u2_0 + normal_0 * u2_0_lo
     side_c_left_rest = product_rest(normal_0, u2_0, side_a, side_c - side_c_right)
     side_c_lo1 = side_c_left_rest + product_rest(normal_1, u2_1, side_b, side_c_right)
     side_d = normal_2 * u2_2
+    u2_2_lo = (u2_2_of_u2_quotient_2 - u2_2 * u2_0_inverse + u2_2_of_u2_quotient_2_lo) * u2_down
     side = side_c + side_d
     side_right = side - side_c
     side_lo1 = side_c - (side - side_right) + product_rest(normal_2, u2_2, side_d, side_right)
-    side_d_cross = normal_2_lo * u2_2 + normal_2 * where(u2_2_lost == 0, 0, u2_2_rest * u2_down)
-    side_lo = side_lo1 + side_d_cross + (side_c_lo1 + (side_a_cross + side_b_cross))
+    side_c_lo = side_c_lo1 + (side_a_cross + (normal_1_lo * u2_1 + normal_1 * u2_1_lo))
+    side_lo = side_lo1 + (normal_2_lo * u2_2 + normal_2 * u2_2_lo) + side_c_lo
     q2_0b_of_side = side + side_lo
     q2_0b_of_side_right = q2_0b_of_side - side
     q2_0b_of_side_left_rest = side - (q2_0b_of_side - q2_0b_of_side_right)
@@ -1620,15 +1595,99 @@ def mat3x3_setFromAxisDC(axis, dc):
         R_20_rounded, R_21_rounded, R_22_rounded)
 
 
+@kernel("(3)->(3,3)")
+def mat3x3_from_euler_xyz(angles):
+    """R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
+
+    (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
+    381 mul, 779 add, 69 product error, 8 product rest, 9 neg, 9 abs, 3 less, 9 equal, 12
+    select.  Each component is within 1 ulp as long as its condition is below 1e13; in single
+    precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.
+    """
+    angles_0, angles_1, angles_2 = angles
+    s_0, c_0 = elementary.sincos(angles_0)
+    s_0_own_error, c_0_own_error = elementary.sincos_error(angles_0, s_0, c_0)
+    s_1, c_1 = elementary.sincos(angles_1)
+    s_1_own_error, c_1_own_error = elementary.sincos_error(angles_1, s_1, c_1)
+    s_2, c_2 = elementary.sincos(angles_2)
+    s_2_own_error, c_2_own_error = elementary.sincos_error(angles_2, s_2, c_2)
+    first_0 = c_1 * c_2
+    first_1 = -(s_2 * c_1)
+    first_6 = -(s_1 * c_2)
+    first_7 = s_1 * s_2
+    last_3a = s_2 * c_0
+    first_6_lo = product_error(-s_1, c_2, first_6) + -(s_1_own_error * c_2 + s_1 * c_2_own_error)
+    last_3b = s_0 * first_6
+    last_3 = last_3a - last_3b
+    last_3_right = last_3a - last_3
+    last_3b_cross = s_0_own_error * first_6 + s_0 * first_6_lo
+    last_3_left_rest = product_rest(s_2, c_0, last_3a, last_3 + last_3_right)
+    last_3_lo1 = last_3_left_rest - product_rest(s_0, first_6, last_3b, last_3_right)
+    last_4a = c_0 * c_2
+    first_7_lo = product_error(s_1, s_2, first_7) + (s_1_own_error * s_2 + s_1 * s_2_own_error)
+    last_4b = s_0 * first_7
+    last_4 = last_4a - last_4b
+    last_4_right = last_4a - last_4
+    last_4b_cross = s_0_own_error * first_7 + s_0 * first_7_lo
+    last_4_left_rest = product_rest(c_0, c_2, last_4a, last_4 + last_4_right)
+    last_4_lo1 = last_4_left_rest - product_rest(s_0, first_7, last_4b, last_4_right)
+    last_5 = -(s_0 * c_1)
+    last_6a = s_0 * s_2
+    last_6b = c_0 * first_6
+    last_6 = last_6a + last_6b
+    last_6_right = last_6 - last_6a
+    last_6b_cross = c_0_own_error * first_6 + c_0 * first_6_lo
+    last_6_left_rest = product_rest(s_0, s_2, last_6a, last_6 - last_6_right)
+    last_6_lo1 = last_6_left_rest + product_rest(c_0, first_6, last_6b, last_6_right)
+    last_7a = s_0 * c_2
+    last_7b = c_0 * first_7
+    last_7 = last_7a + last_7b
+    last_7_right = last_7 - last_7a
+    last_7b_cross = c_0_own_error * first_7 + c_0 * first_7_lo
+    last_7_left_rest = product_rest(s_0, c_2, last_7a, last_7 - last_7_right)
+    last_7_lo1 = last_7_left_rest + product_rest(c_0, first_7, last_7b, last_7_right)
+    last_8 = c_0 * c_1
+    first_0_lo = product_error(c_1, c_2, first_0) + (c_1_own_error * c_2 + c_1 * c_2_own_error)
+    first_0_rounded = first_0 + first_0_lo
+    first_1_lo = product_error(-s_2, c_1, first_1) + -(s_2_own_error * c_1 + s_2 * c_1_own_error)
+    first_1_rounded = first_1 + first_1_lo
+    s_1_rounded = s_1 + s_1_own_error
+    last_3_lo = last_3_lo1 + (s_2_own_error * c_0 + s_2 * c_0_own_error - last_3b_cross)
+    last_3_rounded = last_3 + last_3_lo
+    last_4_lo = last_4_lo1 + (c_0_own_error * c_2 + c_0 * c_2_own_error - last_4b_cross)
+    last_4_rounded = last_4 + last_4_lo
+    last_5_lo = product_error(-s_0, c_1, last_5) + -(s_0_own_error * c_1 + s_0 * c_1_own_error)
+    last_5_rounded = last_5 + last_5_lo
+    last_6_lo = last_6_lo1 + (s_0_own_error * s_2 + s_0 * s_2_own_error + last_6b_cross)
+    last_6_rounded = last_6 + last_6_lo
+    last_7_lo = last_7_lo1 + (s_0_own_error * c_2 + s_0 * c_2_own_error + last_7b_cross)
+    last_7_rounded = last_7 + last_7_lo
+    last_8_lo = product_error(c_0, c_1, last_8) + (c_0_own_error * c_1 + c_0 * c_1_own_error)
+    last_8_rounded = last_8 + last_8_lo
+    first_0_final = where(first_0_rounded == first_0_rounded, first_0_rounded, first_0)
+    first_1_final = where(first_1_rounded == first_1_rounded, first_1_rounded, first_1)
+    s_1_final = where(s_1_rounded == s_1_rounded, s_1_rounded, s_1)
+    last_3_final = where(last_3_rounded == last_3_rounded, last_3_rounded, last_3)
+    last_4_final = where(last_4_rounded == last_4_rounded, last_4_rounded, last_4)
+    last_5_final = where(last_5_rounded == last_5_rounded, last_5_rounded, last_5)
+    last_6_final = where(last_6_rounded == last_6_rounded, last_6_rounded, last_6)
+    last_7_final = where(last_7_rounded == last_7_rounded, last_7_rounded, last_7)
+    last_8_final = where(last_8_rounded == last_8_rounded, last_8_rounded, last_8)
+    return (first_0_final, first_1_final, s_1_final, last_3_final, last_4_final, last_5_final,
+        last_6_final, last_7_final, last_8_final)
+
+
 @kernel("(3,3)->(3)")
 def euler_xyz_from_mat3x3(R):
     """angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
     [-π/2, π/2]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    25 mul, 65 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 3 atan2 error, 1
-    neg, 4 abs, 2 less, 7 equal, 16 select.  The rotation by these angles differs from R by at
-    most 12 u in each entry, near gimbal lock too; searched, not proved.
+    391 mul, 821 add, 72 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
+    copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its
+    condition is below 1e13; in single precision it is the nearest number, except near ties, as
+    long as that is below 1e5; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n_a = R_00 * R_00
@@ -1724,15 +1783,100 @@ def euler_xyz_from_mat3x3(R):
     return (angles_0_final, angles_1_final, third_final)
 
 
+@kernel("(3)->(3,3)")
+def mat3x3_from_euler_xyx(angles):
+    """R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
+
+    (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
+    381 mul, 779 add, 69 product error, 8 product rest, 5 neg, 9 abs, 3 less, 9 equal, 12
+    select.  Each component is within 1 ulp as long as its condition is below 1e13; in single
+    precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.
+    """
+    angles_0, angles_1, angles_2 = angles
+    s_0, c_0 = elementary.sincos(angles_0)
+    s_0_own_error, c_0_own_error = elementary.sincos_error(angles_0, s_0, c_0)
+    s_1, c_1 = elementary.sincos(angles_1)
+    s_1_own_error, c_1_own_error = elementary.sincos_error(angles_1, s_1, c_1)
+    s_2, c_2 = elementary.sincos(angles_2)
+    s_2_own_error, c_2_own_error = elementary.sincos_error(angles_2, s_2, c_2)
+    first_1 = s_1 * s_2
+    first_2 = s_1 * c_2
+    first_7 = s_2 * c_1
+    first_8 = c_1 * c_2
+    last_3 = s_0 * s_1
+    last_4a = c_0 * c_2
+    first_7_lo = product_error(s_2, c_1, first_7) + (s_2_own_error * c_1 + s_2 * c_1_own_error)
+    last_4b = s_0 * first_7
+    last_4 = last_4a - last_4b
+    last_4_right = last_4a - last_4
+    last_4b_cross = s_0_own_error * first_7 + s_0 * first_7_lo
+    last_4_left_rest = product_rest(c_0, c_2, last_4a, last_4 + last_4_right)
+    last_4_lo1 = last_4_left_rest - product_rest(s_0, first_7, last_4b, last_4_right)
+    first_8_lo = product_error(c_1, c_2, first_8) + (c_1_own_error * c_2 + c_1 * c_2_own_error)
+    last_5a = s_0 * first_8
+    last_5b = s_2 * c_0
+    last_5c = last_5a + last_5b
+    last_5c_right = last_5c - last_5a
+    last_5a_cross = s_0_own_error * first_8 + s_0 * first_8_lo
+    last_5c_left_rest = product_rest(s_0, first_8, last_5a, last_5c - last_5c_right)
+    last_5c_lo1 = last_5c_left_rest + product_rest(s_2, c_0, last_5b, last_5c_right)
+    last_5 = -last_5c
+    last_6 = -(s_1 * c_0)
+    last_7a = s_0 * c_2
+    last_7b = c_0 * first_7
+    last_7 = last_7a + last_7b
+    last_7_right = last_7 - last_7a
+    last_7b_cross = c_0_own_error * first_7 + c_0 * first_7_lo
+    last_7_left_rest = product_rest(s_0, c_2, last_7a, last_7 - last_7_right)
+    last_7_lo1 = last_7_left_rest + product_rest(c_0, first_7, last_7b, last_7_right)
+    last_8a = c_0 * first_8
+    last_8b = s_0 * s_2
+    last_8 = last_8a - last_8b
+    last_8_right = last_8a - last_8
+    last_8a_cross = c_0_own_error * first_8 + c_0 * first_8_lo
+    last_8_left_rest = product_rest(c_0, first_8, last_8a, last_8 + last_8_right)
+    last_8_lo1 = last_8_left_rest - product_rest(s_0, s_2, last_8b, last_8_right)
+    c_1_rounded = c_1 + c_1_own_error
+    first_1_lo = product_error(s_1, s_2, first_1) + (s_1_own_error * s_2 + s_1 * s_2_own_error)
+    first_1_rounded = first_1 + first_1_lo
+    first_2_lo = product_error(s_1, c_2, first_2) + (s_1_own_error * c_2 + s_1 * c_2_own_error)
+    first_2_rounded = first_2 + first_2_lo
+    last_3_lo = product_error(s_0, s_1, last_3) + (s_0_own_error * s_1 + s_0 * s_1_own_error)
+    last_3_rounded = last_3 + last_3_lo
+    last_4_lo = last_4_lo1 + (c_0_own_error * c_2 + c_0 * c_2_own_error - last_4b_cross)
+    last_4_rounded = last_4 + last_4_lo
+    last_5_lo = -(last_5c_lo1 + (last_5a_cross + (s_2_own_error * c_0 + s_2 * c_0_own_error)))
+    last_5_rounded = last_5 + last_5_lo
+    last_6_lo = product_error(-s_1, c_0, last_6) + -(s_1_own_error * c_0 + s_1 * c_0_own_error)
+    last_6_rounded = last_6 + last_6_lo
+    last_7_lo = last_7_lo1 + (s_0_own_error * c_2 + s_0 * c_2_own_error + last_7b_cross)
+    last_7_rounded = last_7 + last_7_lo
+    last_8_lo = last_8_lo1 + (last_8a_cross - (s_0_own_error * s_2 + s_0 * s_2_own_error))
+    last_8_rounded = last_8 + last_8_lo
+    c_1_final = where(c_1_rounded == c_1_rounded, c_1_rounded, c_1)
+    first_1_final = where(first_1_rounded == first_1_rounded, first_1_rounded, first_1)
+    first_2_final = where(first_2_rounded == first_2_rounded, first_2_rounded, first_2)
+    last_3_final = where(last_3_rounded == last_3_rounded, last_3_rounded, last_3)
+    last_4_final = where(last_4_rounded == last_4_rounded, last_4_rounded, last_4)
+    last_5_final = where(last_5_rounded == last_5_rounded, last_5_rounded, last_5)
+    last_6_final = where(last_6_rounded == last_6_rounded, last_6_rounded, last_6)
+    last_7_final = where(last_7_rounded == last_7_rounded, last_7_rounded, last_7)
+    last_8_final = where(last_8_rounded == last_8_rounded, last_8_rounded, last_8)
+    return (c_1_final, first_1_final, first_2_final, last_3_final, last_4_final, last_5_final,
+        last_6_final, last_7_final, last_8_final)
+
+
 @kernel("(3,3)->(3)")
 def euler_xyx_from_mat3x3(R):
     """angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    25 mul, 65 add, 3 product error, 6 product rest, 11 div, 1 sqrt, 3 atan2, 3 atan2 error, 4
-    abs, 2 less, 7 equal, 16 select.  The rotation by these angles differs from R by at most 12
-    u in each entry, near gimbal lock too; searched, not proved.
+    391 mul, 821 add, 72 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
+    copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its
+    condition is below 1e13; in single precision it is the nearest number, except near ties, as
+    long as that is below 1e5; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n_a = R_01 * R_01
@@ -1991,14 +2135,131 @@ def mat3x3_jacobi(A, V):
         vq_0_final, V_02, vp_0_final, vq_1_final, V_12, vp_1_final, vq_2_final, V_22, vp_2_final)
 
 
+@kernel("(3),()->(3,3)")
+def mat3x3_from_axis_angle(axis, angle):
+    """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
+    not a rotation.
+
+    (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
+    256 mul, 581 add, 46 product error, 18 product rest, 6 abs, 3 less, 9 equal, 13 select.
+    Error <= R: 1 u of its largest component for |axis| = 1; searched, not proved.  Each
+    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
+    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
+    """
+    axis_0, axis_1, axis_2 = axis
+    half = 0.5 * angle
+    h = elementary.sin(half)
+    h_own_error = elementary.sin_error(half, h)
+    sine, cosine = elementary.sincos(angle)
+    sine_own_error, cosine_own_error = elementary.sincos_error(angle, sine, cosine)
+    versine_a = h * h
+    versine_c = 1 - cosine
+    versine_c_right = 1 - versine_c
+    versine_d = cosine + cosine_own_error < 0
+    versine = where(versine_d, versine_c, 2 * versine_a)
+    versine_c_lo = 1 - (versine_c + versine_c_right) - (cosine - versine_c_right) - cosine_own_error
+    versine_b_cross2 = 2 * (product_error(h, h, versine_a) + (h_own_error * h + h * h_own_error))
+    versine_lo = where(versine_d, versine_c_lo, versine_b_cross2)
+    beta_v_0 = axis_0 * versine
+    beta_v_1 = axis_1 * versine
+    beta_v_2 = axis_2 * versine
+    beta_v_0_lo = product_error(axis_0, versine, beta_v_0) + axis_0 * versine_lo
+    m_0 = axis_0 * beta_v_0
+    m_0_cross2 = axis_0 * beta_v_0_lo
+    beta_v_1_lo = product_error(axis_1, versine, beta_v_1) + axis_1 * versine_lo
+    m_1 = axis_1 * beta_v_1
+    m_1_cross2 = axis_1 * beta_v_1_lo
+    m_2 = axis_2 * beta_v_2
+    m_2_cross2 = axis_2 * (product_error(axis_2, versine, beta_v_2) + axis_2 * versine_lo)
+    m_3 = axis_1 * beta_v_0
+    m_3_cross2 = axis_1 * beta_v_0_lo
+    m_4 = axis_2 * beta_v_0
+    m_4_cross2 = axis_2 * beta_v_0_lo
+    m_5 = axis_2 * beta_v_1
+    m_5_cross2 = axis_2 * beta_v_1_lo
+    others_0 = m_1 + m_2
+    others_0_right = others_0 - m_1
+    others_0_left_rest = product_rest(axis_1, beta_v_1, m_1, others_0 - others_0_right)
+    others_0_lo1 = others_0_left_rest + product_rest(axis_2, beta_v_2, m_2, others_0_right)
+    others_1 = m_0 + m_2
+    others_1_right = others_1 - m_0
+    others_1_left_rest = product_rest(axis_0, beta_v_0, m_0, others_1 - others_1_right)
+    others_1_lo1 = others_1_left_rest + product_rest(axis_2, beta_v_2, m_2, others_1_right)
+    others_2 = m_0 + m_1
+    others_2_right = others_2 - m_0
+    others_2_left_rest = product_rest(axis_0, beta_v_0, m_0, others_2 - others_2_right)
+    others_2_lo1 = others_2_left_rest + product_rest(axis_1, beta_v_1, m_1, others_2_right)
+    alpha_v_0 = axis_0 * sine
+    alpha_v_0_cross2 = axis_0 * sine_own_error
+    alpha_v_1 = axis_1 * sine
+    alpha_v_1_cross2 = axis_1 * sine_own_error
+    alpha_v_2 = axis_2 * sine
+    alpha_v_2_cross2 = axis_2 * sine_own_error
+    R_00 = 1 - others_0
+    R_00_right = 1 - R_00
+    R_00_lo1 = 1 - (R_00 + R_00_right) - (others_0 - R_00_right)
+    R_01 = m_3 - alpha_v_2
+    R_01_right = m_3 - R_01
+    R_01_left_rest = product_rest(axis_1, beta_v_0, m_3, R_01 + R_01_right)
+    R_01_lo1 = R_01_left_rest - product_rest(axis_2, sine, alpha_v_2, R_01_right)
+    R_02 = m_4 + alpha_v_1
+    R_02_right = R_02 - m_4
+    R_02_left_rest = product_rest(axis_2, beta_v_0, m_4, R_02 - R_02_right)
+    R_02_lo1 = R_02_left_rest + product_rest(axis_1, sine, alpha_v_1, R_02_right)
+    R_10 = m_3 + alpha_v_2
+    R_10_right = R_10 - m_3
+    R_10_left_rest = product_rest(axis_1, beta_v_0, m_3, R_10 - R_10_right)
+    R_10_lo1 = R_10_left_rest + product_rest(axis_2, sine, alpha_v_2, R_10_right)
+    R_11 = 1 - others_1
+    R_11_right = 1 - R_11
+    R_11_lo1 = 1 - (R_11 + R_11_right) - (others_1 - R_11_right)
+    R_12 = m_5 - alpha_v_0
+    R_12_right = m_5 - R_12
+    R_12_left_rest = product_rest(axis_2, beta_v_1, m_5, R_12 + R_12_right)
+    R_12_lo1 = R_12_left_rest - product_rest(axis_0, sine, alpha_v_0, R_12_right)
+    R_20 = m_4 - alpha_v_1
+    R_20_right = m_4 - R_20
+    R_20_left_rest = product_rest(axis_2, beta_v_0, m_4, R_20 + R_20_right)
+    R_20_lo1 = R_20_left_rest - product_rest(axis_1, sine, alpha_v_1, R_20_right)
+    R_21 = m_5 + alpha_v_0
+    R_21_right = R_21 - m_5
+    R_21_left_rest = product_rest(axis_2, beta_v_1, m_5, R_21 - R_21_right)
+    R_21_lo1 = R_21_left_rest + product_rest(axis_0, sine, alpha_v_0, R_21_right)
+    R_22 = 1 - others_2
+    R_22_right = 1 - R_22
+    R_22_lo1 = 1 - (R_22 + R_22_right) - (others_2 - R_22_right)
+    R_00_rounded = R_00 + (R_00_lo1 - (others_0_lo1 + (m_1_cross2 + m_2_cross2)))
+    R_01_rounded = R_01 + (R_01_lo1 + (m_3_cross2 - alpha_v_2_cross2))
+    R_02_rounded = R_02 + (R_02_lo1 + (m_4_cross2 + alpha_v_1_cross2))
+    R_10_rounded = R_10 + (R_10_lo1 + (m_3_cross2 + alpha_v_2_cross2))
+    R_11_rounded = R_11 + (R_11_lo1 - (others_1_lo1 + (m_0_cross2 + m_2_cross2)))
+    R_12_rounded = R_12 + (R_12_lo1 + (m_5_cross2 - alpha_v_0_cross2))
+    R_20_rounded = R_20 + (R_20_lo1 + (m_4_cross2 - alpha_v_1_cross2))
+    R_21_rounded = R_21 + (R_21_lo1 + (m_5_cross2 + alpha_v_0_cross2))
+    R_22_rounded = R_22 + (R_22_lo1 - (others_2_lo1 + (m_0_cross2 + m_1_cross2)))
+    R_00_final = where(R_00_rounded == R_00_rounded, R_00_rounded, R_00)
+    R_01_final = where(R_01_rounded == R_01_rounded, R_01_rounded, R_01)
+    R_02_final = where(R_02_rounded == R_02_rounded, R_02_rounded, R_02)
+    R_10_final = where(R_10_rounded == R_10_rounded, R_10_rounded, R_10)
+    R_11_final = where(R_11_rounded == R_11_rounded, R_11_rounded, R_11)
+    R_12_final = where(R_12_rounded == R_12_rounded, R_12_rounded, R_12)
+    R_20_final = where(R_20_rounded == R_20_rounded, R_20_rounded, R_20)
+    R_21_final = where(R_21_rounded == R_21_rounded, R_21_rounded, R_21)
+    R_22_final = where(R_22_rounded == R_22_rounded, R_22_rounded, R_22)
+    return (R_00_final, R_01_final, R_02_final, R_10_final, R_11_final, R_12_final, R_20_final,
+        R_21_final, R_22_final)
+
+
 @kernel("(3,3)->(),(3)")
 def axis_angle_from_mat3x3(R):
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    35 mul, 236 add, 4 product error, 3 product rest, 12 div, 1 sqrt, 1 atan2, 1 atan2 error, 12
-    neg, 5 abs, 16 less, 11 equal, 61 select.  Error <= angle: 8 u, axis: 5 u of its largest
-    component for R a rotation; searched, not proved.
+    157 mul, 488 add, 27 product error, 3 product rest, 14 div, 1 sqrt, 13 neg, 13 abs, 4
+    copysign, 29 less, 10 equal, 80 select.  Error <= angle: 1 u, axis: 1 u of its largest
+    component for R a rotation; searched, not proved.  Each component is within 1 ulp as long as
+    its condition is below 1e13; in single precision it is the nearest number, except near ties,
+    as long as that is below 1e5; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -2140,14 +2401,11 @@ def axis_angle_from_mat3x3(R):
     v_s = where(v_s_a_of_v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
     v_y_0 = v_s_size_0_of_upper_0 * v_s
     v_y_0_inverse = 1 / v_s
-    v_y_0_lost = v_s_size_0_of_upper_0 - v_y_0 * v_y_0_inverse
-    v_y_0_lo = where(v_y_0_lost == 0, 0, (v_y_0_lost + v_s_size_0_of_upper_0_lo) * v_s)
+    v_y_0_lo = (v_s_size_0_of_upper_0 - v_y_0 * v_y_0_inverse + v_s_size_0_of_upper_0_lo) * v_s
     v_y_1 = v_s_size_1_of_upper_1 * v_s
-    v_y_1_lost = v_s_size_1_of_upper_1 - v_y_1 * v_y_0_inverse
-    v_y_1_lo = where(v_y_1_lost == 0, 0, (v_y_1_lost + v_s_size_1_of_upper_1_lo) * v_s)
+    v_y_1_lo = (v_s_size_1_of_upper_1 - v_y_1 * v_y_0_inverse + v_s_size_1_of_upper_1_lo) * v_s
     v_y_2 = v_s_size_2_of_upper_2 * v_s
-    v_y_2_lost = v_s_size_2_of_upper_2 - v_y_2 * v_y_0_inverse
-    v_y_2_lo = where(v_y_2_lost == 0, 0, (v_y_2_lost + v_s_size_2_of_upper_2_lo) * v_s)
+    v_y_2_lo = (v_s_size_2_of_upper_2 - v_y_2 * v_y_0_inverse + v_s_size_2_of_upper_2_lo) * v_s
     v_n_a = v_y_0 * v_y_0
     v_n_b = v_y_1 * v_y_1
     v_n_c = v_n_a + v_n_b
@@ -2174,8 +2432,7 @@ def axis_angle_from_mat3x3(R):
     n_of_v_n_right = n_of_v_n - v_n
     n_of_v_n_lo = v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right)
     n = n_of_v_n * v_r
-    n_lost = n_of_v_n - n * (1 / v_r)
-    n_lo = where(n_lost == 0, 0, (n_lost + n_of_v_n_lo) * v_r)
+    n_lo = (n_of_v_n - n * (1 / v_r) + n_of_v_n_lo) * v_r
     half_of_n = n + n_lo
     half_of_n_right = half_of_n - n
     half_of_upper_3 = upper_3 + upper_3_lo

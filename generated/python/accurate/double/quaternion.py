@@ -69,8 +69,10 @@ def quaternion_norm(q):
     """|q| = sqrt(v·v + w^2).
 
     (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
-    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12
-    select.
+    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 2 equal, 11
+    select.  Each component is within 1 ulp as long as its condition is below 1e13; in single
+    precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -113,9 +115,8 @@ def quaternion_norm(q):
     norm_of_n = n + n_lo
     norm_of_n_right = norm_of_n - n
     norm = norm_of_n * r
-    norm_lost = norm_of_n - norm * (1 / r)
-    norm_small = (norm_lost + (n - (norm_of_n - norm_of_n_right) + (n_lo - norm_of_n_right))) * r
-    norm_rounded = norm + where(norm_lost == 0, 0, norm_small)
+    norm_of_n_lo = n - (norm_of_n - norm_of_n_right) + (n_lo - norm_of_n_right)
+    norm_rounded = norm + (norm_of_n - norm * (1 / r) + norm_of_n_lo) * r
     norm_final = where(norm_rounded == norm_rounded, norm_rounded, norm)
     return norm_final
 
@@ -125,8 +126,10 @@ def quaternion_normalize(self):
     """self = self / |self|; zero stays zero.
 
     (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
-    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
-    select.
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15
+    select.  Each component is within 1 ulp as long as its condition is below 1e13; in single
+    precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.
     """
     self_0, self_1, self_2, self_3 = self
     s_size_0 = absolute(self_0)
@@ -212,43 +215,39 @@ def quaternion_normalize(self):
     self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
     self_0_new = self_0_new_of_quotient_0 * down
     self_0_new_inverse = 1 / down
-    self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
     self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
-    self_0_new_small = (self_0_new_lost + self_0_new_of_quotient_0_lo) * down
+    self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
     self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
     self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1
     self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right
     self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right
     self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
     self_1_new = self_1_new_of_quotient_1 * down
-    self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
     self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
-    self_1_new_small = (self_1_new_lost + self_1_new_of_quotient_1_lo) * down
+    self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
     self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
     self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2
     self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right
     self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right
     self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
     self_2_new = self_2_new_of_quotient_2 * down
-    self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
     self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
-    self_2_new_small = (self_2_new_lost + self_2_new_of_quotient_2_lo) * down
+    self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
     self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo
     self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3
     self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right
     self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right
     self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left
     self_3_new = self_3_new_of_quotient_3 * down
-    self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * self_0_new_inverse
     self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest
-    self_3_new_small = (self_3_new_lost + self_3_new_of_quotient_3_lo) * down
-    self_0_new_rounded = self_0_new + where(self_0_new_lost == 0, 0, self_0_new_small)
+    self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * self_0_new_inverse
+    self_0_new_rounded = self_0_new + (self_0_new_lost + self_0_new_of_quotient_0_lo) * down
     self_0_new_rounded_number = self_0_new_rounded == self_0_new_rounded
-    self_1_new_rounded = self_1_new + where(self_1_new_lost == 0, 0, self_1_new_small)
+    self_1_new_rounded = self_1_new + (self_1_new_lost + self_1_new_of_quotient_1_lo) * down
     self_1_new_rounded_number = self_1_new_rounded == self_1_new_rounded
-    self_2_new_rounded = self_2_new + where(self_2_new_lost == 0, 0, self_2_new_small)
+    self_2_new_rounded = self_2_new + (self_2_new_lost + self_2_new_of_quotient_2_lo) * down
     self_2_new_rounded_number = self_2_new_rounded == self_2_new_rounded
-    self_3_new_rounded = self_3_new + where(self_3_new_lost == 0, 0, self_3_new_small)
+    self_3_new_rounded = self_3_new + (self_3_new_lost + self_3_new_of_quotient_3_lo) * down
     self_3_new_rounded_number = self_3_new_rounded == self_3_new_rounded
     self_0_new_final = where(self_0_new_rounded_number, self_0_new_rounded, self_0_new)
     self_1_new_final = where(self_1_new_rounded_number, self_1_new_rounded, self_1_new)
@@ -262,8 +261,10 @@ def quaternion_normalized(q):
     """qo = q / |q|; zero stays zero.
 
     (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
-    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
-    select.
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15
+    select.  Each component is within 1 ulp as long as its condition is below 1e13; in single
+    precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -348,33 +349,29 @@ def quaternion_normalized(q):
     qo_0_of_quotient_0_right_rest = quotient_0_lo - qo_0_of_quotient_0_right
     qo_0 = qo_0_of_quotient_0 * down
     qo_0_inverse = 1 / down
-    qo_0_lost = qo_0_of_quotient_0 - qo_0 * qo_0_inverse
-    qo_0_small = (qo_0_lost + (qo_0_of_quotient_0_left_rest + qo_0_of_quotient_0_right_rest)) * down
+    qo_0_of_quotient_0_lo = qo_0_of_quotient_0_left_rest + qo_0_of_quotient_0_right_rest
     qo_1_of_quotient_1 = quotient_1 + quotient_1_lo
     qo_1_of_quotient_1_right = qo_1_of_quotient_1 - quotient_1
     qo_1_of_quotient_1_left_rest = quotient_1 - (qo_1_of_quotient_1 - qo_1_of_quotient_1_right)
     qo_1_of_quotient_1_right_rest = quotient_1_lo - qo_1_of_quotient_1_right
     qo_1 = qo_1_of_quotient_1 * down
-    qo_1_lost = qo_1_of_quotient_1 - qo_1 * qo_0_inverse
-    qo_1_small = (qo_1_lost + (qo_1_of_quotient_1_left_rest + qo_1_of_quotient_1_right_rest)) * down
+    qo_1_of_quotient_1_lo = qo_1_of_quotient_1_left_rest + qo_1_of_quotient_1_right_rest
     qo_2_of_quotient_2 = quotient_2 + quotient_2_lo
     qo_2_of_quotient_2_right = qo_2_of_quotient_2 - quotient_2
     qo_2_of_quotient_2_left_rest = quotient_2 - (qo_2_of_quotient_2 - qo_2_of_quotient_2_right)
     qo_2_of_quotient_2_right_rest = quotient_2_lo - qo_2_of_quotient_2_right
     qo_2 = qo_2_of_quotient_2 * down
-    qo_2_lost = qo_2_of_quotient_2 - qo_2 * qo_0_inverse
-    qo_2_small = (qo_2_lost + (qo_2_of_quotient_2_left_rest + qo_2_of_quotient_2_right_rest)) * down
+    qo_2_of_quotient_2_lo = qo_2_of_quotient_2_left_rest + qo_2_of_quotient_2_right_rest
     qo_3_of_quotient_3 = quotient_3 + quotient_3_lo
     qo_3_of_quotient_3_right = qo_3_of_quotient_3 - quotient_3
     qo_3_of_quotient_3_left_rest = quotient_3 - (qo_3_of_quotient_3 - qo_3_of_quotient_3_right)
     qo_3_of_quotient_3_right_rest = quotient_3_lo - qo_3_of_quotient_3_right
     qo_3 = qo_3_of_quotient_3 * down
-    qo_3_lost = qo_3_of_quotient_3 - qo_3 * qo_0_inverse
-    qo_3_small = (qo_3_lost + (qo_3_of_quotient_3_left_rest + qo_3_of_quotient_3_right_rest)) * down
-    qo_0_rounded = qo_0 + where(qo_0_lost == 0, 0, qo_0_small)
-    qo_1_rounded = qo_1 + where(qo_1_lost == 0, 0, qo_1_small)
-    qo_2_rounded = qo_2 + where(qo_2_lost == 0, 0, qo_2_small)
-    qo_3_rounded = qo_3 + where(qo_3_lost == 0, 0, qo_3_small)
+    qo_3_of_quotient_3_lo = qo_3_of_quotient_3_left_rest + qo_3_of_quotient_3_right_rest
+    qo_0_rounded = qo_0 + (qo_0_of_quotient_0 - qo_0 * qo_0_inverse + qo_0_of_quotient_0_lo) * down
+    qo_1_rounded = qo_1 + (qo_1_of_quotient_1 - qo_1 * qo_0_inverse + qo_1_of_quotient_1_lo) * down
+    qo_2_rounded = qo_2 + (qo_2_of_quotient_2 - qo_2 * qo_0_inverse + qo_2_of_quotient_2_lo) * down
+    qo_3_rounded = qo_3 + (qo_3_of_quotient_3 - qo_3 * qo_0_inverse + qo_3_of_quotient_3_lo) * down
     qo_0_final = where(qo_0_rounded == qo_0_rounded, qo_0_rounded, qo_0)
     qo_1_final = where(qo_1_rounded == qo_1_rounded, qo_1_rounded, qo_1)
     qo_2_final = where(qo_2_rounded == qo_2_rounded, qo_2_rounded, qo_2)
@@ -2264,9 +2261,11 @@ def mat3x3_from_quaternion(q):
     """R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
-    41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 8
+    41 mul, 116 add, 10 product error, 24 product rest, 2 div, 9 equal, 9 select.  Error <= R: 1
     u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 < |q| < 2^63;
-    searched, not proved.
+    searched, not proved.  Each component is within 1 ulp as long as its condition is below
+    1e13; in single precision it is the nearest number, except near ties, as long as that is
+    below 1e5; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     squares_0 = q_3 * q_3
@@ -2381,7 +2380,10 @@ def quaternion_from_mat3x3(R):
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
     21 mul, 182 add, 5 product error, 4 product rest, 9 div, 1 sqrt, 9 neg, 4 less, 5 equal, 37
-    select.  Error <= qo: 6 u of its largest component for R a rotation; searched, not proved.
+    select.  Error <= qo: 1 u of its largest component for R a rotation; searched, not proved.
+    Each component is within 1 ulp as long as its condition is below 1e13; in single precision
+    it is the nearest number, except near ties, as long as that is below 1e5; searched, not
+    proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -2531,15 +2533,46 @@ def quaternion_from_mat3x3(R):
     return (qo_0_final, qo_1_final, qo_2_final, qo_3_final)
 
 
+@kernel("(3),()->(4)")
+def quaternion_from_axis_angle(axis, angle):
+    """qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
+    rotation is by another angle.
+
+    (3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
+    120 mul, 249 add, 24 product error, 3 abs, 1 less, 4 equal, 5 select.  Error <= qo: 1 u of
+    its largest component for |axis| = 1; searched, not proved.  Each component is within 1 ulp
+    as long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.
+    """
+    axis_0, axis_1, axis_2 = axis
+    half = 0.5 * angle
+    sine, qo_3 = elementary.sincos(half)
+    sine_own_error, qo_3_own_error = elementary.sincos_error(half, sine, qo_3)
+    qo_0 = axis_0 * sine
+    qo_1 = axis_1 * sine
+    qo_2 = axis_2 * sine
+    qo_0_rounded = qo_0 + (product_error(axis_0, sine, qo_0) + axis_0 * sine_own_error)
+    qo_1_rounded = qo_1 + (product_error(axis_1, sine, qo_1) + axis_1 * sine_own_error)
+    qo_2_rounded = qo_2 + (product_error(axis_2, sine, qo_2) + axis_2 * sine_own_error)
+    qo_3_rounded = qo_3 + qo_3_own_error
+    qo_0_final = where(qo_0_rounded == qo_0_rounded, qo_0_rounded, qo_0)
+    qo_1_final = where(qo_1_rounded == qo_1_rounded, qo_1_rounded, qo_1)
+    qo_2_final = where(qo_2_rounded == qo_2_rounded, qo_2_rounded, qo_2)
+    qo_3_final = where(qo_3_rounded == qo_3_rounded, qo_3_rounded, qo_3)
+    return (qo_0_final, qo_1_final, qo_2_final, qo_3_final)
+
+
 @kernel("(4)->(),(3)")
 def axis_angle_from_quaternion(q):
     """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
     angle is 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    27 mul, 56 add, 4 product error, 3 product rest, 11 div, 1 sqrt, 1 atan2, 1 atan2 error, 4
-    neg, 9 abs, 14 less, 8 equal, 29 select.  Error <= angle: 6 u, axis: 4 u of its largest
-    component; searched, not proved.
+    149 mul, 308 add, 27 product error, 3 product rest, 13 div, 1 sqrt, 5 neg, 17 abs, 4
+    copysign, 27 less, 10 equal, 51 select.  Error <= angle: 1 u, axis: 1 u of its largest
+    component; searched, not proved.  Each component is within 1 ulp as long as its condition is
+    below 1e13; in single precision it is the nearest number, except near ties, as long as that
+    is below 1e5; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -2594,8 +2627,7 @@ def axis_angle_from_quaternion(q):
     n_of_v_n_right = n_of_v_n - v_n
     n_of_v_n_lo = v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right)
     n = n_of_v_n * v_r
-    n_lost = n_of_v_n - n * (1 / v_r)
-    n_lo = where(n_lost == 0, 0, (n_lost + n_of_v_n_lo) * v_r)
+    n_lo = (n_of_v_n - n * (1 / v_r) + n_of_v_n_lo) * v_r
     half_of_n = n + n_lo
     half_of_n_right = half_of_n - n
     half = elementary.atan2(half_of_n, upper_3)
@@ -2639,14 +2671,128 @@ def axis_angle_from_quaternion(q):
     return (angle_final, axis_0_final, unit_1_final, unit_2_final)
 
 
+@kernel("(3)->(4)")
+def quaternion_exp(v):
+    """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
+
+    (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
+    169 mul, 338 add, 26 product error, 3 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 6 equal,
+    14 select.  Error <= qo: 1 u of its largest component for |v| <= 1e13, in single precision
+    1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
+    1e13; in single precision it is the nearest number, except near ties, as long as that is
+    below 1e5; searched, not proved.
+    """
+    v_0, v_1, v_2 = v
+    h_0 = 0.5 * v_0
+    h_1 = 0.5 * v_1
+    h_2 = 0.5 * v_2
+    h_size_0 = absolute(h_0)
+    h_size_1 = absolute(h_1)
+    h_size_2 = absolute(h_2)
+    h_largest1 = where(h_size_0 < h_size_1, h_size_1, h_size_0)
+    h_largest2 = where(h_largest1 < h_size_2, h_size_2, h_largest1)
+    s = where(6.703903964971299e+153 < h_largest2, float64(3.7291703656001034e-155), float64(1))
+    reduced_0 = h_0 * s
+    reduced_1 = h_1 * s
+    reduced_2 = h_2 * s
+    up = where(s < 1, float64(2.6815615859885194e+154), float64(1))
+    reduced_length_a = reduced_0 * reduced_0
+    reduced_length_b = reduced_1 * reduced_1
+    reduced_length_c = reduced_length_a + reduced_length_b
+    reduced_length_c_right = reduced_length_c - reduced_length_a
+    reduced_length_c_left = reduced_length_c - reduced_length_c_right
+    reduced_length_c_right_rest = product_rest(reduced_1, reduced_1, reduced_length_b, reduced_length_c_right)
+    reduced_length_c_left_rest = product_rest(reduced_0, reduced_0, reduced_length_a, reduced_length_c_left)
+    reduced_length_d = reduced_2 * reduced_2
+    reduced_length_e = reduced_length_c + reduced_length_d
+    reduced_length_e_right = reduced_length_e - reduced_length_c
+    reduced_length_e_right_rest = product_rest(reduced_2, reduced_2, reduced_length_d, reduced_length_e_right)
+    reduced_length_e_left_rest = reduced_length_c - (reduced_length_e - reduced_length_e_right)
+    reduced_length_e_lo1 = reduced_length_e_left_rest + reduced_length_e_right_rest
+    reduced_length_c_lo = reduced_length_c_left_rest + reduced_length_c_right_rest
+    reduced_length_e_lo = reduced_length_e_lo1 + reduced_length_c_lo
+    reduced_length_of_reduced_length_e = reduced_length_e + reduced_length_e_lo
+    reduced_length_of_reduced_length_e_right = reduced_length_of_reduced_length_e - reduced_length_e
+    reduced_length_of_reduced_length_e_left = reduced_length_of_reduced_length_e - reduced_length_of_reduced_length_e_right
+    reduced_length_of_reduced_length_e_right_rest = reduced_length_e_lo - reduced_length_of_reduced_length_e_right
+    reduced_length_of_reduced_length_e_left_rest = reduced_length_e - reduced_length_of_reduced_length_e_left
+    reduced_length = sqrt(reduced_length_of_reduced_length_e)
+    reduced_length_product = reduced_length * reduced_length
+    reduced_length_product_error = product_error(reduced_length, reduced_length, reduced_length_product)
+    reduced_length_rest = reduced_length_of_reduced_length_e - reduced_length_product
+    reduced_length_of_reduced_length_e_lo = reduced_length_of_reduced_length_e_left_rest + reduced_length_of_reduced_length_e_right_rest
+    reduced_length_exact = reduced_length_rest - reduced_length_product_error
+    reduced_length_divisor = where(reduced_length == 0, 1, reduced_length + reduced_length)
+    reduced_length_residual = reduced_length_exact + reduced_length_of_reduced_length_e_lo
+    reduced_length_lo = reduced_length_residual / reduced_length_divisor
+    half_angle_of_reduced_length = reduced_length + reduced_length_lo
+    half_angle_of_reduced_length_right = half_angle_of_reduced_length - reduced_length
+    half_angle_of_reduced_length_left = half_angle_of_reduced_length - half_angle_of_reduced_length_right
+    half_angle_of_reduced_length_right_rest = reduced_length_lo - half_angle_of_reduced_length_right
+    half_angle_of_reduced_length_left_rest = reduced_length - half_angle_of_reduced_length_left
+    half_angle = half_angle_of_reduced_length * up
+    half_angle_of_reduced_length_lo = half_angle_of_reduced_length_left_rest + half_angle_of_reduced_length_right_rest
+    half_angle_lost = half_angle_of_reduced_length - half_angle * (1 / up)
+    half_angle_lo = (half_angle_lost + half_angle_of_reduced_length_lo) * up
+    sine_of_half_angle = half_angle + half_angle_lo
+    sine_of_half_angle_right = sine_of_half_angle - half_angle
+    sine_of_half_angle_left_rest = half_angle - (sine_of_half_angle - sine_of_half_angle_right)
+    sine_of_half_angle_right_rest = half_angle_lo - sine_of_half_angle_right
+    sine_of_half_angle_lo = sine_of_half_angle_left_rest + sine_of_half_angle_right_rest
+    sine, c = elementary.sincos(sine_of_half_angle)
+    sine_own_error, c_own_error = elementary.sincos_error(sine_of_half_angle, sine, c)
+    sine_half = sine_of_half_angle_lo * 0.5
+    sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
+    sine_more = (sine_half_cos * c - sine_half_sin * sine) * (sine_half_sin + sine_half_sin)
+    sine_lo = sine_own_error + sine_more
+    c_more = (sine_half_cos * sine + sine_half_sin * c) * (sine_half_sin + sine_half_sin)
+    sinc_divisor_a = sine_of_half_angle == 0
+    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
+    sinc_quotient_of_sine = sine + sine_lo
+    sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
+    sinc_quotient_of_sine_left_rest = sine - (sinc_quotient_of_sine - sinc_quotient_of_sine_right)
+    sinc_quotient_of_sine_right_rest = sine_lo - sinc_quotient_of_sine_right
+    sinc_quotient_of_sinc_divisor = sinc_divisor + sinc_divisor_lo
+    sinc_quotient_of_sinc_divisor_right = sinc_quotient_of_sinc_divisor - sinc_divisor
+    sinc_quotient_of_sinc_divisor_left = sinc_quotient_of_sinc_divisor - sinc_quotient_of_sinc_divisor_right
+    sinc_quotient_of_sinc_divisor_right_rest = sinc_divisor_lo - sinc_quotient_of_sinc_divisor_right
+    sinc_quotient_of_sinc_divisor_left_rest = sinc_divisor - sinc_quotient_of_sinc_divisor_left
+    sinc_quotient = sinc_quotient_of_sine / sinc_quotient_of_sinc_divisor
+    sinc_quotient_product = sinc_quotient * sinc_quotient_of_sinc_divisor
+    sinc_quotient_product_error = product_error(sinc_quotient, sinc_quotient_of_sinc_divisor, sinc_quotient_product)
+    sinc_quotient_rest = sinc_quotient_of_sine - sinc_quotient_product
+    sinc_quotient_of_sine_lo = sinc_quotient_of_sine_left_rest + sinc_quotient_of_sine_right_rest
+    sinc_quotient_exact = sinc_quotient_rest - sinc_quotient_product_error
+    sinc_quotient_of_sinc_divisor_lo = sinc_quotient_of_sinc_divisor_left_rest + sinc_quotient_of_sinc_divisor_right_rest
+    sinc_quotient_cross = sinc_quotient * sinc_quotient_of_sinc_divisor_lo
+    sinc_quotient_residual = sinc_quotient_exact + sinc_quotient_of_sine_lo - sinc_quotient_cross
+    sinc = where(sinc_divisor_a, 1, sinc_quotient)
+    sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
+    qo_0 = h_0 * sinc
+    qo_1 = h_1 * sinc
+    qo_2 = h_2 * sinc
+    qo_0_rounded = qo_0 + (product_error(h_0, sinc, qo_0) + h_0 * sinc_lo)
+    qo_1_rounded = qo_1 + (product_error(h_1, sinc, qo_1) + h_1 * sinc_lo)
+    qo_2_rounded = qo_2 + (product_error(h_2, sinc, qo_2) + h_2 * sinc_lo)
+    c_rounded = c + (c_own_error - c_more)
+    qo_0_final = where(qo_0_rounded == qo_0_rounded, qo_0_rounded, qo_0)
+    qo_1_final = where(qo_1_rounded == qo_1_rounded, qo_1_rounded, qo_1)
+    qo_2_final = where(qo_2_rounded == qo_2_rounded, qo_2_rounded, qo_2)
+    c_final = where(c_rounded == c_rounded, c_rounded, c)
+    return (qo_0_final, qo_1_final, qo_2_final, c_final)
+
+
 @kernel("(4)->(3)")
 def quaternion_log(q):
     """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    29 mul, 59 add, 5 product error, 3 product rest, 7 div, 1 sqrt, 1 atan2, 1 atan2 error, 4
-    neg, 9 abs, 14 less, 7 equal, 26 select.  Error <= vo: 6 u of its largest component;
+    151 mul, 311 add, 28 product error, 3 product rest, 9 div, 1 sqrt, 5 neg, 17 abs, 4
+    copysign, 27 less, 9 equal, 48 select.  Error <= vo: 1 u of its largest component; searched,
+    not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
+    single precision it is the nearest number, except near ties, as long as that is below 1e5;
     searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
@@ -2701,9 +2847,8 @@ def quaternion_log(q):
     n_of_v_n = v_n + v_n_lo
     n_of_v_n_right = n_of_v_n - v_n
     n = n_of_v_n * v_r
-    n_lost = n_of_v_n - n * (1 / v_r)
-    n_small = (n_lost + (v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right))) * v_r
-    n_lo = where(n_lost == 0, 0, n_small)
+    n_of_v_n_lo = v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right)
+    n_lo = (n_of_v_n - n * (1 / v_r) + n_of_v_n_lo) * v_r
     half_of_n = n + n_lo
     half_of_n_right = half_of_n - n
     half_of_n_lo = n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right)
@@ -2743,3 +2888,476 @@ def quaternion_log(q):
     vector_1_final = where(vector_1_rounded == vector_1_rounded, vector_1_rounded, vector_1)
     vector_2_final = where(vector_2_rounded == vector_2_rounded, vector_2_rounded, vector_2)
     return (vector_0_final, vector_1_final, vector_2_final)
+
+
+@kernel("(4),(4),()->(4)")
+def quaternion_interpolated(q1, q2, k):
+    """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
+
+    (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
+    395 mul, 921 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 14 neg, 21 abs, 4
+    copysign, 35 less, 12 equal, 68 select.  Error <= qo: 1 u of its largest component for |q1|
+    = 1 and |q2| = 1 and 0 <= k <= 1; searched, not proved.  Each component is within 1 ulp as
+    long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.
+    """
+    q1_0, q1_1, q1_2, q1_3 = q1
+    q2_0, q2_1, q2_2, q2_3 = q2
+    between_0a = q1_3 * q2_0
+    between_0b = q1_0 * q2_3
+    between_0c = between_0a - between_0b
+    between_0c_right = between_0a - between_0c
+    between_0c_left_rest = product_rest(q1_3, q2_0, between_0a, between_0c + between_0c_right)
+    between_0d = q1_2 * q2_1
+    between_0e = q1_1 * q2_2
+    between_0f = between_0d - between_0e
+    between_0f_right = between_0d - between_0f
+    between_0f_left_rest = product_rest(q1_2, q2_1, between_0d, between_0f + between_0f_right)
+    between_0 = between_0c + between_0f
+    between_0_right = between_0 - between_0c
+    between_0f_lo = between_0f_left_rest - product_rest(q1_1, q2_2, between_0e, between_0f_right)
+    between_0_lo1 = between_0c - (between_0 - between_0_right) + (between_0f - between_0_right)
+    between_0c_lo = between_0c_left_rest - product_rest(q1_0, q2_3, between_0b, between_0c_right)
+    between_0_lo = between_0_lo1 + between_0f_lo + between_0c_lo
+    between_1a = q1_0 * q2_2
+    between_1b = q1_2 * q2_0
+    between_1c = between_1a - between_1b
+    between_1c_right = between_1a - between_1c
+    between_1c_left_rest = product_rest(q1_0, q2_2, between_1a, between_1c + between_1c_right)
+    between_1d = q1_3 * q2_1
+    between_1e = q1_1 * q2_3
+    between_1f = between_1d - between_1e
+    between_1f_right = between_1d - between_1f
+    between_1f_left_rest = product_rest(q1_3, q2_1, between_1d, between_1f + between_1f_right)
+    between_1 = between_1c + between_1f
+    between_1_right = between_1 - between_1c
+    between_1f_lo = between_1f_left_rest - product_rest(q1_1, q2_3, between_1e, between_1f_right)
+    between_1_lo1 = between_1c - (between_1 - between_1_right) + (between_1f - between_1_right)
+    between_1c_lo = between_1c_left_rest - product_rest(q1_2, q2_0, between_1b, between_1c_right)
+    between_1_lo = between_1_lo1 + between_1f_lo + between_1c_lo
+    between_2a = q1_1 * q2_0
+    between_2b = q1_0 * q2_1
+    between_2c = between_2a - between_2b
+    between_2c_right = between_2a - between_2c
+    between_2c_left_rest = product_rest(q1_1, q2_0, between_2a, between_2c + between_2c_right)
+    between_2d = q1_3 * q2_2
+    between_2e = q1_2 * q2_3
+    between_2f = between_2d - between_2e
+    between_2f_right = between_2d - between_2f
+    between_2f_left_rest = product_rest(q1_3, q2_2, between_2d, between_2f + between_2f_right)
+    between_2 = between_2c + between_2f
+    between_2_right = between_2 - between_2c
+    between_2f_lo = between_2f_left_rest - product_rest(q1_2, q2_3, between_2e, between_2f_right)
+    between_2_lo1 = between_2c - (between_2 - between_2_right) + (between_2f - between_2_right)
+    between_2c_lo = between_2c_left_rest - product_rest(q1_0, q2_1, between_2b, between_2c_right)
+    between_2_lo = between_2_lo1 + between_2f_lo + between_2c_lo
+    between_3a = q1_0 * q2_0
+    between_3b = q1_1 * q2_1
+    between_3c = between_3a + between_3b
+    between_3c_right = between_3c - between_3a
+    between_3c_left_rest = product_rest(q1_0, q2_0, between_3a, between_3c - between_3c_right)
+    between_3d = q1_2 * q2_2
+    between_3e = between_3c + between_3d
+    between_3e_right = between_3e - between_3c
+    between_3e_right_rest = product_rest(q1_2, q2_2, between_3d, between_3e_right)
+    between_3c_lo = between_3c_left_rest + product_rest(q1_1, q2_1, between_3b, between_3c_right)
+    between_3e_lo1 = between_3c - (between_3e - between_3e_right) + between_3e_right_rest
+    between_3f = q1_3 * q2_3
+    between_3 = between_3e + between_3f
+    between_3_right = between_3 - between_3e
+    between_3_right_rest = product_rest(q1_3, q2_3, between_3f, between_3_right)
+    between_3_lo1 = between_3e - (between_3 - between_3_right) + between_3_right_rest
+    between_3_lo = between_3_lo1 + (between_3e_lo1 + between_3c_lo)
+    upper_0b_of_between_3 = between_3 + between_3_lo
+    upper_0b_of_between_3_right = upper_0b_of_between_3 - between_3
+    upper_0b_of_between_3_left = upper_0b_of_between_3 - upper_0b_of_between_3_right
+    upper_0b_of_between_3_right_rest = between_3_lo - upper_0b_of_between_3_right
+    upper_0b_of_between_3_left_rest = between_3 - upper_0b_of_between_3_left
+    upper_0b_of_between_3_lo = upper_0b_of_between_3_left_rest + upper_0b_of_between_3_right_rest
+    upper_0b = upper_0b_of_between_3 < 0
+    upper_0 = where(upper_0b, -between_0, between_0)
+    upper_0_lo = where(upper_0b, -between_0_lo, between_0_lo)
+    upper_1 = where(upper_0b, -between_1, between_1)
+    upper_1_lo = where(upper_0b, -between_1_lo, between_1_lo)
+    upper_2 = where(upper_0b, -between_2, between_2)
+    upper_2_lo = where(upper_0b, -between_2_lo, between_2_lo)
+    upper_3 = absolute(upper_0b_of_between_3)
+    upper_3_negative = upper_0b_of_between_3 < 0
+    upper_3_lo = where(upper_3_negative, -upper_0b_of_between_3_lo, upper_0b_of_between_3_lo)
+    v_s_size_0_of_upper_0 = upper_0 + upper_0_lo
+    v_s_size_0_of_upper_0_right = v_s_size_0_of_upper_0 - upper_0
+    v_s_size_0_of_upper_0_left = v_s_size_0_of_upper_0 - v_s_size_0_of_upper_0_right
+    v_s_size_0_of_upper_0_right_rest = upper_0_lo - v_s_size_0_of_upper_0_right
+    v_s_size_0_of_upper_0_left_rest = upper_0 - v_s_size_0_of_upper_0_left
+    v_s_size_0_of_upper_0_lo = v_s_size_0_of_upper_0_left_rest + v_s_size_0_of_upper_0_right_rest
+    v_s_size_0 = absolute(v_s_size_0_of_upper_0)
+    v_s_size_0_negative = v_s_size_0_of_upper_0 < 0
+    v_s_size_0_lo = where(v_s_size_0_negative, -v_s_size_0_of_upper_0_lo, v_s_size_0_of_upper_0_lo)
+    v_s_size_1_of_upper_1 = upper_1 + upper_1_lo
+    v_s_size_1_of_upper_1_right = v_s_size_1_of_upper_1 - upper_1
+    v_s_size_1_of_upper_1_left = v_s_size_1_of_upper_1 - v_s_size_1_of_upper_1_right
+    v_s_size_1_of_upper_1_right_rest = upper_1_lo - v_s_size_1_of_upper_1_right
+    v_s_size_1_of_upper_1_left_rest = upper_1 - v_s_size_1_of_upper_1_left
+    v_s_size_1_of_upper_1_lo = v_s_size_1_of_upper_1_left_rest + v_s_size_1_of_upper_1_right_rest
+    v_s_size_1 = absolute(v_s_size_1_of_upper_1)
+    v_s_size_1_negative = v_s_size_1_of_upper_1 < 0
+    v_s_size_1_lo = where(v_s_size_1_negative, -v_s_size_1_of_upper_1_lo, v_s_size_1_of_upper_1_lo)
+    v_s_size_2_of_upper_2 = upper_2 + upper_2_lo
+    v_s_size_2_of_upper_2_right = v_s_size_2_of_upper_2 - upper_2
+    v_s_size_2_of_upper_2_left = v_s_size_2_of_upper_2 - v_s_size_2_of_upper_2_right
+    v_s_size_2_of_upper_2_right_rest = upper_2_lo - v_s_size_2_of_upper_2_right
+    v_s_size_2_of_upper_2_left_rest = upper_2 - v_s_size_2_of_upper_2_left
+    v_s_size_2_of_upper_2_lo = v_s_size_2_of_upper_2_left_rest + v_s_size_2_of_upper_2_right_rest
+    v_s_size_2 = absolute(v_s_size_2_of_upper_2)
+    v_s_size_2_negative = v_s_size_2_of_upper_2 < 0
+    v_s_size_2_lo = where(v_s_size_2_negative, -v_s_size_2_of_upper_2_lo, v_s_size_2_of_upper_2_lo)
+    v_s_largest1a_of_v_s_size_0 = v_s_size_0 + v_s_size_0_lo
+    v_s_largest1a_of_v_s_size_0_right = v_s_largest1a_of_v_s_size_0 - v_s_size_0
+    v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 - v_s_largest1a_of_v_s_size_0_right
+    v_s_largest1a_of_v_s_size_0_right_rest = v_s_size_0_lo - v_s_largest1a_of_v_s_size_0_right
+    v_s_largest1a_of_v_s_size_0_left_rest = v_s_size_0 - v_s_largest1a_of_v_s_size_0_left
+    v_s_largest1a_of_v_s_size_1 = v_s_size_1 + v_s_size_1_lo
+    v_s_largest1a_of_v_s_size_1_right = v_s_largest1a_of_v_s_size_1 - v_s_size_1
+    v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 - v_s_largest1a_of_v_s_size_1_right
+    v_s_largest1a_of_v_s_size_1_right_rest = v_s_size_1_lo - v_s_largest1a_of_v_s_size_1_right
+    v_s_largest1a_of_v_s_size_1_left_rest = v_s_size_1 - v_s_largest1a_of_v_s_size_1_left
+    v_s_largest1a = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1
+    v_s_largest1 = where(v_s_largest1a, v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_0)
+    v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest + v_s_largest1a_of_v_s_size_1_right_rest
+    v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest + v_s_largest1a_of_v_s_size_0_right_rest
+    v_s_largest1_lo = where(v_s_largest1a, v_s_largest1a_of_v_s_size_1_lo, v_s_largest1a_of_v_s_size_0_lo)
+    v_s_largest2a_of_v_s_largest1 = v_s_largest1 + v_s_largest1_lo
+    v_s_largest2a_of_v_s_largest1_right = v_s_largest2a_of_v_s_largest1 - v_s_largest1
+    v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 - v_s_largest2a_of_v_s_largest1_right
+    v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo - v_s_largest2a_of_v_s_largest1_right
+    v_s_largest2a_of_v_s_largest1_left_rest = v_s_largest1 - v_s_largest2a_of_v_s_largest1_left
+    v_s_largest2a_of_v_s_size_2 = v_s_size_2 + v_s_size_2_lo
+    v_s_largest2a_of_v_s_size_2_right = v_s_largest2a_of_v_s_size_2 - v_s_size_2
+    v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 - v_s_largest2a_of_v_s_size_2_right
+    v_s_largest2a_of_v_s_size_2_right_rest = v_s_size_2_lo - v_s_largest2a_of_v_s_size_2_right
+    v_s_largest2a_of_v_s_size_2_left_rest = v_s_size_2 - v_s_largest2a_of_v_s_size_2_left
+    v_s_largest2a = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2
+    v_s_largest2 = where(v_s_largest2a, v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_largest1)
+    v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest + v_s_largest2a_of_v_s_largest1_right_rest
+    v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest + v_s_largest2a_of_v_s_size_2_right_rest
+    v_s_largest2_lo = where(v_s_largest2a, v_s_largest2a_of_v_s_size_2_lo, v_s_largest2a_of_v_s_largest1_lo)
+    v_s_a_of_v_s_largest2 = v_s_largest2 + v_s_largest2_lo
+    v_s_a = 6.703903964971299e+153 < v_s_a_of_v_s_largest2
+    v_s_b = where(v_s_a, float64(3.7291703656001034e-155), float64(1))
+    v_s_d = where(v_s_a_of_v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
+    v_s = where(v_s_a_of_v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
+    v_y_0 = v_s_size_0_of_upper_0 * v_s
+    v_y_0_inverse = 1 / v_s
+    v_y_0_lo = (v_s_size_0_of_upper_0 - v_y_0 * v_y_0_inverse + v_s_size_0_of_upper_0_lo) * v_s
+    v_y_1 = v_s_size_1_of_upper_1 * v_s
+    v_y_1_lo = (v_s_size_1_of_upper_1 - v_y_1 * v_y_0_inverse + v_s_size_1_of_upper_1_lo) * v_s
+    v_y_2 = v_s_size_2_of_upper_2 * v_s
+    v_y_2_lo = (v_s_size_2_of_upper_2 - v_y_2 * v_y_0_inverse + v_s_size_2_of_upper_2_lo) * v_s
+    v_n_a = v_y_0 * v_y_0
+    v_n_b = v_y_1 * v_y_1
+    v_n_c = v_n_a + v_n_b
+    v_n_c_right = v_n_c - v_n_a
+    v_n_c_left_rest = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
+    v_n_c_cross = v_y_0_lo * v_y_0 + v_y_0 * v_y_0_lo + (v_y_1_lo * v_y_1 + v_y_1 * v_y_1_lo)
+    v_n_d = v_y_2 * v_y_2
+    v_n_e = v_n_c + v_n_d
+    v_n_e_right = v_n_e - v_n_c
+    v_n_e_lo1 = v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
+    v_n_c_lo = v_n_c_left_rest + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right) + v_n_c_cross
+    v_n_e_lo = v_n_e_lo1 + (v_y_2_lo * v_y_2 + v_y_2 * v_y_2_lo) + v_n_c_lo
+    v_n_of_v_n_e = v_n_e + v_n_e_lo
+    v_n_of_v_n_e_right = v_n_of_v_n_e - v_n_e
+    v_n = sqrt(v_n_of_v_n_e)
+    v_n_product = v_n * v_n
+    v_n_of_v_n_e_lo = v_n_e - (v_n_of_v_n_e - v_n_of_v_n_e_right) + (v_n_e_lo - v_n_of_v_n_e_right)
+    v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
+    v_n_lo = (v_n_exact + v_n_of_v_n_e_lo) / where(v_n == 0, 1, v_n + v_n)
+    v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
+    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
+    n_of_v_n = v_n + v_n_lo
+    n_of_v_n_right = n_of_v_n - v_n
+    n = n_of_v_n * v_r
+    n_of_v_n_lo = v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right)
+    n_lo = (n_of_v_n - n * (1 / v_r) + n_of_v_n_lo) * v_r
+    half_of_n = n + n_lo
+    half_of_n_right = half_of_n - n
+    half_of_n_lo = n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right)
+    half_of_upper_3 = upper_3 + upper_3_lo
+    half_of_upper_3_right = half_of_upper_3 - upper_3
+    half_of_upper_3_left_rest = upper_3 - (half_of_upper_3 - half_of_upper_3_right)
+    half = elementary.atan2(half_of_n, half_of_upper_3)
+    half_size0 = absolute(half_of_n)
+    half_size1 = absolute(half_of_upper_3)
+    half_most = where(half_size0 < half_size1, half_size1, half_size0)
+    half_zero = half_most == 0
+    half_divisor = where(half_zero, 1, half_most)
+    half_part0 = half_of_n / half_divisor
+    half_part1 = half_of_upper_3 / half_divisor
+    half_cross2 = half_part0 * (half_of_upper_3_left_rest + (upper_3_lo - half_of_upper_3_right))
+    half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
+    half_more = (half_part1 * half_of_n_lo - half_cross2) / where(half_zero, 1, half_divisor2)
+    half_lo = elementary.atan2_error(half_of_n, half_of_upper_3, half) + half_more
+    divisor_a = half_of_n == 0
+    divisor = where(divisor_a, 1, half_of_n)
+    divisor_lo = where(divisor_a, 0, half_of_n_lo)
+    rate_of_half = half + half_lo
+    rate_of_half_right = rate_of_half - half
+    rate_of_divisor = divisor + divisor_lo
+    rate_of_divisor_right = rate_of_divisor - divisor
+    rate_of_divisor_left_rest = divisor - (rate_of_divisor - rate_of_divisor_right)
+    rate = rate_of_half / rate_of_divisor
+    rate_product = rate * rate_of_divisor
+    rate_exact = rate_of_half - rate_product - product_error(rate, rate_of_divisor, rate_product)
+    rate_of_half_lo = half - (rate_of_half - rate_of_half_right) + (half_lo - rate_of_half_right)
+    rate_cross = rate * (rate_of_divisor_left_rest + (divisor_lo - rate_of_divisor_right))
+    rate_lo = (rate_exact + rate_of_half_lo - rate_cross) / rate_of_divisor
+    kv_0 = k * v_s_size_0_of_upper_0
+    kv_1 = k * v_s_size_1_of_upper_1
+    kv_2 = k * v_s_size_2_of_upper_2
+    step_0 = rate * kv_0
+    kv_0_lo = product_error(k, v_s_size_0_of_upper_0, kv_0) + k * v_s_size_0_of_upper_0_lo
+    step_1 = rate * kv_1
+    kv_1_lo = product_error(k, v_s_size_1_of_upper_1, kv_1) + k * v_s_size_1_of_upper_1_lo
+    step_2 = rate * kv_2
+    kv_2_lo = product_error(k, v_s_size_2_of_upper_2, kv_2) + k * v_s_size_2_of_upper_2_lo
+    step_0_lo = product_error(rate, kv_0, step_0) + (rate_lo * kv_0 + rate * kv_0_lo)
+    exp_h_size_0_of_step_0 = step_0 + step_0_lo
+    exp_h_size_0_of_step_0_right = exp_h_size_0_of_step_0 - step_0
+    exp_h_size_0_of_step_0_left = exp_h_size_0_of_step_0 - exp_h_size_0_of_step_0_right
+    exp_h_size_0_of_step_0_right_rest = step_0_lo - exp_h_size_0_of_step_0_right
+    exp_h_size_0_of_step_0_left_rest = step_0 - exp_h_size_0_of_step_0_left
+    exp_h_size_0_of_step_0_lo = exp_h_size_0_of_step_0_left_rest + exp_h_size_0_of_step_0_right_rest
+    exp_h_size_0 = absolute(exp_h_size_0_of_step_0)
+    exp_h_size_0_negative = exp_h_size_0_of_step_0 < 0
+    exp_h_size_0_opposite = -exp_h_size_0_of_step_0_lo
+    exp_h_size_0_lo = where(exp_h_size_0_negative, exp_h_size_0_opposite, exp_h_size_0_of_step_0_lo)
+    step_1_lo = product_error(rate, kv_1, step_1) + (rate_lo * kv_1 + rate * kv_1_lo)
+    exp_h_size_1_of_step_1 = step_1 + step_1_lo
+    exp_h_size_1_of_step_1_right = exp_h_size_1_of_step_1 - step_1
+    exp_h_size_1_of_step_1_left = exp_h_size_1_of_step_1 - exp_h_size_1_of_step_1_right
+    exp_h_size_1_of_step_1_right_rest = step_1_lo - exp_h_size_1_of_step_1_right
+    exp_h_size_1_of_step_1_left_rest = step_1 - exp_h_size_1_of_step_1_left
+    exp_h_size_1_of_step_1_lo = exp_h_size_1_of_step_1_left_rest + exp_h_size_1_of_step_1_right_rest
+    exp_h_size_1 = absolute(exp_h_size_1_of_step_1)
+    exp_h_size_1_negative = exp_h_size_1_of_step_1 < 0
+    exp_h_size_1_opposite = -exp_h_size_1_of_step_1_lo
+    exp_h_size_1_lo = where(exp_h_size_1_negative, exp_h_size_1_opposite, exp_h_size_1_of_step_1_lo)
+    step_2_lo = product_error(rate, kv_2, step_2) + (rate_lo * kv_2 + rate * kv_2_lo)
+    exp_h_size_2_of_step_2 = step_2 + step_2_lo
+    exp_h_size_2_of_step_2_right = exp_h_size_2_of_step_2 - step_2
+    exp_h_size_2_of_step_2_left = exp_h_size_2_of_step_2 - exp_h_size_2_of_step_2_right
+    exp_h_size_2_of_step_2_right_rest = step_2_lo - exp_h_size_2_of_step_2_right
+    exp_h_size_2_of_step_2_left_rest = step_2 - exp_h_size_2_of_step_2_left
+    exp_h_size_2_of_step_2_lo = exp_h_size_2_of_step_2_left_rest + exp_h_size_2_of_step_2_right_rest
+    exp_h_size_2 = absolute(exp_h_size_2_of_step_2)
+    exp_h_size_2_negative = exp_h_size_2_of_step_2 < 0
+    exp_h_size_2_opposite = -exp_h_size_2_of_step_2_lo
+    exp_h_size_2_lo = where(exp_h_size_2_negative, exp_h_size_2_opposite, exp_h_size_2_of_step_2_lo)
+    exp_h_largest1a_of_exp_h_size_0 = exp_h_size_0 + exp_h_size_0_lo
+    exp_h_largest1a_of_exp_h_size_0_right = exp_h_largest1a_of_exp_h_size_0 - exp_h_size_0
+    exp_h_largest1a_of_exp_h_size_0_left = exp_h_largest1a_of_exp_h_size_0 - exp_h_largest1a_of_exp_h_size_0_right
+    exp_h_largest1a_of_exp_h_size_0_right_rest = exp_h_size_0_lo - exp_h_largest1a_of_exp_h_size_0_right
+    exp_h_largest1a_of_exp_h_size_0_left_rest = exp_h_size_0 - exp_h_largest1a_of_exp_h_size_0_left
+    exp_h_largest1a_of_exp_h_size_1 = exp_h_size_1 + exp_h_size_1_lo
+    exp_h_largest1a_of_exp_h_size_1_right = exp_h_largest1a_of_exp_h_size_1 - exp_h_size_1
+    exp_h_largest1a_of_exp_h_size_1_left = exp_h_largest1a_of_exp_h_size_1 - exp_h_largest1a_of_exp_h_size_1_right
+    exp_h_largest1a_of_exp_h_size_1_right_rest = exp_h_size_1_lo - exp_h_largest1a_of_exp_h_size_1_right
+    exp_h_largest1a_of_exp_h_size_1_left_rest = exp_h_size_1 - exp_h_largest1a_of_exp_h_size_1_left
+    exp_h_largest1a = exp_h_largest1a_of_exp_h_size_0 < exp_h_largest1a_of_exp_h_size_1
+    exp_h_largest1 = where(exp_h_largest1a, exp_h_largest1a_of_exp_h_size_1, exp_h_largest1a_of_exp_h_size_0)
+    exp_h_largest1a_of_exp_h_size_1_lo = exp_h_largest1a_of_exp_h_size_1_left_rest + exp_h_largest1a_of_exp_h_size_1_right_rest
+    exp_h_largest1a_of_exp_h_size_0_lo = exp_h_largest1a_of_exp_h_size_0_left_rest + exp_h_largest1a_of_exp_h_size_0_right_rest
+    exp_h_largest1_lo = where(exp_h_largest1a, exp_h_largest1a_of_exp_h_size_1_lo, exp_h_largest1a_of_exp_h_size_0_lo)
+    exp_h_largest2a_of_exp_h_largest1 = exp_h_largest1 + exp_h_largest1_lo
+    exp_h_largest2a_of_exp_h_largest1_right = exp_h_largest2a_of_exp_h_largest1 - exp_h_largest1
+    exp_h_largest2a_of_exp_h_largest1_left = exp_h_largest2a_of_exp_h_largest1 - exp_h_largest2a_of_exp_h_largest1_right
+    exp_h_largest2a_of_exp_h_largest1_right_rest = exp_h_largest1_lo - exp_h_largest2a_of_exp_h_largest1_right
+    exp_h_largest2a_of_exp_h_largest1_left_rest = exp_h_largest1 - exp_h_largest2a_of_exp_h_largest1_left
+    exp_h_largest2a_of_exp_h_size_2 = exp_h_size_2 + exp_h_size_2_lo
+    exp_h_largest2a_of_exp_h_size_2_right = exp_h_largest2a_of_exp_h_size_2 - exp_h_size_2
+    exp_h_largest2a_of_exp_h_size_2_left = exp_h_largest2a_of_exp_h_size_2 - exp_h_largest2a_of_exp_h_size_2_right
+    exp_h_largest2a_of_exp_h_size_2_right_rest = exp_h_size_2_lo - exp_h_largest2a_of_exp_h_size_2_right
+    exp_h_largest2a_of_exp_h_size_2_left_rest = exp_h_size_2 - exp_h_largest2a_of_exp_h_size_2_left
+    exp_h_largest2a = exp_h_largest2a_of_exp_h_largest1 < exp_h_largest2a_of_exp_h_size_2
+    exp_h_largest2 = where(exp_h_largest2a, exp_h_largest2a_of_exp_h_size_2, exp_h_largest2a_of_exp_h_largest1)
+    exp_h_largest2a_of_exp_h_largest1_lo = exp_h_largest2a_of_exp_h_largest1_left_rest + exp_h_largest2a_of_exp_h_largest1_right_rest
+    exp_h_largest2a_of_exp_h_size_2_lo = exp_h_largest2a_of_exp_h_size_2_left_rest + exp_h_largest2a_of_exp_h_size_2_right_rest
+    exp_h_largest2_lo = where(exp_h_largest2a, exp_h_largest2a_of_exp_h_size_2_lo, exp_h_largest2a_of_exp_h_largest1_lo)
+    exp_s_a = 6.703903964971299e+153 < exp_h_largest2 + exp_h_largest2_lo
+    exp_s = where(exp_s_a, float64(3.7291703656001034e-155), float64(1))
+    exp_reduced_0 = exp_h_size_0_of_step_0 * exp_s
+    exp_reduced_0_inverse = 1 / exp_s
+    exp_reduced_0_lost = exp_h_size_0_of_step_0 - exp_reduced_0 * exp_reduced_0_inverse
+    exp_reduced_0_lo = (exp_reduced_0_lost + exp_h_size_0_of_step_0_lo) * exp_s
+    exp_reduced_1 = exp_h_size_1_of_step_1 * exp_s
+    exp_reduced_1_lost = exp_h_size_1_of_step_1 - exp_reduced_1 * exp_reduced_0_inverse
+    exp_reduced_1_lo = (exp_reduced_1_lost + exp_h_size_1_of_step_1_lo) * exp_s
+    exp_reduced_2 = exp_h_size_2_of_step_2 * exp_s
+    exp_reduced_2_lost = exp_h_size_2_of_step_2 - exp_reduced_2 * exp_reduced_0_inverse
+    exp_reduced_2_lo = (exp_reduced_2_lost + exp_h_size_2_of_step_2_lo) * exp_s
+    exp_up = where(exp_s < 1, float64(2.6815615859885194e+154), float64(1))
+    exp_reduced_length_a = exp_reduced_0 * exp_reduced_0
+    exp_reduced_length_b = exp_reduced_1 * exp_reduced_1
+    exp_reduced_length_c = exp_reduced_length_a + exp_reduced_length_b
+    exp_reduced_length_c_right = exp_reduced_length_c - exp_reduced_length_a
+    exp_reduced_length_c_left = exp_reduced_length_c - exp_reduced_length_c_right
+    exp_reduced_length_a_cross = exp_reduced_0_lo * exp_reduced_0 + exp_reduced_0 * exp_reduced_0_lo
+    exp_reduced_length_b_cross = exp_reduced_1_lo * exp_reduced_1 + exp_reduced_1 * exp_reduced_1_lo
+    exp_reduced_length_c_right_rest = product_rest(exp_reduced_1, exp_reduced_1, exp_reduced_length_b, exp_reduced_length_c_right)
+    exp_reduced_length_c_left_rest = product_rest(exp_reduced_0, exp_reduced_0, exp_reduced_length_a, exp_reduced_length_c_left)
+    exp_reduced_length_c_lo1 = exp_reduced_length_c_left_rest + exp_reduced_length_c_right_rest
+    exp_reduced_length_c_cross = exp_reduced_length_a_cross + exp_reduced_length_b_cross
+    exp_reduced_length_d = exp_reduced_2 * exp_reduced_2
+    exp_reduced_length_e = exp_reduced_length_c + exp_reduced_length_d
+    exp_reduced_length_e_right = exp_reduced_length_e - exp_reduced_length_c
+    exp_reduced_length_e_left = exp_reduced_length_e - exp_reduced_length_e_right
+    exp_reduced_length_e_right_rest = product_rest(exp_reduced_2, exp_reduced_2, exp_reduced_length_d, exp_reduced_length_e_right)
+    exp_reduced_length_e_left_rest = exp_reduced_length_c - exp_reduced_length_e_left
+    exp_reduced_length_d_cross = exp_reduced_2_lo * exp_reduced_2 + exp_reduced_2 * exp_reduced_2_lo
+    exp_reduced_length_e_lo1 = exp_reduced_length_e_left_rest + exp_reduced_length_e_right_rest
+    exp_reduced_length_e_lo2 = exp_reduced_length_e_lo1 + exp_reduced_length_d_cross
+    exp_reduced_length_c_lo = exp_reduced_length_c_lo1 + exp_reduced_length_c_cross
+    exp_reduced_length_e_lo = exp_reduced_length_e_lo2 + exp_reduced_length_c_lo
+    exp_reduced_length_of_exp_reduced_length_e = exp_reduced_length_e + exp_reduced_length_e_lo
+    exp_reduced_length_of_exp_reduced_length_e_right = exp_reduced_length_of_exp_reduced_length_e - exp_reduced_length_e
+    exp_reduced_length_of_exp_reduced_length_e_left = exp_reduced_length_of_exp_reduced_length_e - exp_reduced_length_of_exp_reduced_length_e_right
+    exp_reduced_length_of_exp_reduced_length_e_right_rest = exp_reduced_length_e_lo - exp_reduced_length_of_exp_reduced_length_e_right
+    exp_reduced_length_of_exp_reduced_length_e_left_rest = exp_reduced_length_e - exp_reduced_length_of_exp_reduced_length_e_left
+    exp_reduced_length = sqrt(exp_reduced_length_of_exp_reduced_length_e)
+    exp_reduced_length_product = exp_reduced_length * exp_reduced_length
+    exp_reduced_length_product_error = product_error(exp_reduced_length, exp_reduced_length, exp_reduced_length_product)
+    exp_reduced_length_rest = exp_reduced_length_of_exp_reduced_length_e - exp_reduced_length_product
+    exp_reduced_length_of_exp_reduced_length_e_lo = exp_reduced_length_of_exp_reduced_length_e_left_rest + exp_reduced_length_of_exp_reduced_length_e_right_rest
+    exp_reduced_length_exact = exp_reduced_length_rest - exp_reduced_length_product_error
+    exp_reduced_length_twice = exp_reduced_length + exp_reduced_length
+    exp_reduced_length_residual = exp_reduced_length_exact + exp_reduced_length_of_exp_reduced_length_e_lo
+    exp_reduced_length_divisor = where(exp_reduced_length == 0, 1, exp_reduced_length_twice)
+    exp_reduced_length_lo = exp_reduced_length_residual / exp_reduced_length_divisor
+    exp_half_angle_of_exp_reduced_length = exp_reduced_length + exp_reduced_length_lo
+    exp_half_angle_of_exp_reduced_length_right = exp_half_angle_of_exp_reduced_length - exp_reduced_length
+    exp_half_angle_of_exp_reduced_length_left = exp_half_angle_of_exp_reduced_length - exp_half_angle_of_exp_reduced_length_right
+    exp_half_angle_of_exp_reduced_length_right_rest = exp_reduced_length_lo - exp_half_angle_of_exp_reduced_length_right
+    exp_half_angle_of_exp_reduced_length_left_rest = exp_reduced_length - exp_half_angle_of_exp_reduced_length_left
+    exp_half_angle = exp_half_angle_of_exp_reduced_length * exp_up
+    exp_half_angle_of_exp_reduced_length_lo = exp_half_angle_of_exp_reduced_length_left_rest + exp_half_angle_of_exp_reduced_length_right_rest
+    exp_half_angle_lost = exp_half_angle_of_exp_reduced_length - exp_half_angle * (1 / exp_up)
+    exp_half_angle_lo = (exp_half_angle_lost + exp_half_angle_of_exp_reduced_length_lo) * exp_up
+    exp_sine_of_exp_half_angle = exp_half_angle + exp_half_angle_lo
+    exp_sine_of_exp_half_angle_right = exp_sine_of_exp_half_angle - exp_half_angle
+    exp_sine_of_exp_half_angle_left = exp_sine_of_exp_half_angle - exp_sine_of_exp_half_angle_right
+    exp_sine_of_exp_half_angle_right_rest = exp_half_angle_lo - exp_sine_of_exp_half_angle_right
+    exp_sine_of_exp_half_angle_left_rest = exp_half_angle - exp_sine_of_exp_half_angle_left
+    exp_sine_of_exp_half_angle_lo = exp_sine_of_exp_half_angle_left_rest + exp_sine_of_exp_half_angle_right_rest
+    exp_sine, exp_c = elementary.sincos(exp_sine_of_exp_half_angle)
+    exp_sine_own_error, exp_c_own_error = elementary.sincos_error(exp_sine_of_exp_half_angle, exp_sine, exp_c)
+    exp_sine_half = exp_sine_of_exp_half_angle_lo * 0.5
+    exp_sine_half_sin, exp_sine_half_cos = elementary.sincos(exp_sine_half)
+    exp_sine_slope = exp_sine_half_cos * exp_c - exp_sine_half_sin * exp_sine
+    exp_sine_lo = exp_sine_own_error + exp_sine_slope * (exp_sine_half_sin + exp_sine_half_sin)
+    exp_c_slope = exp_sine_half_cos * exp_sine + exp_sine_half_sin * exp_c
+    exp_c_lo = exp_c_own_error - exp_c_slope * (exp_sine_half_sin + exp_sine_half_sin)
+    exp_sinc_divisor_a = exp_sine_of_exp_half_angle == 0
+    exp_sinc_divisor = where(exp_sinc_divisor_a, 1, exp_sine_of_exp_half_angle)
+    exp_sinc_divisor_lo = where(exp_sinc_divisor_a, 0, exp_sine_of_exp_half_angle_lo)
+    exp_sinc_quotient_of_exp_sine = exp_sine + exp_sine_lo
+    exp_sinc_quotient_of_exp_sine_right = exp_sinc_quotient_of_exp_sine - exp_sine
+    exp_sinc_quotient_of_exp_sine_left = exp_sinc_quotient_of_exp_sine - exp_sinc_quotient_of_exp_sine_right
+    exp_sinc_quotient_of_exp_sine_right_rest = exp_sine_lo - exp_sinc_quotient_of_exp_sine_right
+    exp_sinc_quotient_of_exp_sine_left_rest = exp_sine - exp_sinc_quotient_of_exp_sine_left
+    exp_sinc_quotient_of_exp_sinc_divisor = exp_sinc_divisor + exp_sinc_divisor_lo
+    exp_sinc_quotient_of_exp_sinc_divisor_right = exp_sinc_quotient_of_exp_sinc_divisor - exp_sinc_divisor
+    exp_sinc_quotient_of_exp_sinc_divisor_left = exp_sinc_quotient_of_exp_sinc_divisor - exp_sinc_quotient_of_exp_sinc_divisor_right
+    exp_sinc_quotient_of_exp_sinc_divisor_right_rest = exp_sinc_divisor_lo - exp_sinc_quotient_of_exp_sinc_divisor_right
+    exp_sinc_quotient_of_exp_sinc_divisor_left_rest = exp_sinc_divisor - exp_sinc_quotient_of_exp_sinc_divisor_left
+    exp_sinc_quotient = exp_sinc_quotient_of_exp_sine / exp_sinc_quotient_of_exp_sinc_divisor
+    exp_sinc_quotient_product = exp_sinc_quotient * exp_sinc_quotient_of_exp_sinc_divisor
+    exp_sinc_quotient_product_error = product_error(exp_sinc_quotient, exp_sinc_quotient_of_exp_sinc_divisor, exp_sinc_quotient_product)
+    exp_sinc_quotient_rest = exp_sinc_quotient_of_exp_sine - exp_sinc_quotient_product
+    exp_sinc_quotient_of_exp_sine_lo = exp_sinc_quotient_of_exp_sine_left_rest + exp_sinc_quotient_of_exp_sine_right_rest
+    exp_sinc_quotient_exact = exp_sinc_quotient_rest - exp_sinc_quotient_product_error
+    exp_sinc_quotient_of_exp_sinc_divisor_lo = exp_sinc_quotient_of_exp_sinc_divisor_left_rest + exp_sinc_quotient_of_exp_sinc_divisor_right_rest
+    exp_sinc_quotient_cross = exp_sinc_quotient * exp_sinc_quotient_of_exp_sinc_divisor_lo
+    exp_sinc_quotient_numerator = exp_sinc_quotient_exact + exp_sinc_quotient_of_exp_sine_lo
+    exp_sinc_quotient_residual = exp_sinc_quotient_numerator - exp_sinc_quotient_cross
+    exp_sinc = where(exp_sinc_divisor_a, 1, exp_sinc_quotient)
+    exp_sinc_quotient_lo = exp_sinc_quotient_residual / exp_sinc_quotient_of_exp_sinc_divisor
+    exp_sinc_lo = where(exp_sinc_divisor_a, 0, exp_sinc_quotient_lo)
+    power_0 = exp_h_size_0_of_step_0 * exp_sinc
+    power_1 = exp_h_size_1_of_step_1 * exp_sinc
+    power_2 = exp_h_size_2_of_step_2 * exp_sinc
+    qo_0a = q1_0 * exp_c
+    power_2_cross = exp_h_size_2_of_step_2_lo * exp_sinc + exp_h_size_2_of_step_2 * exp_sinc_lo
+    power_2_lo = product_error(exp_h_size_2_of_step_2, exp_sinc, power_2) + power_2_cross
+    qo_0b = q1_1 * power_2
+    power_1_cross = exp_h_size_1_of_step_1_lo * exp_sinc + exp_h_size_1_of_step_1 * exp_sinc_lo
+    power_1_lo = product_error(exp_h_size_1_of_step_1, exp_sinc, power_1) + power_1_cross
+    qo_0c = q1_2 * power_1
+    qo_0d = qo_0b - qo_0c
+    qo_0d_right = qo_0b - qo_0d
+    qo_0d_left_rest = product_rest(q1_1, power_2, qo_0b, qo_0d + qo_0d_right)
+    qo_0d_lo1 = qo_0d_left_rest - product_rest(q1_2, power_1, qo_0c, qo_0d_right)
+    qo_0e = qo_0a + qo_0d
+    qo_0e_right = qo_0e - qo_0a
+    qo_0e_lo1 = product_rest(q1_0, exp_c, qo_0a, qo_0e - qo_0e_right) + (qo_0d - qo_0e_right)
+    power_0_cross = exp_h_size_0_of_step_0_lo * exp_sinc + exp_h_size_0_of_step_0 * exp_sinc_lo
+    power_0_lo = product_error(exp_h_size_0_of_step_0, exp_sinc, power_0) + power_0_cross
+    qo_0f = q1_3 * power_0
+    qo_0 = qo_0e + qo_0f
+    qo_0_right = qo_0 - qo_0e
+    qo_0_lo1 = qo_0e - (qo_0 - qo_0_right) + product_rest(q1_3, power_0, qo_0f, qo_0_right)
+    qo_0e_lo = qo_0e_lo1 + (qo_0d_lo1 + (q1_1 * power_2_lo - q1_2 * power_1_lo)) + q1_0 * exp_c_lo
+    qo_1a = q1_2 * power_0
+    qo_1b = q1_0 * power_2
+    qo_1c = qo_1a - qo_1b
+    qo_1c_right = qo_1a - qo_1c
+    qo_1c_left_rest = product_rest(q1_2, power_0, qo_1a, qo_1c + qo_1c_right)
+    qo_1c_lo1 = qo_1c_left_rest - product_rest(q1_0, power_2, qo_1b, qo_1c_right)
+    qo_1d = q1_1 * exp_c
+    qo_1e = qo_1c + qo_1d
+    qo_1e_right = qo_1e - qo_1c
+    qo_1e_lo1 = qo_1c - (qo_1e - qo_1e_right) + product_rest(q1_1, exp_c, qo_1d, qo_1e_right)
+    qo_1f = q1_3 * power_1
+    qo_1 = qo_1e + qo_1f
+    qo_1_right = qo_1 - qo_1e
+    qo_1_lo1 = qo_1e - (qo_1 - qo_1_right) + product_rest(q1_3, power_1, qo_1f, qo_1_right)
+    qo_1e_lo = qo_1e_lo1 + q1_1 * exp_c_lo + (qo_1c_lo1 + (q1_2 * power_0_lo - q1_0 * power_2_lo))
+    qo_2a = q1_0 * power_1
+    qo_2b = q1_1 * power_0
+    qo_2c = qo_2a - qo_2b
+    qo_2c_right = qo_2a - qo_2c
+    qo_2c_left_rest = product_rest(q1_0, power_1, qo_2a, qo_2c + qo_2c_right)
+    qo_2c_lo1 = qo_2c_left_rest - product_rest(q1_1, power_0, qo_2b, qo_2c_right)
+    qo_2d = q1_2 * exp_c
+    qo_2e = qo_2c + qo_2d
+    qo_2e_right = qo_2e - qo_2c
+    qo_2e_lo1 = qo_2c - (qo_2e - qo_2e_right) + product_rest(q1_2, exp_c, qo_2d, qo_2e_right)
+    qo_2f = q1_3 * power_2
+    qo_2 = qo_2e + qo_2f
+    qo_2_right = qo_2 - qo_2e
+    qo_2_lo1 = qo_2e - (qo_2 - qo_2_right) + product_rest(q1_3, power_2, qo_2f, qo_2_right)
+    qo_2e_lo = qo_2e_lo1 + q1_2 * exp_c_lo + (qo_2c_lo1 + (q1_0 * power_1_lo - q1_1 * power_0_lo))
+    qo_3a = q1_3 * exp_c
+    qo_3b = q1_0 * power_0
+    qo_3c = q1_1 * power_1
+    qo_3d = qo_3b + qo_3c
+    qo_3d_right = qo_3d - qo_3b
+    qo_3d_left_rest = product_rest(q1_0, power_0, qo_3b, qo_3d - qo_3d_right)
+    qo_3d_lo1 = qo_3d_left_rest + product_rest(q1_1, power_1, qo_3c, qo_3d_right)
+    qo_3e = q1_2 * power_2
+    qo_3f = qo_3d + qo_3e
+    qo_3f_right = qo_3f - qo_3d
+    qo_3f_lo1 = qo_3d - (qo_3f - qo_3f_right) + product_rest(q1_2, power_2, qo_3e, qo_3f_right)
+    qo_3 = qo_3a - qo_3f
+    qo_3_right = qo_3a - qo_3
+    qo_3f_lo = qo_3f_lo1 + q1_2 * power_2_lo + (qo_3d_lo1 + (q1_0 * power_0_lo + q1_1 * power_1_lo))
+    qo_3_lo2 = product_rest(q1_3, exp_c, qo_3a, qo_3 + qo_3_right) - (qo_3f - qo_3_right) - qo_3f_lo
+    qo_0_rounded = qo_0 + (qo_0_lo1 + q1_3 * power_0_lo + qo_0e_lo)
+    qo_1_rounded = qo_1 + (qo_1_lo1 + q1_3 * power_1_lo + qo_1e_lo)
+    qo_2_rounded = qo_2 + (qo_2_lo1 + q1_3 * power_2_lo + qo_2e_lo)
+    qo_3_rounded = qo_3 + (qo_3_lo2 + q1_3 * exp_c_lo)
+    qo_0_final = where(qo_0_rounded == qo_0_rounded, qo_0_rounded, qo_0)
+    qo_1_final = where(qo_1_rounded == qo_1_rounded, qo_1_rounded, qo_1)
+    qo_2_final = where(qo_2_rounded == qo_2_rounded, qo_2_rounded, qo_2)
+    qo_3_final = where(qo_3_rounded == qo_3_rounded, qo_3_rounded, qo_3)
+    return (qo_0_final, qo_1_final, qo_2_final, qo_3_final)

@@ -229,7 +229,7 @@ def screw_norm(si):
     """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
-    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 4 equal, 17
+    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 3 equal, 16
     select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
@@ -272,9 +272,8 @@ def screw_norm(si):
     norm_of_n = n + n_lo
     norm_of_n_right = norm_of_n - n
     norm = norm_of_n * r
-    norm_lost = norm_of_n - norm * (1 / r)
-    norm_small = (norm_lost + (n - (norm_of_n - norm_of_n_right) + (n_lo - norm_of_n_right))) * r
-    norm_rounded = norm + where(norm_lost == 0, 0, norm_small)
+    norm_of_n_lo = n - (norm_of_n - norm_of_n_right) + (n_lo - norm_of_n_right)
+    norm_rounded = norm + (norm_of_n - norm * (1 / r) + norm_of_n_lo) * r
     norm_final = where(norm_rounded == norm_rounded, norm_rounded, norm)
     return norm_final
 
@@ -284,8 +283,8 @@ def screw_normalize(self):
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
-    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,
-    40 select.
+    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal,
+    34 select.
     """
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     small_a = absolute(self_5)
@@ -407,65 +406,59 @@ def screw_normalize(self):
     self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right
     self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
     self_0_new = self_0_new_of_quotient_0 * after_0
-    self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * (1 / after_0)
     self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
-    self_0_new_small = (self_0_new_lost + self_0_new_of_quotient_0_lo) * after_0
+    self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * (1 / after_0)
     self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
     self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1
     self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right
     self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right
     self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
     self_1_new = self_1_new_of_quotient_1 * after_1
-    self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * (1 / after_1)
     self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
-    self_1_new_small = (self_1_new_lost + self_1_new_of_quotient_1_lo) * after_1
+    self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * (1 / after_1)
     self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
     self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2
     self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right
     self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right
     self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
     self_2_new = self_2_new_of_quotient_2 * after_2
-    self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * (1 / after_2)
     self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
-    self_2_new_small = (self_2_new_lost + self_2_new_of_quotient_2_lo) * after_2
+    self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * (1 / after_2)
     self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo
     self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3
     self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right
     self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right
     self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left
     self_3_new = self_3_new_of_quotient_3 * after_3
-    self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * (1 / after_3)
     self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest
-    self_3_new_small = (self_3_new_lost + self_3_new_of_quotient_3_lo) * after_3
+    self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * (1 / after_3)
     self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo
     self_4_new_of_quotient_4_right = self_4_new_of_quotient_4 - quotient_4
     self_4_new_of_quotient_4_left = self_4_new_of_quotient_4 - self_4_new_of_quotient_4_right
     self_4_new_of_quotient_4_right_rest = quotient_4_lo - self_4_new_of_quotient_4_right
     self_4_new_of_quotient_4_left_rest = quotient_4 - self_4_new_of_quotient_4_left
     self_4_new = self_4_new_of_quotient_4 * after_4
-    self_4_new_lost = self_4_new_of_quotient_4 - self_4_new * (1 / after_4)
     self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest + self_4_new_of_quotient_4_right_rest
-    self_4_new_small = (self_4_new_lost + self_4_new_of_quotient_4_lo) * after_4
+    self_4_new_lost = self_4_new_of_quotient_4 - self_4_new * (1 / after_4)
     self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo
     self_5_new_of_quotient_5_right = self_5_new_of_quotient_5 - quotient_5
     self_5_new_of_quotient_5_left = self_5_new_of_quotient_5 - self_5_new_of_quotient_5_right
     self_5_new_of_quotient_5_right_rest = quotient_5_lo - self_5_new_of_quotient_5_right
     self_5_new_of_quotient_5_left_rest = quotient_5 - self_5_new_of_quotient_5_left
     self_5_new = self_5_new_of_quotient_5 * after_5
-    self_5_new_lost = self_5_new_of_quotient_5 - self_5_new * (1 / after_5)
     self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest + self_5_new_of_quotient_5_right_rest
-    self_5_new_small = (self_5_new_lost + self_5_new_of_quotient_5_lo) * after_5
-    self_0_new_rounded = self_0_new + where(self_0_new_lost == 0, 0, self_0_new_small)
+    self_5_new_lost = self_5_new_of_quotient_5 - self_5_new * (1 / after_5)
+    self_0_new_rounded = self_0_new + (self_0_new_lost + self_0_new_of_quotient_0_lo) * after_0
     self_0_new_rounded_number = self_0_new_rounded == self_0_new_rounded
-    self_1_new_rounded = self_1_new + where(self_1_new_lost == 0, 0, self_1_new_small)
+    self_1_new_rounded = self_1_new + (self_1_new_lost + self_1_new_of_quotient_1_lo) * after_1
     self_1_new_rounded_number = self_1_new_rounded == self_1_new_rounded
-    self_2_new_rounded = self_2_new + where(self_2_new_lost == 0, 0, self_2_new_small)
+    self_2_new_rounded = self_2_new + (self_2_new_lost + self_2_new_of_quotient_2_lo) * after_2
     self_2_new_rounded_number = self_2_new_rounded == self_2_new_rounded
-    self_3_new_rounded = self_3_new + where(self_3_new_lost == 0, 0, self_3_new_small)
+    self_3_new_rounded = self_3_new + (self_3_new_lost + self_3_new_of_quotient_3_lo) * after_3
     self_3_new_rounded_number = self_3_new_rounded == self_3_new_rounded
-    self_4_new_rounded = self_4_new + where(self_4_new_lost == 0, 0, self_4_new_small)
+    self_4_new_rounded = self_4_new + (self_4_new_lost + self_4_new_of_quotient_4_lo) * after_4
     self_4_new_rounded_number = self_4_new_rounded == self_4_new_rounded
-    self_5_new_rounded = self_5_new + where(self_5_new_lost == 0, 0, self_5_new_small)
+    self_5_new_rounded = self_5_new + (self_5_new_lost + self_5_new_of_quotient_5_lo) * after_5
     self_5_new_rounded_number = self_5_new_rounded == self_5_new_rounded
     self_0_new_final = where(self_0_new_rounded_number, self_0_new_rounded, self_0_new)
     self_1_new_final = where(self_1_new_rounded_number, self_1_new_rounded, self_1_new)
@@ -482,8 +475,8 @@ def screw_normalized(si):
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
-    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 15 equal,
-    40 select.
+    43 mul, 104 add, 7 product error, 3 product rest, 19 div, 1 sqrt, 9 abs, 16 less, 9 equal,
+    34 select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     small_a = absolute(si_5)
@@ -604,49 +597,49 @@ def screw_normalized(si):
     so_0_of_quotient_0_left_rest = quotient_0 - (so_0_of_quotient_0 - so_0_of_quotient_0_right)
     so_0_of_quotient_0_right_rest = quotient_0_lo - so_0_of_quotient_0_right
     so_0 = so_0_of_quotient_0 * after_0
-    so_0_lost = so_0_of_quotient_0 - so_0 * (1 / after_0)
-    so_0_rest = so_0_lost + (so_0_of_quotient_0_left_rest + so_0_of_quotient_0_right_rest)
+    so_0_of_quotient_0_lo = so_0_of_quotient_0_left_rest + so_0_of_quotient_0_right_rest
     so_1_of_quotient_1 = quotient_1 + quotient_1_lo
     so_1_of_quotient_1_right = so_1_of_quotient_1 - quotient_1
     so_1_of_quotient_1_left_rest = quotient_1 - (so_1_of_quotient_1 - so_1_of_quotient_1_right)
     so_1_of_quotient_1_right_rest = quotient_1_lo - so_1_of_quotient_1_right
     so_1 = so_1_of_quotient_1 * after_1
-    so_1_lost = so_1_of_quotient_1 - so_1 * (1 / after_1)
-    so_1_rest = so_1_lost + (so_1_of_quotient_1_left_rest + so_1_of_quotient_1_right_rest)
+    so_1_of_quotient_1_lo = so_1_of_quotient_1_left_rest + so_1_of_quotient_1_right_rest
     so_2_of_quotient_2 = quotient_2 + quotient_2_lo
     so_2_of_quotient_2_right = so_2_of_quotient_2 - quotient_2
     so_2_of_quotient_2_left_rest = quotient_2 - (so_2_of_quotient_2 - so_2_of_quotient_2_right)
     so_2_of_quotient_2_right_rest = quotient_2_lo - so_2_of_quotient_2_right
     so_2 = so_2_of_quotient_2 * after_2
-    so_2_lost = so_2_of_quotient_2 - so_2 * (1 / after_2)
-    so_2_rest = so_2_lost + (so_2_of_quotient_2_left_rest + so_2_of_quotient_2_right_rest)
+    so_2_of_quotient_2_lo = so_2_of_quotient_2_left_rest + so_2_of_quotient_2_right_rest
     so_3_of_quotient_3 = quotient_3 + quotient_3_lo
     so_3_of_quotient_3_right = so_3_of_quotient_3 - quotient_3
     so_3_of_quotient_3_left_rest = quotient_3 - (so_3_of_quotient_3 - so_3_of_quotient_3_right)
     so_3_of_quotient_3_right_rest = quotient_3_lo - so_3_of_quotient_3_right
     so_3 = so_3_of_quotient_3 * after_3
-    so_3_lost = so_3_of_quotient_3 - so_3 * (1 / after_3)
-    so_3_rest = so_3_lost + (so_3_of_quotient_3_left_rest + so_3_of_quotient_3_right_rest)
+    so_3_of_quotient_3_lo = so_3_of_quotient_3_left_rest + so_3_of_quotient_3_right_rest
     so_4_of_quotient_4 = quotient_4 + quotient_4_lo
     so_4_of_quotient_4_right = so_4_of_quotient_4 - quotient_4
     so_4_of_quotient_4_left_rest = quotient_4 - (so_4_of_quotient_4 - so_4_of_quotient_4_right)
     so_4_of_quotient_4_right_rest = quotient_4_lo - so_4_of_quotient_4_right
     so_4 = so_4_of_quotient_4 * after_4
-    so_4_lost = so_4_of_quotient_4 - so_4 * (1 / after_4)
-    so_4_rest = so_4_lost + (so_4_of_quotient_4_left_rest + so_4_of_quotient_4_right_rest)
+    so_4_of_quotient_4_lo = so_4_of_quotient_4_left_rest + so_4_of_quotient_4_right_rest
     so_5_of_quotient_5 = quotient_5 + quotient_5_lo
     so_5_of_quotient_5_right = so_5_of_quotient_5 - quotient_5
     so_5_of_quotient_5_left_rest = quotient_5 - (so_5_of_quotient_5 - so_5_of_quotient_5_right)
     so_5_of_quotient_5_right_rest = quotient_5_lo - so_5_of_quotient_5_right
     so_5 = so_5_of_quotient_5 * after_5
-    so_5_lost = so_5_of_quotient_5 - so_5 * (1 / after_5)
-    so_5_rest = so_5_lost + (so_5_of_quotient_5_left_rest + so_5_of_quotient_5_right_rest)
-    so_0_rounded = so_0 + where(so_0_lost == 0, 0, so_0_rest * after_0)
-    so_1_rounded = so_1 + where(so_1_lost == 0, 0, so_1_rest * after_1)
-    so_2_rounded = so_2 + where(so_2_lost == 0, 0, so_2_rest * after_2)
-    so_3_rounded = so_3 + where(so_3_lost == 0, 0, so_3_rest * after_3)
-    so_4_rounded = so_4 + where(so_4_lost == 0, 0, so_4_rest * after_4)
-    so_5_rounded = so_5 + where(so_5_lost == 0, 0, so_5_rest * after_5)
+    so_5_of_quotient_5_lo = so_5_of_quotient_5_left_rest + so_5_of_quotient_5_right_rest
+    so_0_lo = (so_0_of_quotient_0 - so_0 * (1 / after_0) + so_0_of_quotient_0_lo) * after_0
+    so_0_rounded = so_0 + so_0_lo
+    so_1_lo = (so_1_of_quotient_1 - so_1 * (1 / after_1) + so_1_of_quotient_1_lo) * after_1
+    so_1_rounded = so_1 + so_1_lo
+    so_2_lo = (so_2_of_quotient_2 - so_2 * (1 / after_2) + so_2_of_quotient_2_lo) * after_2
+    so_2_rounded = so_2 + so_2_lo
+    so_3_lo = (so_3_of_quotient_3 - so_3 * (1 / after_3) + so_3_of_quotient_3_lo) * after_3
+    so_3_rounded = so_3 + so_3_lo
+    so_4_lo = (so_4_of_quotient_4 - so_4 * (1 / after_4) + so_4_of_quotient_4_lo) * after_4
+    so_4_rounded = so_4 + so_4_lo
+    so_5_lo = (so_5_of_quotient_5 - so_5 * (1 / after_5) + so_5_of_quotient_5_lo) * after_5
+    so_5_rounded = so_5 + so_5_lo
     so_0_final = where(so_0_rounded == so_0_rounded, so_0_rounded, so_0)
     so_1_final = where(so_1_rounded == so_1_rounded, so_1_rounded, so_1)
     so_2_final = where(so_2_rounded == so_2_rounded, so_2_rounded, so_2)

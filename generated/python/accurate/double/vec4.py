@@ -54,7 +54,7 @@ def vec4_l2norm(v):
     """|v| = sqrt(v·v), all four components.
 
     (4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.
-    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 3 equal, 12
+    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 2 equal, 11
     select.
     """
     v_0, v_1, v_2, v_3 = v
@@ -98,9 +98,8 @@ def vec4_l2norm(v):
     norm_of_n = n + n_lo
     norm_of_n_right = norm_of_n - n
     norm = norm_of_n * r
-    norm_lost = norm_of_n - norm * (1 / r)
-    norm_small = (norm_lost + (n - (norm_of_n - norm_of_n_right) + (n_lo - norm_of_n_right))) * r
-    norm_rounded = norm + where(norm_lost == 0, 0, norm_small)
+    norm_of_n_lo = n - (norm_of_n - norm_of_n_right) + (n_lo - norm_of_n_right)
+    norm_rounded = norm + (norm_of_n - norm * (1 / r) + norm_of_n_lo) * r
     norm_final = where(norm_rounded == norm_rounded, norm_rounded, norm)
     return norm_final
 
@@ -110,7 +109,7 @@ def vec4_normalize(self):
     """self = self / |self|; the zero vector stays zero.
 
     (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
-    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15
     select.
     """
     self_0, self_1, self_2, self_3 = self
@@ -197,43 +196,39 @@ def vec4_normalize(self):
     self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
     self_0_new = self_0_new_of_quotient_0 * down
     self_0_new_inverse = 1 / down
-    self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
     self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
-    self_0_new_small = (self_0_new_lost + self_0_new_of_quotient_0_lo) * down
+    self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
     self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
     self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1
     self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right
     self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right
     self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
     self_1_new = self_1_new_of_quotient_1 * down
-    self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
     self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
-    self_1_new_small = (self_1_new_lost + self_1_new_of_quotient_1_lo) * down
+    self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
     self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
     self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2
     self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right
     self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right
     self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
     self_2_new = self_2_new_of_quotient_2 * down
-    self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
     self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
-    self_2_new_small = (self_2_new_lost + self_2_new_of_quotient_2_lo) * down
+    self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
     self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo
     self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3
     self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right
     self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right
     self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left
     self_3_new = self_3_new_of_quotient_3 * down
-    self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * self_0_new_inverse
     self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest
-    self_3_new_small = (self_3_new_lost + self_3_new_of_quotient_3_lo) * down
-    self_0_new_rounded = self_0_new + where(self_0_new_lost == 0, 0, self_0_new_small)
+    self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * self_0_new_inverse
+    self_0_new_rounded = self_0_new + (self_0_new_lost + self_0_new_of_quotient_0_lo) * down
     self_0_new_rounded_number = self_0_new_rounded == self_0_new_rounded
-    self_1_new_rounded = self_1_new + where(self_1_new_lost == 0, 0, self_1_new_small)
+    self_1_new_rounded = self_1_new + (self_1_new_lost + self_1_new_of_quotient_1_lo) * down
     self_1_new_rounded_number = self_1_new_rounded == self_1_new_rounded
-    self_2_new_rounded = self_2_new + where(self_2_new_lost == 0, 0, self_2_new_small)
+    self_2_new_rounded = self_2_new + (self_2_new_lost + self_2_new_of_quotient_2_lo) * down
     self_2_new_rounded_number = self_2_new_rounded == self_2_new_rounded
-    self_3_new_rounded = self_3_new + where(self_3_new_lost == 0, 0, self_3_new_small)
+    self_3_new_rounded = self_3_new + (self_3_new_lost + self_3_new_of_quotient_3_lo) * down
     self_3_new_rounded_number = self_3_new_rounded == self_3_new_rounded
     self_0_new_final = where(self_0_new_rounded_number, self_0_new_rounded, self_0_new)
     self_1_new_final = where(self_1_new_rounded_number, self_1_new_rounded, self_1_new)
@@ -247,7 +242,7 @@ def vec4_normalized(v):
     """vo = v / |v|; the zero vector stays zero.
 
     (4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.
-    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 10 equal, 19
+    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15
     select.
     """
     v_0, v_1, v_2, v_3 = v
@@ -333,33 +328,29 @@ def vec4_normalized(v):
     vo_0_of_quotient_0_right_rest = quotient_0_lo - vo_0_of_quotient_0_right
     vo_0 = vo_0_of_quotient_0 * down
     vo_0_inverse = 1 / down
-    vo_0_lost = vo_0_of_quotient_0 - vo_0 * vo_0_inverse
-    vo_0_small = (vo_0_lost + (vo_0_of_quotient_0_left_rest + vo_0_of_quotient_0_right_rest)) * down
+    vo_0_of_quotient_0_lo = vo_0_of_quotient_0_left_rest + vo_0_of_quotient_0_right_rest
     vo_1_of_quotient_1 = quotient_1 + quotient_1_lo
     vo_1_of_quotient_1_right = vo_1_of_quotient_1 - quotient_1
     vo_1_of_quotient_1_left_rest = quotient_1 - (vo_1_of_quotient_1 - vo_1_of_quotient_1_right)
     vo_1_of_quotient_1_right_rest = quotient_1_lo - vo_1_of_quotient_1_right
     vo_1 = vo_1_of_quotient_1 * down
-    vo_1_lost = vo_1_of_quotient_1 - vo_1 * vo_0_inverse
-    vo_1_small = (vo_1_lost + (vo_1_of_quotient_1_left_rest + vo_1_of_quotient_1_right_rest)) * down
+    vo_1_of_quotient_1_lo = vo_1_of_quotient_1_left_rest + vo_1_of_quotient_1_right_rest
     vo_2_of_quotient_2 = quotient_2 + quotient_2_lo
     vo_2_of_quotient_2_right = vo_2_of_quotient_2 - quotient_2
     vo_2_of_quotient_2_left_rest = quotient_2 - (vo_2_of_quotient_2 - vo_2_of_quotient_2_right)
     vo_2_of_quotient_2_right_rest = quotient_2_lo - vo_2_of_quotient_2_right
     vo_2 = vo_2_of_quotient_2 * down
-    vo_2_lost = vo_2_of_quotient_2 - vo_2 * vo_0_inverse
-    vo_2_small = (vo_2_lost + (vo_2_of_quotient_2_left_rest + vo_2_of_quotient_2_right_rest)) * down
+    vo_2_of_quotient_2_lo = vo_2_of_quotient_2_left_rest + vo_2_of_quotient_2_right_rest
     vo_3_of_quotient_3 = quotient_3 + quotient_3_lo
     vo_3_of_quotient_3_right = vo_3_of_quotient_3 - quotient_3
     vo_3_of_quotient_3_left_rest = quotient_3 - (vo_3_of_quotient_3 - vo_3_of_quotient_3_right)
     vo_3_of_quotient_3_right_rest = quotient_3_lo - vo_3_of_quotient_3_right
     vo_3 = vo_3_of_quotient_3 * down
-    vo_3_lost = vo_3_of_quotient_3 - vo_3 * vo_0_inverse
-    vo_3_small = (vo_3_lost + (vo_3_of_quotient_3_left_rest + vo_3_of_quotient_3_right_rest)) * down
-    vo_0_rounded = vo_0 + where(vo_0_lost == 0, 0, vo_0_small)
-    vo_1_rounded = vo_1 + where(vo_1_lost == 0, 0, vo_1_small)
-    vo_2_rounded = vo_2 + where(vo_2_lost == 0, 0, vo_2_small)
-    vo_3_rounded = vo_3 + where(vo_3_lost == 0, 0, vo_3_small)
+    vo_3_of_quotient_3_lo = vo_3_of_quotient_3_left_rest + vo_3_of_quotient_3_right_rest
+    vo_0_rounded = vo_0 + (vo_0_of_quotient_0 - vo_0 * vo_0_inverse + vo_0_of_quotient_0_lo) * down
+    vo_1_rounded = vo_1 + (vo_1_of_quotient_1 - vo_1 * vo_0_inverse + vo_1_of_quotient_1_lo) * down
+    vo_2_rounded = vo_2 + (vo_2_of_quotient_2 - vo_2 * vo_0_inverse + vo_2_of_quotient_2_lo) * down
+    vo_3_rounded = vo_3 + (vo_3_of_quotient_3 - vo_3 * vo_0_inverse + vo_3_of_quotient_3_lo) * down
     vo_0_final = where(vo_0_rounded == vo_0_rounded, vo_0_rounded, vo_0)
     vo_1_final = where(vo_1_rounded == vo_1_rounded, vo_1_rounded, vo_1)
     vo_2_final = where(vo_2_rounded == vo_2_rounded, vo_2_rounded, vo_2)

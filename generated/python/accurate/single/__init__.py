@@ -6,6 +6,14 @@
 Every function broadcasts over leading axes and takes `out=`.
 """
 
+from coscrew.accurate.single.elementary import (
+    sincos,
+    sin,
+    cos,
+    exp,
+    tanh,
+    atan2,
+)
 from coscrew.accurate.single.vec3 import (
     vec3_scale,
     axpy_vv,
@@ -45,9 +53,12 @@ from coscrew.accurate.single.mat3x3 import (
     mat3x3_normalize,
     mat3x3_normalized,
     mat3x3_setFromAxisDC,
+    mat3x3_from_euler_xyz,
     euler_xyz_from_mat3x3,
+    mat3x3_from_euler_xyx,
     euler_xyx_from_mat3x3,
     mat3x3_jacobi,
+    mat3x3_from_axis_angle,
     axis_angle_from_mat3x3,
 )
 from coscrew.accurate.single.SE3 import (
@@ -100,6 +111,9 @@ from coscrew.accurate.single.matrix import (
     product_drdrzinv,
     product_ddrzinv,
     product_ddtzinv,
+)
+from coscrew.accurate.single.trig import (
+    dc,
 )
 from coscrew.accurate.single.screw import (
     screw_scale,
@@ -227,13 +241,28 @@ from coscrew.accurate.single.quaternion import (
     omega_to_dquaternion,
     mat3x3_from_quaternion,
     quaternion_from_mat3x3,
+    quaternion_from_axis_angle,
     axis_angle_from_quaternion,
+    quaternion_exp,
     quaternion_log,
+    quaternion_interpolated,
 )
 from coscrew.accurate.single.exponential import (
+    SO3_exp,
     SO3_log,
+    SO3_leftJacobian,
+    SO3_rightJacobian,
+    SO3_leftJacobianInverse,
+    SO3_rightJacobianInverse,
     mat3x3_orthonormalize,
     mat3x3_orthonormalized,
+    SE3_exp,
+    SE3_log,
+    SE3_leftJacobian,
+    SE3_rightJacobian,
+    SE3_leftJacobianInverse,
+    SE3_rightJacobianInverse,
+    SE3_interpolated,
 )
 from coscrew.accurate.single.symmetric import (
     mat3x3_ldl,

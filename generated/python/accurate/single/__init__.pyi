@@ -4,6 +4,51 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+def sincos(x: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """s = sin x, c = cos x, x in rad.
+
+    ()->(),().  x, s, c: number.
+    28 mul, 33 add, 1 abs.  Error <= 0.501 ulp, unless a result is subnormal; proved.
+    """
+
+def sin(x: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """s = sin x, x in rad.
+
+    ()->().  x, s: number.
+    28 mul, 33 add, 1 abs.  Error <= 0.501 ulp, unless a result is subnormal; proved.
+    """
+
+def cos(x: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """c = cos x, x in rad.
+
+    ()->().  x, c: number.
+    28 mul, 33 add, 1 abs.  Error <= 0.501 ulp, unless a result is subnormal; proved.
+    """
+
+def exp(x: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """y = e^x.
+
+    ()->().  x, y: number.
+    19 mul, 20 add, 1 power of two, 3 less, 4 select.  Error <= 0.501 ulp, unless a result is
+    subnormal; proved.
+    """
+
+def tanh(x: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """y = tanh x.
+
+    ()->().  x, y: number.
+    29 mul, 30 add, 1 div, 1 power of two, 1 abs, 1 copysign, 2 less, 5 select.  Error <= 0.501
+    ulp, unless a result is subnormal; proved.
+    """
+
+def atan2(y: ArrayLike, x: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """angle of the vector (x, y) to the x axis, in rad, from -π to π.
+
+    (),()->().  y, x, angle: number.
+    29 mul, 35 add, 1 div, 1 neg, 2 abs, 2 copysign, 6 less, 1 equal, 14 select.  Error <= 0.501
+    ulp, unless a result is subnormal; proved.
+    """
+
 def vec3_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = a self.
 
@@ -93,7 +138,9 @@ def angle_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = ...
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 18 less, 18 select.
+    51 mul, 42 add, 1 div, 1 sqrt, 1 neg, 11 abs, 2 copysign, 24 less, 1 equal, 32 select.  Each
+    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
+    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
     """
 
 def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -277,14 +324,32 @@ def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: NDArray[np.float32
     formula; barring over- and underflow.
     """
 
+def mat3x3_from_euler_xyz(angles: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
+
+    (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
+    98 mul, 103 add, 3 neg, 3 abs.  Each component is within 1 ulp as long as its condition is
+    below 1e13; in single precision it is the nearest number, except near ties, as long as that
+    is below 1e5; searched, not proved.
+    """
+
 def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
     [-π/2, π/2]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.  The rotation by these
-    angles differs from R by at most 12 u in each entry, near gimbal lock too; searched, not
-    proved.
+    93 mul, 108 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  Each
+    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
+    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
+    """
+
+def mat3x3_from_euler_xyx(angles: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
+
+    (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
+    98 mul, 103 add, 2 neg, 3 abs.  Each component is within 1 ulp as long as its condition is
+    below 1e13; in single precision it is the nearest number, except near ties, as long as that
+    is below 1e5; searched, not proved.
     """
 
 def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -292,8 +357,9 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) -
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles
-    differs from R by at most 12 u in each entry, near gimbal lock too; searched, not proved.
+    93 mul, 108 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  Each
+    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
+    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
     """
 
 def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -668,6 +734,13 @@ def product_ddtzinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
     3 mul, 3 add.  Error <= u |result| + (R: 0, t: 1/16) u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
+    """
+
+def dc(theta: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """dc = (sin θ, cos θ), θ in rad.
+
+    ()->(2).  theta: number; dc: (sin θ, cos θ).
+    28 mul, 33 add, 1 abs.  Error <= 0.501 ulp, unless a result is subnormal; proved.
     """
 
 def screw_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1316,21 +1389,27 @@ def quaternion_norm(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDAr
     """|q| = sqrt(v·v + w^2).
 
     (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
-    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.
+    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.  Each component is within 1 ulp as long as
+    its condition is below 1e13; in single precision it is the nearest number, except near ties,
+    as long as that is below 1e5; searched, not proved.
     """
 
 def quaternion_normalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """self = self / |self|; zero stays zero.
 
     (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.  Each component is within 1
+    ulp as long as its condition is below 1e13; in single precision it is the nearest number,
+    except near ties, as long as that is below 1e5; searched, not proved.
     """
 
 def quaternion_normalized(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """qo = q / |q|; zero stays zero.
 
     (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.  Each component is within 1
+    ulp as long as its condition is below 1e13; in single precision it is the nearest number,
+    except near ties, as long as that is below 1e5; searched, not proved.
     """
 
 def rotate_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1643,16 +1722,31 @@ def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.float32] | None = ...) 
     """R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
-    20 mul, 16 add, 1 div.  Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511,
-    in single precision 2^-45 < |q| < 2^63; searched, not proved.
+    20 mul, 16 add, 1 div.  Error <= R: 1 u of its largest component for 2^-450 < |q| < 2^511,
+    in single precision 2^-45 < |q| < 2^63; searched, not proved.  Each component is within 1
+    ulp as long as its condition is below 1e13; in single precision it is the nearest number,
+    except near ties, as long as that is below 1e5; searched, not proved.
     """
 
 def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
-    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 6 u of its largest
-    component for R a rotation; searched, not proved.
+    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 1 u of its largest
+    component for R a rotation; searched, not proved.  Each component is within 1 ulp as long as
+    its condition is below 1e13; in single precision it is the nearest number, except near ties,
+    as long as that is below 1e5; searched, not proved.
+    """
+
+def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
+    rotation is by another angle.
+
+    (3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
+    32 mul, 33 add, 1 abs.  Error <= qo: 1 u of its largest component for |axis| = 1; searched,
+    not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
+    single precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.
     """
 
 def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -1660,8 +1754,20 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float32] | No
     angle is 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.  Error <=
-    angle: 6 u, axis: 4 u of its largest component; searched, not proved.
+    41 mul, 37 add, 4 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 32 select.  Error
+    <= angle: 1 u, axis: 1 u of its largest component; searched, not proved.  Each component is
+    within 1 ulp as long as its condition is below 1e13; in single precision it is the nearest
+    number, except near ties, as long as that is below 1e5; searched, not proved.
+    """
+
+def quaternion_exp(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
+
+    (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
+    41 mul, 35 add, 1 div, 1 sqrt, 4 abs, 4 less, 1 equal, 6 select.  Error <= qo: 1 u of its
+    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each
+    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
+    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
     """
 
 def quaternion_log(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1669,24 +1775,105 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArr
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 17 select.  Error <=
-    vo: 6 u of its largest component; searched, not proved.
+    44 mul, 37 add, 2 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 31 select.  Error
+    <= vo: 1 u of its largest component; searched, not proved.  Each component is within 1 ulp
+    as long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.
+    """
+
+def quaternion_interpolated(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
+
+    (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
+    112 mul, 96 add, 3 div, 2 sqrt, 5 neg, 10 abs, 2 copysign, 19 less, 3 equal, 32 select.
+    Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
+    searched, not proved.  Each component is within 1 ulp as long as its condition is below
+    1e13; in single precision it is the nearest number, except near ties, as long as that is
+    below 1e5; searched, not proved.
+    """
+
+def SO3_exp(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
+
+    (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
+    53 mul, 47 add, 1 div, 1 sqrt, 4 abs, 4 less, 1 equal, 6 select.  Error <= R: 1 u of its
+    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each
+    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
+    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
     """
 
 def SO3_log(R: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
     """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    11 mul, 16 add, 1 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 25 select.  Error <=
-    vo: 7 u of its largest component for R a rotation; searched, not proved.
+    40 mul, 51 add, 2 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 18 less, 2 equal, 39 select.  Error
+    <= vo: 1 u of its largest component for R a rotation; searched, not proved.  Each component
+    is within 1 ulp as long as its condition is below 1e13; in single precision it is the
+    nearest number, except near ties, as long as that is below 1e5; searched, not proved.
+    """
+
+def SO3_leftJacobian(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
+
+    (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
+    64 mul, 65 add, 2 div, 1 sqrt, 1 abs, 4 less, 1 equal, 7 select.  Error <= R: 1 u of its
+    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each
+    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
+    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
+    """
+
+def SO3_rightJacobian(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
+
+    (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
+    64 mul, 65 add, 2 div, 1 sqrt, 3 neg, 1 abs, 4 less, 1 equal, 7 select.  Error <= R: 1 u of
+    its largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each
+    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
+    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
+    """
+
+def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
+    except 0.
+
+    (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
+    62 mul, 65 add, 4 div, 1 sqrt, 3 neg, 1 abs, 4 less, 1 equal, 7 select.  Error <= R: 1 u of
+    its largest component for |v| <= π; searched, not proved.  Each component is within 1 ulp as
+    long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.
+    """
+
+def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
+    except 0.
+
+    (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
+    62 mul, 65 add, 4 div, 1 sqrt, 1 abs, 4 less, 1 equal, 7 select.  Error <= R: 1 u of its
+    largest component for |v| <= π; searched, not proved.  Each component is within 1 ulp as
+    long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.
+    """
+
+def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
+    not a rotation.
+
+    (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
+    71 mul, 79 add, 2 abs, 1 less, 1 select.  Error <= R: 1 u of its largest component for
+    |axis| = 1; searched, not proved.  Each component is within 1 ulp as long as its condition
+    is below 1e13; in single precision it is the nearest number, except near ties, as long as
+    that is below 1e5; searched, not proved.
     """
 
 def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.  Error <=
-    angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not proved.
+    37 mul, 51 add, 4 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 18 less, 2 equal, 40 select.  Error
+    <= angle: 1 u, axis: 1 u of its largest component for R a rotation; searched, not proved.
+    Each component is within 1 ulp as long as its condition is below 1e13; in single precision
+    it is the nearest number, except near ties, as long as that is below 1e5; searched, not
+    proved.
     """
 
 def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
@@ -1703,6 +1890,86 @@ def mat3x3_orthonormalized(R: ArrayLike, out: NDArray[np.float32] | None = ...) 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
     51 mul, 42 add, 3 neg.  Error <= u |result| + 1/4 u^2 S, S the sum of the |terms| of the
     expanded formula; barring over- and underflow.
+    """
+
+def SE3_exp(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """D = exp s = [exp ω~ | J_l(ω) v].
+
+    (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
+    85 mul, 77 add, 2 div, 1 sqrt, 1 abs, 4 less, 1 equal, 7 select.  Error <= R: 1 u, t: 1 u of
+    its largest component, or of s.lin if that is larger, for |ω of s| <= 1e13, in single
+    precision 1e5; searched, not proved.  Each component is within 1 ulp as long as its
+    condition is below 1e13; in single precision it is the nearest number, except near ties, as
+    long as that is below 1e5; searched, not proved.  Intermediate sums may overflow where |v|,
+    or |ω| |v|, is above 2e306, in single precision 5e36.
+    """
+
+def SE3_log(D: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
+
+    (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
+    82 mul, 79 add, 8 div, 2 sqrt, 4 neg, 6 abs, 2 copysign, 19 less, 3 equal, 42 select.  Error
+    <= lin: 1 u, ang: 1 u of its largest component for R of D a rotation; searched, not proved.
+    Each component is within 1 ulp as long as its condition is below 1e13; in single precision
+    it is the nearest number, except near ties, as long as that is below 1e5; searched, not
+    proved.  Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36.
+    """
+
+def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
+
+    (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+    114 mul, 108 add, 4 div, 1 sqrt, 1 neg, 1 abs, 4 less, 1 equal, 9 select.  Error <= M: 1 u
+    of its largest component for |ω of s| <= π; searched, not proved.  Each component is within
+    1 ulp as long as its condition is below 1e13; in single precision it is the nearest number,
+    except near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
+    overflow where |v| is above 2e306, in single precision 5e36.
+    """
+
+def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
+
+    (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+    114 mul, 108 add, 4 div, 1 sqrt, 16 neg, 1 abs, 4 less, 1 equal, 9 select.  Error <= M: 1 u
+    of its largest component for |ω of s| <= π; searched, not proved.  Each component is within
+    1 ulp as long as its condition is below 1e13; in single precision it is the nearest number,
+    except near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
+    overflow where |v| is above 2e306, in single precision 5e36.
+    """
+
+def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
+
+    (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+    100 mul, 90 add, 6 div, 1 sqrt, 7 neg, 1 abs, 4 less, 1 equal, 8 select.  Error <= M: 1 u of
+    its largest component for |ω of s| <= π; searched, not proved.  Each component is within 1
+    ulp as long as its condition is below 1e13; in single precision it is the nearest number,
+    except near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
+    overflow where |v| is above 2e306, in single precision 5e36.
+    """
+
+def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
+
+    (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
+    100 mul, 90 add, 6 div, 1 sqrt, 10 neg, 1 abs, 4 less, 1 equal, 8 select.  Error <= M: 1 u
+    of its largest component for |ω of s| <= π; searched, not proved.  Each component is within
+    1 ulp as long as its condition is below 1e13; in single precision it is the nearest number,
+    except near ties, as long as that is below 1e5; searched, not proved.  Intermediate sums may
+    overflow where |v| is above 2e306, in single precision 5e36.
+    """
+
+def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np.float32] | None = ...) -> NDArray[np.float32]:
+    """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
+
+    (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
+    245 mul, 210 add, 10 div, 3 sqrt, 4 neg, 7 abs, 2 copysign, 23 less, 4 equal, 49 select.
+    Error <= R: 1 u, t: 1 u of its largest component, or of D1.t or D2.t if that is larger, for
+    R of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Each
+    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
+    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
+    Intermediate sums may overflow where |t| of D1 or D2 is above 2e306, in single precision
+    5e36.
     """
 
 def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.float32] | None] | None = ...) -> tuple[NDArray[np.float32], NDArray[np.float32]]:

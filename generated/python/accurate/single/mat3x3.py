@@ -452,15 +452,41 @@ def mat3x3_setFromAxisDC(axis, dc):
     return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22)
 
 
+@kernel("(3)->(3,3)")
+def mat3x3_from_euler_xyz(angles):
+    """R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
+
+    (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
+    98 mul, 103 add, 3 neg, 3 abs.  Each component is within 1 ulp as long as its condition is
+    below 1e13; in single precision it is the nearest number, except near ties, as long as that
+    is below 1e5; searched, not proved.
+    """
+    angles_0, angles_1, angles_2 = angles
+    s_0, c_0 = elementary.sincos(angles_0)
+    s_1, c_1 = elementary.sincos(angles_1)
+    s_2, c_2 = elementary.sincos(angles_2)
+    first_0 = c_1 * c_2
+    first_1 = -(s_2 * c_1)
+    first_6 = -(s_1 * c_2)
+    first_7 = s_1 * s_2
+    last_3 = s_2 * c_0 - s_0 * first_6
+    last_4 = c_0 * c_2 - s_0 * first_7
+    last_5 = -(s_0 * c_1)
+    last_6 = s_0 * s_2 + c_0 * first_6
+    last_7 = s_0 * c_2 + c_0 * first_7
+    last_8 = c_0 * c_1
+    return (first_0, first_1, s_1, last_3, last_4, last_5, last_6, last_7, last_8)
+
+
 @kernel("(3,3)->(3)")
 def euler_xyz_from_mat3x3(R):
     """angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
     [-π/2, π/2]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 neg, 1 equal, 3 select.  The rotation by these
-    angles differs from R by at most 12 u in each entry, near gimbal lock too; searched, not
-    proved.
+    93 mul, 108 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  Each
+    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
+    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n = sqrt(R_00 * R_00 + R_01 * R_01)
@@ -478,14 +504,41 @@ def euler_xyz_from_mat3x3(R):
     return (angles_0, angles_1, third)
 
 
+@kernel("(3)->(3,3)")
+def mat3x3_from_euler_xyx(angles):
+    """R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
+
+    (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
+    98 mul, 103 add, 2 neg, 3 abs.  Each component is within 1 ulp as long as its condition is
+    below 1e13; in single precision it is the nearest number, except near ties, as long as that
+    is below 1e5; searched, not proved.
+    """
+    angles_0, angles_1, angles_2 = angles
+    s_0, c_0 = elementary.sincos(angles_0)
+    s_1, c_1 = elementary.sincos(angles_1)
+    s_2, c_2 = elementary.sincos(angles_2)
+    first_1 = s_1 * s_2
+    first_2 = s_1 * c_2
+    first_7 = s_2 * c_1
+    first_8 = c_1 * c_2
+    last_3 = s_0 * s_1
+    last_4 = c_0 * c_2 - s_0 * first_7
+    last_5 = -(s_0 * first_8) - s_2 * c_0
+    last_6 = -(s_1 * c_0)
+    last_7 = s_0 * c_2 + c_0 * first_7
+    last_8 = c_0 * first_8 - s_0 * s_2
+    return (c_1, first_1, first_2, last_3, last_4, last_5, last_6, last_7, last_8)
+
+
 @kernel("(3,3)->(3)")
 def euler_xyx_from_mat3x3(R):
     """angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    6 mul, 3 add, 2 div, 1 sqrt, 3 atan2, 1 equal, 3 select.  The rotation by these angles
-    differs from R by at most 12 u in each entry, near gimbal lock too; searched, not proved.
+    93 mul, 108 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 18 less, 4 equal, 45 select.  Each
+    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
+    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     n = sqrt(R_01 * R_01 + R_02 * R_02)
@@ -541,13 +594,59 @@ def mat3x3_jacobi(A, V):
         vq_2, V_22, vp_2)
 
 
+@kernel("(3),()->(3,3)")
+def mat3x3_from_axis_angle(axis, angle):
+    """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
+    not a rotation.
+
+    (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
+    71 mul, 79 add, 2 abs, 1 less, 1 select.  Error <= R: 1 u of its largest component for
+    |axis| = 1; searched, not proved.  Each component is within 1 ulp as long as its condition
+    is below 1e13; in single precision it is the nearest number, except near ties, as long as
+    that is below 1e5; searched, not proved.
+    """
+    axis_0, axis_1, axis_2 = axis
+    half = 0.5 * angle
+    h = elementary.sin(half)
+    sine, cosine = elementary.sincos(angle)
+    versine = where(cosine < 0, 1 - cosine, 2 * (h * h))
+    beta_v_0 = axis_0 * versine
+    beta_v_1 = axis_1 * versine
+    beta_v_2 = axis_2 * versine
+    m_0 = axis_0 * beta_v_0
+    m_1 = axis_1 * beta_v_1
+    m_2 = axis_2 * beta_v_2
+    m_3 = axis_1 * beta_v_0
+    m_4 = axis_2 * beta_v_0
+    m_5 = axis_2 * beta_v_1
+    others_0 = m_1 + m_2
+    others_1 = m_0 + m_2
+    others_2 = m_0 + m_1
+    alpha_v_0 = axis_0 * sine
+    alpha_v_1 = axis_1 * sine
+    alpha_v_2 = axis_2 * sine
+    R_00 = 1 - others_0
+    R_01 = m_3 - alpha_v_2
+    R_02 = m_4 + alpha_v_1
+    R_10 = m_3 + alpha_v_2
+    R_11 = 1 - others_1
+    R_12 = m_5 - alpha_v_0
+    R_20 = m_4 - alpha_v_1
+    R_21 = m_5 + alpha_v_0
+    R_22 = 1 - others_2
+    return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22)
+
+
 @kernel("(3,3)->(),(3)")
 def axis_angle_from_mat3x3(R):
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    8 mul, 16 add, 3 div, 1 sqrt, 1 atan2, 5 neg, 3 abs, 12 less, 1 equal, 26 select.  Error <=
-    angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not proved.
+    37 mul, 51 add, 4 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 18 less, 2 equal, 40 select.  Error
+    <= angle: 1 u, axis: 1 u of its largest component for R a rotation; searched, not proved.
+    Each component is within 1 ulp as long as its condition is below 1e13; in single precision
+    it is the nearest number, except near ties, as long as that is below 1e5; searched, not
+    proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12

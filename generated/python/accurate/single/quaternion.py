@@ -49,7 +49,9 @@ def quaternion_norm(q):
     """|q| = sqrt(v·v + w^2).
 
     (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
-    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.
+    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select.  Each component is within 1 ulp as long as
+    its condition is below 1e13; in single precision it is the nearest number, except near ties,
+    as long as that is below 1e5; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -79,7 +81,9 @@ def quaternion_normalize(self):
     """self = self / |self|; zero stays zero.
 
     (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.  Each component is within 1
+    ulp as long as its condition is below 1e13; in single precision it is the nearest number,
+    except near ties, as long as that is below 1e5; searched, not proved.
     """
     self_0, self_1, self_2, self_3 = self
     s_size_0 = absolute(self_0)
@@ -120,7 +124,9 @@ def quaternion_normalized(q):
     """qo = q / |q|; zero stays zero.
 
     (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.
+    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select.  Each component is within 1
+    ulp as long as its condition is below 1e13; in single precision it is the nearest number,
+    except near ties, as long as that is below 1e5; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -832,8 +838,10 @@ def mat3x3_from_quaternion(q):
     """R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
-    20 mul, 16 add, 1 div.  Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511,
-    in single precision 2^-45 < |q| < 2^63; searched, not proved.
+    20 mul, 16 add, 1 div.  Error <= R: 1 u of its largest component for 2^-450 < |q| < 2^511,
+    in single precision 2^-45 < |q| < 2^63; searched, not proved.  Each component is within 1
+    ulp as long as its condition is below 1e13; in single precision it is the nearest number,
+    except near ties, as long as that is below 1e5; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     squares_0 = q_3 * q_3
@@ -881,8 +889,10 @@ def quaternion_from_mat3x3(R):
     """qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
-    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 6 u of its largest
-    component for R a rotation; searched, not proved.
+    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 1 u of its largest
+    component for R a rotation; searched, not proved.  Each component is within 1 ulp as long as
+    its condition is below 1e13; in single precision it is the nearest number, except near ties,
+    as long as that is below 1e5; searched, not proved.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -927,14 +937,36 @@ def quaternion_from_mat3x3(R):
     return (qo_0, qo_1, qo_2, qo_3)
 
 
+@kernel("(3),()->(4)")
+def quaternion_from_axis_angle(axis, angle):
+    """qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
+    rotation is by another angle.
+
+    (3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
+    32 mul, 33 add, 1 abs.  Error <= qo: 1 u of its largest component for |axis| = 1; searched,
+    not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
+    single precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.
+    """
+    axis_0, axis_1, axis_2 = axis
+    half = 0.5 * angle
+    sine, qo_3 = elementary.sincos(half)
+    qo_0 = axis_0 * sine
+    qo_1 = axis_1 * sine
+    qo_2 = axis_2 * sine
+    return (qo_0, qo_1, qo_2, qo_3)
+
+
 @kernel("(4)->(),(3)")
 def axis_angle_from_quaternion(q):
     """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
     angle is 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    12 mul, 2 add, 3 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 18 select.  Error <=
-    angle: 6 u, axis: 4 u of its largest component; searched, not proved.
+    41 mul, 37 add, 4 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 32 select.  Error
+    <= angle: 1 u, axis: 1 u of its largest component; searched, not proved.  Each component is
+    within 1 ulp as long as its condition is below 1e13; in single precision it is the nearest
+    number, except near ties, as long as that is below 1e5; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -981,14 +1013,53 @@ def axis_angle_from_quaternion(q):
     return (angle, axis_0, unit_1, unit_2)
 
 
+@kernel("(3)->(4)")
+def quaternion_exp(v):
+    """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
+
+    (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
+    41 mul, 35 add, 1 div, 1 sqrt, 4 abs, 4 less, 1 equal, 6 select.  Error <= qo: 1 u of its
+    largest component for |v| <= 1e13, in single precision 1e5; searched, not proved.  Each
+    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
+    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
+    """
+    v_0, v_1, v_2 = v
+    h_0 = 0.5 * v_0
+    h_1 = 0.5 * v_1
+    h_2 = 0.5 * v_2
+    h_size_0 = absolute(h_0)
+    h_size_1 = absolute(h_1)
+    h_size_2 = absolute(h_2)
+    h_largest1 = where(h_size_0 < h_size_1, h_size_1, h_size_0)
+    h_largest2 = where(h_largest1 < h_size_2, h_size_2, h_largest1)
+    s = where(4.611686018427388e+18 < h_largest2, float64(2.710505431213761e-20), float64(1))
+    reduced_0 = h_0 * s
+    reduced_1 = h_1 * s
+    reduced_2 = h_2 * s
+    up = where(s < 1, float64(3.6893488147419103e+19), float64(1))
+    reduced_length = sqrt(reduced_0 * reduced_0 + reduced_1 * reduced_1 + reduced_2 * reduced_2)
+    half_angle = reduced_length * up
+    sine, c = elementary.sincos(half_angle)
+    sinc_divisor_a = half_angle == 0
+    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_quotient = sine / sinc_divisor
+    sinc = where(sinc_divisor_a, 1, sinc_quotient)
+    qo_0 = h_0 * sinc
+    qo_1 = h_1 * sinc
+    qo_2 = h_2 * sinc
+    return (qo_0, qo_1, qo_2, c)
+
+
 @kernel("(4)->(3)")
 def quaternion_log(q):
     """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    15 mul, 2 add, 1 div, 1 sqrt, 1 atan2, 4 neg, 7 abs, 13 less, 1 equal, 17 select.  Error <=
-    vo: 6 u of its largest component; searched, not proved.
+    44 mul, 37 add, 2 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 31 select.  Error
+    <= vo: 1 u of its largest component; searched, not proved.  Each component is within 1 ulp
+    as long as its condition is below 1e13; in single precision it is the nearest number, except
+    near ties, as long as that is below 1e5; searched, not proved.
     """
     q_0, q_1, q_2, q_3 = q
     s_size_0 = absolute(q_0)
@@ -1032,3 +1103,79 @@ def quaternion_log(q):
     vector_1 = upper_1 * k
     vector_2 = upper_2 * k
     return (vector_0, vector_1, vector_2)
+
+
+@kernel("(4),(4),()->(4)")
+def quaternion_interpolated(q1, q2, k):
+    """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
+
+    (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
+    112 mul, 96 add, 3 div, 2 sqrt, 5 neg, 10 abs, 2 copysign, 19 less, 3 equal, 32 select.
+    Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1;
+    searched, not proved.  Each component is within 1 ulp as long as its condition is below
+    1e13; in single precision it is the nearest number, except near ties, as long as that is
+    below 1e5; searched, not proved.
+    """
+    q1_0, q1_1, q1_2, q1_3 = q1
+    q2_0, q2_1, q2_2, q2_3 = q2
+    between_0 = q1_3 * q2_0 - q1_0 * q2_3 + (q1_2 * q2_1 - q1_1 * q2_2)
+    between_1 = q1_0 * q2_2 - q1_2 * q2_0 + (q1_3 * q2_1 - q1_1 * q2_3)
+    between_2 = q1_1 * q2_0 - q1_0 * q2_1 + (q1_3 * q2_2 - q1_2 * q2_3)
+    between_3 = q1_0 * q2_0 + q1_1 * q2_1 + q1_2 * q2_2 + q1_3 * q2_3
+    upper_0b = between_3 < 0
+    upper_0 = where(upper_0b, -between_0, between_0)
+    upper_1 = where(upper_0b, -between_1, between_1)
+    upper_2 = where(upper_0b, -between_2, between_2)
+    upper_3 = absolute(between_3)
+    v_s_size_0 = absolute(upper_0)
+    v_s_size_1 = absolute(upper_1)
+    v_s_size_2 = absolute(upper_2)
+    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
+    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
+    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float64(2.710505431213761e-20), float64(1))
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
+    v_y_0 = upper_0 * v_s
+    v_y_1 = upper_1 * v_s
+    v_y_2 = upper_2 * v_s
+    v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
+    v_r_b = where(v_s < 1, float64(3.6893488147419103e+19), float64(1))
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
+    n = v_n * v_r
+    half = elementary.atan2(n, upper_3)
+    divisor = where(n == 0, 1, n)
+    rate = half / divisor
+    kv_0 = k * upper_0
+    kv_1 = k * upper_1
+    kv_2 = k * upper_2
+    step_0 = rate * kv_0
+    step_1 = rate * kv_1
+    step_2 = rate * kv_2
+    exp_h_size_0 = absolute(step_0)
+    exp_h_size_1 = absolute(step_1)
+    exp_h_size_2 = absolute(step_2)
+    exp_h_largest1 = where(exp_h_size_0 < exp_h_size_1, exp_h_size_1, exp_h_size_0)
+    exp_h_largest2 = where(exp_h_largest1 < exp_h_size_2, exp_h_size_2, exp_h_largest1)
+    exp_s_a = 4.611686018427388e+18 < exp_h_largest2
+    exp_s = where(exp_s_a, float64(2.710505431213761e-20), float64(1))
+    exp_reduced_0 = step_0 * exp_s
+    exp_reduced_1 = step_1 * exp_s
+    exp_reduced_2 = step_2 * exp_s
+    exp_up = where(exp_s < 1, float64(3.6893488147419103e+19), float64(1))
+    exp_reduced_length_c = exp_reduced_0 * exp_reduced_0 + exp_reduced_1 * exp_reduced_1
+    exp_reduced_length = sqrt(exp_reduced_length_c + exp_reduced_2 * exp_reduced_2)
+    exp_half_angle = exp_reduced_length * exp_up
+    exp_sine, exp_c = elementary.sincos(exp_half_angle)
+    exp_sinc_divisor_a = exp_half_angle == 0
+    exp_sinc_divisor = where(exp_sinc_divisor_a, 1, exp_half_angle)
+    exp_sinc_quotient = exp_sine / exp_sinc_divisor
+    exp_sinc = where(exp_sinc_divisor_a, 1, exp_sinc_quotient)
+    power_0 = step_0 * exp_sinc
+    power_1 = step_1 * exp_sinc
+    power_2 = step_2 * exp_sinc
+    qo_0 = q1_0 * exp_c + (q1_1 * power_2 - q1_2 * power_1) + q1_3 * power_0
+    qo_1 = q1_2 * power_0 - q1_0 * power_2 + q1_1 * exp_c + q1_3 * power_1
+    qo_2 = q1_0 * power_1 - q1_1 * power_0 + q1_2 * exp_c + q1_3 * power_2
+    qo_3 = -(q1_0 * power_0) - q1_1 * power_1 - q1_2 * power_2 + q1_3 * exp_c
+    return (qo_0, qo_1, qo_2, qo_3)

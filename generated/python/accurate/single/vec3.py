@@ -238,7 +238,9 @@ def angle_vv(v1, v2):
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    22 mul, 7 add, 1 sqrt, 1 atan2, 9 abs, 18 less, 18 select.
+    51 mul, 42 add, 1 div, 1 sqrt, 1 neg, 11 abs, 2 copysign, 24 less, 1 equal, 32 select.  Each
+    component is within 1 ulp as long as its condition is below 1e13; in single precision it is
+    the nearest number, except near ties, as long as that is below 1e5; searched, not proved.
     """
     v1_0, v1_1, v1_2 = v1
     v2_0, v2_1, v2_2 = v2
