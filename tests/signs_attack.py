@@ -9,7 +9,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from tests.scenes.test_scene_signs import judge, named_scene, unnoticed
+from tests.support.truth.signed_arm import judge, named_scene, unnoticed
 
 NOTICED = 0.97
 
