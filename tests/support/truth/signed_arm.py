@@ -11,6 +11,7 @@ import numpy as np
 from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.layout import scene_files
 from coscrew_codegen.mechanics import derive
+from coscrew_codegen.scene.model import Kind
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from tests.support.scenes import mechanisms as m
@@ -39,7 +40,7 @@ class Judged:
 def scene() -> Scene:
     """Four joints that turn about different axes, one that slides, dampers."""
     moments = ("0.22", "0.33", "0.41", "0.11", "-0.07", "0.13")
-    links = [(m.Kind.PRISMATIC if n == 2 else m.Kind.REVOLUTE, axis, m.at("0.1", "-0.2", "0.3"),
+    links = [(Kind.PRISMATIC if n == 2 else Kind.REVOLUTE, axis, m.at("0.1", "-0.2", "0.3"),
               m.inertia("1.1", ("0.01", "0.07", "-0.03"), moments))
              for n, axis in enumerate((m.Z, m.Y, m.X, m.X, m.Z))]
     dampers = [m.applied("viscous", f"j{n}", d=Fraction("0.3")) for n in range(5)]
