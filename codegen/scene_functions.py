@@ -37,6 +37,7 @@ class Function:
     program: Program
     headings: tuple[tuple[int, str], ...] = ()
     internal: bool = False
+    rounding: str = ""  # how far roundings can move its outputs, if that is proved
     plain: Program | None = None
 
     @property

@@ -63,8 +63,9 @@ def _function(plain: Function, tier: Tier, precision: Precision) -> Function:
     program = tier.scene(plain.program, precision)
     words = {_heading(plain, place): text for place, text in plain.headings}
     more = len(program.inputs) > len(plain.program.inputs)
-    return replace(plain, program=program, plain=plain.program if more else None, headings=tuple(
-        (place, words.get(heading, heading)) for place, heading in headings(program)))
+    return replace(plain, program=program, plain=plain.program if more else None, rounding="",
+                   headings=tuple((place, words.get(heading, heading))
+                                  for place, heading in headings(program)))
 
 
 def _heading(function: Function, place: int) -> str:

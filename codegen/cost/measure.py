@@ -14,6 +14,7 @@ from coscrew_codegen.cost.accuracy import CHOICES, Accuracy, measured
 from coscrew_codegen.cost.asked import Asked, present, refuse_absent
 from coscrew_codegen.cost.leaving_out import SHOWN, WHOLE, Part, part, parts
 from coscrew_codegen.cost.loops import ELEMENTS, Compiled, compiled
+from coscrew_codegen.cost.run_errors import RunErrors, run_errors
 from coscrew_codegen.cost.states import Values, box_of
 from coscrew_codegen.cost.work_precision import Point, Reference, reference, work_precision
 from coscrew_codegen.formats import PRECISIONS
@@ -33,6 +34,7 @@ from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import System, system
 from coscrew_codegen.tiers import OF_SCENES, PLAIN
 
+_INSTRUCTIONS = 2_000_000  # of the run computed with many digits: some five seconds
 _SECONDS = 0.02  # of timing for each function of each part in each precision
 
 Item = TypeVar("Item")
@@ -60,6 +62,7 @@ class Costs:
     points: tuple[Point, ...]
     accuracy: tuple[tuple[Accuracy, ...], ...] = ()  # of each function: all tiers and precisions
     runs: bool = True  # whether runs were measured, or asked for
+    run_errors: RunErrors | None = None
 
     def known(self, point: Point) -> bool:
         """Whether a run's error exceeds the reference's; if not, it is only known to be small."""
@@ -99,7 +102,8 @@ def _with_runs(costs: Costs, kernels: Kernels, overrides: RunOverrides, built: S
     truth = reference(its, planned.until, asked.digits)
     points = work_precision(kernels, built[0], planned, overrides, truth) if truth else ()
     return replace(costs, rows=rows, reference=truth,
-                   points=tuple(_progress(points, "integrating", None)))
+                   points=tuple(_progress(points, "integrating", None)),
+                   run_errors=run_errors(kernels, overrides, _INSTRUCTIONS))
 
 
 def _tiers(of: Part, names: Sequence[str]) -> tuple[SceneTier, ...]:

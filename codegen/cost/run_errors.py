@@ -15,7 +15,6 @@ from typing import Any, TypeAlias
 import mpmath
 import numpy as np
 from mpmath import mpf
-from tabulate import tabulate
 
 from coscrew_codegen.cost.leaving_out import leaving_out
 from coscrew_codegen.formats import PRECISIONS
@@ -166,14 +165,3 @@ def _difference(its: System, exact: Numbers, found: Numbers) -> float:
                 other[places] = [-x for x in other[places]]
         worst = max((abs(x - y) for x, y in zip(exact, other, strict=True)), default=mpf(0))
     return float(worst) if mpmath.isfinite(worst) else math.inf
-
-
-def table(found: RunErrors) -> str:
-    """The errors as a table: a column for each time."""
-    part = f" of {found.until:g} s" if found.times[-1] < found.until else ""
-    head = (f"errors of the run, m or rad ({found.integrator}, {found.times[-1]:g} s{part}, "
-            f"against {DIGITS} digits)")
-    rows = [(f"{x.cause}: {x.of}", *(f"{y:.2g}" for y in x.errors)) for x in found.rows]
-    columns = (head, *(f"t = {t:g} s" for t in found.times))
-    return str(tabulate(rows, columns, disable_numparse=True,
-                        colalign=("left", *["right"] * len(found.times))))

@@ -9,6 +9,8 @@ from coscrew_codegen import version
 from coscrew_codegen.cost.accuracy import DIGITS, Accuracy, Bounds, Errors
 from coscrew_codegen.cost.advice import recommended, sentences, undominated
 from coscrew_codegen.cost.measure import Costs
+from coscrew_codegen.cost.run_errors import DIGITS as RUN_DIGITS
+from coscrew_codegen.cost.run_errors import RunErrors
 from coscrew_codegen.cost.table import best
 from coscrew_codegen.machine import processor
 from coscrew_codegen.native.intervals import Interval
@@ -42,7 +44,8 @@ def data(costs: Costs, command: str) -> dict[str, Json]:
         "runs": [{
             "integrator": x.integrator, "precision": x.precision, "step": x.step, "steps": x.steps,
             "language": x.by, "time": _time(x.time), "error": x.error,
-            "error_known": costs.known(x), "best": best(x, costs)} for x in costs.points]}
+            "error_known": costs.known(x), "best": best(x, costs)} for x in costs.points],
+        "run_errors": _run_errors(costs.run_errors)}
 
 
 def _function(rows: Sequence[Accuracy]) -> dict[str, Json]:
@@ -68,6 +71,13 @@ def _bounds(x: Bounds | None) -> dict[str, Json] | None:
     return None if x is None else {
         "worst": x.worst, "least_ratio": x.least_ratio, "typical_ratio": x.typical_ratio,
         "worst_ratio": x.worst_ratio}
+
+
+def _run_errors(x: RunErrors | None) -> dict[str, Json] | None:
+    return None if x is None else {
+        "integrator": x.integrator, "step": x.step, "until": x.until, "times": x.times,
+        "reference_digits": RUN_DIGITS,
+        "rows": [{"cause": row.cause, "of": row.of, "errors": row.errors} for row in x.rows]}
 
 
 def _time(x: Interval) -> dict[str, Json]:

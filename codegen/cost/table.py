@@ -11,6 +11,8 @@ from coscrew_codegen.cost.accuracy import DIGITS, Accuracy, Errors
 from coscrew_codegen.cost.advice import sentences, undominated
 from coscrew_codegen.cost.leaving_out import SHOWN, WHOLE
 from coscrew_codegen.cost.measure import Costs
+from coscrew_codegen.cost.run_errors import DIGITS as RUN_DIGITS
+from coscrew_codegen.cost.run_errors import RunErrors
 from coscrew_codegen.cost.units import in_unit, three_digits, written
 from coscrew_codegen.cost.work_precision import Point
 from coscrew_codegen.native.intervals import Interval
@@ -70,6 +72,8 @@ def others(costs: Costs) -> Iterator[Table]:
         yield from _effects(costs)
     if costs.runs:
         yield _accuracy(costs)
+    if costs.run_errors:
+        yield of_run(costs.run_errors)
 
 
 def _errors(x: Errors) -> tuple[str, ...]:
@@ -119,6 +123,17 @@ def _accuracy(costs: Costs) -> Table:
         (x.integrator, x.precision, three_digits(x.step), str(x.steps), _in_words(x.time, 1e6),
          three_digits(x.error) if math.isfinite(x.error) else "unstable", _mark(x, costs))
         for x in costs.points), head, _MARKS)
+
+
+def of_run(found: RunErrors) -> Table:
+    """A column for each time."""
+    part = f" of {found.until:g} s" if found.times[-1] < found.until else ""
+    head = (f"Errors of a run in m or rad, told apart: {found.integrator}, step {found.step:g} s, "
+            f"the first {found.times[-1]:g} s{part}, against the same steps with {RUN_DIGITS} "
+            "digits.",
+            "Rounding: in this precision. Step: steps a quarter as long. Model: without an effect.")
+    return Table(("cause", *(f"t = {t:g} s" for t in found.times)), tuple(
+        (f"{x.cause}: {x.of}", *(in_unit(y, "1") for y in x.errors)) for x in found.rows), head)
 
 
 def _in_words(time: Interval, scale: float = 1) -> str:

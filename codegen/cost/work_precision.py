@@ -87,7 +87,7 @@ class _TooLong(Exception):
 
 def _end(system: System, until: float, integrator: str, tolerance: float) -> Trajectory | None:
     """The run at this tolerance; None if it stops early or takes too long."""
-    planned = Plan(until, until / 1000, integrator, until, tolerance, tolerance)
+    planned = Plan(until, until, integrator, until, tolerance, tolerance)
     deadline = time.monotonic() + _PATIENCE
 
     def watch(t: float, q: np.ndarray, v: np.ndarray) -> None:

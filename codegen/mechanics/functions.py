@@ -11,6 +11,7 @@ from coscrew_codegen.mechanics.functions_of_bodies import BodyFunctions
 from coscrew_codegen.mechanics.functions_of_dynamics import DynamicsFunctions
 from coscrew_codegen.mechanics.functions_of_steps import StepFunctions
 from coscrew_codegen.mechanics.ranges import refuse_numbers
+from coscrew_codegen.mechanics.rounding import statement
 from coscrew_codegen.mechanics.steps import needs, stepped
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.selected import (
@@ -22,7 +23,7 @@ from coscrew_codegen.scene.selected import (
     together,
 )
 from coscrew_codegen.scene.signs import signs
-from coscrew_codegen.scene_functions import SceneFunctions
+from coscrew_codegen.scene_functions import Function, SceneFunctions
 
 
 def derive(scene: Scene, functions: Collection[str] = (),
@@ -48,7 +49,7 @@ class _Derivation(DynamicsFunctions, BodyFunctions, StepFunctions):
         wanted = names or selected_functions(scene)
         steps = [x for x in EMITTED if x.step_name in wanted]
         called = together(*map(needs, steps))
-        found = [replace(made, internal=name not in wanted)
+        found = [self._stated(made, name in wanted)
                  for name, make in self._makers().items() if name in wanted or name in called
                  if (made := make())]
         if not names:
@@ -58,6 +59,11 @@ class _Derivation(DynamicsFunctions, BodyFunctions, StepFunctions):
             tuple((p.name, float(p.value)) for p in scene.parameters), coordinates.neutral(tree),
             tuple(found), (), scene.precisions, self.timed,
             tuple(signs(scene).items()), scene.tiers), steps)
+
+    def _stated(self, made: Function, public: bool) -> Function:
+        """The function, public or not, with what is proved of its rounding errors."""
+        rounding = statement(made.program, self.scene, self.tree) if public else ""
+        return replace(made, internal=not public, rounding=rounding)
 
     def _makers(self) -> Makers:
         return {**self._of_dynamics(), **self._of_bodies(), **self._of_steps()}

@@ -117,7 +117,7 @@ def _function(scene: SceneFunctions, function: Function, body: str, precision: P
     shapes = [f"{a.name}: {' × '.join(map(str, a.quantity.shape))}."
               for a in outputs if len(a.quantity.shape) > 1]
     comment = comment_of([scene_text.printable(scene_text.sentence(function.words)), *shapes,
-                          scene_text.cost(function)])
+                          *filter(None, [function.rounding]), scene_text.cost(function)])
     head = arguments.head(c_name(scene, function.name, precision), parameters,
                           "static" if function.internal else "")
     return CFunction(function.name, comment, head, body, function.internal)

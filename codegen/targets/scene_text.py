@@ -88,7 +88,7 @@ def words(function: Function, costs: bool = True) -> tuple[str, ...]:
     given, made = (", ".join(f"{a.name} {tuple(a.quantity.shape)}" for a in side)
                    for side in (function.inputs, outputs(function)))
     return (sentence(function.words), f"Last axes: {given} -> {made}.",
-            *([cost(function)] if costs else []))
+            *filter(None, [function.rounding]), *([cost(function)] if costs else []))
 
 
 def banner_of(name: str, command: str = "") -> str:

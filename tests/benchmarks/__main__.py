@@ -6,6 +6,7 @@ from tests.benchmarks import (
     dynamics,
     gufuncs,
     header_kernels,
+    rounding_statements,
     scene_tiers,
     tiers,
 )
@@ -15,5 +16,6 @@ gufuncs.main()
 tiers.main()
 scene_tiers.main()
 cortex_m4.main()
+rounding_statements.main()
 accuracy.main()
 dynamics.main()

@@ -225,6 +225,8 @@ def test_the_table_holds_what_was_measured(costs):
     for point in costs.points:
         assert three_digits(point.error) in text
     assert text.count("*") >= 2
+    for row in costs.run_errors.rows:
+        assert f"{row.cause}: {row.of} " in text
 
 
 def test_the_figure_holds_a_bar_for_each_part_and_a_curve_for_each_integrator(costs, tmp_path):

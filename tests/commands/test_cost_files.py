@@ -17,6 +17,7 @@ from coscrew_codegen.cost.accuracy import CHOICES, Bounds, Counts
 from coscrew_codegen.cost.asked import Asked
 from coscrew_codegen.cost.measure import Costs, Row
 from coscrew_codegen.cost.panels import shown
+from coscrew_codegen.cost.run_errors import RunError, RunErrors
 from coscrew_codegen.cost.table import accuracies, others
 from coscrew_codegen.cost.work_precision import Point, Reference
 from coscrew_codegen.native.intervals import Interval
@@ -77,6 +78,8 @@ def whole(costs) -> Costs:
               Point("rk4", "single", 1e-3, 1000, time, math.inf, "C"))
     return replace(
         costs, scene="</script><b>", accuracy=((*others, last), *costs.accuracy[1:]), runs=True,
+        run_errors=RunErrors("rk4", 1e-3, 2.0, (0.5, 1.0), (
+            RunError("rounding", "single", (1e-7, math.inf)),)),
         rows=(Row("all effects", "energy", "3 mul", 3, (time, time)),), points=points,
         reference=Reference("dop853, rtol 1e-13", 1.0, np.zeros(1), np.zeros(1), 1e-12))
 
@@ -116,6 +119,8 @@ def test_json_has_the_figures(whole, tmp_path):
         "worst": None, "least_ratio": 1.5, "typical_ratio": 2, "worst_ratio": None}
     assert [x["error"] for x in found["runs"]] == [1e-9, None]
     assert [x["best"] for x in found["runs"]] == [True, False]
+    assert found["run_errors"]["rows"] == [
+        {"cause": "rounding", "of": "single", "errors": [1e-7, None]}]
 
 
 def test_every_field_is_documented(whole, tmp_path):

@@ -1,0 +1,38 @@
+"""What is stated of rounding errors between the limits, beside the worst that a search finds."""
+
+from collections.abc import Iterator
+
+from tabulate import tabulate
+
+from coscrew_codegen.scene.selected import jacobians
+from coscrew_codegen.simulate.load import load_scene
+from tests.benchmarks.cortex_m4 import ROBOTS
+from tests.support.scenes.robots import scene_of
+from tests.support.scenes.worst_rounding import stated, worst_found
+
+NAMES = ("body_poses", "gravity_torques", "mass_matrix", "energy", "bias_torques")
+STATES, ROUNDS = 4000, 60
+
+
+def rows() -> Iterator[tuple[str, ...]]:
+    """A line for each bound in single precision."""
+    for name, file in ROBOTS.items():
+        scene = scene_of(file)
+        kernels = load_scene(scene, functions=(*NAMES, list(jacobians(scene))[-1]))
+        for function in kernels.functions.functions:
+            for (output, precision), bound in stated(function).items():
+                if precision == "single":
+                    found = worst_found(kernels, function, output, STATES, ROUNDS)
+                    yield (name, function.name, f"{bound:.1e}", f"{found:.1e}",
+                           f"{bound / found:.0f}")
+
+
+def main() -> None:
+    """Print the table."""
+    print(f"\nSingle precision, the worst of {STATES * (ROUNDS + 1)} states")
+    print(tabulate(rows(), ("robot", "function", "stated", "found", "ratio"),
+                   disable_numparse=True))
+
+
+if __name__ == "__main__":
+    main()
