@@ -22,6 +22,7 @@ Numbers: TypeAlias = list[Any]  # mpmath has no types
 
 GRAVITY = (Fraction("0.3"), Fraction("-0.7"), Fraction("-9.81"))
 FUNCTIONS = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
+KINDS = (*[Kind.REVOLUTE] * 5, *[Kind.PRISMATIC] * 3, Kind.FIXED)
 ABSENT = dict.fromkeys(("k", "q0", "d", "tau_c", "rotor"), Fraction(0)) | {
     "eps": Fraction(1), "gear": Fraction(1)}
 
@@ -79,7 +80,7 @@ def robot(number: int) -> Robot:
     moving = int(draw.integers(3, 7))
     while sum(x.kind is not Kind.FIXED for x in joints) < moving:
         n = len(bodies)
-        kind = draw.choice([Kind.REVOLUTE] * 5 + [Kind.PRISMATIC] * 3 + [Kind.FIXED])  # type: ignore[arg-type]
+        kind = KINDS[draw.integers(len(KINDS))]
         parent = f"b{draw.integers(n)}" if n and draw.integers(8) else WORLD
         place = Placement(_rotation(draw), tuple(_decimals(draw, 3, 500)))
         bodies.append(Body(f"b{n}", m.inertia(_decimal(draw, 100, 4000), _decimals(draw, 3, 200), (
