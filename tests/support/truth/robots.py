@@ -42,13 +42,14 @@ class Robot:
             tau, self.acting, q, v, a, strict=True)]
 
     def mass_matrix(self, q: Numbers) -> Any:
-        """Its columns are the torques of unit accelerations at rest, less those at rest."""
-        n = len(q)
+        """Its columns are the torques of unit accelerations at rest, less those at rest; what is
+        left of an entry that cancels is zero."""
+        n, least = len(q), mpf(10)**(20 - mpmath.mp.dps)
         still = [mpf(0)] * n
         rest = self.inverse(q, still, still)
         units = [[mpf(j == k) for j in range(n)] for k in range(n)]
-        return mpmath.matrix([[x - y for x, y in zip(self.inverse(q, still, unit), rest,
-                                                     strict=True)] for unit in units]).T
+        return mpmath.matrix([[mpmath.chop(x - y, least) for x, y in zip(
+            self.inverse(q, still, unit), rest, strict=True)] for unit in units]).T
 
     def forward(self, q: Numbers, v: Numbers, tau: Numbers) -> Numbers:
         """a with M a + bias = τ by elimination."""
