@@ -39,6 +39,8 @@ class Table:
 
     def text(self) -> str:
         """For a terminal."""
+        if not self.rows:
+            return "\n".join((*self.above, *self.below))
         places = ("left", *("right" for _ in self.headers[1:]))
         return "\n".join((*self.above, str(tabulate(
             self.rows, self.headers, disable_numparse=True, colalign=places)), *self.below))
