@@ -32,10 +32,10 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.formats import Format
+from coscrew_codegen.formats import SINGLE, Format, Precision
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.program import name_of
-from coscrew_codegen.tiers.certified_scene import of_scene
+from coscrew_codegen.tiers import certified_scene, certified_wide
 from coscrew_codegen.tiers.tier import Tier, bounds_of_outputs
 
 if TYPE_CHECKING:
@@ -159,10 +159,17 @@ def _constant(value: Fraction) -> Constant:
     return Constant(value, value)
 
 
+def _of_scene(program: Program, precision: Precision) -> Program:
+    """The tier's program of a scene's function."""
+    if precision == SINGLE:
+        return certified_wide.of_scene(program)
+    return certified_scene.of_scene(program, precision)
+
+
 TIER = Tier(
     "certified", 3, "Certified tier: plain results, and bounds on their errors that always hold.",
     ("#00805d", "#3ccf9f"), certified,
-    operation=certified_operation, scene=of_scene, in_words="""\
+    operation=certified_operation, scene=_of_scene, in_words="""\
 The certified tier: every operation returns (result, bound), the plain result, bit for bit, and a
 bound on each component's error.  It holds for all numbers, underflow included.  Where something
 overflowed, the bound is infinite or NaN: no statement is made.""")

@@ -22,6 +22,8 @@ rules:
                  for 1; sin and cos of an exact x, if there are many, s = |ŷ|;
     exp          s = ŷ (1 + s_x (1 + B_x / κ u)) if B_x <= 1/4.
 
+The first digits of a number that is split (splits.py) are exact: results do not depend on them.
+
 To add e to a bound is to add e / m u² to s.  Inf and NaN are no statement.
 """
 
@@ -30,7 +32,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from coscrew_codegen.errors import ReportedError
-from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
+from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import (
     Constant,
     Instruction,
@@ -43,9 +45,9 @@ from coscrew_codegen.program import (
 )
 from coscrew_codegen.program.ops import COMPARISONS
 from coscrew_codegen.program.program import name_of
-from coscrew_codegen.tiers.certified_wide import of_single, with_plain_results
 from coscrew_codegen.tiers.errors import ONE, ZERO, constant
-from coscrew_codegen.tiers.sizes import SPREAD, Size, Sizes
+from coscrew_codegen.tiers.sizes import Size, Sizes
+from coscrew_codegen.tiers.splits import splits
 from coscrew_codegen.tiers.tier import bounds_of_outputs
 
 MANY = 16
@@ -60,11 +62,13 @@ class NoRuleError(ReportedError, ValueError):
 
 
 def of_scene(program: Program, precision: Precision) -> Program:
-    """The plain program of a scene's function, extended by bounds of its results' errors; in single
-    precision they follow from the certified results in double.  Raises NoRuleError."""
-    if precision == SINGLE:
-        return with_plain_results(program, of_scene(of_single(program), DOUBLE))
-    certifier = _Certifier(program, precision)
+    """The plain program of a scene's function, extended by bounds of its results' errors.  Raises
+    NoRuleError."""
+    return extended(program, Certifier(program, precision))
+
+
+def extended(program: Program, certifier: "Certifier") -> Program:
+    """The program and the bounds that this certifier issues."""
     for step in program.instructions:
         certifier.compensate(step)
     bounds = tuple(map(certifier.of_result, program.results))
@@ -79,13 +83,14 @@ def of_scene(program: Program, precision: Precision) -> Program:
         instructions=steps, results=(*map(near, program.results), *bounds)))
 
 
-class _Certifier(Sizes):
+class Certifier(Sizes):
     """Follows all operations of scenes."""
 
     def __init__(self, program: Program, precision: Precision) -> None:
         super().__init__(program, precision)
         self._tests: dict[str, Instruction] = {}
         self._many = len(self.circular) > MANY
+        self._splits = splits(program)
         self._size_of: dict[Op, Callable[[Instruction], Size]] = {
             Op.ADD: self.of_sum, Op.SUB: self.of_sum, Op.MUL: self.of_product,
             Op.NEG: lambda step: self.size(step.operands[0]), Op.ABS: self._of_absolute,
@@ -101,6 +106,9 @@ class _Certifier(Sizes):
     def compensate(self, step: Instruction) -> None:
         """Issue a plain instruction, its error and its size."""
         self._at = step
+        if step.name in self._splits:
+            self.steps.append(step)
+            return
         super().compensate(step)
         if step.op in COMPARISONS:
             self._tests[step.name] = step
@@ -122,7 +130,7 @@ class _Certifier(Sizes):
         if not b.exact:
             total = self.do(Op.DIV, total, self._certain(y, divisor))
             total = self.do(Op.MUL, total, self.reach(y))
-            more = Fraction(4, 3) * SPREAD * (1 + k + u * m)
+            more = Fraction(4, 3) * self.spread * (1 + k + u * m)
         s = self.do(Op.ADD, size, self.do(Op.DIV, total, divisor))
         return Size(s, (1 + 64 * u) * (k + 1), (1 + 64 * u) * (m + 4 * (k + 1) + more), self.slack)
 
@@ -140,7 +148,7 @@ class _Certifier(Sizes):
         (x,), y, u = step.operands, Ref(step.name), self.u
         a = self.padded(x, even_exact=True)
         k = (1 + 64 * u) * (2 + a.k + a.m * u) / 2
-        m = (1 + 64 * u) * (a.m / 2 + (3 + SPREAD) * k)
+        m = (1 + 64 * u) * (a.m / 2 + (3 + self.spread) * k)
         if a.exact:
             zero = self.do(Op.EQUAL, y, ZERO)
             part = self.do(Op.DIV, a.s, self.do(Op.SELECT, zero, ONE, y))
@@ -148,22 +156,22 @@ class _Certifier(Sizes):
             near = self.do(Op.DIV, self.do(Op.DIV, a.s, y), x)
             near = self.do(Op.MUL, near, self.reach(x))
             far = self.do(Op.SQRT, self.some_bound(x))
-            low = self.low(step, y)
+            low = self.first_order(y)
             if low is not None:
                 far = self.do(Op.ADD, far, self.do(Op.ABS, low))
-            far = self._in_size(far, m)
+            far = self._in_size(far, k, m)
             part = self.do(Op.SELECT, self._is_certain(x, x), near, far)
         return Size(self.do(Op.ADD, y, part), k, m, self.slack)
 
-    def _in_size(self, error: Operand, m: Fraction) -> Operand:
+    def _in_size(self, error: Operand, k: Fraction, m: Fraction) -> Operand:
         """What s grows by if the bound shall by this error."""
-        return self.do(Op.MUL, error, self.rounded_up((1 + 32 * self.u) / (m * self.u**2)))
+        return self.do(Op.MUL, error, self.rounded_up((1 + 32 * self.u) / self.covered(k, m)))
 
     def _widened(self, size: Size, error: Operand) -> Size:
         """With a further error."""
         k, grown = max(size.k, Fraction(1)), 1 + 4 * self.u
         m = max(size.m, 256 * k)  # of which the 8 k that bounds add are little
-        return Size(self.do(Op.ADD, size.s, self._in_size(error, m)), grown * k, grown * m,
+        return Size(self.do(Op.ADD, size.s, self._in_size(error, k, m)), grown * k, grown * m,
                     size.h + self.slack)
 
     def _of_absolute(self, step: Instruction) -> Size:
@@ -226,5 +234,5 @@ class _Certifier(Sizes):
         if not a.exact:
             spread = self.do(Op.MUL, a.s, self.do(Op.ADD, ONE, self.units(x)))
             s = self.do(Op.ADD, least, spread)
-        m = a.m + SPREAD * (a.k + u * a.m) + 8 * (a.k + 2) + REST
+        m = a.m + self.spread * (a.k + u * a.m) + 8 * (a.k + 2) + REST
         return Size(s, (1 + 64 * u) * (a.k + 2), (1 + 64 * u) * m, self.slack)

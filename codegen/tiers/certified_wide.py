@@ -5,8 +5,12 @@ decimals of single's constants, gives w and its bound B, so
 
     |x̂ - x| <= |x̂ - w| + B.
 
-That is all but the true error, since w is 2^29 times more exact than x̂; the proof is that of
-double precision.  The sum has three roundings in double, and one to single precision, which loses
+That is all but the true error, since w is 2^29 times more exact than x̂.  So B need not be near the
+error of w: |d| <= k u S takes the place of d, which is not computed.  κ is large then, for k u S /
+κ u, a part of A, to remain small.  But sizes grow fast where quotients follow each other, as in
+forward dynamics: there d is computed.
+
+The sum has three roundings in double, and one to single precision, which loses
 at most u of it or half the least subnormal number: the factor 1 + 4 u and this number, added unless
 the sum is 0, are more than all.
 """
@@ -14,7 +18,7 @@ the sum is 0, are more than all.
 from dataclasses import replace
 from fractions import Fraction
 
-from coscrew_codegen.formats import SINGLE
+from coscrew_codegen.formats import DOUBLE, SINGLE
 from coscrew_codegen.program import (
     Constant,
     Input,
@@ -27,6 +31,7 @@ from coscrew_codegen.program import (
     without_dead_steps,
 )
 from coscrew_codegen.quantity import Argument
+from coscrew_codegen.tiers.certified_scene import Certifier, extended
 from coscrew_codegen.tiers.errors import ZERO, constant
 from coscrew_codegen.tiers.tier import bounds_of_outputs
 
@@ -34,9 +39,32 @@ ROUNDED = constant(1 + 4 * SINGLE.u)
 LEAST = constant(2 * SINGLE.eta)
 
 
-def with_plain_results(plain: Program, certified: Program) -> Program:
-    """The bounds of the plain program's results in single precision; these results are further
-    inputs.  `certified` is the plain program's in double."""
+def of_scene(program: Program) -> Program:
+    """The plain program's results, which are further inputs, and their bounds in single precision.
+    Raises NoRuleError."""
+    exact = _of_single(program)
+    divides = any(step.op in (Op.DIV, Op.SQRT) and isinstance(step.operands[-1], Ref)
+                  for step in program.instructions)
+    certifier = (Certifier if divides else WithoutErrors)(exact, DOUBLE)
+    return _with_plain_results(program, extended(exact, certifier))
+
+
+class WithoutErrors(Certifier):
+    """Bounds from sizes alone."""
+
+    spread = 2**24
+
+    def first_order(self, x: Operand) -> Operand | None:
+        """None: S covers it."""
+        return None
+
+    def covered(self, k: Fraction, m: Fraction) -> Fraction:
+        """All errors, as a part of S."""
+        return k * self.u + m * self.u**2
+
+
+def _with_plain_results(plain: Program, certified: Program) -> Program:
+    """From the plain program's certified results in double."""
     count, first = len(plain.results), len(plain.inputs)
     given = tuple(Argument(f"{plain.name}_{a.name}", a.quantity) for a in plain.outputs)
     places = {f"{a.name}_{k}_distance": Input(first + n, k) for n, a in enumerate(given)
@@ -51,7 +79,7 @@ def with_plain_results(plain: Program, certified: Program) -> Program:
         results=(*places.values(), *bounds)))
 
 
-def of_single(program: Program) -> Program:
+def _of_single(program: Program) -> Program:
     """The program whose constants in double have the values of single precision."""
     def single(x: Operand) -> Operand:
         return Constant(x.single, x.single, x.name) if isinstance(x, Constant) else x

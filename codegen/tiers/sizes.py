@@ -76,6 +76,8 @@ class Size:
 class Sizes(Errors):
     """Issues sizes and bounds beside values and errors, each once."""
 
+    spread = SPREAD  # κ
+
     def __init__(self, program: Program, precision: Precision) -> None:
         super().__init__(program, precision)
         u = self.u = precision.u
@@ -153,7 +155,7 @@ class Sizes(Errors):
         terms = self.do(Op.MUL, self.reach(x), b.s), self.do(Op.MUL, self.reach(y), a.s)
         k, m = max(a.k, b.k), max(a.m, b.m)
         return Size(self.do(Op.ADD, *terms), (1 + 64 * u) * (k + 1), (1 + 64 * u) * (
-            (1 + 2 * SPREAD * u) * m + SPREAD * min(a.k, b.k) + 3 * k + 2), self.slack)
+            (1 + 2 * self.spread * u) * m + self.spread * min(a.k, b.k) + 3 * k + 2), self.slack)
 
     def reach(self, x: Operand) -> Operand:
         """A of an inexact value."""
@@ -161,7 +163,7 @@ class Sizes(Errors):
 
     def units(self, x: Operand) -> Operand:
         """B / κ u of an inexact value."""
-        factor = constant(1 / (SPREAD * self.u))
+        factor = constant(1 / (self.spread * self.u))
         return self.do(Op.MUL, self.some_bound(x), factor, name="units")
 
     def magnitude(self, x: Operand) -> Operand:
@@ -182,11 +184,20 @@ class Sizes(Errors):
         if isinstance(x, Constant):
             error = abs(self.precision.value(x) - self.nearest(x).double)
             return self.rounded_up((1 + 4 * self.u) * error)
-        low, size = self.low(self._at, x), self.padded(x)
-        factor = self.rounded_up((1 + 32 * self.u) * (size.m + 8 * size.k) * self.u**2)
+        low, size = self.first_order(x), self.padded(x)
+        rounding = 8 * size.k * self.u**2
+        factor = self.rounded_up((1 + 32 * self.u) * (self.covered(size.k, size.m) + rounding))
         rest = self.do(Op.MUL, factor, size.s, name="rest")
         return rest if low is None else self.do(
             Op.ADD, self.do(Op.ABS, low, name="error"), rest, name="bound")
+
+    def first_order(self, x: Operand) -> Operand | None:
+        """d."""
+        return self.low(self._at, x)
+
+    def covered(self, k: Fraction, m: Fraction) -> Fraction:
+        """The errors beside d, as a part of S."""
+        return m * self.u**2
 
     def some_bound(self, x: Operand) -> Operand:
         """B of an inexact value."""

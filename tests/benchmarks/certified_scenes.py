@@ -19,6 +19,8 @@ from tabulate import tabulate
 
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.mechanics import derive
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.simulate.load import Kernels, kernels_of
 from tests.support.scenes.robots import scene_of
@@ -29,6 +31,8 @@ ROBOTS = {"ur5": ("ur_description/urdf/ur5_robot.urdf", False),
           "panda": ("panda_description/urdf/panda.urdf", False),
           "g1": ("g1_description/urdf/g1_29dof_rev_1_0.urdf", True)}
 """Files, and whether the base is free: 6, 9 and 35 degrees of freedom."""
+CHAINS = {f"chain{n}": n for n in (15, 20, 25)}
+"""Arms of so many joints, one behind the other, about axes in turn."""
 FUNCTIONS = ("inverse_dynamics", "mass_matrix", "forward_dynamics")
 OUTPUTS = 1000
 """Of each function and precision, at least."""
@@ -36,9 +40,25 @@ CALIBRATED = 100_000
 FACTORS = (1.00001, 1.001, 1.01, 1.1, 2)
 
 
+def chain(joints: int) -> Scene:
+    """An arm of so many revolute joints, under gravity."""
+    lines = ['name = "chain"', "[effects.gravity]"]
+    for n in range(joints):
+        axis = [int(k == (2, 1, 0)[n % 3]) for k in range(3)]
+        lines += [f"[bodies.b{n}]", f"mass = {110 - 3 * n}e-2", "com = [0.01, 0.02, 0.15]",
+                  "inertia = [0.01, 0.012, 0.005]", f"[joints.j{n}]", 'type = "revolute"',
+                  f'parent = "b{n - 1}"' if n else "", f'child = "b{n}"', f"axis = {axis}",
+                  "origin = { xyz = [0, 0.01, 0.3] }"]
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "chain.toml")
+        path.write_text("\n".join(lines))
+        return read_scene(path)
+
+
 def kernels(name: str) -> Kernels:
     """The robot under gravity, with the certified tier."""
-    functions = derive(scene_of(*ROBOTS[name]), FUNCTIONS)
+    scene = chain(CHAINS[name]) if name in CHAINS else scene_of(*ROBOTS[name])
+    functions = derive(scene, FUNCTIONS)
     return kernels_of(replace(functions, name=name, tiers=("certified",)))
 
 
@@ -94,7 +114,8 @@ def calibration(name: str, outputs: int, folder: Path) -> Iterator[tuple[object,
 def main() -> None:
     """Print the table."""
     parser = argparse.ArgumentParser(description="Certified bounds beside true errors.")
-    parser.add_argument("--robot", nargs="+", default=[*ROBOTS], choices=ROBOTS)
+    parser.add_argument("--robot", nargs="+", default=[*ROBOTS],
+                        choices=[*ROBOTS, *CHAINS])
     parser.add_argument("--outputs", type=int, default=OUTPUTS)
     parser.add_argument("--calibration", action="store_true")
     options = parser.parse_args()

@@ -4,13 +4,17 @@ and what is left out of the proof is noticed."""
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.program import Constant, Op, Operand
 from coscrew_codegen.tiers import certified_wide
 from coscrew_codegen.tiers.errors import ONE, ZERO
 from coscrew_codegen.tiers.sizes import Size, Sizes
 from tests.certified_attack import Found, kernels, of_scene
+from tests.support.scenes.tiers import flat, states
+from tests.support.truth import quad
 from tests.support.truth.wide import IS_WIDE
 
 FUNCTIONS = "inverse_dynamics", "energy"
@@ -31,6 +35,17 @@ def test_no_bound_is_broken(scene: str, tmp_path: Path):
     for found in _found(scene, 10_000, tmp_path).values():
         assert not found.broken and found.outputs > 15_000
         assert found.worst > 1 - 1e-6  # a bound is the error to so many digits
+
+
+@needs_quad
+def test_bounds_of_moved_quaternions_are_their_errors(tmp_path: Path):
+    """Their norms are computed from split numbers."""
+    plain = kernels("wingnut", ("integrated",))
+    function = plain.functions.named("integrated")
+    given = states(plain.functions, function, 500, DOUBLE)
+    found = quad.judge(function.program, tmp_path)(
+        flat(tuple(given), 500), *(flat(x, 500) for x in plain.certified.double.integrated(*given)))
+    assert found.max() <= 1 and np.quantile(found[found > 0], 0.01) > 0.999
 
 
 def _first_order(self: Sizes, x: Operand, size: Size) -> Operand:
