@@ -83,6 +83,8 @@ bench: $(VENV)/test-ready build
 attack: $(VENV)/test-ready build
 	$(PYTHON) -m tests.long_attack
 	$(PYTHON) -m tests.elementary_attack
+	$(PYTHON) -m tests.robots_attack
+	$(PYTHON) -m tests.signs_attack
 	$(PYTHON) -m tests.certified_attack
 
 # Errors and times of everything on this machine, in about two minutes: build/report/.

@@ -1,0 +1,132 @@
+"""Judges the accurate and the certified tier by states of sixty random robots.
+
+`python -m tests.robots_attack [--robots N] [--states N]`, or `make attack`, compares inverse and
+forward dynamics and mass matrices with a Newton-Euler method of the tests' own in 60 digits: in the
+accurate tier a component errs by at most one unit of its last digit below a condition of 1e13; in
+single precision it is the nearest number below 1e5, but for rare ties.  Every certified bound that
+is stated holds.  The functions run as NumPy, which has the bits of C.
+"""
+
+import argparse
+import os
+import sys
+import warnings
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import mpmath
+import numpy as np
+from mpmath import mpf
+from tabulate import tabulate
+
+from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.simulate.load import Kernels, kernels_for
+from tests.support.scenes.tiers import DIGITS, Result, components, flat
+from tests.support.truth.condition import conditions
+from tests.support.truth.robots import FUNCTIONS, Robot, robot
+
+LARGEST = {"double": 1e13, "single": 1e5}
+"""Conditions up to which the accurate tier's promise holds."""
+MOST = {"double": 1.0, "single": 0.5001}
+"""Units of the last digit by which it errs."""
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A component of a result in both tiers, beside the truth."""
+
+    function: str
+    precision: Precision
+    accurate: Result
+    error: mpf  # of the certified tier's result
+    bound: float
+
+    @property
+    def told(self) -> bool:
+        """Whether the accurate tier promises anything."""
+        return bool(self.accurate.true) and (
+            self.accurate.condition < LARGEST[self.precision.name])
+
+    @property
+    def ulps(self) -> float:
+        return self.accurate.ulps(self.precision)
+
+    @property
+    def stated(self) -> bool:
+        return bool(np.isfinite(self.bound))
+
+    @property
+    def broken(self) -> bool:
+        """Whether a tier breaks its promise."""
+        return bool(self.told and self.ulps > MOST[self.precision.name]) or (
+            self.stated and self.error > mpf(float(self.bound)))
+
+
+def in_numpy(of: Robot) -> Kernels:
+    """The robot's functions as generated Python: its C would take long to compile."""
+    compiler = os.environ.get("CC")
+    os.environ["CC"] = "no-such-compiler"
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", RuntimeWarning)
+            found = kernels_for(of.scene)
+            _ = found.accurate, found.certified
+    finally:
+        del os.environ["CC"]
+        if compiler is not None:
+            os.environ["CC"] = compiler
+    return found
+
+
+def judged(of: Robot, states: int) -> Iterator[Judged]:
+    """Every component of every function at random states, in both precisions."""
+    kernels = in_numpy(of)
+    draw = np.random.default_rng(states)
+    for p in PRECISIONS:
+        for name in FUNCTIONS:
+            program = kernels.functions.named(name).program
+            given = [draw.uniform(-2, 2, (states, a.quantity.size)).astype(p.numpy_type)
+                     for a in program.inputs]
+            accurate = flat(getattr(getattr(kernels.accurate, p.name), name)(*given), states)
+            found, bounds = (flat(x, states) for x in getattr(
+                getattr(kernels.certified, p.name), name)(*given))
+            sizes = [np.broadcast_to(x, states) for x in conditions(
+                program, components(program, given))]
+            for k in range(states):
+                with mpmath.workdps(2 * DIGITS):
+                    true = of.true(name, [[mpf(float(y)) for y in x[k]] for x in given])
+                    errors = [abs(mpf(float(x)) - y) for x, y in zip(found[k], true, strict=True)]
+                for place, x in enumerate(true):
+                    yield Judged(name, p, Result(place, accurate[k, place], x, float(
+                        sizes[place][k])), errors[place], bounds[k, place])
+
+
+def summary(found: list[Judged]) -> str:
+    """A row for each function and precision."""
+    rows = []
+    for p in PRECISIONS:
+        for name in FUNCTIONS:
+            of = [x for x in found if (x.function, x.precision) == (name, p)]
+            told, stated = [x.ulps for x in of if x.told], [x for x in of if x.stated]
+            ratios = [float(mpf(float(x.bound)) / x.error) for x in stated if x.error]
+            rows.append((name, p.name, len(of), len(told), max(told, default=0), len(stated),
+                         min(ratios, default=0), float(np.median(ratios or [0])),
+                         sum(x.broken for x in of)))
+    return str(tabulate(rows, ("function", "precision", "results", "promised", "worst, ulps",
+                               "bounds", "least bound/error", "median", "broken"), floatfmt=".5g"))
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--robots", type=int, default=60)
+    parser.add_argument("--states", type=int, default=12)
+    options = parser.parse_args()
+    found: list[Judged] = []
+    for number in range(options.robots):
+        found += judged(robot(number), options.states)
+    print(summary(found))
+    return any(x.broken for x in found)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
