@@ -29,12 +29,14 @@ def written(function: Elementary, precision: Precision, wanted: Sequence[int]) -
     given = [a.name for a in function.inputs[1:]]
     near, kernel = (_on_vectors(make(precision), precision, given)
                     for make in (function.near, function.kernel))
+    outputs = [a.name for a in function.outputs]
     low = precision.digits - precision.digits // 2  # bits of the lower halves
     return render("c/lanes", precision=precision, near=near, kernel=kernel, lanes=LANES,
-                  size=LANES * precision.bytes, padded={n: _padded(n) for n in wanted},
+                  size=LANES * precision.bytes, several=f"ksl_{function.name}_",
+                  padded={n: ", ".join((_padded(n), *given, *outputs)) for n in wanted},
                   heads={n: _head(function, n, precision) for n in (LANES, *wanted)},
                   name=function.name, given=given,
-                  outputs=[a.name for a in function.outputs],
+                  outputs=outputs,
                   limit=precision.literal(Constant(limit, limit)) + precision.suffix,
                   reduced=[a.name for a in function.near(precision).outputs],
                   mask=hex(2**(8 * precision.bytes - 1) - 1), exact=Op.PRODUCT_ERROR in

@@ -23,7 +23,7 @@ EXEMPT = {
     "c/product_error.jinja": PRIMITIVES, "c/product_errorf.jinja": PRIMITIVES,
     "c/product_rest.jinja": PRIMITIVES, "c/product_restf.jinja": PRIMITIVES,
     "python/elementary.jinja": PRIMITIVES, "python/exact.jinja": PRIMITIVES,
-    "scene/exact.jinja": PRIMITIVES,
+    "c/vectors.jinja": PRIMITIVES,
     "c/ksl_selfcheck.h.jinja": CHECKS, "python/_selfcheck.py.jinja": CHECKS,
     **{f"c/ksl/{x}.jinja": KSL for x in (
         "array.h", "euler.h", "inertia.h", "next_angles", "quaternion.h", "trig.h")},
