@@ -29,6 +29,8 @@ LARGEST = {"double": 1e13, "single": 1e5}
 """Conditions up to which the accurate tier's promise holds."""
 MOST = {"double": 1.0, "single": 0.5001}
 """Units of the last digit by which it errs."""
+RESOLUTION = mpf(10)**-100
+"""What the judge's own roundings, in 120 digits, may leave of an error that is zero."""
 
 
 @dataclass(frozen=True)
@@ -95,7 +97,8 @@ def judged(of: Robot, states: int) -> Iterator[Judged]:
             for k in range(states):
                 with mpmath.workdps(2 * DIGITS):
                     true = of.true(name, [[mpf(float(y)) for y in x[k]] for x in given])
-                    errors = [abs(mpf(float(x)) - y) for x, y in zip(found[k], true, strict=True)]
+                    errors = [mpmath.chop(abs(mpf(float(x)) - y), RESOLUTION)
+                              for x, y in zip(found[k], true, strict=True)]
                 for place, x in enumerate(true):
                     yield Judged(name, p, Result(place, accurate[k, place], x, float(
                         sizes[place][k])), errors[place], bounds[k, place])
