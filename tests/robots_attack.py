@@ -3,7 +3,7 @@
 `python -m tests.robots_attack [--robots N] [--states N]`, or `make attack`, compares inverse and
 forward dynamics and mass matrices with a Newton-Euler method of the tests' own in 60 digits: in the
 accurate tier a component errs by at most one unit of its last digit below a condition of 1e13; in
-single precision it is the nearest number below 1e5, but for rare ties.  Every certified bound that
+single precision it is the nearest number below 1e5, except near ties.  Every certified bound that
 is stated holds.  The functions run as NumPy, which has the bits of C.
 """
 

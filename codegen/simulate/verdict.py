@@ -74,7 +74,7 @@ def _checks(along: tuple[Along, ...]) -> str:
 def _rounding(found: tuple[Rounded, ...]) -> str:
     rows = [(f"{x.function}, {x.precision}", f"{x.error:.2g}", f"{x.at:g}", f"{x.digits:.1f}",
              f"{x.lost:.1f}", _bounds(x.certified)) for x in found]
-    columns = (f"rounding at states of the run, against {DIGITS} digits", "largest error",
+    columns = (f"at states of the run, against {DIGITS} digits", "largest error",
                "at t, s", "digits right", "digits lost", "certified bounds")
     return str(tabulate(rows, columns, disable_numparse=True,
                         colalign=("left", *["right"] * 4, "left")))

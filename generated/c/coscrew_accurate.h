@@ -1149,21 +1149,25 @@ static KSL_INLINE double ksl_product_excess(
     const double a, const double b, const double p, double *high) {
   const double a_high = ksl_upper_half(a), a_low = a - a_high;
   const double b_high = ksl_upper_half(b), b_low = b - b_high;
-  *high = a_high * b_high;
-  return p - *high - a_high * b_low - a_low * b_high - a_low * b_low;
+  const double cross1 = KSL_MUL(a_high, b_low), cross2 = KSL_MUL(a_low, b_high);
+  const double low = KSL_MUL(a_low, b_low);
+  *high = KSL_MUL(a_high, b_high);
+  const double c = p - *high, d = c - cross1, e = d - cross2;
+  return e - low;
 }
 
 /* Whether halves and their products neither overflow nor underflow: 2^-967 <= |high| <= 2^996. */
 static KSL_INLINE int ksl_halved(const double high) {
   const uint64_t least = (uint64_t)56 << 53, most = (uint64_t)2019 << 53;
-  uint64_t bits;
+  uint64_t bits, above;
   memcpy(&bits, &high, sizeof bits);
-  return (bits << 1) - least <= most - least;
+  above = (bits << 1) - least;
+  return above <= most - least;
 }
 
 /* a b - c rounded once, where they do: the C standard requires it of fma. */
 static KSL_COLD double ksl_fused(const double a, const double b, const double c) {
-  return a == 0.0 || b == 0.0 ? a * b - c : fma(a, b, -c);
+  return a == 0.0 || b == 0.0 ? KSL_MUL(a, b) - c : fma(a, b, -c);
 }
 #endif
 
@@ -1214,7 +1218,8 @@ static KSL_INLINE double ksl_product_rest(
 #else
   double high;
   const double excess = ksl_product_excess(a, b, p, &high); /* never -0: so -0 stays -0 */
-  return KSL_LIKELY(ksl_halved(high)) ? p - h - excess : ksl_fused(a, b, h);
+  const double rest = p - h;
+  return KSL_LIKELY(ksl_halved(high)) ? rest - excess : ksl_fused(a, b, h);
 #endif
 }
 #endif

@@ -109,6 +109,7 @@ def _is_two(node: c_ast.BinaryOp) -> bool:
                for x in (node.left, node.right))
 
 
+_WORDS = {"KSL_COLD": "", "KSL_INLINED": "inline", "KSL_INLINE": "inline"}
 _TYPES = "typedef unsigned long uint64_t; typedef unsigned int uint32_t;\n"
 
 
@@ -116,7 +117,8 @@ def fused(text: str) -> list[str]:
     """Where a product could be fused into a sum."""
     visitor = Fused()
     plain = _ASSEMBLY.sub("", _REMOVED.sub("", text))
-    plain = plain.replace("KSL_COLD", "").replace("KSL_INLINED", "inline")
+    for word, meaning in _WORDS.items():
+        plain = plain.replace(word, meaning)
     visitor.visit(CParser().parse(_TYPES + plain))
     return visitor.found
 

@@ -14,7 +14,7 @@ from tests.support.compiled.flags import SANITIZERS, has_sanitizers
 
 HELPERS = {f"ksl_{name}{f}" for name in ("power", "two_over_pi") for f in ("", "f")}
 """What elementary functions call."""
-DEFINED = re.compile(r"^static inline [^(]*?\*?(ksl_\w+)\(", re.MULTILINE)
+DEFINED = re.compile(r"^static (?:inline|KSL_INLINE) [^(]*?\*?(ksl_\w+)\(", re.MULTILINE)
 
 
 TIER_NAMES = tuple(tier.mark for tier in TIERS)
