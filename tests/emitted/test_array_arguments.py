@@ -193,7 +193,8 @@ def test_errors_of_others_are_left_alone():
 @pytest.mark.parametrize("tier", PACKAGES[1:])
 def test_operations_without_a_tier_are_told(tier):
     name = re.escape(tier.__name__)
-    with pytest.raises(AttributeError, match=f"^{name} has no 'vec3_copy'; coscrew.vec3_copy is there"):
+    other = "'vec3_copy'; coscrew.vec3_copy is there"
+    with pytest.raises(AttributeError, match=f"^{name} has no {other}"):
         tier.vec3_copy
     with pytest.raises(AttributeError, match=f"^{name} has no 'SO3_xep'$"):
         tier.SO3_xep
