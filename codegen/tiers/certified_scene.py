@@ -161,7 +161,7 @@ class Certifier(Sizes):
                 far = self.do(Op.ADD, far, self.do(Op.ABS, low))
             far = self._in_size(far, k, m)
             part = self.do(Op.SELECT, self._is_certain(x, x), near, far)
-        return Size(self.do(Op.ADD, y, part), k, m, self.slack)
+        return Size(self.do(Op.ADD, y, part), k, m, self.slack, widened=not a.exact)
 
     def _in_size(self, error: Operand, k: Fraction, m: Fraction) -> Operand:
         """What s grows by if the bound shall by this error."""
@@ -172,7 +172,7 @@ class Certifier(Sizes):
         k, grown = max(size.k, Fraction(1)), 1 + 4 * self.u
         m = max(size.m, 256 * k)  # of which the 8 k that bounds add are little
         return Size(self.do(Op.ADD, size.s, self._in_size(error, k, m)), grown * k, grown * m,
-                    size.h + self.slack)
+                    size.h + self.slack, widened=True)
 
     def _of_absolute(self, step: Instruction) -> Size:
         (x,), bound = step.operands, self.bound(step.operands[0])
@@ -185,7 +185,7 @@ class Certifier(Sizes):
         test, *options = step.operands
         a, b = map(self.size, options)
         s = a.s if a.s == b.s else self.do(Op.SELECT, test, a.s, b.s)
-        chosen = Size(s, max(a.k, b.k), max(a.m, b.m), max(a.h, b.h))
+        chosen = Size(s, max(a.k, b.k), max(a.m, b.m), max(a.h, b.h), a.widened or b.widened)
         compared = self._tests[name_of(test)].operands
         bounds = self._bounds_of(compared)
         if not bounds:

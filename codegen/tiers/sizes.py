@@ -25,8 +25,9 @@ u is the unit roundoff, η half the least subnormal number, |fl(z) - z| <= u |fl
 
 Factors 1 + 64 u cover terms of higher order.  The first rule for products multiplies what sizes are
 too large by; so it is used if one factor has k <= CLOSE, which is a number as it is, a constant, or
-the sine or cosine of one.  For the second rule A is fl(|x̂| + B / κ u), B the bound of |x - x̂|;
-up to κ = SPREAD units of relative error it is hardly more than |x̂|.
+the sine or cosine of one, unless an s contains an error, which may be most of it, as after choices
+and roots.  For the second rule A is fl(|x̂| + B / κ u), B the bound of |x - x̂|; up to κ = SPREAD
+units of relative error it is hardly more than |x̂|.
 
 Underflow.  Every operation adds h_0 = 16 η / u² to h: m u² h_0 is more than what its own underflows
 and those of d, in which products' errors are computed to 8 η, can lose.  A product would multiply h
@@ -66,6 +67,7 @@ class Size:
     k: Fraction = Fraction(0)
     m: Fraction = Fraction(0)
     h: Fraction = Fraction(0)
+    widened: bool = False  # whether s may be much more than |x̂|, an error being a part of it
 
     @property
     def exact(self) -> bool:
@@ -92,7 +94,7 @@ class Sizes(Errors):
         """Keep the size of a plain instruction's result."""
         k, m, h = (_BRIEF.rounded_up(x) if x else x for x in (size.k, size.m, size.h))
         x = Ref(step.name)
-        self._sizes[x] = Size(size.s, k, m, h)
+        self._sizes[x] = Size(size.s, k, m, h, size.widened)
         if 4 * h > self._padding:
             self._sizes[x] = self.padded(x)
 
@@ -119,19 +121,22 @@ class Sizes(Errors):
         if size.h > self._padding:
             raise ValueError("more underflow than the padding covers")
         s = self.do(Op.ADD, size.s, constant(self._padding), name="padded")
-        return Size(s, grown * size.k, grown * size.m)
+        return Size(s, grown * size.k, grown * size.m, widened=size.widened)
 
     def of_sum(self, step: Instruction) -> Size:
         """Of a + b or a - b."""
         a, b = map(self.size, step.operands)
         k, m, u = max(a.k, b.k), max(a.m, b.m), self.u
         return Size(self.do(Op.ADD, a.s, b.s), (1 + 64 * u) * (k + 1),
-                    (1 + 64 * u) * (m + 6 * k + 54), a.h + b.h + self.slack)
+                    (1 + 64 * u) * (m + 6 * k + 54), a.h + b.h + self.slack,
+                    a.widened or b.widened)
 
     def of_product(self, step: Instruction) -> Size:
         """Of a b."""
         a, b = map(self.size, step.operands)
-        if min(a.k, b.k) > CLOSE:
+        widened = a.widened or b.widened
+        plain = a.exact or b.exact or any(isinstance(x, Constant) for x in step.operands)
+        if min(a.k, b.k) > CLOSE or widened and not plain:
             return self._of_far_product(*step.operands)
         h, u = self._slack_of_product(a, b), self.u
         if h is None:
@@ -139,7 +144,7 @@ class Sizes(Errors):
         m = (a.k * b.k + a.m + b.m + u * (a.m * b.k + a.k * b.m) + u**2 * a.m * b.m
              + 3 * (a.k + b.k) + 2)
         return Size(self.do(Op.MUL, a.s, b.s), (1 + 64 * u) * (a.k + b.k + 1),
-                    (1 + 64 * u) * m, (h or 0) + self.slack)
+                    (1 + 64 * u) * m, (h or 0) + self.slack, widened)
 
     def _slack_of_product(self, a: Size, b: Size) -> Fraction | None:
         """The factors' h in their product if one has a constant size and the other's is not made

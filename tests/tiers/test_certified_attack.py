@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from coscrew_codegen import load_scene
 from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.program import Constant, Op, Operand
 from coscrew_codegen.tiers import certified_wide
@@ -46,6 +47,30 @@ def test_bounds_of_moved_quaternions_are_their_errors(tmp_path: Path):
     found = quad.judge(function.program, tmp_path)(
         flat(tuple(given), 500), *(flat(x, 500) for x in plain.certified.double.integrated(*given)))
     assert found.max() <= 1 and np.quantile(found[found > 0], 0.01) > 0.999
+
+
+LIMITED = """
+functions = ["inverse_dynamics"]
+[bodies]
+bob = { mass = 2, com = [0, 0, -0.5], inertia = [0.01, 0.01, 0.01] }
+[joints]
+pivot = { type = "revolute", child = "bob", axis = [0, 1, 0], limits = { upper = 1.1 } }
+[effects.limit]
+joints = "all"
+k = 1000
+alpha = 0.1
+"""
+
+
+def test_limits_that_are_not_reached_widen_no_bound(tmp_path: Path):
+    """There the sign of the distance is uncertain, and its root near 0."""
+    path = tmp_path / "limited.toml"
+    path.write_text(LIMITED)
+    limited = load_scene(path, tiers=["certified"]).certified
+    for precision, largest in (("double", 1e-10), ("single", 1e-5)):
+        kernel = getattr(limited, precision).inverse_dynamics
+        for v in (0, 1, -3):
+            assert kernel(*(np.array([x], precision) for x in (0.9, v, 0.3)))[1] < largest
 
 
 def _first_order(self: Sizes, x: Operand, size: Size) -> Operand:
