@@ -29,6 +29,7 @@ _COMPOUND = re.compile(r" ([-+*/])= ")
 _BRACKETS = re.compile(r"\[[^\[\]]*\]")
 _SINGLE = r"(?:\(double\)\S+|([\d.]+))"
 _EXACT = re.compile(rf"= {_SINGLE} \* {_SINGLE}")
+_HALVES = re.compile(r"(?:low|high|cross[12]) = a_(?:high|low) \* b_(?:high|low)$|zero = a \* b$")
 _INTEGERS = re.compile(r"\b(?:stride|[ab]_stride|axes\.[xyz]|sizeof)\b")
 
 
@@ -46,7 +47,10 @@ def wrong(text: str) -> Iterator[str]:
 
 
 def _exact(expression: str) -> bool:
-    """Whether this is a product, in double, of two numbers of single precision."""
+    """Whether this is a product of halves or zero or, in double, of two numbers of single
+    precision."""
+    if _HALVES.search(expression):
+        return True
     match = _EXACT.search(expression)
     return match is not None and all(float(np.float32(x)) == float(x) for x in match.groups() if x)
 

@@ -44,15 +44,14 @@ static KSL_INLINE double ksl_upper_half(const double x) {
   return half;
 }
 
-/* p - a b, p the rounded product, by halves; *high is the product of the upper ones.
-   Source: Dekker. */
+/* p - a b, p the rounded product, by halves, whose products are exact: fused into sums or not, they
+   give the same bits.  *high is the product of the upper ones.  Source: Dekker. */
 static KSL_INLINE double ksl_product_excess(
     const double a, const double b, const double p, double *high) {
   const double a_high = ksl_upper_half(a), a_low = a - a_high;
   const double b_high = ksl_upper_half(b), b_low = b - b_high;
-  const double cross1 = KSL_MUL(a_high, b_low), cross2 = KSL_MUL(a_low, b_high);
-  const double low = KSL_MUL(a_low, b_low);
-  *high = KSL_MUL(a_high, b_high);
+  const double cross1 = a_high * b_low, cross2 = a_low * b_high, low = a_low * b_low;
+  *high = a_high * b_high;
   const double c = p - *high, d = c - cross1, e = d - cross2;
   return e - low;
 }
@@ -68,7 +67,8 @@ static KSL_INLINE int ksl_halved(const double high) {
 
 /* a b - c rounded once, where they do: the C standard requires it of fma. */
 static KSL_COLD double ksl_fused(const double a, const double b, const double c) {
-  return a == 0.0 || b == 0.0 ? KSL_MUL(a, b) - c : fma(a, b, -c);
+  const double zero = a * b; /* if a or b is */
+  return a == 0.0 || b == 0.0 ? zero - c : fma(a, b, -c);
 }
 #endif
 
