@@ -5,6 +5,9 @@ from collections.abc import Sequence
 from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.scene.names import did_you_mean
 
+MIXED = "mixed"
+"""The tier of functions of which an accuracy is asked."""
+
 
 class TiersError(ReportedError, ValueError):
     """A tier that scenes do not have; the message names those that they have."""
