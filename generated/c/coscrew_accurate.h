@@ -24063,7 +24063,7 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
 
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (x, y, z, w), the scalar last.
-   169 mul, 338 add, 26 product error, 3 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 6 equal, 14
+   169 mul, 337 add, 26 product error, 3 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 6 equal, 14
      select.
    Error <= qo: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -24148,12 +24148,12 @@ static inline void ksl_quaternion_exp_accurate(const ksl_vec3_t *v, ksl_quaterni
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -24315,7 +24315,7 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-   395 mul, 921 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 14 neg, 21 abs, 4
+   395 mul, 920 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 14 neg, 21 abs, 4
      copysign, 35 less, 12 equal, 68 select.
    Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -24768,16 +24768,15 @@ static inline void ksl_quaternion_interpolated_accurate(const ksl_quaternion_t *
   const double exp_sine_half = KSL_MUL(exp_sine_of_exp_half_angle_lo, 0.5);
   double exp_sine_half_cos; const double exp_sine_half_sin = ksl_sincos(exp_sine_half,
       &exp_sine_half_cos);
-  const double exp_sine_slope1 = KSL_MUL(exp_sine_half_cos, exp_c),
+  const double exp_sine_twice = exp_sine_half_sin + exp_sine_half_sin,
+      exp_sine_slope1 = KSL_MUL(exp_sine_half_cos, exp_c),
       exp_sine_slope2 = KSL_MUL(exp_sine_half_sin, exp_sine),
       exp_sine_slope = exp_sine_slope1 - exp_sine_slope2,
-      exp_sine_twice = exp_sine_half_sin + exp_sine_half_sin,
       exp_sine_more = KSL_MUL(exp_sine_slope, exp_sine_twice),
       exp_sine_lo = exp_sine_own_error + exp_sine_more;
   const double exp_c_slope1 = KSL_MUL(exp_sine_half_cos, exp_sine),
       exp_c_slope2 = KSL_MUL(exp_sine_half_sin, exp_c), exp_c_slope = exp_c_slope1 + exp_c_slope2,
-      exp_c_twice = exp_sine_half_sin + exp_sine_half_sin,
-      exp_c_more = KSL_MUL(exp_c_slope, exp_c_twice), exp_c_lo = exp_c_own_error - exp_c_more;
+      exp_c_more = KSL_MUL(exp_c_slope, exp_sine_twice), exp_c_lo = exp_c_own_error - exp_c_more;
   const double exp_sinc_divisor = exp_sine_of_exp_half_angle == 0.0 ? 1.0 :
       exp_sine_of_exp_half_angle,
       exp_sinc_divisor_lo = exp_sine_of_exp_half_angle == 0.0 ? 0.0 : exp_sine_of_exp_half_angle_lo;
@@ -26334,7 +26333,7 @@ static inline void ksl_quaternionf_interpolated_accurate(const ksl_quaternionf_t
 
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   202 mul, 427 add, 26 product error, 21 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 11 equal,
+   202 mul, 426 add, 26 product error, 21 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 11 equal,
      19 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -26419,12 +26418,12 @@ static inline void ksl_SO3_exp_accurate(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -26849,7 +26848,7 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   235 mul, 580 add, 31 product error, 42 product rest, 5 div, 1 sqrt, 4 abs, 5 less, 11 equal,
+   235 mul, 579 add, 31 product error, 42 product rest, 5 div, 1 sqrt, 4 abs, 5 less, 11 equal,
      25 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -26891,12 +26890,12 @@ static inline void ksl_SO3_leftJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x3
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -27248,7 +27247,7 @@ static inline void ksl_SO3_leftJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x3
 
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   235 mul, 580 add, 31 product error, 42 product rest, 5 div, 1 sqrt, 9 neg, 4 abs, 5 less, 11
+   235 mul, 579 add, 31 product error, 42 product rest, 5 div, 1 sqrt, 9 neg, 4 abs, 5 less, 11
      equal, 25 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -27290,12 +27289,12 @@ static inline void ksl_SO3_rightJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -27651,7 +27650,7 @@ static inline void ksl_SO3_rightJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0.
    v: vector; R: rotation or other 3×3 matrix.
-   235 mul, 611 add, 33 product error, 33 product rest, 9 div, 1 sqrt, 3 neg, 4 abs, 5 less, 11
+   235 mul, 610 add, 33 product error, 33 product rest, 9 div, 1 sqrt, 3 neg, 4 abs, 5 less, 11
      equal, 25 select.
    Error <= R: 1 u of its largest component for |v| <= π; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
@@ -27692,12 +27691,12 @@ static inline void ksl_SO3_leftJacobianInverse_accurate(const ksl_vec3_t *v, ksl
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -28112,7 +28111,7 @@ static inline void ksl_SO3_leftJacobianInverse_accurate(const ksl_vec3_t *v, ksl
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0.
    v: vector; R: rotation or other 3×3 matrix.
-   235 mul, 611 add, 33 product error, 33 product rest, 9 div, 1 sqrt, 4 abs, 5 less, 11 equal,
+   235 mul, 610 add, 33 product error, 33 product rest, 9 div, 1 sqrt, 4 abs, 5 less, 11 equal,
      25 select.
    Error <= R: 1 u of its largest component for |v| <= π; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
@@ -28153,12 +28152,12 @@ static inline void ksl_SO3_rightJacobianInverse_accurate(const ksl_vec3_t *v, ks
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -29293,7 +29292,7 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
 
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-   273 mul, 662 add, 34 product error, 57 product rest, 5 div, 1 sqrt, 4 abs, 5 less, 14 equal,
+   273 mul, 661 add, 34 product error, 57 product rest, 5 div, 1 sqrt, 4 abs, 5 less, 14 equal,
      28 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of s.lin if that is larger, for |ω of s|
      <= 1e13, in single precision 1e5; searched, not proved.  Each component is within 1 ulp as
@@ -29336,12 +29335,12 @@ static inline void ksl_SE3_exp_accurate(const ksl_screw_t *s, ksl_SE3_t *D) {
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -30460,7 +30459,7 @@ static inline void ksl_SE3_log_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   348 mul, 928 add, 41 product error, 86 product rest, 9 div, 1 sqrt, 3 neg, 4 abs, 5 less, 20
+   348 mul, 927 add, 41 product error, 86 product rest, 9 div, 1 sqrt, 3 neg, 4 abs, 5 less, 20
      equal, 38 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -30502,12 +30501,12 @@ static inline void ksl_SE3_leftJacobian_accurate(const ksl_screw_t *s, ksl_mat6x
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -31355,7 +31354,7 @@ static inline void ksl_SE3_leftJacobian_accurate(const ksl_screw_t *s, ksl_mat6x
 
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   348 mul, 928 add, 41 product error, 86 product rest, 9 div, 1 sqrt, 36 neg, 4 abs, 5 less, 20
+   348 mul, 927 add, 41 product error, 86 product rest, 9 div, 1 sqrt, 36 neg, 4 abs, 5 less, 20
      equal, 38 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -31397,12 +31396,12 @@ static inline void ksl_SE3_rightJacobian_accurate(const ksl_screw_t *s, ksl_mat6
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -32267,7 +32266,7 @@ static inline void ksl_SE3_rightJacobian_accurate(const ksl_screw_t *s, ksl_mat6
 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   310 mul, 830 add, 44 product error, 59 product rest, 13 div, 1 sqrt, 9 neg, 4 abs, 5 less, 20
+   310 mul, 829 add, 44 product error, 59 product rest, 13 div, 1 sqrt, 9 neg, 4 abs, 5 less, 20
      equal, 36 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -32309,12 +32308,12 @@ static inline void ksl_SE3_leftJacobianInverse_accurate(const ksl_screw_t *s, ks
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -33101,7 +33100,7 @@ static inline void ksl_SE3_leftJacobianInverse_accurate(const ksl_screw_t *s, ks
 
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   310 mul, 830 add, 44 product error, 59 product rest, 13 div, 1 sqrt, 21 neg, 4 abs, 5 less, 20
+   310 mul, 829 add, 44 product error, 59 product rest, 13 div, 1 sqrt, 21 neg, 4 abs, 5 less, 20
      equal, 36 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -33143,12 +33142,12 @@ static inline void ksl_SE3_rightJacobianInverse_accurate(const ksl_screw_t *s, k
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -33943,7 +33942,7 @@ static inline void ksl_SE3_rightJacobianInverse_accurate(const ksl_screw_t *s, k
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   741 mul, 1861 add, 78 product error, 164 product rest, 28 div, 3 sqrt, 11 neg, 18 abs, 4
+   741 mul, 1860 add, 78 product error, 164 product rest, 28 div, 3 sqrt, 11 neg, 18 abs, 4
      copysign, 36 less, 22 equal, 110 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of D1.t or D2.t if that is larger, for R
      of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Each
@@ -35097,16 +35096,15 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
   const double exp_sine_half = KSL_MUL(exp_sine_of_exp_half_angle_lo, 0.5);
   double exp_sine_half_cos; const double exp_sine_half_sin = ksl_sincos(exp_sine_half,
       &exp_sine_half_cos);
-  const double exp_sine_slope1 = KSL_MUL(exp_sine_half_cos, exp_c),
+  const double exp_sine_twice = exp_sine_half_sin + exp_sine_half_sin,
+      exp_sine_slope1 = KSL_MUL(exp_sine_half_cos, exp_c),
       exp_sine_slope2 = KSL_MUL(exp_sine_half_sin, exp_sine),
       exp_sine_slope = exp_sine_slope1 - exp_sine_slope2,
-      exp_sine_twice = exp_sine_half_sin + exp_sine_half_sin,
       exp_sine_more = KSL_MUL(exp_sine_slope, exp_sine_twice),
       exp_sine_lo = exp_sine_own_error + exp_sine_more;
   const double exp_c_slope1 = KSL_MUL(exp_sine_half_cos, exp_sine),
       exp_c_slope2 = KSL_MUL(exp_sine_half_sin, exp_c), exp_c_slope = exp_c_slope1 + exp_c_slope2,
-      exp_c_twice = exp_sine_half_sin + exp_sine_half_sin,
-      exp_c_more = KSL_MUL(exp_c_slope, exp_c_twice), exp_c_lo = exp_c_own_error - exp_c_more;
+      exp_c_more = KSL_MUL(exp_c_slope, exp_sine_twice), exp_c_lo = exp_c_own_error - exp_c_more;
   const double exp_sinc_divisor = exp_sine_of_exp_half_angle == 0.0 ? 1.0 :
       exp_sine_of_exp_half_angle,
       exp_sinc_divisor_lo = exp_sine_of_exp_half_angle == 0.0 ? 0.0 : exp_sine_of_exp_half_angle_lo;

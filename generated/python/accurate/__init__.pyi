@@ -1757,7 +1757,7 @@ def quaternion_exp(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDAr
     """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
 
     (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
-    169 mul, 338 add, 26 product error, 3 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 6 equal,
+    169 mul, 337 add, 26 product error, 3 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 6 equal,
     14 select.  Error <= qo: 1 u of its largest component for |v| <= 1e13, in single precision
     1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
     1e13; in single precision it is the nearest number, except near ties, as long as that is
@@ -1780,7 +1780,7 @@ def quaternion_interpolated(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: NDA
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-    395 mul, 921 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 14 neg, 21 abs, 4
+    395 mul, 920 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 14 neg, 21 abs, 4
     copysign, 35 less, 12 equal, 68 select.  Error <= qo: 1 u of its largest component for |q1|
     = 1 and |q2| = 1 and 0 <= k <= 1; searched, not proved.  Each component is within 1 ulp as
     long as its condition is below 1e13; in single precision it is the nearest number, except
@@ -1791,7 +1791,7 @@ def SO3_exp(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    202 mul, 427 add, 26 product error, 21 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 11 equal,
+    202 mul, 426 add, 26 product error, 21 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 11 equal,
     19 select.  Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision
     1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
     1e13; in single precision it is the nearest number, except near ties, as long as that is
@@ -1813,7 +1813,7 @@ def SO3_leftJacobian(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> ND
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    235 mul, 580 add, 31 product error, 42 product rest, 5 div, 1 sqrt, 4 abs, 5 less, 11 equal,
+    235 mul, 579 add, 31 product error, 42 product rest, 5 div, 1 sqrt, 4 abs, 5 less, 11 equal,
     25 select.  Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision
     1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
     1e13; in single precision it is the nearest number, except near ties, as long as that is
@@ -1824,7 +1824,7 @@ def SO3_rightJacobian(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    235 mul, 580 add, 31 product error, 42 product rest, 5 div, 1 sqrt, 9 neg, 4 abs, 5 less, 11
+    235 mul, 579 add, 31 product error, 42 product rest, 5 div, 1 sqrt, 9 neg, 4 abs, 5 less, 11
     equal, 25 select.  Error <= R: 1 u of its largest component for |v| <= 1e13, in single
     precision 1e5; searched, not proved.  Each component is within 1 ulp as long as its
     condition is below 1e13; in single precision it is the nearest number, except near ties, as
@@ -1836,7 +1836,7 @@ def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ...
     except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    235 mul, 611 add, 33 product error, 33 product rest, 9 div, 1 sqrt, 3 neg, 4 abs, 5 less, 11
+    235 mul, 610 add, 33 product error, 33 product rest, 9 div, 1 sqrt, 3 neg, 4 abs, 5 less, 11
     equal, 25 select.  Error <= R: 1 u of its largest component for |v| <= π; searched, not
     proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
     precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -1848,7 +1848,7 @@ def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ..
     except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    235 mul, 611 add, 33 product error, 33 product rest, 9 div, 1 sqrt, 4 abs, 5 less, 11 equal,
+    235 mul, 610 add, 33 product error, 33 product rest, 9 div, 1 sqrt, 4 abs, 5 less, 11 equal,
     25 select.  Error <= R: 1 u of its largest component for |v| <= π; searched, not proved.
     Each component is within 1 ulp as long as its condition is below 1e13; in single precision
     it is the nearest number, except near ties, as long as that is below 1e5; searched, not
@@ -1897,7 +1897,7 @@ def SE3_exp(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    273 mul, 662 add, 34 product error, 57 product rest, 5 div, 1 sqrt, 4 abs, 5 less, 14 equal,
+    273 mul, 661 add, 34 product error, 57 product rest, 5 div, 1 sqrt, 4 abs, 5 less, 14 equal,
     28 select.  Error <= R: 1 u, t: 1 u of its largest component, or of s.lin if that is larger,
     for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Each component is
     within 1 ulp as long as its condition is below 1e13; in single precision it is the nearest
@@ -1921,7 +1921,7 @@ def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> ND
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    348 mul, 928 add, 41 product error, 86 product rest, 9 div, 1 sqrt, 3 neg, 4 abs, 5 less, 20
+    348 mul, 927 add, 41 product error, 86 product rest, 9 div, 1 sqrt, 3 neg, 4 abs, 5 less, 20
     equal, 38 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not
     proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
     precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -1933,7 +1933,7 @@ def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    348 mul, 928 add, 41 product error, 86 product rest, 9 div, 1 sqrt, 36 neg, 4 abs, 5 less,
+    348 mul, 927 add, 41 product error, 86 product rest, 9 div, 1 sqrt, 36 neg, 4 abs, 5 less,
     20 equal, 38 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
     not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
     single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -1945,7 +1945,7 @@ def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ...
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    310 mul, 830 add, 44 product error, 59 product rest, 13 div, 1 sqrt, 9 neg, 4 abs, 5 less,
+    310 mul, 829 add, 44 product error, 59 product rest, 13 div, 1 sqrt, 9 neg, 4 abs, 5 less,
     20 equal, 36 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
     not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
     single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -1957,7 +1957,7 @@ def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ..
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    310 mul, 830 add, 44 product error, 59 product rest, 13 div, 1 sqrt, 21 neg, 4 abs, 5 less,
+    310 mul, 829 add, 44 product error, 59 product rest, 13 div, 1 sqrt, 21 neg, 4 abs, 5 less,
     20 equal, 36 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
     not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
     single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -1969,7 +1969,7 @@ def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    741 mul, 1861 add, 78 product error, 164 product rest, 28 div, 3 sqrt, 11 neg, 18 abs, 4
+    741 mul, 1860 add, 78 product error, 164 product rest, 28 div, 3 sqrt, 11 neg, 18 abs, 4
     copysign, 36 less, 22 equal, 110 select.  Error <= R: 1 u, t: 1 u of its largest component,
     or of D1.t or D2.t if that is larger, for R of D1 a rotation and R of D2 a rotation and 0 <=
     k <= 1; searched, not proved.  Each component is within 1 ulp as long as its condition is
