@@ -80,7 +80,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "15a8422c882aa5b4") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "57c599c311043d9c") < 0
       || PyModule_AddStringConstant(
           module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);
