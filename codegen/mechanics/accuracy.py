@@ -1,5 +1,4 @@
-"""What accuracy a scene asks of a function, and the states at which it is to be reached: between the
-joints' limits."""
+"""What accuracy a scene asks of a function, and between which limits states are drawn for it."""
 
 from collections.abc import Mapping
 from math import inf, pi

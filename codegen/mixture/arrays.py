@@ -1,4 +1,4 @@
-"""Evaluates Programs on NumPy arrays of states, with the bits of the emitted texts on every machine.
+"""Evaluates Programs on NumPy arrays of states, with the emitted texts' bits on every machine.
 
 Elementary functions are their own Programs; angles beyond the reach of their quick reduction have
 no value here.

@@ -3,15 +3,14 @@
 What is carried in pairs follows from a threshold: instructions whose rounding moves a result by
 more than it, to first order; the more an instruction costs in pairs, the larger its threshold, by
 some power of the cost.  For each of a few powers, the largest threshold is searched at which the
-certified bounds of the results' errors are within what is asked at every sampled state, with a
-margin; the cheapest mixture is taken.  Then other states are drawn; while the bounds do not hold
-there, the worst join the sample and the margin grows.
+certified bounds of the results' errors are within what is asked, with a margin, at the states where
+single precision errs most; the cheapest mixture is taken.  Then other states are drawn; while the
+bounds do not hold there, the worst join the sample and the margin grows.
 
 The bounds are those of the certified tier, |x̂ - w| + B with w of double precision, for the x̂ of
 the mixture: they hold at their states, whatever the mixture is.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from math import isfinite, prod, sqrt
@@ -58,8 +57,9 @@ class Choice:
 
 @cache
 def chosen(program: Program, accuracy: Accuracy) -> Choice:
-    """The mixture for a plain program.  Raises AccuracyError if not even pairs are as accurate."""
-    return _Search(program, accuracy).choice()
+    """The mixture for a plain program, by the formulas for twice the digits.  Raises AccuracyError
+    if not even pairs are as accurate."""
+    return _Search(program.fine or program, accuracy).choice()
 
 
 class _Search:
@@ -70,7 +70,7 @@ class _Search:
         self.sensitive: dict[Place, float] = {}
 
     def choice(self) -> Choice:
-        """Draws other states until the bounds hold there, too."""
+        """Draws other states until the bounds hold there and at the first ones."""
         first = self.states.drawn(DRAWN)
         self._refuse(first)
         units = self._units(self.program, first)
@@ -80,18 +80,16 @@ class _Search:
         least, room = float(self._units(self.pairs, self.sample).max()), ROOM
         while True:
             mixture = self._cheapest(least + room * (1 - least))
-            found, others = mixed(self.program, mixture), self.states.drawn(DRAWN)
-            units = self._units(found, others)
+            found, both = mixed(self.program, mixture), first.joined(self.states.drawn(DRAWN))
+            units = self._units(found, both)
             if units.max() <= 1:
-                break
-            self._refuse(others)
-            worst = others.at(_worst(units))
-            self._rank(worst)
-            self.sample = self.sample.joined(worst)
+                worst = both.certified(found).max(axis=1).tolist()
+                return Choice(found, self.pairs, len(mixture.paired), tuple(worst), both.size)
+            self._refuse(both)
+            hard = both.at(_worst(units))
+            self._rank(hard)
+            self.sample = self.sample.joined(hard)
             room *= ROOM
-        bounds = [x.certified(found).max(axis=1) for x in (first, self.sample, others)]
-        return Choice(found, self.pairs, len(mixture.paired),
-                      tuple(np.max(bounds, axis=0).tolist()), first.size + others.size)
 
     def _units(self, program: Program, sample: Sample) -> Array:
         """Certified bounds in units of what is asked."""
@@ -160,9 +158,10 @@ def in_words(choice: Choice, function: Function) -> str:
                       f"{asked[places[0]]:g})" for name, places in outputs.items()
                       if isfinite(asked[places[0]]))
     plain, mixture, pairs = map(operations, (function.program, choice.program, choice.pairs))
+    count = len(function.program.instructions)
     return (f"Certified at {choice.states:,} states drawn between the joints' limits, not proved "
-            f"between them: rounding moves {found}.  In pairs: {choice.paired} of "
-            f"{len(function.program.instructions):,} instructions.  Operations, those of elementary "
+            f"between them: rounding moves {found}.  In pairs: {choice.paired:,} of {count:,} "
+            f"instructions ({100 * choice.paired / count:.0f} %).  Operations, those of elementary "
             f"functions included: {mixture:,}; {plain:,} in single precision, {pairs:,} in pairs.")
 
 

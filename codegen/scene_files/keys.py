@@ -24,7 +24,8 @@ class Key:
     words: str  # description with units
     kind: str = "text"  # text, texts, number, positive, nonnegative, vector (3 numbers), quaternion
     # (4), moments (3 or 6 numbers or a 3×3 matrix), coordinates (by joint: a number or a list),
-    # expectations (by quantity), tolerances (by function), effects; table and tables (by name) have `table`
+    # expectations (by quantity), tolerances (by function), effects; table and tables (by name)
+    # have `table`
     choices: tuple[str, ...] = ()  # of a text; the first is the default unless there is another
     default: str = ""  # in TOML
     required: bool = False
@@ -143,7 +144,7 @@ SCENE = TableOf("", "The file itself.", (
     Key("functions", "what is generated: names of functions; \"default\" and \"all\" stand for "
         "several", "texts", default='["default"]'),
     Key("tiers", "in which the functions, steps excepted, are generated besides plain: accurate, "
-        "certified, pairs", "texts", default='["plain"]'),
+        "certified, mixed, pairs", "texts", default='["plain"]'),
     Key("accuracy", "how accurate functions in single precision are in the mixed tier, which they "
         "then have", "tolerances", table=ACCURACY),
     Key("runtime", "numbers that stay arguments of functions: BODY.mass, BODY.com, BODY.inertia, "

@@ -1,4 +1,4 @@
-"""The mixed tier: single precision, in which only what the asked accuracy needs is carried in pairs.
+"""The mixed tier: single precision, of which what an asked accuracy needs is carried in pairs.
 
 Of a Mixture, instructions in pairs are those of the pairs tier.  The others have one result,
 rounded: those of its operands that are pairs and matter take part as hi + lo, so that the result is
