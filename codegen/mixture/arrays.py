@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from coscrew_codegen.elementary import ELEMENTARY, ERRORS, Elementary
+from coscrew_codegen.elementary import ELEMENTARY, ERRORS
 from coscrew_codegen.elementary.calls import FUNCTION_OF
 from coscrew_codegen.formats import SINGLE, Precision
 from coscrew_codegen.program import Constant, Instruction, Op, Program
@@ -58,7 +58,8 @@ class Arrays:
         return self._operations[step.op]
 
     def _power_of_two(self, shifted: Array, shift: Array) -> Array:
-        return np.ldexp(self._type(1), (shifted - shift).astype(int))
+        power: Array = np.ldexp(self._type(1), (shifted - shift).astype(int))
+        return power
 
 
 @cache
@@ -78,23 +79,29 @@ def evaluated(program: Program, precision: Precision, given: Sequence[Sequence[A
 @cache
 def _elementary(precision: Precision, op: Op) -> Callable[..., Array]:
     """The function that computes the operation."""
-    function = _FUNCTIONS[FUNCTION_OF[op]]
-    place = int(op in (Op.COS, Op.COS_ERROR))
-    run = _both(function, precision)
+    run, place = _both(FUNCTION_OF[op], precision), int(op in (Op.COS, Op.COS_ERROR))
     return lambda *x: run(*x)[place]
 
 
-def _both(function: Elementary, precision: Precision) -> Callable[..., Sequence[Array]]:
-    """All results of an elementary function; of angles, those of an error take sine and cosine."""
+@cache
+def _both(name: str, precision: Precision) -> Callable[..., Sequence[Array]]:
+    """All results of an elementary function; errors of angles take both sine and cosine."""
+    function = _FUNCTIONS[name]
     kernel = interpreter(function.kernel(precision), arrays(precision).arithmetic)
     if not (function.near and function.limit):
         return lambda *x: kernel([[each] for each in x])
     reduced = interpreter(function.near(precision), arrays(precision).arithmetic)
     limit, number = function.limit(precision), getattr(np, precision.numpy_type)
 
+    last: tuple[Array, Sequence[Array]] | None = None  # sine and cosine are asked for in turn
+
     def run(x: Array, *more: Array) -> Sequence[Array]:
-        inside = np.where(np.absolute(x) <= float(limit), x, number(np.nan))
-        return kernel([[each] for each in (*reduced([[inside]]), *more, *more)])
+        nonlocal last
+        if last is None or last[0] is not x:
+            inside = np.where(np.absolute(x) <= float(limit), x, number(np.nan))
+            circular = [_elementary(precision, op)(x) for op in (Op.SIN, Op.COS)] if more else []
+            last = x, kernel([[each] for each in (*reduced([[inside]]), *circular)])
+        return last[1]
 
     return run
 
@@ -102,7 +109,7 @@ def _both(function: Elementary, precision: Precision) -> Callable[..., Sequence[
 def _in_double(a: Array, b: Array, c: Array) -> Array:
     """a b - c of single precision, rounded once: a b is exact in double."""
     x, y, z = (np.asarray(each, np.float64) for each in (a, b, c))
-    return np.float32(x * y - z)
+    return np.asarray(x * y - z, np.float32)
 
 
 def _by_halves(a: Array, b: Array, c: Array) -> Array:

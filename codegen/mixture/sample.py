@@ -86,7 +86,7 @@ class States:
             found.append([low + (high - low) * x
                           for (low, high), x in zip(ranges, parts, strict=True)])
         for argument, places in self._accuracy.quaternions:
-            parts = found[argument][places.start:places.stop]
-            norm = np.sqrt(sum(x * x for x in parts))
-            found[argument][places.start:places.stop] = [x / norm for x in parts]
+            quaternion = found[argument][places.start:places.stop]
+            norm = np.sqrt(sum(x * x for x in quaternion))
+            found[argument][places.start:places.stop] = [x / norm for x in quaternion]
         return found

@@ -5,9 +5,6 @@ from collections.abc import Sequence
 from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.scene.names import did_you_mean
 
-MIXED = "mixed"
-"""The tier of functions of which an accuracy is asked."""
-
 
 class TiersError(ReportedError, ValueError):
     """A tier that scenes do not have; the message names those that they have."""
@@ -18,6 +15,13 @@ def known() -> tuple[str, ...]:
     from coscrew_codegen.tiers import OF_SCENES  # when asked: most scenes are plain
 
     return tuple(tier.name for tier in OF_SCENES)
+
+
+def asked() -> tuple[str, ...]:
+    """Those of functions of which an accuracy is asked."""
+    from coscrew_codegen.tiers import OF_SCENES
+
+    return tuple(tier.name for tier in OF_SCENES if tier.asked)
 
 
 def selected(words: Sequence[str]) -> tuple[str, ...]:

@@ -125,9 +125,9 @@ EXPECT = TableOf('expect."QUANTITY"', "A condition for `coscrew check`: |quantit
     Key("rtol", "relative tolerance", "nonnegative", default="0"),
     Key("atol", "absolute tolerance", "nonnegative", default="0")))
 
-ACCURACY = TableOf("accuracy", "By function: how far rounding may move its outputs in the mixed "
-                   "tier, in their unit (`inverse_dynamics = 1e-5`); or a table of this by output.",
-                   ())
+ACCURACY = TableOf("accuracy", "How accurate functions are in the mixed tier.", (
+    Key("FUNCTION", "how far rounding may move its outputs, in their unit; or a table of this by "
+        "output", "positive"),))
 
 SCENE = TableOf("", "The file itself.", (
     Key("model", "a URDF file next to the scene; without it the tables `bodies` and `joints` are "

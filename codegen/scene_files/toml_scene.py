@@ -20,7 +20,7 @@ from coscrew_codegen.scene.recorded import (
 from coscrew_codegen.scene.rotations import unit
 from coscrew_codegen.scene.scene import Expectation, Run, Scene
 from coscrew_codegen.scene.selected import FunctionsError, resolved
-from coscrew_codegen.scene.tiers import MIXED, TiersError, selected
+from coscrew_codegen.scene.tiers import TiersError, asked, selected
 from coscrew_codegen.scene_files.accuracy import read_accuracy
 from coscrew_codegen.scene_files.effect_table import Use
 from coscrew_codegen.scene_files.errors import SceneError, shown
@@ -113,7 +113,7 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], overrides: SceneOverrides
     accuracy = read_accuracy(file, scene, resolved(scene, functions))
     functions = overrides.functions or functions
     accuracy = tuple(x for x in accuracy if x.function in resolved(scene, functions))
-    tiers = selected((*_tiers(file), *([MIXED] if accuracy else [])))
+    tiers = selected((*_tiers(file), *(asked() if accuracy else ())))
     effects = with_reactions(scene, catalogue)
     model, effects, parameters = with_parameters(file, model, effects, catalogue)
     if overrides.tiers:

@@ -10,7 +10,6 @@ from dataclasses import dataclass, replace
 from coscrew_codegen.formats import SINGLE
 from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.program import name_of
-from coscrew_codegen.scene.tiers import MIXED
 from coscrew_codegen.tiers.accurate_scene import OfScene, rounded
 from coscrew_codegen.tiers.nonlinear import compensated
 from coscrew_codegen.tiers.tier import Tier
@@ -91,6 +90,6 @@ class _Mixed(OfScene):
 
 
 TIER = Tier(
-    MIXED, 4, "Mixed tier: single precision; what the asked accuracy needs, in pairs of floats.",
+    "mixed", 4, "Mixed tier: single precision; what the asked accuracy needs, in pairs of floats.",
     ("#0f766e", "#5eead4"), make=None, asked=True, precisions=(SINGLE,), header="ksl_exact",
     in_words="The mixed tier: float32, as much of it in pairs hi + lo as the asked accuracy needs.")
