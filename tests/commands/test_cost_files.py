@@ -162,7 +162,8 @@ def test_the_page_shows_the_figures_in_a_browser(whole, tmp_path):
               [...row.children].map(cell => cell.textContent));""")
         curves = browser.execute_script("""
             return [...document.querySelectorAll("#run .curve")].map(curve => [
-              curve.dataset.curve, curve.dataset.points ?? "cross", curve.getAttribute("d")]);""")
+              curve.dataset.curve, curve.dataset.points ?? "cross", curve.getAttribute("d"),
+              curve.getAttribute("class")]);""")
         key = browser.execute_script("""
             return [...document.querySelectorAll(".key li")].map(x => x.textContent);""")
     wanted = [(f"{x.function} {x.name}", x.time.median, shown(x))
@@ -173,8 +174,10 @@ def test_the_page_shows_the_figures_in_a_browser(whole, tmp_path):
     assert [x[:2] for x in curves] == [["model: bare", "0"], ["step: 0.001 s", "2"],
                                        ["rounding: single plain", "2"],
                                        ["rounding: single plain", "cross"]]
+    assert {x[3] for x in curves} == {"curve model  ", "curve step  ",
+                                      "curve rounding plain single"}
     heights = [float(y) for x in curves[1:3] for y in re.findall(r"[ML]\S+ (\S+?)(?=[ML]|$)", x[2])]
-    assert heights == sorted(heights, reverse=True)  # 1e-9, 1e-8, 1e-7, 1e-6: upwards
+    assert heights == sorted(set(heights), reverse=True)  # 1e-9, 1e-8, 1e-7, 1e-6: upwards
     assert key == ["plain", "accurate", "certified", "double", "single",
                    "rounding: single plain", "model: bare", "step: 0.001 s"]
 
