@@ -70,7 +70,7 @@ $(VENV)/test-ready: $(VENV)/ready
 test: $(VENV)/test-ready check build
 	$(PYTHON) -m pytest -n auto --dist loadfile --no-loadscope-reorder
 
-# For the working day, in a minute and a half: without slow tests, and with samples of large ones.
+# For the working day, in a minute: without slow tests, and with samples of large ones.
 test-quick: $(VENV)/test-ready
 	$(PYTHON) -m pytest -n auto --dist loadfile --no-loadscope-reorder --quick
 
