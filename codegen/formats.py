@@ -98,7 +98,9 @@ class Precision(Format):
         import numpy as np
 
         number = getattr(np, self.numpy_type)
-        near = number(value.numerator / value.denominator)
+        near: np.floating = number(value.numerator / value.denominator)
+        if self.digits == 53:  # Python's quotients of integers are rounded once
+            return near
         with np.errstate(over="ignore"):
             around = [near, *(np.nextafter(near, number(x)) for x in (-np.inf, np.inf))]
         return min((x for x in around if np.isfinite(x)), key=lambda x: (
