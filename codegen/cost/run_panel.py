@@ -8,13 +8,13 @@ from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.tiers import OF_SCENES, PLAIN
 
 _COLOURS = {tier.name: tier.colours[0] for tier in OF_SCENES}
-_STEP, _MODEL = "#1d2330", "#b5bbc6"
+_STEP = "#1d2330"
 
 
 def panel(axes: Axes, found: RunErrors) -> None:
     """A curve for each cause; a cross where it has no digits left."""
-    for x in found.rows:
-        _curve(axes, x, found.times)
+    for n, x in enumerate(found.rows):
+        _curve(axes, x, found.times, f"C{n}")
     axes.set_yscale("log")
     axes.set_xlim(0, found.times[-1])
     axes.set_xlabel("t, s")
@@ -24,12 +24,13 @@ def panel(axes: Axes, found: RunErrors) -> None:
                 title="×: no digit is right from here on", title_fontsize=7)
 
 
-def _curve(axes: Axes, x: RunError, times: tuple[float, ...]) -> None:
+def _curve(axes: Axes, x: RunError, times: tuple[float, ...], other: str) -> None:
+    """Effects have other colours than tiers and the step, and dots."""
     precision, _, tier = x.of.partition(" ") if x.cause == "rounding" else ("", "", "")
     if tier:
         colour, dash, width = _COLOURS[tier], BY_NAME[precision].dash, 1.2
     else:
-        colour, dash, width = (_STEP, "-", 1.8) if x.cause == "step" else (_MODEL, "-", 1.0)
+        colour, dash, width = (_STEP, "-", 1.8) if x.cause == "step" else (other, ":", 1.2)
     errors = np.array(x.errors)
     errors[~np.isfinite(errors) | (errors == 0)] = np.nan
     name = f"{x.cause}: {x.of}"

@@ -1,10 +1,10 @@
 "use strict";
 // Errors of a run over time, as SVG: a curve for each cause, a cross where no digit is left.
 
-function curveOf(row, times, at) {
+function curveOf(row, index, times, at) {
   const [kind, tier = ""] = row.cause === "rounding" ? row.of.split(" ") : [""];
   const name = `${row.cause}: ${row.of}`, attributes = {
-    class: `curve ${row.cause} ${tier} ${kind}`, "data-curve": name };
+    class: `curve ${row.cause} ${tier} ${kind}`, style: `--row: ${index}`, "data-curve": name };
   const points = row.errors.map((y, n) => [times[n], number(y)])
     .filter(([, y]) => y > 0 && Number.isFinite(y)).map(([x, y]) => at(x, y));
   const d = points.map(([x, y], n) => `${n ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`).join("");
@@ -13,7 +13,8 @@ function curveOf(row, times, at) {
   const gone = times.indexOf(row.gone);
   if (gone >= 0 && number(row.errors[gone]) < Infinity) {
     const [x, y] = at(row.gone, number(row.errors[gone]));
-    curve.push(svg("path", { ...attributes, d: `M${x - 4} ${y - 4}l8 8m0 -8l-8 8` }));
+    curve.push(svg("path", { ...attributes, class: `${attributes.class} cross`,
+                             d: `M${x - 4} ${y - 4}l8 8m0 -8l-8 8` }));
   }
   return curve;
 }
@@ -42,6 +43,6 @@ function runPlot({ integrator, step, times, rows }) {
   root.append(svg("text", { x: (left + right) / 2, y: height - 8, "text-anchor": "middle" },
                   "t, s"),
               svg("text", { x: 6, y: 14 }, "error of a coordinate, m or rad"),
-              ...sorted.flatMap(row => curveOf(row, times, at)));
+              ...sorted.flatMap(row => curveOf(row, rows.indexOf(row), times, at)));
   return root;
 }

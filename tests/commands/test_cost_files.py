@@ -175,7 +175,8 @@ def test_the_page_shows_the_figures_in_a_browser(whole, tmp_path):
                                        ["rounding: single plain", "2"],
                                        ["rounding: single plain", "cross"]]
     assert {x[3] for x in curves} == {"curve model  ", "curve step  ",
-                                      "curve rounding plain single"}
+                                      "curve rounding plain single",
+                                      "curve rounding plain single cross"}
     heights = [float(y) for x in curves[1:3] for y in re.findall(r"[ML]\S+ (\S+?)(?=[ML]|$)", x[2])]
     assert heights == sorted(set(heights), reverse=True)  # 1e-9, 1e-8, 1e-7, 1e-6: upwards
     assert key == ["plain", "accurate", "certified", "double", "single",
