@@ -4,7 +4,7 @@ from importlib.util import find_spec
 
 GENERATOR = ("sympy", "jinja2", "tqdm", "mpmath", "defusedxml")
 EXTRAS = {"codegen": GENERATOR,
-          "simulate": (*GENERATOR, "scipy", "matplotlib", "tabulate"),
+          "simulate": (*GENERATOR, "scipy", "gmpy2", "matplotlib", "tabulate"),
           "report": (*GENERATOR, "gmpy2", "matplotlib", "tabulate")}
 """Modules by extra; `simulate` also installs pyarrow, which only .parquet files need."""
 

@@ -4,7 +4,8 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
-from coscrew_codegen.cost.accuracy import CERTIFIED, Accuracy
+from coscrew_codegen.cost.accuracy import Accuracy
+from coscrew_codegen.cost.measured import CERTIFIED
 from coscrew_codegen.cost.units import in_unit, three_digits
 
 AFFORDABLE = 1.5
@@ -34,22 +35,21 @@ def sentences(rows: Sequence[Accuracy]) -> tuple[str, ...]:
 def _sentences(rows: Sequence[Accuracy]) -> Iterator[str]:
     results = [x for x in rows if x.tier != CERTIFIED]
     best, fastest = recommended(results), undominated(results)[0]
-    more = "" if best is fastest else f" ({_times(best, fastest)} {fastest.name})"
-    yield (f"{best.function}: {best.name} is {within(best)} at all {best.states} states "
-           f"looked at, in {three_digits(best.time.median)} ns{more}.")
+    cost = "the fastest choice" if best is fastest else f"at {_times(best, fastest)}"
+    yield (f"{best.function}: {best.name} is {within(best)} everywhere we looked ({best.states} "
+           f"states), {cost} ({three_digits(best.time.median)} ns).")
     better = [x for x in undominated(results) if x.relative < best.relative]
     for a, b in pairwise((best, *better)):
-        yield (f"{b.name} is {within(b)}: {_gain(a, b)} than {a.name} in {_times(b, a)} "
-               "its time.")
+        yield f"{b.name} is {within(b)}: {_gain(a, b)} than {a.name}, at {_times(b, a)}."
     single = [x for x in results if x.precision == "single"]
     if best.precision != "single":
         own, fastest = recommended(single), undominated(single)[0]
-        more = "" if own is fastest else f", in {_times(own, fastest)} {fastest.name}'s time"
+        more = "" if own is fastest else f", at {_times(own, fastest)}"
         yield f"In single precision {own.name} is {within(own)}{more}."
     for x in rows:
         if x.tier == CERTIFIED and x.precision == best.precision:
             plain = next(y for y in rows if y.name == f"{x.precision} plain")
-            yield f"{x.name} {_proved(x)}, in {_times(x, plain)} the time of {plain.name}."
+            yield f"{x.name} {_proved(x)}, at {_times(x, plain)}."
 
 
 def within(x: Accuracy) -> str:
@@ -78,4 +78,5 @@ def _gain(a: Accuracy, b: Accuracy) -> str:
 
 
 def _times(a: Accuracy, b: Accuracy) -> str:
-    return f"{three_digits(a.time.median / b.time.median)} times"
+    """1.3× single plain"""
+    return f"{three_digits(a.time.median / b.time.median)}× {b.name}"

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from coscrew_codegen.cost import CostError
-from coscrew_codegen.cost.accuracy import Counts
 from coscrew_codegen.cost.leaving_out import SHOWN, Part, whole
+from coscrew_codegen.cost.measured import Counts
 from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.selected import (

@@ -48,8 +48,8 @@ def _number(text: str, least: int, most: int) -> int:
 def run(options: argparse.Namespace) -> int:
     """Measure, print and write; returns the exit status."""
     from coscrew_codegen.cost import measure, page, plot, schema, table
-    from coscrew_codegen.cost.accuracy import Counts
     from coscrew_codegen.cost.asked import Asked
+    from coscrew_codegen.cost.measured import Counts
     from coscrew_codegen.simulate.load import kernels_for
     from coscrew_codegen.simulate.outcome import RunOverrides
     from coscrew_codegen.simulate.write import FIGURES, check_target

@@ -84,9 +84,10 @@ def compiled(part: Part, functions: Sequence[Function], compiler: Compiler,
 
 def text(part: Part, functions: Sequence[Function], tiers: Sequence[SceneTier] = ()) -> str:
     """The C text of the loops."""
-    chosen = [(part.functions, functions), *((x.first, x.first.functions) for x in tiers)]
+    chosen = [(part.functions, functions, PRECISIONS), *(
+        (x.first, x.first.functions, [p for p, _ in x.in_precisions]) for x in tiers)]
     loops = [{"name": _loop(f.name, precision, scene.mark), **_over_states(scene, f, precision)}
-             for scene, some in chosen for f in some for precision in PRECISIONS]
+             for scene, some, precisions in chosen for f in some for precision in precisions]
     return render("cost/loops.c", headers=[part.functions.name, *(x.stem for x in tiers)],
                   loops=loops)
 

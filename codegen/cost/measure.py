@@ -10,10 +10,11 @@ import numpy as np
 from tqdm import tqdm
 
 from coscrew_codegen.cost import CostError
-from coscrew_codegen.cost.accuracy import CHOICES, Accuracy, measured
+from coscrew_codegen.cost.accuracy import Accuracy, measured
 from coscrew_codegen.cost.asked import Asked, present, refuse_absent
 from coscrew_codegen.cost.leaving_out import SHOWN, WHOLE, Part, part, parts
 from coscrew_codegen.cost.loops import ELEMENTS, Compiled, compiled
+from coscrew_codegen.cost.measured import CERTIFIED, choices
 from coscrew_codegen.cost.run_errors import RunErrors, run_errors
 from coscrew_codegen.cost.states import Values, box_of
 from coscrew_codegen.cost.work_precision import Point, Reference, reference, work_precision
@@ -34,7 +35,6 @@ from coscrew_codegen.simulate.run import integrate
 from coscrew_codegen.simulate.system import System, system
 from coscrew_codegen.tiers import OF_SCENES, PLAIN
 
-_INSTRUCTIONS = 2_000_000  # of the run computed with many digits: some five seconds
 _SECONDS = 0.02  # of timing for each function of each part in each precision
 
 Item = TypeVar("Item")
@@ -103,15 +103,19 @@ def _with_runs(costs: Costs, kernels: Kernels, overrides: RunOverrides, built: S
     points = work_precision(kernels, built[0], planned, overrides, truth) if truth else ()
     return replace(costs, rows=rows, reference=truth,
                    points=tuple(_progress(points, "integrating", None)),
-                   run_errors=run_errors(kernels, overrides, _INSTRUCTIONS))
+                   run_errors=run_errors(kernels, overrides, [
+                       (x.tier, x.precision) for x in choices(built[0])
+                       if x.tier not in (PLAIN.name, CERTIFIED)]))  # whose results are plain's
 
 
 def _tiers(of: Part, names: Sequence[str]) -> tuple[SceneTier, ...]:
-    """These functions in all tiers but plain, and pairs, which pay where double is software."""
+    """These functions in all tiers of both precisions but plain, and in those that the scene
+    selects: the others pay where double is software."""
     some = replace(of.functions, steps=(), functions=tuple(
         f for f in of.public if f.name in names))
     return tuple(in_tier(some, tier) for tier in OF_SCENES
-                 if names and tier != PLAIN and tier.precisions == PRECISIONS)
+                 if names and tier != PLAIN and (
+                     tier.precisions == PRECISIONS or tier.name in of.scene.tiers))
 
 
 def _accuracies(kernels: Kernels, overrides: RunOverrides, run: Trajectory, built: Compiled,
@@ -123,7 +127,7 @@ def _accuracies(kernels: Kernels, overrides: RunOverrides, run: Trajectory, buil
     def timed(name: str, states: Values) -> list[Interval]:
         inputs = [np.resize(states[a.name], (ELEMENTS, *states[a.name].shape[1:]))
                   for a in built.part.functions.named(name).program.inputs]
-        loops = [built.loop(name, x.precision, inputs, x.tier) for x in CHOICES]
+        loops = [built.loop(name, x.precision, inputs, x.tier) for x in choices(built)]
         return [x.time for x in timed_loops(built.library, loops, 1e9 * _SECONDS * len(loops))]
 
     _, planned = _planned(kernels, overrides)

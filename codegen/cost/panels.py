@@ -72,10 +72,11 @@ def shown(x: Accuracy) -> float:
     return errors.bounds.worst if errors.bounds else errors.worst
 
 
-def legend(figure: FigureBase) -> None:
-    """What marks mean, above all panels."""
-    handles = [Line2D([], [], marker="o", linestyle="", color=colour, label=name)
-               for name, colour in _COLOURS.items()]
+def legend(figure: FigureBase, rows: Sequence[Accuracy]) -> None:
+    """What the marks of a function mean, above all panels."""
+    tiers = dict.fromkeys(x.tier for x in rows)
+    handles = [Line2D([], [], marker="o", linestyle="", color=_COLOURS[name], label=name)
+               for name in tiers]
     handles += [Line2D([], [], marker=p.marker, linestyle="", color=_QUIET, label=p.name,
                        markerfacecolor="white") for p in PRECISIONS]
     figure.legend(handles=handles, loc="outside upper left", ncols=len(handles), frameon=False,

@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from coscrew_codegen import version
-from coscrew_codegen.cost.accuracy import DIGITS, Accuracy, Bounds, Errors
+from coscrew_codegen.cost.accuracy import Accuracy, Bounds, Errors
 from coscrew_codegen.cost.advice import recommended, sentences, undominated
 from coscrew_codegen.cost.measure import Costs
+from coscrew_codegen.cost.measured import DIGITS
 from coscrew_codegen.cost.run_errors import DIGITS as RUN_DIGITS
 from coscrew_codegen.cost.run_errors import RunErrors
 from coscrew_codegen.cost.table import best
@@ -77,7 +78,8 @@ def _run_errors(x: RunErrors | None) -> dict[str, Json] | None:
     return None if x is None else {
         "integrator": x.integrator, "step": x.step, "until": x.until, "times": x.times,
         "reference_digits": RUN_DIGITS,
-        "rows": [{"cause": row.cause, "of": row.of, "errors": row.errors} for row in x.rows]}
+        "whole": x.whole, "rows": [{"cause": row.cause, "of": row.of, "errors": row.errors,
+                                     "gone": row.gone} for row in x.rows]}
 
 
 def _time(x: Interval) -> dict[str, Json]:

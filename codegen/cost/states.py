@@ -17,7 +17,7 @@ Values = Mapping[str, Reals]
 """t, h (n,), p (n, np), q (n, nq), v, a, tau, phi (n, nv), c (n, trees, 6): inputs of functions."""
 
 BATCH = 2048
-"""States that the search compares at once."""
+"""States that the search compares at once, unless told."""
 _ROUNDS, _KEPT, _NARROWER = 12, 32, 0.6
 _REACHED_IN = 0.1  # s, in which accelerations reach the limits of velocities
 
@@ -106,13 +106,14 @@ def _range(joint: Joint) -> tuple[float, float]:
     return float(joint.lower + joint.upper) / 2, float(joint.upper - joint.lower) / 2
 
 
-def searched(box: Box, score: Callable[[Values], Reals], count: int) -> dict[str, Reals]:
+def searched(box: Box, score: Callable[[Values], Reals], count: int, batch: int = BATCH
+             ) -> dict[str, Reals]:
     """The states of the largest scores found by climbing from the best of many."""
     rng = np.random.default_rng(1)
-    best = box.drawn(rng, BATCH)
+    best = box.drawn(rng, batch)
     for number in range(_ROUNDS):
         best = _top(best, score(best), _KEPT)
-        near = box.near(rng, best, 0.3 * _NARROWER**number, BATCH // _KEPT)
+        near = box.near(rng, best, 0.3 * _NARROWER**number, batch // _KEPT)
         best = joined((best, near))
     return _top(best, score(best), count)
 

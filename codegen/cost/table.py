@@ -7,15 +7,17 @@ from dataclasses import dataclass
 
 from tabulate import tabulate
 
-from coscrew_codegen.cost.accuracy import DIGITS, Accuracy, Errors
+from coscrew_codegen.cost.accuracy import Accuracy, Errors
 from coscrew_codegen.cost.advice import sentences, undominated
 from coscrew_codegen.cost.leaving_out import SHOWN, WHOLE
 from coscrew_codegen.cost.measure import Costs
+from coscrew_codegen.cost.measured import DIGITS
 from coscrew_codegen.cost.run_errors import DIGITS as RUN_DIGITS
 from coscrew_codegen.cost.run_errors import RunErrors
 from coscrew_codegen.cost.units import in_unit, three_digits, written
 from coscrew_codegen.cost.work_precision import Point
 from coscrew_codegen.native.intervals import Interval
+from coscrew_codegen.tiers import PLAIN
 
 ABOUT = (f"Errors against {DIGITS} digits, the model's decimals being exact: at states of the run, "
          "between the limits of the joints, and the worst that a search found there; of the "
@@ -23,6 +25,11 @@ ABOUT = (f"Errors against {DIGITS} digits, the model's decimals being exact: at 
          "component, typical and worst. The certified tier returns plain's results and bounds: the "
          "largest, and the least, median and largest ratio of bound to error.")
 _HEADERS = ("typical error", "worst", "digits", "found in", "bound", "bound / error", "ns", "best")
+_PARTS = (8, 4, 2, 1)  # errors of runs are shown after one in 8, 4, 2 and 1 of the times
+_CAUSES = ("Rounding: in this precision, all functions of the steps being in this tier. Step: "
+           "steps a quarter as long. Model: without an effect. Digits are gone from when on an "
+           "error is more than a tenth of the largest coordinate with its unit, or of half a turn.")
+_LIMITS = ("shorter steps would be more accurate", "shorter steps would gain nothing")
 _BEST = "* no choice is faster, the intervals apart, and as accurate"
 _MARKS = ("* no run is faster, the intervals apart, and as accurate",
           "< as accurate as the reference: it cannot tell more")
@@ -128,14 +135,38 @@ def _accuracy(costs: Costs) -> Table:
 
 
 def of_run(found: RunErrors) -> Table:
-    """A column for each time."""
-    part = f" of {found.until:g} s" if found.times[-1] < found.until else ""
-    head = (f"Errors of a run in m or rad, told apart: {found.integrator}, step {found.step:g} s, "
-            f"the first {found.times[-1]:g} s{part}, against the same steps with {RUN_DIGITS} "
-            "digits.",
-            "Rounding: in this precision. Step: steps a quarter as long. Model: without an effect.")
-    return Table(("cause", *(f"t = {t:g} s" for t in found.times)), tuple(
-        (f"{x.cause}: {x.of}", *(in_unit(y, "1") for y in x.errors)) for x in found.rows), head)
+    """A column for each of a few times."""
+    shown = sorted({max(0, len(found.times) // n - 1) for n in _PARTS})
+    headers = ("cause", *(f"t = {found.times[n]:.4g} s" for n in shown), "digits gone")
+    return Table(headers, tuple(
+        (f"{x.cause}: {x.of}", *(in_unit(x.errors[n], "1") for n in shown),
+         f"from {x.gone:.4g} s" if x.gone is not None else "") for x in found.rows), (
+             f"Errors of a run in m or rad, told apart: {found.integrator}, step {found.step:g} s, "
+             f"{_covered(found)}, against the same steps with {RUN_DIGITS} digits.",
+             *textwrap.wrap(_CAUSES, 110)), tuple(_compared(found)))
+
+
+def _covered(found: RunErrors) -> str:
+    if found.whole:
+        return f"the whole {found.until:g} s"
+    return (f"the first {found.times[-1]:.4g} s of {found.until:g} s: more would take more than "
+            f"{found.most / 1e6:g} million instructions with {RUN_DIGITS} digits")
+
+
+def _compared(found: RunErrors) -> Iterator[str]:
+    """What limits the run in each precision, as long as digits are left."""
+    (step,) = (x for x in found.rows if x.cause == "step")
+    for x in found.rows:
+        if x.cause != "rounding" or not x.of.endswith(f" {PLAIN.name}"):
+            continue
+        precision, gone = x.of.split()[0], [y.gone for y in (x, step) if y.gone is not None]
+        left = [n for n, t in enumerate(found.times) if t < min(gone, default=math.inf)]
+        until = f"until t = {found.times[left[-1]]:.4g} s " if gone and left else ""
+        rounding, of_step = (max((y.errors[n] for n in left), default=math.inf) for y in (x, step))
+        if left:
+            yield (f"In {precision} precision {until}rounding moves the run by at most "
+                   f"{in_unit(rounding, '1')}, the step by {in_unit(of_step, '1')}: "
+                   f"{_LIMITS[rounding > of_step]}.")
 
 
 def _in_words(time: Interval, scale: float = 1) -> str:

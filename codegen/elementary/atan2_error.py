@@ -4,10 +4,10 @@ tangent of the difference, which is so small that it is the difference."""
 from fractions import Fraction
 from functools import cache
 
-from coscrew_codegen.elementary import atan2, reduction_pairs, sincos_error
+from coscrew_codegen.elementary import atan2, reduction_pairs, sincos_pairs
 from coscrew_codegen.elementary.function import Elementary
 from coscrew_codegen.elementary.pairs import Pairs, power_of_two
-from coscrew_codegen.elementary.sincos_error import Computed
+from coscrew_codegen.elementary.sincos_pairs import Computed
 from coscrew_codegen.elementary.steps import Steps, Value
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Op, Program
@@ -15,6 +15,8 @@ from coscrew_codegen.quantity import SCALAR, Argument
 
 INPUTS = *atan2.INPUTS, *atan2.OUTPUTS
 OUTPUTS = (Argument("angle_error", SCALAR),)
+LARGEST = Fraction(355, 113)
+"""No angle is larger."""
 
 
 @cache
@@ -23,9 +25,8 @@ def kernel(precision: Precision) -> Program:
     steps = Steps(*INPUTS)
     y, x, angle = steps.inputs()
     k, r, r_low = reduction_pairs.reduced_near(angle, precision)
-    found = _normal(sincos_error.computed(
-        r, r_low, reduction_pairs.near_spread(precision), precision), precision)
-    (s, s_low), (c, c_low) = sincos_error.turned(k, found, precision)
+    found = _normal(sincos_pairs.computed(r, r_low, _spread(precision), precision), precision)
+    (s, s_low), (c, c_low) = _turned(k, found, precision)
     y, x = _scaled(y, x, precision)
     upward, across = steps.named("upward", y * c), steps.named("across", x * s)
     rests = [steps.named(f"{name}_rest", steps.do(Op.PRODUCT_ERROR, a, b, product))
@@ -34,6 +35,24 @@ def kernel(precision: Precision) -> Program:
     turn = steps.named("turn", ((upward - across) + low) / (x * c + y * s))
     return steps.program("atan2_error", OUTPUTS, [
         steps.named("angle_error", angle.equals(0).where(0, turn))])
+
+
+def _turned(k: Value, of: Computed, precision: Precision
+            ) -> tuple[tuple[Value, Value], tuple[Value, Value]]:
+    """The sine and cosine of k π/2 + r, each as high and low."""
+    steps, (a, b) = k.steps, sincos_pairs.turn(k, precision)
+    low = of.sine.low, of.cosine.low
+    assert low[0] is not None and low[1] is not None
+    lows = low[0], low[1]
+    sines = [steps.named(name, x * a - y * b) for name, x, y in (
+        ("sin_x", of.sine.high, of.cosine.high), ("sin_x_low", *lows))]
+    cosines = [steps.named(name, y * a + x * b) for name, x, y in (
+        ("cos_x", of.sine.high, of.cosine.high), ("cos_x_low", *lows))]
+    return (sines[0], sines[1]), (cosines[0], cosines[1])
+
+
+def _spread(precision: Precision) -> reduction_pairs.Spread:
+    return reduction_pairs.near_spread(precision, LARGEST)
 
 
 def _normal(of: Computed, precision: Precision) -> Computed:
@@ -69,7 +88,7 @@ def error(precision: Precision) -> Fraction:
     are, except u 8 u of that difference.  Neither is the tangent's cube, nor what underflows, as
     large as u³."""
     u = precision.u
-    sine, cosine = sincos_error.relative(reduction_pairs.near_spread(precision), precision)
+    sine, cosine = sincos_pairs.relative(_spread(precision), precision)
     rest, missed = 2 * u * (1 + 4 * u), sine.error + cosine.error
     turn = 2 * u + missed
     low = 3 * u + rest  # two errors of products, and two products, a difference, a sum: rounded

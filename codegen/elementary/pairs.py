@@ -7,9 +7,10 @@ parts are exact together with their errors (PRODUCT_ERROR; Knuth, Dekker)."""
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import reduce
 from math import ceil, factorial, log2
 
-from coscrew_codegen.elementary.reduction import nearest, two_sum
+from coscrew_codegen.elementary.reduction import nearest, ordered_sum, two_sum
 from coscrew_codegen.elementary.steps import Steps, Value
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Op
@@ -25,6 +26,10 @@ def upward(x: Fraction) -> Fraction:
 
 def _bounded(high: Value, low: Value | None, *bounds: Fraction) -> "Pair":
     return Pair(high, low, *map(upward, bounds))
+
+
+def _number(x: Value | None, size: Fraction) -> "Pair | None":
+    return None if x is None else Pair(x, None, size)
 
 
 def power_of_two(x: Fraction) -> str:
@@ -51,7 +56,6 @@ class Pair:
         """The same in a unit in which its size is this one: for errors relative to a number."""
         factor = size / self.size
         return replace(self, size=size, rest=self.rest * factor, error=self.error * factor)
-
 
     def less(self, error: Fraction) -> "Pair":
         """The same for a number that differs by at most this."""
@@ -136,8 +140,7 @@ class Pairs:
         """a + b = high + (the error of high + (b_low + a_low)); ordered: |a_high| >= |b_high|."""
         steps, size = a.high.steps, a.size + b.size
         if ordered:
-            high = steps.named(name, a.high + b.high)
-            low = steps.named(f"{name}_error", b.high - (high - a.high))
+            high, low = ordered_sum(name, a.high, b.high)
         else:
             high, low = two_sum(name, a.high, b.high)
         rest, error = self.rounding(size), a.error + b.error
@@ -163,8 +166,14 @@ class Pairs:
         return _bounded(high, low, size, self.rounding(x.most), x.error)
 
     def series(self, name: str, coefficients: Sequence[Fraction], z: Pair) -> Pair:
-        """c1 z + c2 z² + …, as it is added to 1: without low parts where they matter less than the
-        square of u.  The coefficients decrease so fast that |c z| is less than the one before."""
+        """c1 z + c2 z² + …, as it is added to 1."""
+        return self.product(f"{name}_sum", z, self.horner(name, coefficients, z))
+
+    def horner(self, name: str, coefficients: Sequence[Fraction], z: Pair,
+               negligible: Fraction = Fraction(1, 64)) -> Pair:
+        """c1 + c2 z + …, which times z is added to 1: without low parts of what is less than so
+        many u, whose roundings matter as many u² then.  The coefficients decrease so fast that
+        |c z| is less than the one before."""
         steps, u = z.high.steps, self.precision.u
         last = len(coefficients)
         start = nearest(coefficients[-1], self.precision)
@@ -172,12 +181,12 @@ class Pairs:
         for n in range(last - 1, 0, -1):
             c = coefficients[n - 1]
             assert abs(c) >= z.size * value.size * (1 + u)
-            if abs(c) * z.size**n <= u / 64:
+            if abs(c) * z.size**n <= negligible * u:
                 value = self._plain_step(f"{name}{n}", c, z, value)
             else:
-                value = self.sum(f"{name}{n}", self.constant(steps, c),
-                                 self.product(f"{name}{n}_z", z, value), ordered=True)
-        return self.product(f"{name}_sum", z, value)
+                brief = value.size * z.size**(n + 1) <= negligible * u
+                value = self._step(f"{name}{n}", c, z, value, brief)
+        return value
 
     def _plain_step(self, name: str, c: Fraction, z: Pair, value: Pair) -> Pair:
         """c + z value, both operations rounded."""
@@ -188,6 +197,44 @@ class Pairs:
                  + self.rounding(product) + self.rounding(size))
         return _bounded(z.high.steps.named(name, near + z.high * value.high), None,
                         size + self.rounding(size), _ZERO, error)
+
+    def _step(self, name: str, c: Fraction, z: Pair, value: Pair, brief: bool) -> Pair:
+        """c + z value, z value being rounded if `brief`.  The low part of value, for which all
+        waits, is used last."""
+        steps, constant = z.high.steps, self.constant(z.high.steps, c)
+        product = z.size * value.size
+        lost = self.rounding(product)
+        p = steps.named(f"{name}_z", z.high * value.high)
+        high, error = ordered_sum(name, constant.high, p)
+        size = constant.size + product + lost
+        lows = [_number(constant.low, constant.rest), _number(error, self.rounding(size))]
+        missed = constant.error + z.error * value.most + (z.size + z.rest) * value.error
+        if brief:
+            assert value.low is None
+            missed += lost + z.rest * value.size
+        else:
+            exact = _number(steps.do(Op.PRODUCT_ERROR, z.high, value.high, p), lost)
+            missed += z.rest * value.rest + self.eta
+            lows = [self._product_of_lows(value.high, value.size, z.low, z.rest), exact, *lows,
+                    self._product_of_lows(z.high, z.size, value.low, value.rest)]
+        low = reduce(self._sum_of_lows, lows)
+        assert low is not None
+        return _bounded(high, steps.named(f"{name}_low", low.high),
+                        size + self.rounding(size), low.size, missed + low.error)
+
+    def _product_of_lows(self, a: Value, size: Fraction, low: Value | None, rest: Fraction
+                         ) -> Pair | None:
+        """a low, rounded; of None, 0."""
+        lost = self.rounding(size * rest)
+        return None if low is None else Pair(a * low, None, size * rest + lost, error=lost)
+
+    def _sum_of_lows(self, a: Pair | None, b: Pair | None) -> Pair | None:
+        """a + b, rounded; None is 0."""
+        if a is None or b is None:
+            return a or b
+        size = a.size + b.size
+        lost = self.rounding(size)
+        return Pair(a.high + b.high, None, size + lost, error=a.error + b.error + lost)
 
     def grown(self, name: str, r: Pair, series: Pair) -> Pair:
         """r + r series, |series| < 1/2, in the unit of r."""

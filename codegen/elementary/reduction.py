@@ -169,6 +169,12 @@ def two_sum(name: str, a: Value, b: Value) -> tuple[Value, Value]:
     return s, steps.named(f"{name}_error", (a - (s - c)) + (b - c))
 
 
+def ordered_sum(name: str, a: Value, b: Value) -> tuple[Value, Value]:
+    """a + b rounded, and what that misses, for |a| >= |b|.  Source: Dekker."""
+    s = a.steps.named(name, a + b)
+    return s, a.steps.named(f"{name}_error", b - (s - a))
+
+
 def halves(name: str, x: Value, precision: Precision) -> tuple[Value, Value]:
     """x = high + low, of half the digits each.  Source: Veltkamp."""
     steps, digits = x.steps, precision.digits

@@ -14,6 +14,7 @@ from coscrew_codegen.elementary.reduction import (
     levels,
     limit,
     nearest,
+    ordered_sum,
     split,
     to_integer,
     two_sum,
@@ -58,9 +59,9 @@ class Parts:
 
 @cache
 def parts(precision: Precision) -> Parts:
-    """The parts of `split` and two more."""
+    """The parts of `split` and two more, a bit shorter: sums of products have that bit to spare."""
     known = split(precision)
-    found, size = list(known.parts), 2**(precision.digits - known.k_bits)
+    found, size = list(known.parts), 2**(precision.digits - known.k_bits - 1)
     for _ in range(2):
         rest = HALF_PI - sum(found)
         unit = Fraction(1, 2**(int(size / rest).bit_length() - 1))
@@ -81,10 +82,12 @@ def reduced_near(x: Value, precision: Precision) -> tuple[Value, Value, Value]:
     """The quadrant, r and r_low, for |x| <= limit."""
     steps, data = x.steps, parts(precision)
     k = steps.named("quadrant", to_integer(steps, x * nearest(1 / HALF_PI, precision), precision))
-    first, second, *others = data.parts
-    terms = [steps.named("high", (x - k * first) - k * second)]  # exact
-    terms += [steps.named(f"part{n}", k * -part) for n, part in enumerate((*others, data.rest), 3)]
-    return k, *_collected("r", terms)
+    first, second, third, fourth, fifth = data.parts
+    high = steps.named("high", (x - k * first) - k * second)  # exact
+    a, low = two_sum("a", high, k * -third)
+    b, low = ordered_sum("b", a, steps.named("fourth", low - k * fourth))
+    r, low = ordered_sum("r", b, steps.named("fifth", low - k * fifth))
+    return k, r, steps.named("r_low", low - k * data.rest)
 
 
 @cache
@@ -152,17 +155,44 @@ def _plus(a: tuple[Fraction, Fraction], b: tuple[Fraction, Fraction], factor: Fr
 
 
 @cache
-def near_spread(precision: Precision) -> Spread:
-    """The reduction up to the limit, unless k = 0: there it is exact."""
-    data, k = parts(precision), 2**split(precision).k_bits
+def near_spread(precision: Precision, largest: Fraction | None = None) -> Spread:
+    """The reduction up to the largest angle, or the limit, unless k = 0: there it is exact.
+
+    Sums of high parts are exact together with their errors, the first by Knuth's, the others by
+    Dekker's: the products with the fourth part and those beyond are less than a quarter of |R|."""
+    data, u = parts(precision), precision.u
+    largest = largest or limit(precision)
+    k = int(largest / HALF_PI + Fraction(1, 2))
     assert all(part.numerator.bit_length() + k.bit_length() - 1 <= precision.digits
-               for part in data.parts)
-    exponents = range(-1, exponent_of(limit(precision)) + 1)
+               for part in data.parts) and k <= 2**split(precision).k_bits
+    exponents = range(-1, exponent_of(largest) + 1)
     least = min(closest(precision, exponent) for exponent in exponents)
-    sizes = [Fraction(1), *(k * part for part in data.parts[2:]), k * data.rest * (1 + precision.u)]
-    found = collected(sizes, least, precision)
-    wrong = k * (data.missing + precision.u * data.rest) + TINY
-    return Spread(found.high, found.low, upward(found.error + wrong / least * (1 + found.error)))
+    sizes = [k * part for part in (*data.parts[3:], data.rest * (1 + u))]
+    left, beyond = (x / least for x in (sum(sizes), sizes[-1]))
+    assert 4 * left <= 1
+    lost = _late_roundings(sizes, least, precision)
+    high = (1 + u) * (1 + lost + beyond)
+    wrong = k * (data.missing + u * data.rest) + TINY
+    return Spread(*map(upward, (high, (u * high + beyond) * (1 + u), lost + wrong / least)))
+
+
+def _late_roundings(sizes: Sequence[Fraction], least: Fraction, precision: Precision) -> Fraction:
+    """In units of |R|: what rounds the differences of an error, at most u of a sum, and a product
+    of at most this size.
+
+    All but the last are exact up to 2^digits units of the product's part, of which all are
+    multiples.  The rounding is no more than either u of the result or the product."""
+    data, u, worst = parts(precision), precision.u, Fraction(0)
+    units = [Fraction(1, part.denominator) for part in data.parts[2:]]
+    assert Fraction(1, 2**precision.digits) >= units[0] >= units[1] >= units[2]
+    exact = [2**precision.digits * unit for unit in units[1:]] + [Fraction(0)]
+    for exponent in range(exponent_of(least), 1):
+        low, high = Fraction(2)**exponent, Fraction(2)**(exponent + 1)  # |R| is between
+        worst = max(worst, sum((
+            min(size, u * (u * (low + sum(sizes)) * (1 + 4 * u) + size)) / low
+            for size, most in zip(sizes, exact, strict=True)
+            if size + u * (high + sum(sizes)) * (1 + 4 * u) > most), Fraction(0)))
+    return worst
 
 
 @cache

@@ -118,24 +118,45 @@ def left_out(precision: Precision, exponent: int, count: int) -> Fraction:
 
     x = high + low, |high| <= 2^(e + 1), a multiple of 2^(e + 1 - bits); |low| <= 2^(e - bits), a
     multiple of 2^(e + 1 - digits)."""
-    some, digits = chunks(precision.digits), precision.digits
-    e, bits, first = Fraction(2)**exponent, some.bits, some.index(exponent)
-    values = [x / 2**some.scale for x in some.values]
-    units = [Fraction(2)**(-bits * (n - 1)) for n in range(len(values))]
-    unit_high, unit_low = 2 * e / 2**bits, 2 * e / 2**digits
-    assert units[first] * unit_high % 4 == 0
-    assert first == 0 or units[first - 1] * unit_low % 4 == 0
+    some, e = chunks(precision.digits), Fraction(2)**exponent
+    bits, first = some.bits, some.index(exponent)
+    values, units = _levels(precision)
+    assert units[first] * 2 * e / 2**bits % 4 == 0
+    assert first == 0 or units[first - 1] * 2 * e / 2**precision.digits % 4 == 0
     for n in range(first, first + count):
-        assert values[n] % units[n] == 0 and abs(values[n]) <= units[n] * 2**(bits - 1)
-        grid = units[n] * unit_low
-        products = e / 2**bits * abs(values[n]), 2 * e * abs(values[n + 1])
-        assert units[n + 1] * unit_high % grid == 0
-        assert sum(products) <= Fraction(3, 4) * 2**digits * grid
-        assert products[1] <= 2**digits * units[n + 1] * unit_high
+        _level_is_exact(precision, n)
     last = first + count
-    rest = abs(1 / HALF_PI - sum(values[:last + 1], Fraction(0))) + TINY
-    left: Fraction = e / 2**bits * abs(values[last]) + 2 * e * rest
+    left: Fraction = e / 2**bits * abs(values[last]) + 2 * e * _after(precision, last)
     return left
+
+
+@cache
+def _level_is_exact(precision: Precision, n: int) -> None:
+    """Proves it where 1 <= |x| < 2, and so of all x: both sides are in proportion to 2^e."""
+    values, units = _levels(precision)
+    bits, digits = chunks(precision.digits).bits, precision.digits
+    unit_high, unit_low = Fraction(2, 2**bits), Fraction(2, 2**digits)
+    assert values[n] % units[n] == 0 and abs(values[n]) <= units[n] * 2**(bits - 1)
+    grid = units[n] * unit_low
+    products = abs(values[n]) / 2**bits, 2 * abs(values[n + 1])
+    assert units[n + 1] * unit_high % grid == 0
+    assert sum(products) <= Fraction(3, 4) * 2**digits * grid
+    assert products[1] <= 2**digits * units[n + 1] * unit_high
+
+
+@cache
+def _levels(precision: Precision) -> tuple[tuple[Fraction, ...], tuple[Fraction, ...]]:
+    """The chunks of 2/π, and the powers of 2 of which they are multiples."""
+    some = chunks(precision.digits)
+    return (tuple(x / Fraction(2)**some.scale for x in some.values),
+            tuple(Fraction(2)**(-some.bits * (n - 1)) for n in range(len(some.values))))
+
+
+@cache
+def _after(precision: Precision, last: int) -> Fraction:
+    """A bound of 2/π less its chunks up to this one."""
+    values, _ = _levels(precision)
+    return abs(1 / HALF_PI - sum(values[:last + 1], Fraction(0))) + TINY
 
 
 def _sum_is_proved(precision: Precision, first_grid: int) -> tuple[Fraction, Fraction, Fraction]:

@@ -1,105 +1,115 @@
-"""sin x - s and cos x - c, s and c being what `sincos` returns: both are computed as pairs."""
+"""sin x - s and cos x - c, s and c being what `sincos` returns.
 
-from dataclasses import dataclass
+With x = k π/2 + r + r_low, s and c turned back by k right angles are S and C, near the sine and
+cosine of r + r_low, of which C is the larger.  S errs by E = sin r - S + r_low C, where the sine is
+r + r³ (…), a series in pairs.  Then C errs by ((1 - C² - S²)/2 - S E) / C, since the squares of
+what is exact are 1 together: no second series is needed."""
+
 from fractions import Fraction
 from functools import cache
 
 from coscrew_codegen.elementary import reduction, reduction_pairs, sincos
 from coscrew_codegen.elementary.function import Elementary
-from coscrew_codegen.elementary.pairs import Pair, Pairs, Series, power_of_two
-from coscrew_codegen.elementary.reduction import X, to_integer
+from coscrew_codegen.elementary.pairs import Pair, Pairs, power_of_two
+from coscrew_codegen.elementary.reduction import X
 from coscrew_codegen.elementary.reduction_pairs import REDUCED, Spread
+from coscrew_codegen.elementary.sincos_pairs import ANGLE, SINES, turn
 from coscrew_codegen.elementary.steps import Steps, Value
 from coscrew_codegen.formats import Precision
-from coscrew_codegen.program import Program
+from coscrew_codegen.program import Op, Program
 from coscrew_codegen.quantity import SCALAR, Argument
 
 OUTPUTS = Argument("s_error", SCALAR), Argument("c_error", SCALAR)
-ANGLE = Fraction(78704, 100000)
-"""More than any |r|: that of `sincos`."""
-SINES = Series(ANGLE, 3, 2, -1)  # sin r = r + r (…)
-COSINES = Series(ANGLE, 2, 2, -1)  # cos r = 1 + …
+NEGLIGIBLE = Fraction(4)
+"""Terms of the series up to so many u, relative to r, have no low parts."""
 
 
-@dataclass(frozen=True)
-class Computed:
-    """The sine and cosine of r: the sine relative to r."""
-
-    sine: Pair
-    cosine: Pair
-
-
-def computed(r: Value, r_low: Value, spread: Spread, precision: Precision) -> Computed:
-    """The steps from r, of which the spread is proved, to its sine and cosine."""
-    steps, pairs = r.steps, Pairs(precision)
-    one = Pair(r, r_low, spread.high, spread.low, spread.error)
-    angle = one.scaled(ANGLE)
-    angle = Pair(pairs.vanishing("argument", angle), r_low, ANGLE, angle.rest, angle.error)
-    z = pairs.product("z", angle, angle)
-    sines, cosines = SINES.terms(precision), COSINES.terms(precision)
-    sine = pairs.grown("sin_r", one, pairs.series(
-        "sin", sines, z).less(SINES.left_out(len(sines)) + pairs.tiny**2))
-    cosine = pairs.sum("cos_r", pairs.constant(steps, Fraction(1)), pairs.series(
-        "cos", cosines, z).less(COSINES.left_out(len(cosines)) + pairs.tiny**2), ordered=True)
-    return Computed(sine, cosine)
+def beyond_r(r: Value, spread: Spread, precision: Precision) -> tuple[Value, Pair]:
+    """r, or 0 if it is tiny; and sin r - r, or 0, in the unit of the angle that r is near."""
+    pairs = Pairs(precision)
+    angle = Pair(pairs.vanishing("argument", Pair(r, None, ANGLE)), None, ANGLE)
+    z, terms = pairs.product("z", angle, angle), SINES.terms(precision)
+    cube = pairs.product("cube", Pair(angle.high, None, spread.high), z)
+    left_out = (SINES.left_out(len(terms)) + pairs.tiny**2) / z.size
+    series = pairs.horner("sin", terms, z, NEGLIGIBLE).less(left_out)
+    return angle.high, pairs.product("more", cube, series)
 
 
 @cache
 def kernel(precision: Precision) -> Program:
     """(quadrant, r, r_low, s, c) -> (sin x - s, cos x - c)"""
-    results = sincos.SIN_COS
-    steps = Steps(*REDUCED, *results)
+    steps = Steps(*REDUCED, *sincos.SIN_COS)
     k, r, r_low, s, c = steps.inputs()
-    found = computed(r, r_low, reduction_pairs.spread(precision), precision)
-    sine, cosine = turned(k, found, precision)
-    return steps.program("kernel", OUTPUTS, (
-        steps.named("s_error", (sine[0] - s) + sine[1]),
-        steps.named("c_error", (cosine[0] - c) + cosine[1])))
+    a, b = turn(k, precision)
+    sine, cosine = steps.named("sin_r", s * a + c * b), steps.named("cos_r", c * a - s * b)
+    angle, more = beyond_r(r, reduction_pairs.spread(precision), precision)
+    assert more.low is not None
+    difference = steps.named("difference", r - sine)  # exact
+    error = steps.named("sin_r_error", (difference + more.high) + (more.low + r_low * cosine))
+    other = _other_error(steps.named("known_sin_r", angle - difference), error, cosine)
+    return steps.program("kernel", OUTPUTS, (steps.named("s_error", error * a - other * b),
+                                             steps.named("c_error", other * a + error * b)))
 
 
-def turned(k: Value, of: Computed, precision: Precision
-           ) -> tuple[tuple[Value, Value], tuple[Value, Value]]:
-    """The sine and cosine of k π/2 + r, each as high and low."""
-    steps = k.steps
-    q = steps.named("q", to_integer(steps, k, precision, 4) - k)
-    a = steps.named("cos_k", 1 - abs(q))
-    b = steps.named("minus_sin_k", q * (1 + a))
-    low = of.sine.low, of.cosine.low
-    assert low[0] is not None and low[1] is not None
-    lows = low[0], low[1]
-    sines = [steps.named(name, x * a - y * b) for name, x, y in (
-        ("sin_x", of.sine.high, of.cosine.high), ("sin_x_low", *lows))]
-    cosines = [steps.named(name, y * a + x * b) for name, x, y in (
-        ("cos_x", of.sine.high, of.cosine.high), ("cos_x_low", *lows))]
-    return (sines[0], sines[1]), (cosines[0], cosines[1])
+def _other_error(sine: Value, error: Value, cosine: Value) -> Value:
+    """That of the cosine, from the sine and its: 1 - C² - S² is 2 h - S² - h² with h = 1 - C."""
+    steps = sine.steps
+    h = steps.named("h", 1 - cosine)
+    squares, rests = [], []
+    for name, x in (("square", sine), ("h_square", h)):
+        squares.append(steps.named(name, x * x))
+        rests.append(steps.named(f"{name}_error", steps.do(Op.PRODUCT_ERROR, x, x, squares[-1])))
+    excess = steps.named("excess", ((h + h) - squares[0] - squares[1]) - (rests[0] + rests[1]))
+    return steps.named("cos_r_error", (excess * Fraction(1, 2) - sine * error) / cosine)
 
 
-def relative(spread: Spread, precision: Precision) -> tuple[Pair, Pair]:
-    """sin r and cos r in units of what they are at least: with bounds, proved, of the relative
-    errors."""
-    _, r, r_low = Steps(*REDUCED).inputs()
-    found = computed(r, r_low, spread, precision)
-    least = 1 - ANGLE**2 / 6, 1 - ANGLE**2 / 2
-    return (found.sine.scaled(found.sine.size / least[0]),
-            found.cosine.scaled(found.cosine.size / least[1]))
+def errors(precision: Precision) -> tuple[Fraction, Fraction]:
+    """Bounds, proved: |S + its error - sin R| in the unit of R = r + r_low, as it is exactly, and
+    |C + its error - cos R|.
+
+    S and C err by σ ulps at most.  r - S is exact (Sterbenz), R and S being close."""
+    u, rounding = precision.u, Pairs(precision).rounding
+    spread, (_, r, _) = reduction_pairs.spread(precision), Steps(*REDUCED).inputs()
+    _, more = beyond_r(r, spread, precision)
+    ulps = sincos.DATA[precision].error * u  # of numbers in [1/2, 1); relative at most twice that
+    low = spread.low * (1 + u)
+    left = 2 * ulps + more.rest + low + u / 8  # difference + more.high, and what errors add
+    roundings = map(rounding, (low, more.rest + low, left, 2 * ulps + u**2))
+    beside = spread.error + spread.low**2 + ulps * low  # r_low C
+    sine = more.error + beside + sum(roundings)
+    return sine, _of_cosine(sine, ulps, precision)
+
+
+def _of_cosine(sine: Fraction, ulps: Fraction, precision: Precision) -> Fraction:
+    """Of the cosine, the sine's being known.
+
+    2 h - S² is exact (Sterbenz) if R² is at least 16 ulps, else at most 2 ulps and little; 1 - C²
+    - S² is at most 2 (C + S) ulps, so 3.  The squares of both errors are neglected, as is S² for
+    tiny R."""
+    u, tiny, largest = precision.u, Pairs(precision).tiny, ANGLE**2
+    assert 1 + 8 * u <= 2 * (1 - largest / 12 - Fraction(1, 8))
+    assert 1 + Fraction(1, 8) <= 2 * (1 - largest / 3) * (1 - 8 * u)
+    square = largest**2 / 4 * (1 + 16 * u)  # h²
+    rests = u * (largest + square)
+    excess = u * (2 * ulps + u / 8 + (3 * ulps + rests) + rests + 3 * ulps) + tiny**2
+    product = ANGLE * ulps
+    lost = excess / 2 + largest * sine + u * (product + ulps) + ulps**2 + tiny**2
+    return lost / (1 - largest / 2 - ulps) + u * ulps
 
 
 @cache
 def error(precision: Precision) -> Fraction:
-    """A bound, proved: |s + s_error - sin x| / |sin x|, and the same of the cosine.
-
-    sin_x - s, at most an ulp and what sin_x errs by, is exact, both being close; its sum with
-    sin_x_low is rounded."""
-    u, spread = precision.u, reduction_pairs.spread(precision)
-    return max(x.error + u * (3 * u + x.rest) for x in relative(spread, precision))
+    """A bound, proved: |s + s_error - sin x| / |sin x|, and the same of the cosine."""
+    sine, cosine = errors(precision)
+    return max(sine / (1 - ANGLE**2 / 6), cosine / (1 - ANGLE**2 / 2)) * (1 + 16 * precision.u)
 
 
 def comment(precision: Precision) -> str:
-    degrees = 2 * len(SINES.terms(precision)) + 1, 2 * len(COSINES.terms(precision))
-    return (f"x = k pi/2 + r, r as a pair; Taylor polynomials of degrees {degrees[0]} and "
-            f"{degrees[1]} in pairs; s + s_error and c + c_error are within "
-            f"{power_of_two(error(precision))} of sin x and cos x, relative to these (proved), for "
-            "every finite x.")
+    degree = 2 * len(SINES.terms(precision)) + 1
+    return (f"x = k pi/2 + r, r as a pair; Taylor's polynomial of degree {degree} in pairs for "
+            "sin r, whose error gives that of cos r, as their squares are 1 together; s + s_error "
+            f"and c + c_error are within {power_of_two(error(precision))} of sin x and cos x, "
+            "relative to these (proved), for every finite x.")
 
 
 ERROR = Elementary(

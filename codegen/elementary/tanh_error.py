@@ -94,8 +94,8 @@ def _quotient(m: Pair, d: Pair, precision: Precision) -> Fraction:
     m_high - y d_high rounded is exact, since both are close, and so is that product's error."""
     u, second = precision.u, m.error + d.error  # y d is m to 2 u
     low = u * (1 + 2 * u)  # relative: those of m and d
-    left = 3 * u + 2 * low  # of the high parts; with the product's error, u less or more
-    roundings = u * (left + u) + u * low + u * 2 * low + u * (2 * u + second)
+    left = 2 * u + 2 * low  # of the high parts, with the product's error: m - y d and low parts
+    roundings = u * left + u * low + u * 2 * low + u * (2 * u + second)
     division = (2 * u + second) * (u + low)
     return (second + roundings + division) * (1 + 8 * u)
 

@@ -1,10 +1,12 @@
 """What every function of a scene is derived with: inputs, the tree, how it is recorded."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from coscrew_codegen.mechanics import coordinates
 from coscrew_codegen.mechanics.ranges import refuse_products, refuse_quotients
 from coscrew_codegen.mechanics.recorded import Recording, Results
+from coscrew_codegen.program import Program
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.recording.recorder import Recorder, array, headings
 from coscrew_codegen.scene.assembly import ModelError
@@ -61,7 +63,18 @@ class Derivation:
                  *(["p"] if dynamic and self.scene.parameters else []),
                  *(x for x in inputs.split() if x not in ("t", "h"))]
         self.tell(name)
-        recorder = Recorder([self.inputs[x] for x in given])
+        program = self._recorded(name, [self.inputs[x] for x in given], outputs, compute)
+        function = Function(name, words, program, tuple(
+            (place, self.headings.get(words, words)) for place, words in headings(program)))
+        refuse_products(self.scene, function)
+        refuse_quotients(self.scene, function, self._at_rest())
+        return function
+
+    def _recorded(self, name: str, inputs: Sequence[Argument], outputs: Sequence[Argument],
+                  compute: Callable[[Recording], Results], fine: bool = False) -> Program:
+        """The program that computes these outputs, and the one for twice the digits if that
+        differs."""
+        recorder = Recorder(inputs, fine)
         try:
             results = compute(Recording(self.scene, self.tree, self.names, recorder))
         except ZeroDivisionError:
@@ -71,11 +84,9 @@ class Derivation:
                              "masses or armatures that resist every joint, and no joint that "
                              "mimics another with multiplier 0") from None
         program = recorder.program(name, list(zip(outputs, results, strict=True)))
-        function = Function(name, words, program, tuple(
-            (place, self.headings.get(words, words)) for place, words in headings(program)))
-        refuse_products(self.scene, function)
-        refuse_quotients(self.scene, function, self._at_rest())
-        return function
+        if fine or not recorder.differs:
+            return program
+        return replace(program, fine=self._recorded(name, inputs, outputs, compute, fine=True))
 
     def _headings(self) -> dict[str, str]:
         """What text says instead of a body's heading: its number and name, and how it moves if it

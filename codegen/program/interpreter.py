@@ -15,6 +15,7 @@ from coscrew_codegen.program.program import (
     Constant,
     Input,
     Instruction,
+    Operand,
     Program,
     Ref,
 )
@@ -44,8 +45,7 @@ def interpreter(program: Program, arithmetic: Arithmetic[V]
     first = list(dict.fromkeys(x for x in (*operands, *program.results) if not isinstance(x, Ref)))
     inputs = [x for x in first if isinstance(x, Input)]
     others = [x for x in first if not isinstance(x, Input)]
-    kept = [arithmetic.constant(x) if isinstance(x, Constant) else _nan(program, arithmetic)
-            for x in others]
+    kept = [number_of(x, program, arithmetic) for x in others]
     names = [Ref(step.name) for step in program.instructions]
     places = {x: place for place, x in enumerate((*inputs, *others, *names))}
     steps = [(arithmetic.function(step, number), [places[x] for x in step.operands])
@@ -61,7 +61,10 @@ def interpreter(program: Program, arithmetic: Arithmetic[V]
     return evaluated
 
 
-def _nan(program: Program, arithmetic: Arithmetic[V]) -> V:
+def number_of(x: Operand, program: Program, arithmetic: Arithmetic[V]) -> V:
+    """A constant of the program, or NaN, as a number.  Raises TypeError if there is no NaN."""
+    if isinstance(x, Constant):
+        return arithmetic.constant(x)
     if arithmetic.not_a_number is None:
         raise TypeError(f"{program.name} may have no value, which these numbers lack")
     return arithmetic.not_a_number

@@ -1,10 +1,19 @@
-"""Programs on mpmath's numbers, of as many digits as its context has."""
+"""Programs on MPFR's numbers, of as many digits as are wanted: their elementary functions are
+rounded once, and what has no finite value is infinite or NaN, as in C."""
 
-import mpmath
-from mpmath import mpf
+import math
+
+import gmpy2
+from gmpy2 import mpfr, mpq
 
 from coscrew_codegen.program.interpreter import by_operation, exactly
 
-MULTIPRECISE = by_operation(lambda x: mpf(x.double.numerator) / x.double.denominator,
-                             exactly(mpmath), mpf("nan"))
-"""Operations of mpmath; constants are the exact ones, rounded to its digits."""
+
+def precise(digits: int) -> "gmpy2.context":
+    """The context, to be entered, of numbers with so many decimal digits."""
+    return gmpy2.context(precision=math.ceil((digits + 1) * math.log2(10)))
+
+
+MULTIPRECISE = by_operation(
+    lambda x: mpfr(mpq(x.double.numerator, x.double.denominator)), exactly(gmpy2), mpfr("nan"))
+"""Operations of gmpy2; constants are the exact ones, rounded to the context's digits."""

@@ -52,10 +52,13 @@ def array(name: str, shape: tuple[int, ...], words: str = "") -> Argument:
 
 
 class Recorder:
-    """Issues instructions in order and names them after the values that they belong to."""
+    """Issues instructions in order and names them after the values that they belong to.
 
-    def __init__(self, inputs: Sequence[Argument]):
-        self.inputs = tuple(inputs)
+    `fine` is whether operations are recorded as they are computed to twice the digits; one of them
+    `differs` if that takes another program."""
+
+    def __init__(self, inputs: Sequence[Argument], fine: bool = False):
+        self.inputs, self._fine, self.differs = tuple(inputs), fine, False
         self._instructions: list[Instruction] = []
         self._by_name: dict[str, Instruction] = {}
         self._issued: dict[tuple[Op, tuple[Operand, ...]], Ref] = {}
@@ -135,9 +138,12 @@ class Recorder:
         return Number(self, replace(x.operand, name=part.stem))
 
     def call(self, operation: str, *arguments: Number | Numbers) -> tuple[Number, ...]:
-        """All components of the operation's outputs; records its plain program on the arguments."""
+        """All components of the operation's outputs; records its program on the arguments."""
         if operation not in self._replays:
-            self._replays[operation] = interpreter(library_program(operation), self._arithmetic)
+            program = library_program(operation)
+            self.differs = self.differs or program.fine is not None
+            chosen = program.fine or program if self._fine else program
+            self._replays[operation] = interpreter(chosen, self._arithmetic)
         return self._replayed(self._replays[operation], arguments)
 
     def replay(self, program: Program, *arguments: Number | Numbers) -> tuple[Number, ...]:

@@ -5,15 +5,14 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-import mpmath
 import numpy as np
-from mpmath import mpf
+from gmpy2 import mpfr
 from numpy.typing import NDArray
 
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.interpreter import interpreter
-from coscrew_codegen.program.multiprecise import MULTIPRECISE
+from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
 from coscrew_codegen.scene_functions import SceneFunctions
 from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.load_tier import in_tier_of
@@ -32,7 +31,7 @@ select that tier: larger ones take many seconds."""
 CERTIFIED = tier_named("certified").name
 
 Values = Mapping[str, NDArray[np.floating]]
-Exact = list[list[mpf]]
+Exact = list[list[mpfr]]
 
 
 @dataclass(frozen=True)
@@ -115,8 +114,8 @@ def _rounded(system: System, name: str, program: Program, values: Values,
     count, precision = len(values["t"]), system.precision
     found = _rows(system.call(name, **values), count)
     truth = _exact(program, values, precision)
-    with mpmath.workdps(DIGITS):
-        errors = [[abs(mpf(float(x)) - y) for x, y in zip(*rows, strict=True)]
+    with precise(DIGITS):
+        errors = [[abs(mpfr(float(x)) - y) for x, y in zip(*rows, strict=True)]
                   for rows in zip(found, truth, strict=True)]
         largest = np.array([float(max(row, default=0)) for row in errors])
         at = int(np.argmax(np.nan_to_num(largest, nan=np.inf)))
@@ -132,10 +131,10 @@ def _rounded(system: System, name: str, program: Program, values: Values,
 
 def _exact(program: Program, values: Values, precision: Precision) -> Exact:
     """The results for each state, from the model's own decimals."""
-    with mpmath.workdps(DIGITS):
+    with precise(DIGITS):
         evaluate, numbers = interpreter(program, MULTIPRECISE), len(values["t"])
         given = {**values, "p": np.tile(values["p"], (numbers, 1))}
-        return [evaluate([[mpf(float(x)) for x in np.ravel(given[a.name][row])]
+        return [evaluate([[mpfr(float(x)) for x in np.ravel(given[a.name][row])]
                           for a in program.inputs]) for row in range(numbers)]
 
 
@@ -145,15 +144,15 @@ def _held(system: System, certified: Kernels, name: str, values: Values, truth: 
     results, bounds = (_rows(x, count) for x in getattr(kernels, name)(
         *(values[x] for x in system.inputs[name])))
     places = np.argwhere(np.isfinite(results) & np.isfinite(bounds))
-    ratios, worst, exceeded = [], None, mpf(1)
+    ratios, worst, exceeded = [], None, mpfr(1)
     for row, place in places:
-        bound = mpf(float(bounds[row, place]))
-        with mpmath.workdps(DIGITS):
-            error = abs(mpf(float(results[row, place])) - truth[row][place])
+        bound = mpfr(float(bounds[row, place]))
+        with precise(DIGITS):
+            error = abs(mpfr(float(results[row, place])) - truth[row][place])
             if error:
                 ratios.append(float(bound / error))
             if error > exceeded * bound:
-                exceeded = error / bound if bound else mpf("inf")
+                exceeded = error / bound if bound else mpfr("inf")
                 worst = Broken(int(place), float(values["t"][row]), float(error), float(bound))
     ratio = float(np.median(ratios)) if ratios else 1.0
     return Certified(len(places), results.size, ratio, worst)

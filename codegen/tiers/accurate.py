@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
-from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program import Constant, Op, Operand, Program
 from coscrew_codegen.program.bounds import bounds_of
 from coscrew_codegen.tiers.accurate_scene import of_scene
 from coscrew_codegen.tiers.compensated import rounded_constant
@@ -24,49 +24,18 @@ from coscrew_codegen.tiers.tier import Tier, rounds_by
 if TYPE_CHECKING:
     from coscrew_codegen.operations import Operation
 
-_HALF = Constant(Fraction(1, 2), Fraction(1, 2))
-
-
-class OfLibrary(Accurate):
-    """Of operations of the library: their angles may be large."""
-
-    def __init__(self, overlapping: frozenset[str] = frozenset()) -> None:
-        super().__init__(overlapping)
-        self._turns: dict[Operand, list[Ref]] = {}  # by lo of an angle, sine and cosine of its half
-
-    def _sine_or_cosine(self, step: Instruction, low: list[Operand | None]) -> Operand:
-        """lo of s = sin x: sin x - s + 2 p (q c - p s), where p and q are sine and cosine of
-        x_lo / 2; of c = cos x: cos x - c - 2 p (q s + p c)."""
-        error = self._error(step)
-        x_lo, = low
-        if x_lo is None:
-            return error
-        if x_lo not in self._turns:
-            half = self.issue(step, Op.MUL, (x_lo, _HALF), "half")
-            self._turns[x_lo] = [self.issue(step, op, (half,), f"half_{op.value}")
-                                 for op in (Op.SIN, Op.COS)]
-        p, q = self._turns[x_lo]
-        partner, sine = self._partners[step.name], step.op is Op.SIN
-        terms = (self.issue(step, Op.MUL, (q, partner), "slope1"),
-                 self.issue(step, Op.MUL, (p, Ref(step.name)), "slope2"))
-        slope = self.issue(step, Op.SUB if sine else Op.ADD, terms, "slope")
-        twice = self.issue(step, Op.ADD, (p, p), "twice")
-        more = self.issue(step, Op.MUL, (slope, twice), "more")
-        return self.issue(step, Op.ADD if sine else Op.SUB, (error, more), "lo")
-
-
 LARGEST_C2 = 45
 """The largest c2 of any polynomial program: 1 / (2 c2 u) is just above 1e14."""
 
 
 def accurate(program: Program) -> Program:
     """The plain program compensated; c2 <= LARGEST_C2 if it is a polynomial."""
-    quick = compensated(program, OfLibrary())
+    quick = compensated(program, Accurate())
     bounds = bounds_of(quick)
     if bounds is None or all(bound.c2 <= LARGEST_C2 for bound in bounds):
         return quick
     sums = {step.name for step in program.instructions if step.op in (Op.ADD, Op.SUB)}
-    return compensated(program, OfLibrary(frozenset(sums)))
+    return compensated(program, Accurate(frozenset(sums)))
 
 
 def widened(program: Program) -> Program:

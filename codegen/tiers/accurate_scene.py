@@ -22,11 +22,12 @@ def of_scene(program: Program, precision: Precision) -> Program:
     single precision doubles."""
     if precision == DOUBLE:
         return in_pairs(program, DOUBLE)
-    return replace(_rounded(program, DOUBLE), wide=True)
+    return replace(_rounded(program.fine or program, DOUBLE), wide=True)
 
 
 def in_pairs(program: Program, precision: Precision) -> Program:
     """The plain program with every value, constants included, as hi + lo in this precision."""
+    program = program.fine or program
     return _rounded(compensated(program, OfScene(program, precision)), precision)
 
 
@@ -36,7 +37,8 @@ def _rounded(program: Program, precision: Precision) -> Program:
 
     steps = tuple(replace(step, operands=tuple(map(rounded, step.operands)))
                   for step in program.instructions)
-    return replace(program, instructions=steps, results=tuple(map(rounded, program.results)))
+    return replace(program, instructions=steps, results=tuple(map(rounded, program.results)),
+                   fine=None)
 
 
 def _beyond(x: Operand, above: bool, precision: Precision) -> Operand:

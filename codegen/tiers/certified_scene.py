@@ -17,10 +17,11 @@ rules:
     t ? a : b    d and s of the chosen one.  Where |x̂ - ŷ| <= B_x + B_y, the comparison x < y may
                  have the other result: |â - b̂| + B_a + B_b is added, so that the bound stays small
                  where the choice is continuous, and covers a jump where it is not.
-    sin, cos     d is what the function errs by, and slope d_x; s = 1 + s_x (1 + B_x / κ u): the
-                 square of x's error is at most κ u (1 + B_x / κ u) k u s_x; tanh alike, with |ŷ|
-                 for 1; sin and cos of an exact x, if there are many, s = |ŷ|;
-    exp          s = ŷ (1 + s_x (1 + B_x / κ u)) if B_x <= 1/4.
+    sin, cos     d is what the function errs by, and sin (x̂ + d_x) - sin x̂, of which 13 roundings
+                 are a part of d_x; s = 1 + s_x, or |ŷ| of an exact x, if there are many;
+    tanh         d is what the function errs by, and slope d_x; s = |ŷ| + s_x (1 + B_x / κ u): the
+                 square of x's error is at most κ u (1 + B_x / κ u) k u s_x;
+    exp          alike, s = ŷ (1 + s_x (1 + B_x / κ u)) if B_x <= 1/4.
 
 The first digits of a number that is split (splits.py) are exact: results do not depend on them.
 
@@ -80,7 +81,7 @@ def extended(program: Program, certifier: "Certifier") -> Program:
                   for step in certifier.steps)
     return without_dead_steps(replace(
         program, outputs=(*program.outputs, *bounds_of_outputs(program.outputs)),
-        instructions=steps, results=(*map(near, program.results), *bounds)))
+        instructions=steps, results=(*map(near, program.results), *bounds), fine=None))
 
 
 class Certifier(Sizes):
@@ -212,9 +213,11 @@ class Certifier(Sizes):
         return self.do(Op.ABS, self.do(Op.SUB, x, y))
 
     def _of_angle(self, step: Instruction) -> Size:
-        if self._many and self.size(step.operands[0]).exact:
+        a = self.padded(step.operands[0])
+        if self._many and a.exact:
             return self._curved(step, self.do(Op.ABS, Ref(step.name)))
-        return replace(self._curved(step, ONE), h=Fraction(0))
+        s = ONE if a.exact else self.do(Op.ADD, ONE, a.s)
+        return replace(self._right_to_rest(a, s), h=Fraction(0))
 
     def _of_tangent(self, step: Instruction) -> Size:
         return self._curved(step, self.do(Op.ABS, Ref(step.name)))
@@ -234,5 +237,9 @@ class Certifier(Sizes):
         if not a.exact:
             spread = self.do(Op.MUL, a.s, self.do(Op.ADD, ONE, self.units(x)))
             s = self.do(Op.ADD, least, spread)
-        m = a.m + self.spread * (a.k + u * a.m) + 8 * (a.k + 2) + REST
-        return Size(s, (1 + 64 * u) * (a.k + 2), (1 + 64 * u) * m, self.slack)
+        return self._right_to_rest(a, s, self.spread * (a.k + u * a.m))
+
+    def _right_to_rest(self, a: Size, s: Operand, bend: Fraction = Fraction(0)) -> Size:
+        """Of a function of a; `bend` is what d lacks of second order."""
+        m = a.m + bend + 16 * (a.k + 2) + REST
+        return Size(s, (1 + 64 * self.u) * (a.k + 2), (1 + 64 * self.u) * m, self.slack)

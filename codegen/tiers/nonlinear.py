@@ -61,6 +61,8 @@ class Accurate(Compensator):
         self._inverses: dict[Operand, Ref] = {}
         self.circular: dict[tuple[Op, tuple[Operand, ...]], Instruction] = {}  # sines, cosines
         self._partners: dict[str, Ref] = {}  # a sine's cosine, a cosine's sine
+        self._turns: dict[Operand, tuple[Ref, Ref, Ref]] = {}  # by lo of an angle, sine and cosine
+        # of its half, and twice that sine
         self._rules = {
             Op.SIN: self._sine_or_cosine, Op.COS: self._sine_or_cosine,
             Op.EXP: self._exponential, Op.TANH: self._hyperbolic_tangent,
@@ -154,17 +156,22 @@ class Accurate(Compensator):
             self._partners |= {step.name: Ref(name), name: Ref(step.name)}
 
     def _sine_or_cosine(self, step: Instruction, low: list[Operand | None]) -> Operand:
-        """lo of s = sin x: sin x - s + x_lo (c - x_lo s / 2); of c = cos x, the same with c and -s.
-        The term of second order matters for large x."""
+        """lo of s = sin x: sin x - s + 2 p (q c - p s), where p and q are sine and cosine of
+        x_lo / 2; of c = cos x: cos x - c - 2 p (q s + p c)."""
         error = self._error(step)
         x_lo, = low
         if x_lo is None:
             return error
-        bend = self.issue(step, Op.MUL, (self.issue(step, Op.MUL, (x_lo, _HALF), "half"),
-                                         Ref(step.name)), "bend")
+        if x_lo not in self._turns:
+            half = self.issue(step, Op.MUL, (x_lo, _HALF), "half")
+            p, q = (self.issue(step, op, (half,), f"half_{op.value}") for op in (Op.SIN, Op.COS))
+            self._turns[x_lo] = p, q, self.issue(step, Op.ADD, (p, p), "twice")
+        p, q, twice = self._turns[x_lo]
         partner, sine = self._partners[step.name], step.op is Op.SIN
-        slope = self.issue(step, Op.SUB if sine else Op.ADD, (partner, bend), "slope")
-        more = self.issue(step, Op.MUL, (slope, x_lo), "more")
+        terms = (self.issue(step, Op.MUL, (q, partner), "slope1"),
+                 self.issue(step, Op.MUL, (p, Ref(step.name)), "slope2"))
+        slope = self.issue(step, Op.SUB if sine else Op.ADD, terms, "slope")
+        more = self.issue(step, Op.MUL, (slope, twice), "more")
         return self.issue(step, Op.ADD if sine else Op.SUB, (error, more), "lo")
 
     def _exponential(self, step: Instruction, low: list[Operand | None]) -> Operand:

@@ -1235,53 +1235,25 @@ static KSL_INLINE double ksl_product_rest(
 #define KSL_ATAN2_ERROR
 /* angle_error = atan2(y, x) - angle, angle as atan2 has it.
    (y c - x s) / (x c + y s), s and c the angle's sine and cosine as pairs; angle + angle_error
-     is within 2^-100.1 of atan2(y, x), relative to it (proved), and 0.51 of the least subnormal
+     is within 2^-100 of atan2(y, x), relative to it (proved), and 0.51 of the least subnormal
      number; 0 where the angle is 0.
-   93 mul, 217 add, 23 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
+   91 mul, 177 add, 21 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
 static KSL_INLINE double ksl_atan2_error(const double y, const double x, const double angle) {
   const double quadrant_1 = KSL_MUL(angle, 0.6366197723675814),
       quadrant_2 = quadrant_1 + 6755399441055744.0, quadrant = quadrant_2 - 6755399441055744.0;
   const double high_1 = KSL_MUL(quadrant, 1.5707963267341256), high_2 = angle - high_1,
       high_3 = KSL_MUL(quadrant, 6.077094383272197e-11), high = high_2 - high_3;
-  const double part3 = KSL_MUL(quadrant, -6.12323399409214e-17);
-  const double part4 = KSL_MUL(quadrant, -1.6446256929076394e-26);
-  const double part5 = KSL_MUL(quadrant, -7.247864188442001e-36);
-  const double part6 = KSL_MUL(quadrant, -4.916232119866224e-45);
-  const double r_a3 = part5 + part6;
-  const double r_a3_error_1 = r_a3 - part5, r_a3_error_2 = r_a3 - r_a3_error_1,
-      r_a3_error_3 = part5 - r_a3_error_2, r_a3_error_4 = part6 - r_a3_error_1,
-      r_a3_error = r_a3_error_3 + r_a3_error_4;
-  const double r_a2 = part4 + r_a3;
-  const double r_a2_error_1 = r_a2 - part4, r_a2_error_2 = r_a2 - r_a2_error_1,
-      r_a2_error_3 = part4 - r_a2_error_2, r_a2_error_4 = r_a3 - r_a2_error_1,
-      r_a2_error = r_a2_error_3 + r_a2_error_4;
-  const double r_a1 = part3 + r_a2;
-  const double r_a1_error_1 = r_a1 - part3, r_a1_error_2 = r_a1 - r_a1_error_1,
-      r_a1_error_3 = part3 - r_a1_error_2, r_a1_error_4 = r_a2 - r_a1_error_1,
-      r_a1_error = r_a1_error_3 + r_a1_error_4;
-  const double r_a0 = high + r_a1;
-  const double r_a0_error_1 = r_a0 - high, r_a0_error_2 = r_a0 - r_a0_error_1,
-      r_a0_error_3 = high - r_a0_error_2, r_a0_error_4 = r_a1 - r_a0_error_1,
-      r_a0_error = r_a0_error_3 + r_a0_error_4;
-  const double r_b3 = r_a2_error + r_a3_error;
-  const double r_b3_error_1 = r_b3 - r_a2_error, r_b3_error_2 = r_b3 - r_b3_error_1,
-      r_b3_error_3 = r_a2_error - r_b3_error_2, r_b3_error_4 = r_a3_error - r_b3_error_1,
-      r_b3_error = r_b3_error_3 + r_b3_error_4;
-  const double r_b2 = r_a1_error + r_b3;
-  const double r_b2_error_1 = r_b2 - r_a1_error, r_b2_error_2 = r_b2 - r_b2_error_1,
-      r_b2_error_3 = r_a1_error - r_b2_error_2, r_b2_error_4 = r_b3 - r_b2_error_1,
-      r_b2_error = r_b2_error_3 + r_b2_error_4;
-  const double r_b1 = r_a0_error + r_b2;
-  const double r_b1_error_1 = r_b1 - r_a0_error, r_b1_error_2 = r_b1 - r_b1_error_1,
-      r_b1_error_3 = r_a0_error - r_b1_error_2, r_b1_error_4 = r_b2 - r_b1_error_1,
-      r_b1_error = r_b1_error_3 + r_b1_error_4;
-  const double r_b0 = r_a0 + r_b1;
-  const double r_b0_error_1 = r_b0 - r_a0, r_b0_error_2 = r_b0 - r_b0_error_1,
-      r_b0_error_3 = r_a0 - r_b0_error_2, r_b0_error_4 = r_b1 - r_b0_error_1,
-      r_b0_error = r_b0_error_3 + r_b0_error_4;
-  const double r_low_1 = r_b2_error + r_b3_error, r_low_2 = r_b1_error + r_low_1,
-      r_low = r_b0_error + r_low_2;
-  const double argument_1 = fabs(r_b0), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r_b0;
+  const double a_1 = KSL_MUL(quadrant, -6.12323399409214e-17), a = high + a_1;
+  const double a_error_1 = a - high, a_error_2 = a - a_error_1, a_error_3 = high - a_error_2,
+      a_error_4 = a_1 - a_error_1, a_error = a_error_3 + a_error_4;
+  const double fourth_1 = KSL_MUL(quadrant, 1.6446256917039331e-26), fourth = a_error - fourth_1;
+  const double b = a + fourth;
+  const double b_error_1 = b - a, b_error = fourth - b_error_1;
+  const double fifth_1 = KSL_MUL(quadrant, 1.9284926340862225e-35), fifth = b_error - fifth_1;
+  const double r = b + fifth;
+  const double r_error_1 = r - b, r_error = fifth - r_error_1;
+  const double r_low_1 = KSL_MUL(quadrant, 4.916232119866224e-45), r_low = r_error - r_low_1;
+  const double argument_1 = fabs(r), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r;
   const double z = KSL_MUL(argument, argument);
   const double z_error = ksl_product_error(argument, argument, z);
   const double z_low_1 = KSL_MUL(argument, r_low), z_low_2 = KSL_MUL(r_low, argument),
@@ -1292,73 +1264,70 @@ static KSL_INLINE double ksl_atan2_error(const double y, const double x, const d
   const double sin10_1 = KSL_MUL(z, sin11), sin10 = 1.9572941063391263e-20 + sin10_1;
   const double sin9_1 = KSL_MUL(z, sin10), sin9 = -8.22063524662433e-18 + sin9_1;
   const double sin8_z = KSL_MUL(z, sin9);
-  const double sin8_z_error = ksl_product_error(z, sin9, sin8_z);
-  const double sin8_z_low_1 = KSL_MUL(z_low, sin9), sin8_z_low = sin8_z_error + sin8_z_low_1;
   const double sin8 = 2.8114572543455206e-15 + sin8_z;
   const double sin8_error_1 = sin8 - 2.8114572543455206e-15, sin8_error = sin8_z - sin8_error_1;
-  const double sin8_low_1 = sin8_z_low + 1.6508842730861433e-31, sin8_low = sin8_error + sin8_low_1;
+  const double sin8_low = 1.6508842730861433e-31 + sin8_error;
   const double sin7_z = KSL_MUL(z, sin8);
-  const double sin7_z_error = ksl_product_error(z, sin8, sin7_z);
-  const double sin7_z_low_1 = KSL_MUL(z, sin8_low), sin7_z_low_2 = KSL_MUL(z_low, sin8),
-      sin7_z_low_3 = sin7_z_low_1 + sin7_z_low_2, sin7_z_low = sin7_z_error + sin7_z_low_3;
   const double sin7 = -7.647163731819816e-13 + sin7_z;
   const double sin7_error_1 = sin7 - -7.647163731819816e-13, sin7_error = sin7_z - sin7_error_1;
-  const double sin7_low_1 = sin7_z_low + -7.03872877733453e-30, sin7_low = sin7_error + sin7_low_1;
+  const double sin7_low_1 = ksl_product_error(z, sin8, sin7_z), sin7_low_2 = KSL_MUL(sin8, z_low),
+      sin7_low_3 = KSL_MUL(z, sin8_low), sin7_low_4 = sin7_low_2 + sin7_low_1,
+      sin7_low_5 = sin7_low_4 + -7.03872877733453e-30, sin7_low_6 = sin7_low_5 + sin7_error,
+      sin7_low = sin7_low_6 + sin7_low_3;
   const double sin6_z = KSL_MUL(z, sin7);
-  const double sin6_z_error = ksl_product_error(z, sin7, sin6_z);
-  const double sin6_z_low_1 = KSL_MUL(z, sin7_low), sin6_z_low_2 = KSL_MUL(z_low, sin7),
-      sin6_z_low_3 = sin6_z_low_1 + sin6_z_low_2, sin6_z_low = sin6_z_error + sin6_z_low_3;
   const double sin6 = 1.6059043836821613e-10 + sin6_z;
   const double sin6_error_1 = sin6 - 1.6059043836821613e-10, sin6_error = sin6_z - sin6_error_1;
-  const double sin6_low_1 = sin6_z_low + 1.2585294588752098e-26, sin6_low = sin6_error + sin6_low_1;
+  const double sin6_low_1 = ksl_product_error(z, sin7, sin6_z), sin6_low_2 = KSL_MUL(sin7, z_low),
+      sin6_low_3 = KSL_MUL(z, sin7_low), sin6_low_4 = sin6_low_2 + sin6_low_1,
+      sin6_low_5 = sin6_low_4 + 1.2585294588752098e-26, sin6_low_6 = sin6_low_5 + sin6_error,
+      sin6_low = sin6_low_6 + sin6_low_3;
   const double sin5_z = KSL_MUL(z, sin6);
-  const double sin5_z_error = ksl_product_error(z, sin6, sin5_z);
-  const double sin5_z_low_1 = KSL_MUL(z, sin6_low), sin5_z_low_2 = KSL_MUL(z_low, sin6),
-      sin5_z_low_3 = sin5_z_low_1 + sin5_z_low_2, sin5_z_low = sin5_z_error + sin5_z_low_3;
   const double sin5 = -2.505210838544172e-08 + sin5_z;
   const double sin5_error_1 = sin5 - -2.505210838544172e-08, sin5_error = sin5_z - sin5_error_1;
-  const double sin5_low_1 = sin5_z_low + 1.448814070935912e-24, sin5_low = sin5_error + sin5_low_1;
+  const double sin5_low_1 = ksl_product_error(z, sin6, sin5_z), sin5_low_2 = KSL_MUL(sin6, z_low),
+      sin5_low_3 = KSL_MUL(z, sin6_low), sin5_low_4 = sin5_low_2 + sin5_low_1,
+      sin5_low_5 = sin5_low_4 + 1.448814070935912e-24, sin5_low_6 = sin5_low_5 + sin5_error,
+      sin5_low = sin5_low_6 + sin5_low_3;
   const double sin4_z = KSL_MUL(z, sin5);
-  const double sin4_z_error = ksl_product_error(z, sin5, sin4_z);
-  const double sin4_z_low_1 = KSL_MUL(z, sin5_low), sin4_z_low_2 = KSL_MUL(z_low, sin5),
-      sin4_z_low_3 = sin4_z_low_1 + sin4_z_low_2, sin4_z_low = sin4_z_error + sin4_z_low_3;
   const double sin4 = 2.7557319223985893e-06 + sin4_z;
   const double sin4_error_1 = sin4 - 2.7557319223985893e-06, sin4_error = sin4_z - sin4_error_1;
-  const double sin4_low_1 = sin4_z_low + -1.858393274046472e-22, sin4_low = sin4_error + sin4_low_1;
+  const double sin4_low_1 = ksl_product_error(z, sin5, sin4_z), sin4_low_2 = KSL_MUL(sin5, z_low),
+      sin4_low_3 = KSL_MUL(z, sin5_low), sin4_low_4 = sin4_low_2 + sin4_low_1,
+      sin4_low_5 = sin4_low_4 + -1.858393274046472e-22, sin4_low_6 = sin4_low_5 + sin4_error,
+      sin4_low = sin4_low_6 + sin4_low_3;
   const double sin3_z = KSL_MUL(z, sin4);
-  const double sin3_z_error = ksl_product_error(z, sin4, sin3_z);
-  const double sin3_z_low_1 = KSL_MUL(z, sin4_low), sin3_z_low_2 = KSL_MUL(z_low, sin4),
-      sin3_z_low_3 = sin3_z_low_1 + sin3_z_low_2, sin3_z_low = sin3_z_error + sin3_z_low_3;
   const double sin3 = -0.0001984126984126984 + sin3_z;
   const double sin3_error_1 = sin3 - -0.0001984126984126984, sin3_error = sin3_z - sin3_error_1;
-  const double sin3_low_1 = sin3_z_low + -1.7209558293420705e-22,
-      sin3_low = sin3_error + sin3_low_1;
+  const double sin3_low_1 = ksl_product_error(z, sin4, sin3_z), sin3_low_2 = KSL_MUL(sin4, z_low),
+      sin3_low_3 = KSL_MUL(z, sin4_low), sin3_low_4 = sin3_low_2 + sin3_low_1,
+      sin3_low_5 = sin3_low_4 + -1.7209558293420705e-22, sin3_low_6 = sin3_low_5 + sin3_error,
+      sin3_low = sin3_low_6 + sin3_low_3;
   const double sin2_z = KSL_MUL(z, sin3);
-  const double sin2_z_error = ksl_product_error(z, sin3, sin2_z);
-  const double sin2_z_low_1 = KSL_MUL(z, sin3_low), sin2_z_low_2 = KSL_MUL(z_low, sin3),
-      sin2_z_low_3 = sin2_z_low_1 + sin2_z_low_2, sin2_z_low = sin2_z_error + sin2_z_low_3;
   const double sin2 = 0.008333333333333333 + sin2_z;
   const double sin2_error_1 = sin2 - 0.008333333333333333, sin2_error = sin2_z - sin2_error_1;
-  const double sin2_low_1 = sin2_z_low + 1.1564823173178714e-19, sin2_low = sin2_error + sin2_low_1;
+  const double sin2_low_1 = ksl_product_error(z, sin3, sin2_z), sin2_low_2 = KSL_MUL(sin3, z_low),
+      sin2_low_3 = KSL_MUL(z, sin3_low), sin2_low_4 = sin2_low_2 + sin2_low_1,
+      sin2_low_5 = sin2_low_4 + 1.1564823173178714e-19, sin2_low_6 = sin2_low_5 + sin2_error,
+      sin2_low = sin2_low_6 + sin2_low_3;
   const double sin1_z = KSL_MUL(z, sin2);
-  const double sin1_z_error = ksl_product_error(z, sin2, sin1_z);
-  const double sin1_z_low_1 = KSL_MUL(z, sin2_low), sin1_z_low_2 = KSL_MUL(z_low, sin2),
-      sin1_z_low_3 = sin1_z_low_1 + sin1_z_low_2, sin1_z_low = sin1_z_error + sin1_z_low_3;
   const double sin1 = -0.16666666666666666 + sin1_z;
   const double sin1_error_1 = sin1 - -0.16666666666666666, sin1_error = sin1_z - sin1_error_1;
-  const double sin1_low_1 = sin1_z_low + -9.25185853854297e-18, sin1_low = sin1_error + sin1_low_1;
+  const double sin1_low_1 = ksl_product_error(z, sin2, sin1_z), sin1_low_2 = KSL_MUL(sin2, z_low),
+      sin1_low_3 = KSL_MUL(z, sin2_low), sin1_low_4 = sin1_low_2 + sin1_low_1,
+      sin1_low_5 = sin1_low_4 + -9.25185853854297e-18, sin1_low_6 = sin1_low_5 + sin1_error,
+      sin1_low = sin1_low_6 + sin1_low_3;
   const double sin_sum = KSL_MUL(z, sin1);
   const double sin_sum_error = ksl_product_error(z, sin1, sin_sum);
   const double sin_sum_low_1 = KSL_MUL(z, sin1_low), sin_sum_low_2 = KSL_MUL(z_low, sin1),
       sin_sum_low_3 = sin_sum_low_1 + sin_sum_low_2, sin_sum_low = sin_sum_error + sin_sum_low_3;
-  const double sin_r_more = KSL_MUL(r_b0, sin_sum);
-  const double sin_r_more_error = ksl_product_error(r_b0, sin_sum, sin_r_more);
-  const double sin_r_more_low_1 = KSL_MUL(r_b0, sin_sum_low),
+  const double sin_r_more = KSL_MUL(r, sin_sum);
+  const double sin_r_more_error = ksl_product_error(r, sin_sum, sin_r_more);
+  const double sin_r_more_low_1 = KSL_MUL(r, sin_sum_low),
       sin_r_more_low_2 = KSL_MUL(r_low, sin_sum),
       sin_r_more_low_3 = sin_r_more_low_1 + sin_r_more_low_2,
       sin_r_more_low = sin_r_more_error + sin_r_more_low_3;
-  const double sin_r = r_b0 + sin_r_more;
-  const double sin_r_error_1 = sin_r - r_b0, sin_r_error = sin_r_more - sin_r_error_1;
+  const double sin_r = r + sin_r_more;
+  const double sin_r_error_1 = sin_r - r, sin_r_error = sin_r_more - sin_r_error_1;
   const double sin_r_low_1 = sin_r_more_low + r_low, sin_r_low = sin_r_error + sin_r_low_1;
   const double cos13_1 = KSL_MUL(z, 3.279889237069838e-30),
       cos13 = -2.4795962632247976e-27 + cos13_1;
@@ -1366,70 +1335,64 @@ static KSL_INLINE double ksl_atan2_error(const double y, const double x, const d
   const double cos11_1 = KSL_MUL(z, cos12), cos11 = -8.896791392450574e-22 + cos11_1;
   const double cos10_1 = KSL_MUL(z, cos11), cos10 = 4.110317623312165e-19 + cos10_1;
   const double cos9_z = KSL_MUL(z, cos10);
-  const double cos9_z_error = ksl_product_error(z, cos10, cos9_z);
-  const double cos9_z_low_1 = KSL_MUL(z_low, cos10), cos9_z_low = cos9_z_error + cos9_z_low_1;
   const double cos9 = -1.5619206968586225e-16 + cos9_z;
   const double cos9_error_1 = cos9 - -1.5619206968586225e-16, cos9_error = cos9_z - cos9_error_1;
-  const double cos9_low_1 = cos9_z_low + -1.1910679660273754e-32,
-      cos9_low = cos9_error + cos9_low_1;
+  const double cos9_low = -1.1910679660273754e-32 + cos9_error;
   const double cos8_z = KSL_MUL(z, cos9);
-  const double cos8_z_error = ksl_product_error(z, cos9, cos8_z);
-  const double cos8_z_low_1 = KSL_MUL(z, cos9_low), cos8_z_low_2 = KSL_MUL(z_low, cos9),
-      cos8_z_low_3 = cos8_z_low_1 + cos8_z_low_2, cos8_z_low = cos8_z_error + cos8_z_low_3;
   const double cos8 = 4.779477332387385e-14 + cos8_z;
   const double cos8_error_1 = cos8 - 4.779477332387385e-14, cos8_error = cos8_z - cos8_error_1;
-  const double cos8_low_1 = cos8_z_low + 4.399205485834081e-31, cos8_low = cos8_error + cos8_low_1;
+  const double cos8_low_1 = ksl_product_error(z, cos9, cos8_z), cos8_low_2 = KSL_MUL(cos9, z_low),
+      cos8_low_3 = KSL_MUL(z, cos9_low), cos8_low_4 = cos8_low_2 + cos8_low_1,
+      cos8_low_5 = cos8_low_4 + 4.399205485834081e-31, cos8_low_6 = cos8_low_5 + cos8_error,
+      cos8_low = cos8_low_6 + cos8_low_3;
   const double cos7_z = KSL_MUL(z, cos8);
-  const double cos7_z_error = ksl_product_error(z, cos8, cos7_z);
-  const double cos7_z_low_1 = KSL_MUL(z, cos8_low), cos7_z_low_2 = KSL_MUL(z_low, cos8),
-      cos7_z_low_3 = cos7_z_low_1 + cos7_z_low_2, cos7_z_low = cos7_z_error + cos7_z_low_3;
   const double cos7 = -1.1470745597729725e-11 + cos7_z;
   const double cos7_error_1 = cos7 - -1.1470745597729725e-11, cos7_error = cos7_z - cos7_error_1;
-  const double cos7_low_1 = cos7_z_low + -2.0655512752830745e-28,
-      cos7_low = cos7_error + cos7_low_1;
+  const double cos7_low_1 = ksl_product_error(z, cos8, cos7_z), cos7_low_2 = KSL_MUL(cos8, z_low),
+      cos7_low_3 = KSL_MUL(z, cos8_low), cos7_low_4 = cos7_low_2 + cos7_low_1,
+      cos7_low_5 = cos7_low_4 + -2.0655512752830745e-28, cos7_low_6 = cos7_low_5 + cos7_error,
+      cos7_low = cos7_low_6 + cos7_low_3;
   const double cos6_z = KSL_MUL(z, cos7);
-  const double cos6_z_error = ksl_product_error(z, cos7, cos6_z);
-  const double cos6_z_low_1 = KSL_MUL(z, cos7_low), cos6_z_low_2 = KSL_MUL(z_low, cos7),
-      cos6_z_low_3 = cos6_z_low_1 + cos6_z_low_2, cos6_z_low = cos6_z_error + cos6_z_low_3;
   const double cos6 = 2.08767569878681e-09 + cos6_z;
   const double cos6_error_1 = cos6 - 2.08767569878681e-09, cos6_error = cos6_z - cos6_error_1;
-  const double cos6_low_1 = cos6_z_low + -1.20734505911326e-25, cos6_low = cos6_error + cos6_low_1;
+  const double cos6_low_1 = ksl_product_error(z, cos7, cos6_z), cos6_low_2 = KSL_MUL(cos7, z_low),
+      cos6_low_3 = KSL_MUL(z, cos7_low), cos6_low_4 = cos6_low_2 + cos6_low_1,
+      cos6_low_5 = cos6_low_4 + -1.20734505911326e-25, cos6_low_6 = cos6_low_5 + cos6_error,
+      cos6_low = cos6_low_6 + cos6_low_3;
   const double cos5_z = KSL_MUL(z, cos6);
-  const double cos5_z_error = ksl_product_error(z, cos6, cos5_z);
-  const double cos5_z_low_1 = KSL_MUL(z, cos6_low), cos5_z_low_2 = KSL_MUL(z_low, cos6),
-      cos5_z_low_3 = cos5_z_low_1 + cos5_z_low_2, cos5_z_low = cos5_z_error + cos5_z_low_3;
   const double cos5 = -2.755731922398589e-07 + cos5_z;
   const double cos5_error_1 = cos5 - -2.755731922398589e-07, cos5_error = cos5_z - cos5_error_1;
-  const double cos5_low_1 = cos5_z_low + -2.3767714622250297e-23,
-      cos5_low = cos5_error + cos5_low_1;
+  const double cos5_low_1 = ksl_product_error(z, cos6, cos5_z), cos5_low_2 = KSL_MUL(cos6, z_low),
+      cos5_low_3 = KSL_MUL(z, cos6_low), cos5_low_4 = cos5_low_2 + cos5_low_1,
+      cos5_low_5 = cos5_low_4 + -2.3767714622250297e-23, cos5_low_6 = cos5_low_5 + cos5_error,
+      cos5_low = cos5_low_6 + cos5_low_3;
   const double cos4_z = KSL_MUL(z, cos5);
-  const double cos4_z_error = ksl_product_error(z, cos5, cos4_z);
-  const double cos4_z_low_1 = KSL_MUL(z, cos5_low), cos4_z_low_2 = KSL_MUL(z_low, cos5),
-      cos4_z_low_3 = cos4_z_low_1 + cos4_z_low_2, cos4_z_low = cos4_z_error + cos4_z_low_3;
   const double cos4 = 2.48015873015873e-05 + cos4_z;
   const double cos4_error_1 = cos4 - 2.48015873015873e-05, cos4_error = cos4_z - cos4_error_1;
-  const double cos4_low_1 = cos4_z_low + 2.1511947866775882e-23, cos4_low = cos4_error + cos4_low_1;
+  const double cos4_low_1 = ksl_product_error(z, cos5, cos4_z), cos4_low_2 = KSL_MUL(cos5, z_low),
+      cos4_low_3 = KSL_MUL(z, cos5_low), cos4_low_4 = cos4_low_2 + cos4_low_1,
+      cos4_low_5 = cos4_low_4 + 2.1511947866775882e-23, cos4_low_6 = cos4_low_5 + cos4_error,
+      cos4_low = cos4_low_6 + cos4_low_3;
   const double cos3_z = KSL_MUL(z, cos4);
-  const double cos3_z_error = ksl_product_error(z, cos4, cos3_z);
-  const double cos3_z_low_1 = KSL_MUL(z, cos4_low), cos3_z_low_2 = KSL_MUL(z_low, cos4),
-      cos3_z_low_3 = cos3_z_low_1 + cos3_z_low_2, cos3_z_low = cos3_z_error + cos3_z_low_3;
   const double cos3 = -0.001388888888888889 + cos3_z;
   const double cos3_error_1 = cos3 - -0.001388888888888889, cos3_error = cos3_z - cos3_error_1;
-  const double cos3_low_1 = cos3_z_low + 5.300543954373577e-20, cos3_low = cos3_error + cos3_low_1;
+  const double cos3_low_1 = ksl_product_error(z, cos4, cos3_z), cos3_low_2 = KSL_MUL(cos4, z_low),
+      cos3_low_3 = KSL_MUL(z, cos4_low), cos3_low_4 = cos3_low_2 + cos3_low_1,
+      cos3_low_5 = cos3_low_4 + 5.300543954373577e-20, cos3_low_6 = cos3_low_5 + cos3_error,
+      cos3_low = cos3_low_6 + cos3_low_3;
   const double cos2_z = KSL_MUL(z, cos3);
-  const double cos2_z_error = ksl_product_error(z, cos3, cos2_z);
-  const double cos2_z_low_1 = KSL_MUL(z, cos3_low), cos2_z_low_2 = KSL_MUL(z_low, cos3),
-      cos2_z_low_3 = cos2_z_low_1 + cos2_z_low_2, cos2_z_low = cos2_z_error + cos2_z_low_3;
   const double cos2 = 0.041666666666666664 + cos2_z;
   const double cos2_error_1 = cos2 - 0.041666666666666664, cos2_error = cos2_z - cos2_error_1;
-  const double cos2_low_1 = cos2_z_low + 2.3129646346357427e-18, cos2_low = cos2_error + cos2_low_1;
+  const double cos2_low_1 = ksl_product_error(z, cos3, cos2_z), cos2_low_2 = KSL_MUL(cos3, z_low),
+      cos2_low_3 = KSL_MUL(z, cos3_low), cos2_low_4 = cos2_low_2 + cos2_low_1,
+      cos2_low_5 = cos2_low_4 + 2.3129646346357427e-18, cos2_low_6 = cos2_low_5 + cos2_error,
+      cos2_low = cos2_low_6 + cos2_low_3;
   const double cos1_z = KSL_MUL(z, cos2);
-  const double cos1_z_error = ksl_product_error(z, cos2, cos1_z);
-  const double cos1_z_low_1 = KSL_MUL(z, cos2_low), cos1_z_low_2 = KSL_MUL(z_low, cos2),
-      cos1_z_low_3 = cos1_z_low_1 + cos1_z_low_2, cos1_z_low = cos1_z_error + cos1_z_low_3;
   const double cos1 = -0.5 + cos1_z;
   const double cos1_error_1 = cos1 - -0.5, cos1_error = cos1_z - cos1_error_1;
-  const double cos1_low = cos1_error + cos1_z_low;
+  const double cos1_low_1 = ksl_product_error(z, cos2, cos1_z), cos1_low_2 = KSL_MUL(cos2, z_low),
+      cos1_low_3 = KSL_MUL(z, cos2_low), cos1_low_4 = cos1_low_2 + cos1_low_1,
+      cos1_low_5 = cos1_low_4 + cos1_error, cos1_low = cos1_low_5 + cos1_low_3;
   const double cos_sum = KSL_MUL(z, cos1);
   const double cos_sum_error = ksl_product_error(z, cos1, cos_sum);
   const double cos_sum_low_1 = KSL_MUL(z, cos1_low), cos_sum_low_2 = KSL_MUL(z_low, cos1),
@@ -1497,7 +1460,7 @@ static KSL_INLINE double ksl_power(const double shifted) {
    x = k ln 2 + r, r as a pair; a Taylor polynomial of degree 23 in pairs; y + y_error is within
      2^-101.8 of exp x, relative to it (proved), and 0.51 of the least subnormal number; 0 where
      y is 0 or infinite.
-   61 mul, 129 add, 15 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
+   60 mul, 127 add, 14 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
 static KSL_INLINE double ksl_exp_error(const double x, const double y) {
   const double within_2 = 710.0 < x ? 710.0 : x, within = within_2 < -746.0 ? -746.0 : within_2;
   const double shifted_1 = KSL_MUL(within, 1.4426950408889634),
@@ -1521,117 +1484,101 @@ static KSL_INLINE double ksl_exp_error(const double x, const double y) {
   const double term15_1 = KSL_MUL(argument, term16), term15 = 4.779477332387385e-14 + term15_1;
   const double term14_1 = KSL_MUL(argument, term15), term14 = 7.647163731819816e-13 + term14_1;
   const double term13_z = KSL_MUL(argument, term14);
-  const double term13_z_error = ksl_product_error(argument, term14, term13_z);
-  const double term13_z_low_1 = KSL_MUL(r_low, term14),
-      term13_z_low = term13_z_error + term13_z_low_1;
   const double term13 = 1.1470745597729725e-11 + term13_z;
   const double term13_error_1 = term13 - 1.1470745597729725e-11,
       term13_error = term13_z - term13_error_1;
-  const double term13_low_1 = term13_z_low + 2.0655512752830745e-28,
-      term13_low = term13_error + term13_low_1;
+  const double term13_low = 2.0655512752830745e-28 + term13_error;
   const double term12_z = KSL_MUL(argument, term13);
-  const double term12_z_error = ksl_product_error(argument, term13, term12_z);
-  const double term12_z_low_1 = KSL_MUL(argument, term13_low),
-      term12_z_low_2 = KSL_MUL(r_low, term13), term12_z_low_3 = term12_z_low_1 + term12_z_low_2,
-      term12_z_low = term12_z_error + term12_z_low_3;
   const double term12 = 1.6059043836821613e-10 + term12_z;
   const double term12_error_1 = term12 - 1.6059043836821613e-10,
       term12_error = term12_z - term12_error_1;
-  const double term12_low_1 = term12_z_low + 1.2585294588752098e-26,
-      term12_low = term12_error + term12_low_1;
+  const double term12_low_1 = ksl_product_error(argument, term13, term12_z),
+      term12_low_2 = KSL_MUL(term13, r_low), term12_low_3 = KSL_MUL(argument, term13_low),
+      term12_low_4 = term12_low_2 + term12_low_1,
+      term12_low_5 = term12_low_4 + 1.2585294588752098e-26,
+      term12_low_6 = term12_low_5 + term12_error, term12_low = term12_low_6 + term12_low_3;
   const double term11_z = KSL_MUL(argument, term12);
-  const double term11_z_error = ksl_product_error(argument, term12, term11_z);
-  const double term11_z_low_1 = KSL_MUL(argument, term12_low),
-      term11_z_low_2 = KSL_MUL(r_low, term12), term11_z_low_3 = term11_z_low_1 + term11_z_low_2,
-      term11_z_low = term11_z_error + term11_z_low_3;
   const double term11 = 2.08767569878681e-09 + term11_z;
   const double term11_error_1 = term11 - 2.08767569878681e-09,
       term11_error = term11_z - term11_error_1;
-  const double term11_low_1 = term11_z_low + -1.20734505911326e-25,
-      term11_low = term11_error + term11_low_1;
+  const double term11_low_1 = ksl_product_error(argument, term12, term11_z),
+      term11_low_2 = KSL_MUL(term12, r_low), term11_low_3 = KSL_MUL(argument, term12_low),
+      term11_low_4 = term11_low_2 + term11_low_1,
+      term11_low_5 = term11_low_4 + -1.20734505911326e-25,
+      term11_low_6 = term11_low_5 + term11_error, term11_low = term11_low_6 + term11_low_3;
   const double term10_z = KSL_MUL(argument, term11);
-  const double term10_z_error = ksl_product_error(argument, term11, term10_z);
-  const double term10_z_low_1 = KSL_MUL(argument, term11_low),
-      term10_z_low_2 = KSL_MUL(r_low, term11), term10_z_low_3 = term10_z_low_1 + term10_z_low_2,
-      term10_z_low = term10_z_error + term10_z_low_3;
   const double term10 = 2.505210838544172e-08 + term10_z;
   const double term10_error_1 = term10 - 2.505210838544172e-08,
       term10_error = term10_z - term10_error_1;
-  const double term10_low_1 = term10_z_low + -1.448814070935912e-24,
-      term10_low = term10_error + term10_low_1;
+  const double term10_low_1 = ksl_product_error(argument, term11, term10_z),
+      term10_low_2 = KSL_MUL(term11, r_low), term10_low_3 = KSL_MUL(argument, term11_low),
+      term10_low_4 = term10_low_2 + term10_low_1,
+      term10_low_5 = term10_low_4 + -1.448814070935912e-24,
+      term10_low_6 = term10_low_5 + term10_error, term10_low = term10_low_6 + term10_low_3;
   const double term9_z = KSL_MUL(argument, term10);
-  const double term9_z_error = ksl_product_error(argument, term10, term9_z);
-  const double term9_z_low_1 = KSL_MUL(argument, term10_low),
-      term9_z_low_2 = KSL_MUL(r_low, term10), term9_z_low_3 = term9_z_low_1 + term9_z_low_2,
-      term9_z_low = term9_z_error + term9_z_low_3;
   const double term9 = 2.755731922398589e-07 + term9_z;
   const double term9_error_1 = term9 - 2.755731922398589e-07, term9_error = term9_z - term9_error_1;
-  const double term9_low_1 = term9_z_low + 2.3767714622250297e-23,
-      term9_low = term9_error + term9_low_1;
+  const double term9_low_1 = ksl_product_error(argument, term10, term9_z),
+      term9_low_2 = KSL_MUL(term10, r_low), term9_low_3 = KSL_MUL(argument, term10_low),
+      term9_low_4 = term9_low_2 + term9_low_1, term9_low_5 = term9_low_4 + 2.3767714622250297e-23,
+      term9_low_6 = term9_low_5 + term9_error, term9_low = term9_low_6 + term9_low_3;
   const double term8_z = KSL_MUL(argument, term9);
-  const double term8_z_error = ksl_product_error(argument, term9, term8_z);
-  const double term8_z_low_1 = KSL_MUL(argument, term9_low), term8_z_low_2 = KSL_MUL(r_low, term9),
-      term8_z_low_3 = term8_z_low_1 + term8_z_low_2, term8_z_low = term8_z_error + term8_z_low_3;
   const double term8 = 2.7557319223985893e-06 + term8_z;
   const double term8_error_1 = term8 - 2.7557319223985893e-06,
       term8_error = term8_z - term8_error_1;
-  const double term8_low_1 = term8_z_low + -1.858393274046472e-22,
-      term8_low = term8_error + term8_low_1;
+  const double term8_low_1 = ksl_product_error(argument, term9, term8_z),
+      term8_low_2 = KSL_MUL(term9, r_low), term8_low_3 = KSL_MUL(argument, term9_low),
+      term8_low_4 = term8_low_2 + term8_low_1, term8_low_5 = term8_low_4 + -1.858393274046472e-22,
+      term8_low_6 = term8_low_5 + term8_error, term8_low = term8_low_6 + term8_low_3;
   const double term7_z = KSL_MUL(argument, term8);
-  const double term7_z_error = ksl_product_error(argument, term8, term7_z);
-  const double term7_z_low_1 = KSL_MUL(argument, term8_low), term7_z_low_2 = KSL_MUL(r_low, term8),
-      term7_z_low_3 = term7_z_low_1 + term7_z_low_2, term7_z_low = term7_z_error + term7_z_low_3;
   const double term7 = 2.48015873015873e-05 + term7_z;
   const double term7_error_1 = term7 - 2.48015873015873e-05, term7_error = term7_z - term7_error_1;
-  const double term7_low_1 = term7_z_low + 2.1511947866775882e-23,
-      term7_low = term7_error + term7_low_1;
+  const double term7_low_1 = ksl_product_error(argument, term8, term7_z),
+      term7_low_2 = KSL_MUL(term8, r_low), term7_low_3 = KSL_MUL(argument, term8_low),
+      term7_low_4 = term7_low_2 + term7_low_1, term7_low_5 = term7_low_4 + 2.1511947866775882e-23,
+      term7_low_6 = term7_low_5 + term7_error, term7_low = term7_low_6 + term7_low_3;
   const double term6_z = KSL_MUL(argument, term7);
-  const double term6_z_error = ksl_product_error(argument, term7, term6_z);
-  const double term6_z_low_1 = KSL_MUL(argument, term7_low), term6_z_low_2 = KSL_MUL(r_low, term7),
-      term6_z_low_3 = term6_z_low_1 + term6_z_low_2, term6_z_low = term6_z_error + term6_z_low_3;
   const double term6 = 0.0001984126984126984 + term6_z;
   const double term6_error_1 = term6 - 0.0001984126984126984, term6_error = term6_z - term6_error_1;
-  const double term6_low_1 = term6_z_low + 1.7209558293420705e-22,
-      term6_low = term6_error + term6_low_1;
+  const double term6_low_1 = ksl_product_error(argument, term7, term6_z),
+      term6_low_2 = KSL_MUL(term7, r_low), term6_low_3 = KSL_MUL(argument, term7_low),
+      term6_low_4 = term6_low_2 + term6_low_1, term6_low_5 = term6_low_4 + 1.7209558293420705e-22,
+      term6_low_6 = term6_low_5 + term6_error, term6_low = term6_low_6 + term6_low_3;
   const double term5_z = KSL_MUL(argument, term6);
-  const double term5_z_error = ksl_product_error(argument, term6, term5_z);
-  const double term5_z_low_1 = KSL_MUL(argument, term6_low), term5_z_low_2 = KSL_MUL(r_low, term6),
-      term5_z_low_3 = term5_z_low_1 + term5_z_low_2, term5_z_low = term5_z_error + term5_z_low_3;
   const double term5 = 0.001388888888888889 + term5_z;
   const double term5_error_1 = term5 - 0.001388888888888889, term5_error = term5_z - term5_error_1;
-  const double term5_low_1 = term5_z_low + -5.300543954373577e-20,
-      term5_low = term5_error + term5_low_1;
+  const double term5_low_1 = ksl_product_error(argument, term6, term5_z),
+      term5_low_2 = KSL_MUL(term6, r_low), term5_low_3 = KSL_MUL(argument, term6_low),
+      term5_low_4 = term5_low_2 + term5_low_1, term5_low_5 = term5_low_4 + -5.300543954373577e-20,
+      term5_low_6 = term5_low_5 + term5_error, term5_low = term5_low_6 + term5_low_3;
   const double term4_z = KSL_MUL(argument, term5);
-  const double term4_z_error = ksl_product_error(argument, term5, term4_z);
-  const double term4_z_low_1 = KSL_MUL(argument, term5_low), term4_z_low_2 = KSL_MUL(r_low, term5),
-      term4_z_low_3 = term4_z_low_1 + term4_z_low_2, term4_z_low = term4_z_error + term4_z_low_3;
   const double term4 = 0.008333333333333333 + term4_z;
   const double term4_error_1 = term4 - 0.008333333333333333, term4_error = term4_z - term4_error_1;
-  const double term4_low_1 = term4_z_low + 1.1564823173178714e-19,
-      term4_low = term4_error + term4_low_1;
+  const double term4_low_1 = ksl_product_error(argument, term5, term4_z),
+      term4_low_2 = KSL_MUL(term5, r_low), term4_low_3 = KSL_MUL(argument, term5_low),
+      term4_low_4 = term4_low_2 + term4_low_1, term4_low_5 = term4_low_4 + 1.1564823173178714e-19,
+      term4_low_6 = term4_low_5 + term4_error, term4_low = term4_low_6 + term4_low_3;
   const double term3_z = KSL_MUL(argument, term4);
-  const double term3_z_error = ksl_product_error(argument, term4, term3_z);
-  const double term3_z_low_1 = KSL_MUL(argument, term4_low), term3_z_low_2 = KSL_MUL(r_low, term4),
-      term3_z_low_3 = term3_z_low_1 + term3_z_low_2, term3_z_low = term3_z_error + term3_z_low_3;
   const double term3 = 0.041666666666666664 + term3_z;
   const double term3_error_1 = term3 - 0.041666666666666664, term3_error = term3_z - term3_error_1;
-  const double term3_low_1 = term3_z_low + 2.3129646346357427e-18,
-      term3_low = term3_error + term3_low_1;
+  const double term3_low_1 = ksl_product_error(argument, term4, term3_z),
+      term3_low_2 = KSL_MUL(term4, r_low), term3_low_3 = KSL_MUL(argument, term4_low),
+      term3_low_4 = term3_low_2 + term3_low_1, term3_low_5 = term3_low_4 + 2.3129646346357427e-18,
+      term3_low_6 = term3_low_5 + term3_error, term3_low = term3_low_6 + term3_low_3;
   const double term2_z = KSL_MUL(argument, term3);
-  const double term2_z_error = ksl_product_error(argument, term3, term2_z);
-  const double term2_z_low_1 = KSL_MUL(argument, term3_low), term2_z_low_2 = KSL_MUL(r_low, term3),
-      term2_z_low_3 = term2_z_low_1 + term2_z_low_2, term2_z_low = term2_z_error + term2_z_low_3;
   const double term2 = 0.16666666666666666 + term2_z;
   const double term2_error_1 = term2 - 0.16666666666666666, term2_error = term2_z - term2_error_1;
-  const double term2_low_1 = term2_z_low + 9.25185853854297e-18,
-      term2_low = term2_error + term2_low_1;
+  const double term2_low_1 = ksl_product_error(argument, term3, term2_z),
+      term2_low_2 = KSL_MUL(term3, r_low), term2_low_3 = KSL_MUL(argument, term3_low),
+      term2_low_4 = term2_low_2 + term2_low_1, term2_low_5 = term2_low_4 + 9.25185853854297e-18,
+      term2_low_6 = term2_low_5 + term2_error, term2_low = term2_low_6 + term2_low_3;
   const double term1_z = KSL_MUL(argument, term2);
-  const double term1_z_error = ksl_product_error(argument, term2, term1_z);
-  const double term1_z_low_1 = KSL_MUL(argument, term2_low), term1_z_low_2 = KSL_MUL(r_low, term2),
-      term1_z_low_3 = term1_z_low_1 + term1_z_low_2, term1_z_low = term1_z_error + term1_z_low_3;
   const double term1 = 0.5 + term1_z;
   const double term1_error_1 = term1 - 0.5, term1_error = term1_z - term1_error_1;
-  const double term1_low = term1_error + term1_z_low;
+  const double term1_low_1 = ksl_product_error(argument, term2, term1_z),
+      term1_low_2 = KSL_MUL(term2, r_low), term1_low_3 = KSL_MUL(argument, term2_low),
+      term1_low_4 = term1_low_2 + term1_low_1, term1_low_5 = term1_low_4 + term1_error,
+      term1_low = term1_low_5 + term1_low_3;
   const double term_sum = KSL_MUL(argument, term1);
   const double term_sum_error = ksl_product_error(argument, term1, term_sum);
   const double term_sum_low_1 = KSL_MUL(argument, term1_low),
@@ -1675,45 +1622,19 @@ static KSL_INLINE double ksl_sincos_error_near(const double x, double *r, double
       quadrant_value = quadrant_2 - 6755399441055744.0;
   const double high_1 = KSL_MUL(quadrant_value, 1.5707963267341256), high_2 = x - high_1,
       high_3 = KSL_MUL(quadrant_value, 6.077094383272197e-11), high = high_2 - high_3;
-  const double part3 = KSL_MUL(quadrant_value, -6.12323399409214e-17);
-  const double part4 = KSL_MUL(quadrant_value, -1.6446256929076394e-26);
-  const double part5 = KSL_MUL(quadrant_value, -7.247864188442001e-36);
-  const double part6 = KSL_MUL(quadrant_value, -4.916232119866224e-45);
-  const double r_a3 = part5 + part6;
-  const double r_a3_error_1 = r_a3 - part5, r_a3_error_2 = r_a3 - r_a3_error_1,
-      r_a3_error_3 = part5 - r_a3_error_2, r_a3_error_4 = part6 - r_a3_error_1,
-      r_a3_error = r_a3_error_3 + r_a3_error_4;
-  const double r_a2 = part4 + r_a3;
-  const double r_a2_error_1 = r_a2 - part4, r_a2_error_2 = r_a2 - r_a2_error_1,
-      r_a2_error_3 = part4 - r_a2_error_2, r_a2_error_4 = r_a3 - r_a2_error_1,
-      r_a2_error = r_a2_error_3 + r_a2_error_4;
-  const double r_a1 = part3 + r_a2;
-  const double r_a1_error_1 = r_a1 - part3, r_a1_error_2 = r_a1 - r_a1_error_1,
-      r_a1_error_3 = part3 - r_a1_error_2, r_a1_error_4 = r_a2 - r_a1_error_1,
-      r_a1_error = r_a1_error_3 + r_a1_error_4;
-  const double r_a0 = high + r_a1;
-  const double r_a0_error_1 = r_a0 - high, r_a0_error_2 = r_a0 - r_a0_error_1,
-      r_a0_error_3 = high - r_a0_error_2, r_a0_error_4 = r_a1 - r_a0_error_1,
-      r_a0_error = r_a0_error_3 + r_a0_error_4;
-  const double r_b3 = r_a2_error + r_a3_error;
-  const double r_b3_error_1 = r_b3 - r_a2_error, r_b3_error_2 = r_b3 - r_b3_error_1,
-      r_b3_error_3 = r_a2_error - r_b3_error_2, r_b3_error_4 = r_a3_error - r_b3_error_1,
-      r_b3_error = r_b3_error_3 + r_b3_error_4;
-  const double r_b2 = r_a1_error + r_b3;
-  const double r_b2_error_1 = r_b2 - r_a1_error, r_b2_error_2 = r_b2 - r_b2_error_1,
-      r_b2_error_3 = r_a1_error - r_b2_error_2, r_b2_error_4 = r_b3 - r_b2_error_1,
-      r_b2_error = r_b2_error_3 + r_b2_error_4;
-  const double r_b1 = r_a0_error + r_b2;
-  const double r_b1_error_1 = r_b1 - r_a0_error, r_b1_error_2 = r_b1 - r_b1_error_1,
-      r_b1_error_3 = r_a0_error - r_b1_error_2, r_b1_error_4 = r_b2 - r_b1_error_1,
-      r_b1_error = r_b1_error_3 + r_b1_error_4;
-  const double r_b0 = r_a0 + r_b1;
-  const double r_b0_error_1 = r_b0 - r_a0, r_b0_error_2 = r_b0 - r_b0_error_1,
-      r_b0_error_3 = r_a0 - r_b0_error_2, r_b0_error_4 = r_b1 - r_b0_error_1,
-      r_b0_error = r_b0_error_3 + r_b0_error_4;
-  const double r_low_1 = r_b2_error + r_b3_error, r_low_2 = r_b1_error + r_low_1,
-      r_low_value = r_b0_error + r_low_2;
-  *r = r_b0;
+  const double a_1 = KSL_MUL(quadrant_value, -6.12323399409214e-17), a = high + a_1;
+  const double a_error_1 = a - high, a_error_2 = a - a_error_1, a_error_3 = high - a_error_2,
+      a_error_4 = a_1 - a_error_1, a_error = a_error_3 + a_error_4;
+  const double fourth_1 = KSL_MUL(quadrant_value, 1.6446256917039331e-26),
+      fourth = a_error - fourth_1;
+  const double b = a + fourth;
+  const double b_error_1 = b - a, b_error = fourth - b_error_1;
+  const double fifth_1 = KSL_MUL(quadrant_value, 1.9284926340862225e-35), fifth = b_error - fifth_1;
+  const double r_value = b + fifth;
+  const double r_error_1 = r_value - b, r_error = fifth - r_error_1;
+  const double r_low_1 = KSL_MUL(quadrant_value, 4.916232119866224e-45),
+      r_low_value = r_error - r_low_1;
+  *r = r_value;
   *r_low = r_low_value;
   return quadrant_value;
 }
@@ -1855,10 +1776,10 @@ static KSL_COLD double ksl_sincos_error_far(const double x, double *r, double *r
 }
 
 /* (s_error, c_error) = (sin x - s, cos x - c), (s, c) as sincos has them.
-   x = k pi/2 + r, r as a pair; Taylor polynomials of degrees 27 and 28 in pairs; s + s_error and
-     c + c_error are within 2^-100.9 of sin x and cos x, relative to these (proved), for every
-     finite x.
-   78 mul, 154 add, 21 product error, 2 abs, 1 less, 1 select. */
+   x = k pi/2 + r, r as a pair; Taylor's polynomial of degree 27 in pairs for sin r, whose error
+     gives that of cos r, as their squares are 1 together; s + s_error and c + c_error are within
+     2^-100.6 of sin x and cos x, relative to these (proved), for every finite x.
+   44 mul, 75 add, 11 product error, 1 div, 2 abs, 1 less, 1 select. */
 static KSL_INLINE double ksl_sincos_error(const double x, const double s, const double c,
     double *c_error) {
   double r, r_low,
@@ -1869,190 +1790,109 @@ static KSL_INLINE double ksl_sincos_error(const double x, const double s, const 
     r = far_r;
     r_low = far_r_low;
   }
+  const double q_1 = quadrant + 2.7021597764222976e+16, q_2 = q_1 - 2.7021597764222976e+16,
+      q = q_2 - quadrant;
+  const double cos_k_1 = fabs(q), cos_k = 1.0 - cos_k_1;
+  const double minus_sin_k_1 = 1.0 + cos_k, minus_sin_k = KSL_MUL(q, minus_sin_k_1);
+  const double sin_r_1 = KSL_MUL(s, cos_k), sin_r_2 = KSL_MUL(c, minus_sin_k),
+      sin_r = sin_r_1 + sin_r_2;
+  const double cos_r_1 = KSL_MUL(c, cos_k), cos_r_2 = KSL_MUL(s, minus_sin_k),
+      cos_r = cos_r_1 - cos_r_2;
   const double argument_1 = fabs(r), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r;
   const double z = KSL_MUL(argument, argument);
   const double z_error = ksl_product_error(argument, argument, z);
-  const double z_low_1 = KSL_MUL(argument, r_low), z_low_2 = KSL_MUL(r_low, argument),
-      z_low_3 = z_low_1 + z_low_2, z_low = z_error + z_low_3;
+  const double cube = KSL_MUL(argument, z);
+  const double cube_error = ksl_product_error(argument, z, cube);
+  const double cube_low_1 = KSL_MUL(argument, z_error), cube_low = cube_error + cube_low_1;
   const double sin12_1 = KSL_MUL(z, -9.183689863795546e-29),
       sin12 = 6.446950284384474e-26 + sin12_1;
   const double sin11_1 = KSL_MUL(z, sin12), sin11 = -3.868170170630684e-23 + sin11_1;
   const double sin10_1 = KSL_MUL(z, sin11), sin10 = 1.9572941063391263e-20 + sin10_1;
   const double sin9_1 = KSL_MUL(z, sin10), sin9 = -8.22063524662433e-18 + sin9_1;
-  const double sin8_z = KSL_MUL(z, sin9);
-  const double sin8_z_error = ksl_product_error(z, sin9, sin8_z);
-  const double sin8_z_low_1 = KSL_MUL(z_low, sin9), sin8_z_low = sin8_z_error + sin8_z_low_1;
-  const double sin8 = 2.8114572543455206e-15 + sin8_z;
-  const double sin8_error_1 = sin8 - 2.8114572543455206e-15, sin8_error = sin8_z - sin8_error_1;
-  const double sin8_low_1 = sin8_z_low + 1.6508842730861433e-31, sin8_low = sin8_error + sin8_low_1;
+  const double sin8_1 = KSL_MUL(z, sin9), sin8 = 2.8114572543455206e-15 + sin8_1;
   const double sin7_z = KSL_MUL(z, sin8);
-  const double sin7_z_error = ksl_product_error(z, sin8, sin7_z);
-  const double sin7_z_low_1 = KSL_MUL(z, sin8_low), sin7_z_low_2 = KSL_MUL(z_low, sin8),
-      sin7_z_low_3 = sin7_z_low_1 + sin7_z_low_2, sin7_z_low = sin7_z_error + sin7_z_low_3;
   const double sin7 = -7.647163731819816e-13 + sin7_z;
   const double sin7_error_1 = sin7 - -7.647163731819816e-13, sin7_error = sin7_z - sin7_error_1;
-  const double sin7_low_1 = sin7_z_low + -7.03872877733453e-30, sin7_low = sin7_error + sin7_low_1;
+  const double sin7_low = -7.03872877733453e-30 + sin7_error;
   const double sin6_z = KSL_MUL(z, sin7);
-  const double sin6_z_error = ksl_product_error(z, sin7, sin6_z);
-  const double sin6_z_low_1 = KSL_MUL(z, sin7_low), sin6_z_low_2 = KSL_MUL(z_low, sin7),
-      sin6_z_low_3 = sin6_z_low_1 + sin6_z_low_2, sin6_z_low = sin6_z_error + sin6_z_low_3;
   const double sin6 = 1.6059043836821613e-10 + sin6_z;
   const double sin6_error_1 = sin6 - 1.6059043836821613e-10, sin6_error = sin6_z - sin6_error_1;
-  const double sin6_low_1 = sin6_z_low + 1.2585294588752098e-26, sin6_low = sin6_error + sin6_low_1;
+  const double sin6_low_1 = ksl_product_error(z, sin7, sin6_z), sin6_low_2 = KSL_MUL(sin7, z_error),
+      sin6_low_3 = KSL_MUL(z, sin7_low), sin6_low_4 = sin6_low_2 + sin6_low_1,
+      sin6_low_5 = sin6_low_4 + 1.2585294588752098e-26, sin6_low_6 = sin6_low_5 + sin6_error,
+      sin6_low = sin6_low_6 + sin6_low_3;
   const double sin5_z = KSL_MUL(z, sin6);
-  const double sin5_z_error = ksl_product_error(z, sin6, sin5_z);
-  const double sin5_z_low_1 = KSL_MUL(z, sin6_low), sin5_z_low_2 = KSL_MUL(z_low, sin6),
-      sin5_z_low_3 = sin5_z_low_1 + sin5_z_low_2, sin5_z_low = sin5_z_error + sin5_z_low_3;
   const double sin5 = -2.505210838544172e-08 + sin5_z;
   const double sin5_error_1 = sin5 - -2.505210838544172e-08, sin5_error = sin5_z - sin5_error_1;
-  const double sin5_low_1 = sin5_z_low + 1.448814070935912e-24, sin5_low = sin5_error + sin5_low_1;
+  const double sin5_low_1 = ksl_product_error(z, sin6, sin5_z), sin5_low_2 = KSL_MUL(sin6, z_error),
+      sin5_low_3 = KSL_MUL(z, sin6_low), sin5_low_4 = sin5_low_2 + sin5_low_1,
+      sin5_low_5 = sin5_low_4 + 1.448814070935912e-24, sin5_low_6 = sin5_low_5 + sin5_error,
+      sin5_low = sin5_low_6 + sin5_low_3;
   const double sin4_z = KSL_MUL(z, sin5);
-  const double sin4_z_error = ksl_product_error(z, sin5, sin4_z);
-  const double sin4_z_low_1 = KSL_MUL(z, sin5_low), sin4_z_low_2 = KSL_MUL(z_low, sin5),
-      sin4_z_low_3 = sin4_z_low_1 + sin4_z_low_2, sin4_z_low = sin4_z_error + sin4_z_low_3;
   const double sin4 = 2.7557319223985893e-06 + sin4_z;
   const double sin4_error_1 = sin4 - 2.7557319223985893e-06, sin4_error = sin4_z - sin4_error_1;
-  const double sin4_low_1 = sin4_z_low + -1.858393274046472e-22, sin4_low = sin4_error + sin4_low_1;
+  const double sin4_low_1 = ksl_product_error(z, sin5, sin4_z), sin4_low_2 = KSL_MUL(sin5, z_error),
+      sin4_low_3 = KSL_MUL(z, sin5_low), sin4_low_4 = sin4_low_2 + sin4_low_1,
+      sin4_low_5 = sin4_low_4 + -1.858393274046472e-22, sin4_low_6 = sin4_low_5 + sin4_error,
+      sin4_low = sin4_low_6 + sin4_low_3;
   const double sin3_z = KSL_MUL(z, sin4);
-  const double sin3_z_error = ksl_product_error(z, sin4, sin3_z);
-  const double sin3_z_low_1 = KSL_MUL(z, sin4_low), sin3_z_low_2 = KSL_MUL(z_low, sin4),
-      sin3_z_low_3 = sin3_z_low_1 + sin3_z_low_2, sin3_z_low = sin3_z_error + sin3_z_low_3;
   const double sin3 = -0.0001984126984126984 + sin3_z;
   const double sin3_error_1 = sin3 - -0.0001984126984126984, sin3_error = sin3_z - sin3_error_1;
-  const double sin3_low_1 = sin3_z_low + -1.7209558293420705e-22,
-      sin3_low = sin3_error + sin3_low_1;
+  const double sin3_low_1 = ksl_product_error(z, sin4, sin3_z), sin3_low_2 = KSL_MUL(sin4, z_error),
+      sin3_low_3 = KSL_MUL(z, sin4_low), sin3_low_4 = sin3_low_2 + sin3_low_1,
+      sin3_low_5 = sin3_low_4 + -1.7209558293420705e-22, sin3_low_6 = sin3_low_5 + sin3_error,
+      sin3_low = sin3_low_6 + sin3_low_3;
   const double sin2_z = KSL_MUL(z, sin3);
-  const double sin2_z_error = ksl_product_error(z, sin3, sin2_z);
-  const double sin2_z_low_1 = KSL_MUL(z, sin3_low), sin2_z_low_2 = KSL_MUL(z_low, sin3),
-      sin2_z_low_3 = sin2_z_low_1 + sin2_z_low_2, sin2_z_low = sin2_z_error + sin2_z_low_3;
   const double sin2 = 0.008333333333333333 + sin2_z;
   const double sin2_error_1 = sin2 - 0.008333333333333333, sin2_error = sin2_z - sin2_error_1;
-  const double sin2_low_1 = sin2_z_low + 1.1564823173178714e-19, sin2_low = sin2_error + sin2_low_1;
+  const double sin2_low_1 = ksl_product_error(z, sin3, sin2_z), sin2_low_2 = KSL_MUL(sin3, z_error),
+      sin2_low_3 = KSL_MUL(z, sin3_low), sin2_low_4 = sin2_low_2 + sin2_low_1,
+      sin2_low_5 = sin2_low_4 + 1.1564823173178714e-19, sin2_low_6 = sin2_low_5 + sin2_error,
+      sin2_low = sin2_low_6 + sin2_low_3;
   const double sin1_z = KSL_MUL(z, sin2);
-  const double sin1_z_error = ksl_product_error(z, sin2, sin1_z);
-  const double sin1_z_low_1 = KSL_MUL(z, sin2_low), sin1_z_low_2 = KSL_MUL(z_low, sin2),
-      sin1_z_low_3 = sin1_z_low_1 + sin1_z_low_2, sin1_z_low = sin1_z_error + sin1_z_low_3;
   const double sin1 = -0.16666666666666666 + sin1_z;
   const double sin1_error_1 = sin1 - -0.16666666666666666, sin1_error = sin1_z - sin1_error_1;
-  const double sin1_low_1 = sin1_z_low + -9.25185853854297e-18, sin1_low = sin1_error + sin1_low_1;
-  const double sin_sum = KSL_MUL(z, sin1);
-  const double sin_sum_error = ksl_product_error(z, sin1, sin_sum);
-  const double sin_sum_low_1 = KSL_MUL(z, sin1_low), sin_sum_low_2 = KSL_MUL(z_low, sin1),
-      sin_sum_low_3 = sin_sum_low_1 + sin_sum_low_2, sin_sum_low = sin_sum_error + sin_sum_low_3;
-  const double sin_r_more = KSL_MUL(r, sin_sum);
-  const double sin_r_more_error = ksl_product_error(r, sin_sum, sin_r_more);
-  const double sin_r_more_low_1 = KSL_MUL(r, sin_sum_low),
-      sin_r_more_low_2 = KSL_MUL(r_low, sin_sum),
-      sin_r_more_low_3 = sin_r_more_low_1 + sin_r_more_low_2,
-      sin_r_more_low = sin_r_more_error + sin_r_more_low_3;
-  const double sin_r = r + sin_r_more;
-  const double sin_r_error_1 = sin_r - r, sin_r_error = sin_r_more - sin_r_error_1;
-  const double sin_r_low_1 = sin_r_more_low + r_low, sin_r_low = sin_r_error + sin_r_low_1;
-  const double cos13_1 = KSL_MUL(z, 3.279889237069838e-30),
-      cos13 = -2.4795962632247976e-27 + cos13_1;
-  const double cos12_1 = KSL_MUL(z, cos13), cos12 = 1.6117375710961184e-24 + cos12_1;
-  const double cos11_1 = KSL_MUL(z, cos12), cos11 = -8.896791392450574e-22 + cos11_1;
-  const double cos10_1 = KSL_MUL(z, cos11), cos10 = 4.110317623312165e-19 + cos10_1;
-  const double cos9_z = KSL_MUL(z, cos10);
-  const double cos9_z_error = ksl_product_error(z, cos10, cos9_z);
-  const double cos9_z_low_1 = KSL_MUL(z_low, cos10), cos9_z_low = cos9_z_error + cos9_z_low_1;
-  const double cos9 = -1.5619206968586225e-16 + cos9_z;
-  const double cos9_error_1 = cos9 - -1.5619206968586225e-16, cos9_error = cos9_z - cos9_error_1;
-  const double cos9_low_1 = cos9_z_low + -1.1910679660273754e-32,
-      cos9_low = cos9_error + cos9_low_1;
-  const double cos8_z = KSL_MUL(z, cos9);
-  const double cos8_z_error = ksl_product_error(z, cos9, cos8_z);
-  const double cos8_z_low_1 = KSL_MUL(z, cos9_low), cos8_z_low_2 = KSL_MUL(z_low, cos9),
-      cos8_z_low_3 = cos8_z_low_1 + cos8_z_low_2, cos8_z_low = cos8_z_error + cos8_z_low_3;
-  const double cos8 = 4.779477332387385e-14 + cos8_z;
-  const double cos8_error_1 = cos8 - 4.779477332387385e-14, cos8_error = cos8_z - cos8_error_1;
-  const double cos8_low_1 = cos8_z_low + 4.399205485834081e-31, cos8_low = cos8_error + cos8_low_1;
-  const double cos7_z = KSL_MUL(z, cos8);
-  const double cos7_z_error = ksl_product_error(z, cos8, cos7_z);
-  const double cos7_z_low_1 = KSL_MUL(z, cos8_low), cos7_z_low_2 = KSL_MUL(z_low, cos8),
-      cos7_z_low_3 = cos7_z_low_1 + cos7_z_low_2, cos7_z_low = cos7_z_error + cos7_z_low_3;
-  const double cos7 = -1.1470745597729725e-11 + cos7_z;
-  const double cos7_error_1 = cos7 - -1.1470745597729725e-11, cos7_error = cos7_z - cos7_error_1;
-  const double cos7_low_1 = cos7_z_low + -2.0655512752830745e-28,
-      cos7_low = cos7_error + cos7_low_1;
-  const double cos6_z = KSL_MUL(z, cos7);
-  const double cos6_z_error = ksl_product_error(z, cos7, cos6_z);
-  const double cos6_z_low_1 = KSL_MUL(z, cos7_low), cos6_z_low_2 = KSL_MUL(z_low, cos7),
-      cos6_z_low_3 = cos6_z_low_1 + cos6_z_low_2, cos6_z_low = cos6_z_error + cos6_z_low_3;
-  const double cos6 = 2.08767569878681e-09 + cos6_z;
-  const double cos6_error_1 = cos6 - 2.08767569878681e-09, cos6_error = cos6_z - cos6_error_1;
-  const double cos6_low_1 = cos6_z_low + -1.20734505911326e-25, cos6_low = cos6_error + cos6_low_1;
-  const double cos5_z = KSL_MUL(z, cos6);
-  const double cos5_z_error = ksl_product_error(z, cos6, cos5_z);
-  const double cos5_z_low_1 = KSL_MUL(z, cos6_low), cos5_z_low_2 = KSL_MUL(z_low, cos6),
-      cos5_z_low_3 = cos5_z_low_1 + cos5_z_low_2, cos5_z_low = cos5_z_error + cos5_z_low_3;
-  const double cos5 = -2.755731922398589e-07 + cos5_z;
-  const double cos5_error_1 = cos5 - -2.755731922398589e-07, cos5_error = cos5_z - cos5_error_1;
-  const double cos5_low_1 = cos5_z_low + -2.3767714622250297e-23,
-      cos5_low = cos5_error + cos5_low_1;
-  const double cos4_z = KSL_MUL(z, cos5);
-  const double cos4_z_error = ksl_product_error(z, cos5, cos4_z);
-  const double cos4_z_low_1 = KSL_MUL(z, cos5_low), cos4_z_low_2 = KSL_MUL(z_low, cos5),
-      cos4_z_low_3 = cos4_z_low_1 + cos4_z_low_2, cos4_z_low = cos4_z_error + cos4_z_low_3;
-  const double cos4 = 2.48015873015873e-05 + cos4_z;
-  const double cos4_error_1 = cos4 - 2.48015873015873e-05, cos4_error = cos4_z - cos4_error_1;
-  const double cos4_low_1 = cos4_z_low + 2.1511947866775882e-23, cos4_low = cos4_error + cos4_low_1;
-  const double cos3_z = KSL_MUL(z, cos4);
-  const double cos3_z_error = ksl_product_error(z, cos4, cos3_z);
-  const double cos3_z_low_1 = KSL_MUL(z, cos4_low), cos3_z_low_2 = KSL_MUL(z_low, cos4),
-      cos3_z_low_3 = cos3_z_low_1 + cos3_z_low_2, cos3_z_low = cos3_z_error + cos3_z_low_3;
-  const double cos3 = -0.001388888888888889 + cos3_z;
-  const double cos3_error_1 = cos3 - -0.001388888888888889, cos3_error = cos3_z - cos3_error_1;
-  const double cos3_low_1 = cos3_z_low + 5.300543954373577e-20, cos3_low = cos3_error + cos3_low_1;
-  const double cos2_z = KSL_MUL(z, cos3);
-  const double cos2_z_error = ksl_product_error(z, cos3, cos2_z);
-  const double cos2_z_low_1 = KSL_MUL(z, cos3_low), cos2_z_low_2 = KSL_MUL(z_low, cos3),
-      cos2_z_low_3 = cos2_z_low_1 + cos2_z_low_2, cos2_z_low = cos2_z_error + cos2_z_low_3;
-  const double cos2 = 0.041666666666666664 + cos2_z;
-  const double cos2_error_1 = cos2 - 0.041666666666666664, cos2_error = cos2_z - cos2_error_1;
-  const double cos2_low_1 = cos2_z_low + 2.3129646346357427e-18, cos2_low = cos2_error + cos2_low_1;
-  const double cos1_z = KSL_MUL(z, cos2);
-  const double cos1_z_error = ksl_product_error(z, cos2, cos1_z);
-  const double cos1_z_low_1 = KSL_MUL(z, cos2_low), cos1_z_low_2 = KSL_MUL(z_low, cos2),
-      cos1_z_low_3 = cos1_z_low_1 + cos1_z_low_2, cos1_z_low = cos1_z_error + cos1_z_low_3;
-  const double cos1 = -0.5 + cos1_z;
-  const double cos1_error_1 = cos1 - -0.5, cos1_error = cos1_z - cos1_error_1;
-  const double cos1_low = cos1_error + cos1_z_low;
-  const double cos_sum = KSL_MUL(z, cos1);
-  const double cos_sum_error = ksl_product_error(z, cos1, cos_sum);
-  const double cos_sum_low_1 = KSL_MUL(z, cos1_low), cos_sum_low_2 = KSL_MUL(z_low, cos1),
-      cos_sum_low_3 = cos_sum_low_1 + cos_sum_low_2, cos_sum_low = cos_sum_error + cos_sum_low_3;
-  const double cos_r = 1.0 + cos_sum;
-  const double cos_r_error_1 = cos_r - 1.0, cos_r_error = cos_sum - cos_r_error_1;
-  const double cos_r_low = cos_r_error + cos_sum_low;
-  const double q_1 = quadrant + 2.7021597764222976e+16, q_2 = q_1 - 2.7021597764222976e+16,
-      q = q_2 - quadrant;
-  const double cos_k_1 = fabs(q), cos_k = 1.0 - cos_k_1;
-  const double minus_sin_k_1 = 1.0 + cos_k, minus_sin_k = KSL_MUL(q, minus_sin_k_1);
-  const double sin_x_1 = KSL_MUL(sin_r, cos_k), sin_x_2 = KSL_MUL(cos_r, minus_sin_k),
-      sin_x = sin_x_1 - sin_x_2;
-  const double sin_x_low_1 = KSL_MUL(sin_r_low, cos_k),
-      sin_x_low_2 = KSL_MUL(cos_r_low, minus_sin_k), sin_x_low = sin_x_low_1 - sin_x_low_2;
-  const double cos_x_1 = KSL_MUL(cos_r, cos_k), cos_x_2 = KSL_MUL(sin_r, minus_sin_k),
-      cos_x = cos_x_1 + cos_x_2;
-  const double cos_x_low_1 = KSL_MUL(cos_r_low, cos_k),
-      cos_x_low_2 = KSL_MUL(sin_r_low, minus_sin_k), cos_x_low = cos_x_low_1 + cos_x_low_2;
-  const double s_error_1 = sin_x - s, s_error_value = s_error_1 + sin_x_low;
-  const double c_error_1 = cos_x - c, c_error_value = c_error_1 + cos_x_low;
+  const double sin1_low_1 = ksl_product_error(z, sin2, sin1_z), sin1_low_2 = KSL_MUL(sin2, z_error),
+      sin1_low_3 = KSL_MUL(z, sin2_low), sin1_low_4 = sin1_low_2 + sin1_low_1,
+      sin1_low_5 = sin1_low_4 + -9.25185853854297e-18, sin1_low_6 = sin1_low_5 + sin1_error,
+      sin1_low = sin1_low_6 + sin1_low_3;
+  const double more = KSL_MUL(cube, sin1);
+  const double more_error = ksl_product_error(cube, sin1, more);
+  const double more_low_1 = KSL_MUL(cube, sin1_low), more_low_2 = KSL_MUL(cube_low, sin1),
+      more_low_3 = more_low_1 + more_low_2, more_low = more_error + more_low_3;
+  const double difference = r - sin_r;
+  const double sin_r_error_1 = difference + more, sin_r_error_2 = KSL_MUL(r_low, cos_r),
+      sin_r_error_3 = more_low + sin_r_error_2, sin_r_error = sin_r_error_1 + sin_r_error_3;
+  const double known_sin_r = argument - difference;
+  const double h = 1.0 - cos_r;
+  const double square = KSL_MUL(known_sin_r, known_sin_r);
+  const double square_error = ksl_product_error(known_sin_r, known_sin_r, square);
+  const double h_square = KSL_MUL(h, h);
+  const double h_square_error = ksl_product_error(h, h, h_square);
+  const double excess_1 = h + h, excess_2 = excess_1 - square, excess_3 = excess_2 - h_square,
+      excess_4 = square_error + h_square_error, excess = excess_3 - excess_4;
+  const double cos_r_error_1 = KSL_MUL(excess, 0.5),
+      cos_r_error_2 = KSL_MUL(known_sin_r, sin_r_error),
+      cos_r_error_3 = cos_r_error_1 - cos_r_error_2, cos_r_error = cos_r_error_3 / cos_r;
+  const double s_error_1 = KSL_MUL(sin_r_error, cos_k),
+      s_error_2 = KSL_MUL(cos_r_error, minus_sin_k), s_error_value = s_error_1 - s_error_2;
+  const double c_error_1 = KSL_MUL(cos_r_error, cos_k),
+      c_error_2 = KSL_MUL(sin_r_error, minus_sin_k), c_error_value = c_error_1 + c_error_2;
   *c_error = c_error_value;
   return s_error_value;
 }
 
 /* sin x - s, as ksl_sincos_error. */
 static KSL_INLINE double ksl_sin_error(const double x, const double s) {
-  double c_error;
-  return ksl_sincos_error(x, s, s, &c_error);
+  double c, c_error;
+  (void)ksl_sincos(x, &c);
+  return ksl_sincos_error(x, s, c, &c_error);
 }
 
 /* cos x - c, as ksl_sincos_error. */
 static KSL_INLINE double ksl_cos_error(const double x, const double c) {
-  double c_error;
-  (void)ksl_sincos_error(x, c, c, &c_error);
+  double unused, c_error;
+  (void)ksl_sincos_error(x, ksl_sincos(x, &unused), c, &c_error);
   return c_error;
 }
 
@@ -2060,9 +1900,9 @@ static KSL_INLINE double ksl_cos_error(const double x, const double c) {
 #ifndef KSL_TANH_ERROR
 #define KSL_TANH_ERROR
 /* y_error = tanh x - y, y as tanh has it.
-   m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-100 of tanh x,
-     relative to it (proved); 0 for |x| below 2^-54 and above 40.
-   61 mul, 145 add, 16 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
+   m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-100.1 of tanh
+     x, relative to it (proved); 0 for |x| below 2^-54 and above 40.
+   60 mul, 143 add, 15 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
 static KSL_INLINE double ksl_tanh_error(const double x, const double y) {
   const double size = fabs(x);
   const double within_1 = size < 5.551115123125783e-17 ? 1.0 : size,
@@ -2093,117 +1933,101 @@ static KSL_INLINE double ksl_tanh_error(const double x, const double y) {
   const double term15_1 = KSL_MUL(argument, term16), term15 = 4.779477332387385e-14 + term15_1;
   const double term14_1 = KSL_MUL(argument, term15), term14 = 7.647163731819816e-13 + term14_1;
   const double term13_z = KSL_MUL(argument, term14);
-  const double term13_z_error = ksl_product_error(argument, term14, term13_z);
-  const double term13_z_low_1 = KSL_MUL(r_low, term14),
-      term13_z_low = term13_z_error + term13_z_low_1;
   const double term13 = 1.1470745597729725e-11 + term13_z;
   const double term13_error_1 = term13 - 1.1470745597729725e-11,
       term13_error = term13_z - term13_error_1;
-  const double term13_low_1 = term13_z_low + 2.0655512752830745e-28,
-      term13_low = term13_error + term13_low_1;
+  const double term13_low = 2.0655512752830745e-28 + term13_error;
   const double term12_z = KSL_MUL(argument, term13);
-  const double term12_z_error = ksl_product_error(argument, term13, term12_z);
-  const double term12_z_low_1 = KSL_MUL(argument, term13_low),
-      term12_z_low_2 = KSL_MUL(r_low, term13), term12_z_low_3 = term12_z_low_1 + term12_z_low_2,
-      term12_z_low = term12_z_error + term12_z_low_3;
   const double term12 = 1.6059043836821613e-10 + term12_z;
   const double term12_error_1 = term12 - 1.6059043836821613e-10,
       term12_error = term12_z - term12_error_1;
-  const double term12_low_1 = term12_z_low + 1.2585294588752098e-26,
-      term12_low = term12_error + term12_low_1;
+  const double term12_low_1 = ksl_product_error(argument, term13, term12_z),
+      term12_low_2 = KSL_MUL(term13, r_low), term12_low_3 = KSL_MUL(argument, term13_low),
+      term12_low_4 = term12_low_2 + term12_low_1,
+      term12_low_5 = term12_low_4 + 1.2585294588752098e-26,
+      term12_low_6 = term12_low_5 + term12_error, term12_low = term12_low_6 + term12_low_3;
   const double term11_z = KSL_MUL(argument, term12);
-  const double term11_z_error = ksl_product_error(argument, term12, term11_z);
-  const double term11_z_low_1 = KSL_MUL(argument, term12_low),
-      term11_z_low_2 = KSL_MUL(r_low, term12), term11_z_low_3 = term11_z_low_1 + term11_z_low_2,
-      term11_z_low = term11_z_error + term11_z_low_3;
   const double term11 = 2.08767569878681e-09 + term11_z;
   const double term11_error_1 = term11 - 2.08767569878681e-09,
       term11_error = term11_z - term11_error_1;
-  const double term11_low_1 = term11_z_low + -1.20734505911326e-25,
-      term11_low = term11_error + term11_low_1;
+  const double term11_low_1 = ksl_product_error(argument, term12, term11_z),
+      term11_low_2 = KSL_MUL(term12, r_low), term11_low_3 = KSL_MUL(argument, term12_low),
+      term11_low_4 = term11_low_2 + term11_low_1,
+      term11_low_5 = term11_low_4 + -1.20734505911326e-25,
+      term11_low_6 = term11_low_5 + term11_error, term11_low = term11_low_6 + term11_low_3;
   const double term10_z = KSL_MUL(argument, term11);
-  const double term10_z_error = ksl_product_error(argument, term11, term10_z);
-  const double term10_z_low_1 = KSL_MUL(argument, term11_low),
-      term10_z_low_2 = KSL_MUL(r_low, term11), term10_z_low_3 = term10_z_low_1 + term10_z_low_2,
-      term10_z_low = term10_z_error + term10_z_low_3;
   const double term10 = 2.505210838544172e-08 + term10_z;
   const double term10_error_1 = term10 - 2.505210838544172e-08,
       term10_error = term10_z - term10_error_1;
-  const double term10_low_1 = term10_z_low + -1.448814070935912e-24,
-      term10_low = term10_error + term10_low_1;
+  const double term10_low_1 = ksl_product_error(argument, term11, term10_z),
+      term10_low_2 = KSL_MUL(term11, r_low), term10_low_3 = KSL_MUL(argument, term11_low),
+      term10_low_4 = term10_low_2 + term10_low_1,
+      term10_low_5 = term10_low_4 + -1.448814070935912e-24,
+      term10_low_6 = term10_low_5 + term10_error, term10_low = term10_low_6 + term10_low_3;
   const double term9_z = KSL_MUL(argument, term10);
-  const double term9_z_error = ksl_product_error(argument, term10, term9_z);
-  const double term9_z_low_1 = KSL_MUL(argument, term10_low),
-      term9_z_low_2 = KSL_MUL(r_low, term10), term9_z_low_3 = term9_z_low_1 + term9_z_low_2,
-      term9_z_low = term9_z_error + term9_z_low_3;
   const double term9 = 2.755731922398589e-07 + term9_z;
   const double term9_error_1 = term9 - 2.755731922398589e-07, term9_error = term9_z - term9_error_1;
-  const double term9_low_1 = term9_z_low + 2.3767714622250297e-23,
-      term9_low = term9_error + term9_low_1;
+  const double term9_low_1 = ksl_product_error(argument, term10, term9_z),
+      term9_low_2 = KSL_MUL(term10, r_low), term9_low_3 = KSL_MUL(argument, term10_low),
+      term9_low_4 = term9_low_2 + term9_low_1, term9_low_5 = term9_low_4 + 2.3767714622250297e-23,
+      term9_low_6 = term9_low_5 + term9_error, term9_low = term9_low_6 + term9_low_3;
   const double term8_z = KSL_MUL(argument, term9);
-  const double term8_z_error = ksl_product_error(argument, term9, term8_z);
-  const double term8_z_low_1 = KSL_MUL(argument, term9_low), term8_z_low_2 = KSL_MUL(r_low, term9),
-      term8_z_low_3 = term8_z_low_1 + term8_z_low_2, term8_z_low = term8_z_error + term8_z_low_3;
   const double term8 = 2.7557319223985893e-06 + term8_z;
   const double term8_error_1 = term8 - 2.7557319223985893e-06,
       term8_error = term8_z - term8_error_1;
-  const double term8_low_1 = term8_z_low + -1.858393274046472e-22,
-      term8_low = term8_error + term8_low_1;
+  const double term8_low_1 = ksl_product_error(argument, term9, term8_z),
+      term8_low_2 = KSL_MUL(term9, r_low), term8_low_3 = KSL_MUL(argument, term9_low),
+      term8_low_4 = term8_low_2 + term8_low_1, term8_low_5 = term8_low_4 + -1.858393274046472e-22,
+      term8_low_6 = term8_low_5 + term8_error, term8_low = term8_low_6 + term8_low_3;
   const double term7_z = KSL_MUL(argument, term8);
-  const double term7_z_error = ksl_product_error(argument, term8, term7_z);
-  const double term7_z_low_1 = KSL_MUL(argument, term8_low), term7_z_low_2 = KSL_MUL(r_low, term8),
-      term7_z_low_3 = term7_z_low_1 + term7_z_low_2, term7_z_low = term7_z_error + term7_z_low_3;
   const double term7 = 2.48015873015873e-05 + term7_z;
   const double term7_error_1 = term7 - 2.48015873015873e-05, term7_error = term7_z - term7_error_1;
-  const double term7_low_1 = term7_z_low + 2.1511947866775882e-23,
-      term7_low = term7_error + term7_low_1;
+  const double term7_low_1 = ksl_product_error(argument, term8, term7_z),
+      term7_low_2 = KSL_MUL(term8, r_low), term7_low_3 = KSL_MUL(argument, term8_low),
+      term7_low_4 = term7_low_2 + term7_low_1, term7_low_5 = term7_low_4 + 2.1511947866775882e-23,
+      term7_low_6 = term7_low_5 + term7_error, term7_low = term7_low_6 + term7_low_3;
   const double term6_z = KSL_MUL(argument, term7);
-  const double term6_z_error = ksl_product_error(argument, term7, term6_z);
-  const double term6_z_low_1 = KSL_MUL(argument, term7_low), term6_z_low_2 = KSL_MUL(r_low, term7),
-      term6_z_low_3 = term6_z_low_1 + term6_z_low_2, term6_z_low = term6_z_error + term6_z_low_3;
   const double term6 = 0.0001984126984126984 + term6_z;
   const double term6_error_1 = term6 - 0.0001984126984126984, term6_error = term6_z - term6_error_1;
-  const double term6_low_1 = term6_z_low + 1.7209558293420705e-22,
-      term6_low = term6_error + term6_low_1;
+  const double term6_low_1 = ksl_product_error(argument, term7, term6_z),
+      term6_low_2 = KSL_MUL(term7, r_low), term6_low_3 = KSL_MUL(argument, term7_low),
+      term6_low_4 = term6_low_2 + term6_low_1, term6_low_5 = term6_low_4 + 1.7209558293420705e-22,
+      term6_low_6 = term6_low_5 + term6_error, term6_low = term6_low_6 + term6_low_3;
   const double term5_z = KSL_MUL(argument, term6);
-  const double term5_z_error = ksl_product_error(argument, term6, term5_z);
-  const double term5_z_low_1 = KSL_MUL(argument, term6_low), term5_z_low_2 = KSL_MUL(r_low, term6),
-      term5_z_low_3 = term5_z_low_1 + term5_z_low_2, term5_z_low = term5_z_error + term5_z_low_3;
   const double term5 = 0.001388888888888889 + term5_z;
   const double term5_error_1 = term5 - 0.001388888888888889, term5_error = term5_z - term5_error_1;
-  const double term5_low_1 = term5_z_low + -5.300543954373577e-20,
-      term5_low = term5_error + term5_low_1;
+  const double term5_low_1 = ksl_product_error(argument, term6, term5_z),
+      term5_low_2 = KSL_MUL(term6, r_low), term5_low_3 = KSL_MUL(argument, term6_low),
+      term5_low_4 = term5_low_2 + term5_low_1, term5_low_5 = term5_low_4 + -5.300543954373577e-20,
+      term5_low_6 = term5_low_5 + term5_error, term5_low = term5_low_6 + term5_low_3;
   const double term4_z = KSL_MUL(argument, term5);
-  const double term4_z_error = ksl_product_error(argument, term5, term4_z);
-  const double term4_z_low_1 = KSL_MUL(argument, term5_low), term4_z_low_2 = KSL_MUL(r_low, term5),
-      term4_z_low_3 = term4_z_low_1 + term4_z_low_2, term4_z_low = term4_z_error + term4_z_low_3;
   const double term4 = 0.008333333333333333 + term4_z;
   const double term4_error_1 = term4 - 0.008333333333333333, term4_error = term4_z - term4_error_1;
-  const double term4_low_1 = term4_z_low + 1.1564823173178714e-19,
-      term4_low = term4_error + term4_low_1;
+  const double term4_low_1 = ksl_product_error(argument, term5, term4_z),
+      term4_low_2 = KSL_MUL(term5, r_low), term4_low_3 = KSL_MUL(argument, term5_low),
+      term4_low_4 = term4_low_2 + term4_low_1, term4_low_5 = term4_low_4 + 1.1564823173178714e-19,
+      term4_low_6 = term4_low_5 + term4_error, term4_low = term4_low_6 + term4_low_3;
   const double term3_z = KSL_MUL(argument, term4);
-  const double term3_z_error = ksl_product_error(argument, term4, term3_z);
-  const double term3_z_low_1 = KSL_MUL(argument, term4_low), term3_z_low_2 = KSL_MUL(r_low, term4),
-      term3_z_low_3 = term3_z_low_1 + term3_z_low_2, term3_z_low = term3_z_error + term3_z_low_3;
   const double term3 = 0.041666666666666664 + term3_z;
   const double term3_error_1 = term3 - 0.041666666666666664, term3_error = term3_z - term3_error_1;
-  const double term3_low_1 = term3_z_low + 2.3129646346357427e-18,
-      term3_low = term3_error + term3_low_1;
+  const double term3_low_1 = ksl_product_error(argument, term4, term3_z),
+      term3_low_2 = KSL_MUL(term4, r_low), term3_low_3 = KSL_MUL(argument, term4_low),
+      term3_low_4 = term3_low_2 + term3_low_1, term3_low_5 = term3_low_4 + 2.3129646346357427e-18,
+      term3_low_6 = term3_low_5 + term3_error, term3_low = term3_low_6 + term3_low_3;
   const double term2_z = KSL_MUL(argument, term3);
-  const double term2_z_error = ksl_product_error(argument, term3, term2_z);
-  const double term2_z_low_1 = KSL_MUL(argument, term3_low), term2_z_low_2 = KSL_MUL(r_low, term3),
-      term2_z_low_3 = term2_z_low_1 + term2_z_low_2, term2_z_low = term2_z_error + term2_z_low_3;
   const double term2 = 0.16666666666666666 + term2_z;
   const double term2_error_1 = term2 - 0.16666666666666666, term2_error = term2_z - term2_error_1;
-  const double term2_low_1 = term2_z_low + 9.25185853854297e-18,
-      term2_low = term2_error + term2_low_1;
+  const double term2_low_1 = ksl_product_error(argument, term3, term2_z),
+      term2_low_2 = KSL_MUL(term3, r_low), term2_low_3 = KSL_MUL(argument, term3_low),
+      term2_low_4 = term2_low_2 + term2_low_1, term2_low_5 = term2_low_4 + 9.25185853854297e-18,
+      term2_low_6 = term2_low_5 + term2_error, term2_low = term2_low_6 + term2_low_3;
   const double term1_z = KSL_MUL(argument, term2);
-  const double term1_z_error = ksl_product_error(argument, term2, term1_z);
-  const double term1_z_low_1 = KSL_MUL(argument, term2_low), term1_z_low_2 = KSL_MUL(r_low, term2),
-      term1_z_low_3 = term1_z_low_1 + term1_z_low_2, term1_z_low = term1_z_error + term1_z_low_3;
   const double term1 = 0.5 + term1_z;
   const double term1_error_1 = term1 - 0.5, term1_error = term1_z - term1_error_1;
-  const double term1_low = term1_error + term1_z_low;
+  const double term1_low_1 = ksl_product_error(argument, term2, term1_z),
+      term1_low_2 = KSL_MUL(term2, r_low), term1_low_3 = KSL_MUL(argument, term2_low),
+      term1_low_4 = term1_low_2 + term1_low_1, term1_low_5 = term1_low_4 + term1_error,
+      term1_low = term1_low_5 + term1_low_3;
   const double term_sum = KSL_MUL(argument, term1);
   const double term_sum_error = ksl_product_error(argument, term1, term_sum);
   const double term_sum_low_1 = KSL_MUL(argument, term1_low),
@@ -2253,51 +2077,23 @@ static KSL_INLINE double ksl_tanh_error(const double x, const double y) {
    (y c - x s) / (x c + y s), s and c the angle's sine and cosine as pairs; angle + angle_error
      is within 2^-42.1 of atan2(y, x), relative to it (proved), and 0.51 of the least subnormal
      number; 0 where the angle is 0.
-   68 mul, 164 add, 16 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
+   66 mul, 124 add, 14 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
 static KSL_INLINE float ksl_atan2_errorf(const float y, const float x, const float angle) {
   const float quadrant_1 = KSL_MULF(angle, 0.63661975f), quadrant_2 = quadrant_1 + 1.2582912e+07f,
       quadrant = quadrant_2 - 1.2582912e+07f;
   const float high_1 = KSL_MULF(quadrant, 1.5706787f), high_2 = angle - high_1,
       high_3 = KSL_MULF(quadrant, 0.000117599964f), high = high_2 - high_3;
-  const float part3 = KSL_MULF(quadrant, -1.589251e-08f);
-  const float part4 = KSL_MULF(quadrant, -7.44349e-13f);
-  const float part5 = KSL_MULF(quadrant, -5.7208605e-18f);
-  const float part6 = KSL_MULF(quadrant, -3.2820037e-22f);
-  const float r_a3 = part5 + part6;
-  const float r_a3_error_1 = r_a3 - part5, r_a3_error_2 = r_a3 - r_a3_error_1,
-      r_a3_error_3 = part5 - r_a3_error_2, r_a3_error_4 = part6 - r_a3_error_1,
-      r_a3_error = r_a3_error_3 + r_a3_error_4;
-  const float r_a2 = part4 + r_a3;
-  const float r_a2_error_1 = r_a2 - part4, r_a2_error_2 = r_a2 - r_a2_error_1,
-      r_a2_error_3 = part4 - r_a2_error_2, r_a2_error_4 = r_a3 - r_a2_error_1,
-      r_a2_error = r_a2_error_3 + r_a2_error_4;
-  const float r_a1 = part3 + r_a2;
-  const float r_a1_error_1 = r_a1 - part3, r_a1_error_2 = r_a1 - r_a1_error_1,
-      r_a1_error_3 = part3 - r_a1_error_2, r_a1_error_4 = r_a2 - r_a1_error_1,
-      r_a1_error = r_a1_error_3 + r_a1_error_4;
-  const float r_a0 = high + r_a1;
-  const float r_a0_error_1 = r_a0 - high, r_a0_error_2 = r_a0 - r_a0_error_1,
-      r_a0_error_3 = high - r_a0_error_2, r_a0_error_4 = r_a1 - r_a0_error_1,
-      r_a0_error = r_a0_error_3 + r_a0_error_4;
-  const float r_b3 = r_a2_error + r_a3_error;
-  const float r_b3_error_1 = r_b3 - r_a2_error, r_b3_error_2 = r_b3 - r_b3_error_1,
-      r_b3_error_3 = r_a2_error - r_b3_error_2, r_b3_error_4 = r_a3_error - r_b3_error_1,
-      r_b3_error = r_b3_error_3 + r_b3_error_4;
-  const float r_b2 = r_a1_error + r_b3;
-  const float r_b2_error_1 = r_b2 - r_a1_error, r_b2_error_2 = r_b2 - r_b2_error_1,
-      r_b2_error_3 = r_a1_error - r_b2_error_2, r_b2_error_4 = r_b3 - r_b2_error_1,
-      r_b2_error = r_b2_error_3 + r_b2_error_4;
-  const float r_b1 = r_a0_error + r_b2;
-  const float r_b1_error_1 = r_b1 - r_a0_error, r_b1_error_2 = r_b1 - r_b1_error_1,
-      r_b1_error_3 = r_a0_error - r_b1_error_2, r_b1_error_4 = r_b2 - r_b1_error_1,
-      r_b1_error = r_b1_error_3 + r_b1_error_4;
-  const float r_b0 = r_a0 + r_b1;
-  const float r_b0_error_1 = r_b0 - r_a0, r_b0_error_2 = r_b0 - r_b0_error_1,
-      r_b0_error_3 = r_a0 - r_b0_error_2, r_b0_error_4 = r_b1 - r_b0_error_1,
-      r_b0_error = r_b0_error_3 + r_b0_error_4;
-  const float r_low_1 = r_b2_error + r_b3_error, r_low_2 = r_b1_error + r_low_1,
-      r_low = r_b0_error + r_low_2;
-  const float argument_1 = fabsf(r_b0), argument = argument_1 < 2.9802322e-08f ? 0.0f : r_b0;
+  const float a_1 = KSL_MULF(quadrant, -1.589251e-08f), a = high + a_1;
+  const float a_error_1 = a - high, a_error_2 = a - a_error_1, a_error_3 = high - a_error_2,
+      a_error_4 = a_1 - a_error_1, a_error = a_error_3 + a_error_4;
+  const float fourth_1 = KSL_MULF(quadrant, 7.442935e-13f), fourth = a_error - fourth_1;
+  const float b = a + fourth;
+  const float b_error_1 = b - a, b_error = fourth - b_error_1;
+  const float fifth_1 = KSL_MULF(quadrant, 6.123032e-17f), fifth = b_error - fifth_1;
+  const float r = b + fifth;
+  const float r_error_1 = r - b, r_error = fifth - r_error_1;
+  const float r_low_1 = KSL_MULF(quadrant, 2.0222662e-21f), r_low = r_error - r_low_1;
+  const float argument_1 = fabsf(r), argument = argument_1 < 2.9802322e-08f ? 0.0f : r;
   const float z = KSL_MULF(argument, argument);
   const float z_error = ksl_product_errorf(argument, argument, z);
   const float z_low_1 = KSL_MULF(argument, r_low), z_low_2 = KSL_MULF(r_low, argument),
@@ -2305,88 +2101,83 @@ static KSL_INLINE float ksl_atan2_errorf(const float y, const float x, const flo
   const float sin7_1 = KSL_MULF(z, 2.8114574e-15f), sin7 = -7.6471636e-13f + sin7_1;
   const float sin6_1 = KSL_MULF(z, sin7), sin6 = 1.6059044e-10f + sin6_1;
   const float sin5_z = KSL_MULF(z, sin6);
-  const float sin5_z_error = ksl_product_errorf(z, sin6, sin5_z);
-  const float sin5_z_low_1 = KSL_MULF(z_low, sin6), sin5_z_low = sin5_z_error + sin5_z_low_1;
   const float sin5 = -2.5052108e-08f + sin5_z;
   const float sin5_error_1 = sin5 - -2.5052108e-08f, sin5_error = sin5_z - sin5_error_1;
-  const float sin5_low_1 = sin5_z_low + -4.417623e-16f, sin5_low = sin5_error + sin5_low_1;
+  const float sin5_low = -4.417623e-16f + sin5_error;
   const float sin4_z = KSL_MULF(z, sin5);
-  const float sin4_z_error = ksl_product_errorf(z, sin5, sin4_z);
-  const float sin4_z_low_1 = KSL_MULF(z, sin5_low), sin4_z_low_2 = KSL_MULF(z_low, sin5),
-      sin4_z_low_3 = sin4_z_low_1 + sin4_z_low_2, sin4_z_low = sin4_z_error + sin4_z_low_3;
   const float sin4 = 2.7557319e-06f + sin4_z;
   const float sin4_error_1 = sin4 - 2.7557319e-06f, sin4_error = sin4_z - sin4_error_1;
-  const float sin4_low_1 = sin4_z_low + 3.7935712e-14f, sin4_low = sin4_error + sin4_low_1;
+  const float sin4_low_1 = ksl_product_errorf(z, sin5, sin4_z), sin4_low_2 = KSL_MULF(sin5, z_low),
+      sin4_low_3 = KSL_MULF(z, sin5_low), sin4_low_4 = sin4_low_2 + sin4_low_1,
+      sin4_low_5 = sin4_low_4 + 3.7935712e-14f, sin4_low_6 = sin4_low_5 + sin4_error,
+      sin4_low = sin4_low_6 + sin4_low_3;
   const float sin3_z = KSL_MULF(z, sin4);
-  const float sin3_z_error = ksl_product_errorf(z, sin4, sin3_z);
-  const float sin3_z_low_1 = KSL_MULF(z, sin4_low), sin3_z_low_2 = KSL_MULF(z_low, sin4),
-      sin3_z_low_3 = sin3_z_low_1 + sin3_z_low_2, sin3_z_low = sin3_z_error + sin3_z_low_3;
   const float sin3 = -0.0001984127f + sin3_z;
   const float sin3_error_1 = sin3 - -0.0001984127f, sin3_error = sin3_z - sin3_error_1;
-  const float sin3_low_1 = sin3_z_low + 2.7255969e-12f, sin3_low = sin3_error + sin3_low_1;
+  const float sin3_low_1 = ksl_product_errorf(z, sin4, sin3_z), sin3_low_2 = KSL_MULF(sin4, z_low),
+      sin3_low_3 = KSL_MULF(z, sin4_low), sin3_low_4 = sin3_low_2 + sin3_low_1,
+      sin3_low_5 = sin3_low_4 + 2.7255969e-12f, sin3_low_6 = sin3_low_5 + sin3_error,
+      sin3_low = sin3_low_6 + sin3_low_3;
   const float sin2_z = KSL_MULF(z, sin3);
-  const float sin2_z_error = ksl_product_errorf(z, sin3, sin2_z);
-  const float sin2_z_low_1 = KSL_MULF(z, sin3_low), sin2_z_low_2 = KSL_MULF(z_low, sin3),
-      sin2_z_low_3 = sin2_z_low_1 + sin2_z_low_2, sin2_z_low = sin2_z_error + sin2_z_low_3;
   const float sin2 = 0.008333334f + sin2_z;
   const float sin2_error_1 = sin2 - 0.008333334f, sin2_error = sin2_z - sin2_error_1;
-  const float sin2_low_1 = sin2_z_low + -4.346172e-10f, sin2_low = sin2_error + sin2_low_1;
+  const float sin2_low_1 = ksl_product_errorf(z, sin3, sin2_z), sin2_low_2 = KSL_MULF(sin3, z_low),
+      sin2_low_3 = KSL_MULF(z, sin3_low), sin2_low_4 = sin2_low_2 + sin2_low_1,
+      sin2_low_5 = sin2_low_4 + -4.346172e-10f, sin2_low_6 = sin2_low_5 + sin2_error,
+      sin2_low = sin2_low_6 + sin2_low_3;
   const float sin1_z = KSL_MULF(z, sin2);
-  const float sin1_z_error = ksl_product_errorf(z, sin2, sin1_z);
-  const float sin1_z_low_1 = KSL_MULF(z, sin2_low), sin1_z_low_2 = KSL_MULF(z_low, sin2),
-      sin1_z_low_3 = sin1_z_low_1 + sin1_z_low_2, sin1_z_low = sin1_z_error + sin1_z_low_3;
   const float sin1 = -0.16666667f + sin1_z;
   const float sin1_error_1 = sin1 - -0.16666667f, sin1_error = sin1_z - sin1_error_1;
-  const float sin1_low_1 = sin1_z_low + 4.967054e-09f, sin1_low = sin1_error + sin1_low_1;
+  const float sin1_low_1 = ksl_product_errorf(z, sin2, sin1_z), sin1_low_2 = KSL_MULF(sin2, z_low),
+      sin1_low_3 = KSL_MULF(z, sin2_low), sin1_low_4 = sin1_low_2 + sin1_low_1,
+      sin1_low_5 = sin1_low_4 + 4.967054e-09f, sin1_low_6 = sin1_low_5 + sin1_error,
+      sin1_low = sin1_low_6 + sin1_low_3;
   const float sin_sum = KSL_MULF(z, sin1);
   const float sin_sum_error = ksl_product_errorf(z, sin1, sin_sum);
   const float sin_sum_low_1 = KSL_MULF(z, sin1_low), sin_sum_low_2 = KSL_MULF(z_low, sin1),
       sin_sum_low_3 = sin_sum_low_1 + sin_sum_low_2, sin_sum_low = sin_sum_error + sin_sum_low_3;
-  const float sin_r_more = KSL_MULF(r_b0, sin_sum);
-  const float sin_r_more_error = ksl_product_errorf(r_b0, sin_sum, sin_r_more);
-  const float sin_r_more_low_1 = KSL_MULF(r_b0, sin_sum_low),
+  const float sin_r_more = KSL_MULF(r, sin_sum);
+  const float sin_r_more_error = ksl_product_errorf(r, sin_sum, sin_r_more);
+  const float sin_r_more_low_1 = KSL_MULF(r, sin_sum_low),
       sin_r_more_low_2 = KSL_MULF(r_low, sin_sum),
       sin_r_more_low_3 = sin_r_more_low_1 + sin_r_more_low_2,
       sin_r_more_low = sin_r_more_error + sin_r_more_low_3;
-  const float sin_r = r_b0 + sin_r_more;
-  const float sin_r_error_1 = sin_r - r_b0, sin_r_error = sin_r_more - sin_r_error_1;
+  const float sin_r = r + sin_r_more;
+  const float sin_r_error_1 = sin_r - r, sin_r_error = sin_r_more - sin_r_error_1;
   const float sin_r_low_1 = sin_r_more_low + r_low, sin_r_low = sin_r_error + sin_r_low_1;
   const float cos7_1 = KSL_MULF(z, 4.7794773e-14f), cos7 = -1.1470745e-11f + cos7_1;
   const float cos6_1 = KSL_MULF(z, cos7), cos6 = 2.0876756e-09f + cos6_1;
   const float cos5_z = KSL_MULF(z, cos6);
-  const float cos5_z_error = ksl_product_errorf(z, cos6, cos5_z);
-  const float cos5_z_low_1 = KSL_MULF(z_low, cos6), cos5_z_low = cos5_z_error + cos5_z_low_1;
   const float cos5 = -2.755732e-07f + cos5_z;
   const float cos5_error_1 = cos5 - -2.755732e-07f, cos5_error = cos5_z - cos5_error_1;
-  const float cos5_low_1 = cos5_z_low + 7.575112e-15f, cos5_low = cos5_error + cos5_low_1;
+  const float cos5_low = 7.575112e-15f + cos5_error;
   const float cos4_z = KSL_MULF(z, cos5);
-  const float cos4_z_error = ksl_product_errorf(z, cos5, cos4_z);
-  const float cos4_z_low_1 = KSL_MULF(z, cos5_low), cos4_z_low_2 = KSL_MULF(z_low, cos5),
-      cos4_z_low_3 = cos4_z_low_1 + cos4_z_low_2, cos4_z_low = cos4_z_error + cos4_z_low_3;
   const float cos4 = 2.4801588e-05f + cos4_z;
   const float cos4_error_1 = cos4 - 2.4801588e-05f, cos4_error = cos4_z - cos4_error_1;
-  const float cos4_low_1 = cos4_z_low + -3.406996e-13f, cos4_low = cos4_error + cos4_low_1;
+  const float cos4_low_1 = ksl_product_errorf(z, cos5, cos4_z), cos4_low_2 = KSL_MULF(cos5, z_low),
+      cos4_low_3 = KSL_MULF(z, cos5_low), cos4_low_4 = cos4_low_2 + cos4_low_1,
+      cos4_low_5 = cos4_low_4 + -3.406996e-13f, cos4_low_6 = cos4_low_5 + cos4_error,
+      cos4_low = cos4_low_6 + cos4_low_3;
   const float cos3_z = KSL_MULF(z, cos4);
-  const float cos3_z_error = ksl_product_errorf(z, cos4, cos3_z);
-  const float cos3_z_low_1 = KSL_MULF(z, cos4_low), cos3_z_low_2 = KSL_MULF(z_low, cos4),
-      cos3_z_low_3 = cos3_z_low_1 + cos3_z_low_2, cos3_z_low = cos3_z_error + cos3_z_low_3;
   const float cos3 = -0.0013888889f + cos3_z;
   const float cos3_error_1 = cos3 - -0.0013888889f, cos3_error = cos3_z - cos3_error_1;
-  const float cos3_low_1 = cos3_z_low + 3.3631094e-11f, cos3_low = cos3_error + cos3_low_1;
+  const float cos3_low_1 = ksl_product_errorf(z, cos4, cos3_z), cos3_low_2 = KSL_MULF(cos4, z_low),
+      cos3_low_3 = KSL_MULF(z, cos4_low), cos3_low_4 = cos3_low_2 + cos3_low_1,
+      cos3_low_5 = cos3_low_4 + 3.3631094e-11f, cos3_low_6 = cos3_low_5 + cos3_error,
+      cos3_low = cos3_low_6 + cos3_low_3;
   const float cos2_z = KSL_MULF(z, cos3);
-  const float cos2_z_error = ksl_product_errorf(z, cos3, cos2_z);
-  const float cos2_z_low_1 = KSL_MULF(z, cos3_low), cos2_z_low_2 = KSL_MULF(z_low, cos3),
-      cos2_z_low_3 = cos2_z_low_1 + cos2_z_low_2, cos2_z_low = cos2_z_error + cos2_z_low_3;
   const float cos2 = 0.041666668f + cos2_z;
   const float cos2_error_1 = cos2 - 0.041666668f, cos2_error = cos2_z - cos2_error_1;
-  const float cos2_low_1 = cos2_z_low + -1.2417635e-09f, cos2_low = cos2_error + cos2_low_1;
+  const float cos2_low_1 = ksl_product_errorf(z, cos3, cos2_z), cos2_low_2 = KSL_MULF(cos3, z_low),
+      cos2_low_3 = KSL_MULF(z, cos3_low), cos2_low_4 = cos2_low_2 + cos2_low_1,
+      cos2_low_5 = cos2_low_4 + -1.2417635e-09f, cos2_low_6 = cos2_low_5 + cos2_error,
+      cos2_low = cos2_low_6 + cos2_low_3;
   const float cos1_z = KSL_MULF(z, cos2);
-  const float cos1_z_error = ksl_product_errorf(z, cos2, cos1_z);
-  const float cos1_z_low_1 = KSL_MULF(z, cos2_low), cos1_z_low_2 = KSL_MULF(z_low, cos2),
-      cos1_z_low_3 = cos1_z_low_1 + cos1_z_low_2, cos1_z_low = cos1_z_error + cos1_z_low_3;
   const float cos1 = -0.5f + cos1_z;
   const float cos1_error_1 = cos1 - -0.5f, cos1_error = cos1_z - cos1_error_1;
-  const float cos1_low = cos1_error + cos1_z_low;
+  const float cos1_low_1 = ksl_product_errorf(z, cos2, cos1_z), cos1_low_2 = KSL_MULF(cos2, z_low),
+      cos1_low_3 = KSL_MULF(z, cos2_low), cos1_low_4 = cos1_low_2 + cos1_low_1,
+      cos1_low_5 = cos1_low_4 + cos1_error, cos1_low = cos1_low_5 + cos1_low_3;
   const float cos_sum = KSL_MULF(z, cos1);
   const float cos_sum_error = ksl_product_errorf(z, cos1, cos_sum);
   const float cos_sum_low_1 = KSL_MULF(z, cos1_low), cos_sum_low_2 = KSL_MULF(z_low, cos1),
@@ -2453,7 +2244,7 @@ static KSL_INLINE float ksl_powerf(const float shifted) {
    x = k ln 2 + r, r as a pair; a Taylor polynomial of degree 13 in pairs; y + y_error is within
      2^-43.7 of exp x, relative to it (proved), and 0.51 of the least subnormal number; 0 where y
      is 0 or infinite.
-   39 mul, 83 add, 9 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
+   38 mul, 81 add, 8 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
 static KSL_INLINE float ksl_exp_errorf(const float x, const float y) {
   const float within_2 = 89.0f < x ? 89.0f : x, within = within_2 < -104.0f ? -104.0f : within_2;
   const float shifted_1 = KSL_MULF(within, 1.442695f), shifted = shifted_1 + 1.2582912e+07f;
@@ -2471,53 +2262,51 @@ static KSL_INLINE float ksl_exp_errorf(const float x, const float y) {
   const float term9_1 = KSL_MULF(argument, term10), term9 = 2.755732e-07f + term9_1;
   const float term8_1 = KSL_MULF(argument, term9), term8 = 2.7557319e-06f + term8_1;
   const float term7_z = KSL_MULF(argument, term8);
-  const float term7_z_error = ksl_product_errorf(argument, term8, term7_z);
-  const float term7_z_low_1 = KSL_MULF(r_low, term8), term7_z_low = term7_z_error + term7_z_low_1;
   const float term7 = 2.4801588e-05f + term7_z;
   const float term7_error_1 = term7 - 2.4801588e-05f, term7_error = term7_z - term7_error_1;
-  const float term7_low_1 = term7_z_low + -3.406996e-13f, term7_low = term7_error + term7_low_1;
+  const float term7_low = -3.406996e-13f + term7_error;
   const float term6_z = KSL_MULF(argument, term7);
-  const float term6_z_error = ksl_product_errorf(argument, term7, term6_z);
-  const float term6_z_low_1 = KSL_MULF(argument, term7_low), term6_z_low_2 = KSL_MULF(r_low, term7),
-      term6_z_low_3 = term6_z_low_1 + term6_z_low_2, term6_z_low = term6_z_error + term6_z_low_3;
   const float term6 = 0.0001984127f + term6_z;
   const float term6_error_1 = term6 - 0.0001984127f, term6_error = term6_z - term6_error_1;
-  const float term6_low_1 = term6_z_low + -2.7255969e-12f, term6_low = term6_error + term6_low_1;
+  const float term6_low_1 = ksl_product_errorf(argument, term7, term6_z),
+      term6_low_2 = KSL_MULF(term7, r_low), term6_low_3 = KSL_MULF(argument, term7_low),
+      term6_low_4 = term6_low_2 + term6_low_1, term6_low_5 = term6_low_4 + -2.7255969e-12f,
+      term6_low_6 = term6_low_5 + term6_error, term6_low = term6_low_6 + term6_low_3;
   const float term5_z = KSL_MULF(argument, term6);
-  const float term5_z_error = ksl_product_errorf(argument, term6, term5_z);
-  const float term5_z_low_1 = KSL_MULF(argument, term6_low), term5_z_low_2 = KSL_MULF(r_low, term6),
-      term5_z_low_3 = term5_z_low_1 + term5_z_low_2, term5_z_low = term5_z_error + term5_z_low_3;
   const float term5 = 0.0013888889f + term5_z;
   const float term5_error_1 = term5 - 0.0013888889f, term5_error = term5_z - term5_error_1;
-  const float term5_low_1 = term5_z_low + -3.3631094e-11f, term5_low = term5_error + term5_low_1;
+  const float term5_low_1 = ksl_product_errorf(argument, term6, term5_z),
+      term5_low_2 = KSL_MULF(term6, r_low), term5_low_3 = KSL_MULF(argument, term6_low),
+      term5_low_4 = term5_low_2 + term5_low_1, term5_low_5 = term5_low_4 + -3.3631094e-11f,
+      term5_low_6 = term5_low_5 + term5_error, term5_low = term5_low_6 + term5_low_3;
   const float term4_z = KSL_MULF(argument, term5);
-  const float term4_z_error = ksl_product_errorf(argument, term5, term4_z);
-  const float term4_z_low_1 = KSL_MULF(argument, term5_low), term4_z_low_2 = KSL_MULF(r_low, term5),
-      term4_z_low_3 = term4_z_low_1 + term4_z_low_2, term4_z_low = term4_z_error + term4_z_low_3;
   const float term4 = 0.008333334f + term4_z;
   const float term4_error_1 = term4 - 0.008333334f, term4_error = term4_z - term4_error_1;
-  const float term4_low_1 = term4_z_low + -4.346172e-10f, term4_low = term4_error + term4_low_1;
+  const float term4_low_1 = ksl_product_errorf(argument, term5, term4_z),
+      term4_low_2 = KSL_MULF(term5, r_low), term4_low_3 = KSL_MULF(argument, term5_low),
+      term4_low_4 = term4_low_2 + term4_low_1, term4_low_5 = term4_low_4 + -4.346172e-10f,
+      term4_low_6 = term4_low_5 + term4_error, term4_low = term4_low_6 + term4_low_3;
   const float term3_z = KSL_MULF(argument, term4);
-  const float term3_z_error = ksl_product_errorf(argument, term4, term3_z);
-  const float term3_z_low_1 = KSL_MULF(argument, term4_low), term3_z_low_2 = KSL_MULF(r_low, term4),
-      term3_z_low_3 = term3_z_low_1 + term3_z_low_2, term3_z_low = term3_z_error + term3_z_low_3;
   const float term3 = 0.041666668f + term3_z;
   const float term3_error_1 = term3 - 0.041666668f, term3_error = term3_z - term3_error_1;
-  const float term3_low_1 = term3_z_low + -1.2417635e-09f, term3_low = term3_error + term3_low_1;
+  const float term3_low_1 = ksl_product_errorf(argument, term4, term3_z),
+      term3_low_2 = KSL_MULF(term4, r_low), term3_low_3 = KSL_MULF(argument, term4_low),
+      term3_low_4 = term3_low_2 + term3_low_1, term3_low_5 = term3_low_4 + -1.2417635e-09f,
+      term3_low_6 = term3_low_5 + term3_error, term3_low = term3_low_6 + term3_low_3;
   const float term2_z = KSL_MULF(argument, term3);
-  const float term2_z_error = ksl_product_errorf(argument, term3, term2_z);
-  const float term2_z_low_1 = KSL_MULF(argument, term3_low), term2_z_low_2 = KSL_MULF(r_low, term3),
-      term2_z_low_3 = term2_z_low_1 + term2_z_low_2, term2_z_low = term2_z_error + term2_z_low_3;
   const float term2 = 0.16666667f + term2_z;
   const float term2_error_1 = term2 - 0.16666667f, term2_error = term2_z - term2_error_1;
-  const float term2_low_1 = term2_z_low + -4.967054e-09f, term2_low = term2_error + term2_low_1;
+  const float term2_low_1 = ksl_product_errorf(argument, term3, term2_z),
+      term2_low_2 = KSL_MULF(term3, r_low), term2_low_3 = KSL_MULF(argument, term3_low),
+      term2_low_4 = term2_low_2 + term2_low_1, term2_low_5 = term2_low_4 + -4.967054e-09f,
+      term2_low_6 = term2_low_5 + term2_error, term2_low = term2_low_6 + term2_low_3;
   const float term1_z = KSL_MULF(argument, term2);
-  const float term1_z_error = ksl_product_errorf(argument, term2, term1_z);
-  const float term1_z_low_1 = KSL_MULF(argument, term2_low), term1_z_low_2 = KSL_MULF(r_low, term2),
-      term1_z_low_3 = term1_z_low_1 + term1_z_low_2, term1_z_low = term1_z_error + term1_z_low_3;
   const float term1 = 0.5f + term1_z;
   const float term1_error_1 = term1 - 0.5f, term1_error = term1_z - term1_error_1;
-  const float term1_low = term1_error + term1_z_low;
+  const float term1_low_1 = ksl_product_errorf(argument, term2, term1_z),
+      term1_low_2 = KSL_MULF(term2, r_low), term1_low_3 = KSL_MULF(argument, term2_low),
+      term1_low_4 = term1_low_2 + term1_low_1, term1_low_5 = term1_low_4 + term1_error,
+      term1_low = term1_low_5 + term1_low_3;
   const float term_sum = KSL_MULF(argument, term1);
   const float term_sum_error = ksl_product_errorf(argument, term1, term_sum);
   const float term_sum_low_1 = KSL_MULF(argument, term1_low),
@@ -2559,45 +2348,17 @@ static KSL_INLINE float ksl_sincos_error_nearf(const float x, float *r, float *r
       quadrant_value = quadrant_2 - 1.2582912e+07f;
   const float high_1 = KSL_MULF(quadrant_value, 1.5706787f), high_2 = x - high_1,
       high_3 = KSL_MULF(quadrant_value, 0.000117599964f), high = high_2 - high_3;
-  const float part3 = KSL_MULF(quadrant_value, -1.589251e-08f);
-  const float part4 = KSL_MULF(quadrant_value, -7.44349e-13f);
-  const float part5 = KSL_MULF(quadrant_value, -5.7208605e-18f);
-  const float part6 = KSL_MULF(quadrant_value, -3.2820037e-22f);
-  const float r_a3 = part5 + part6;
-  const float r_a3_error_1 = r_a3 - part5, r_a3_error_2 = r_a3 - r_a3_error_1,
-      r_a3_error_3 = part5 - r_a3_error_2, r_a3_error_4 = part6 - r_a3_error_1,
-      r_a3_error = r_a3_error_3 + r_a3_error_4;
-  const float r_a2 = part4 + r_a3;
-  const float r_a2_error_1 = r_a2 - part4, r_a2_error_2 = r_a2 - r_a2_error_1,
-      r_a2_error_3 = part4 - r_a2_error_2, r_a2_error_4 = r_a3 - r_a2_error_1,
-      r_a2_error = r_a2_error_3 + r_a2_error_4;
-  const float r_a1 = part3 + r_a2;
-  const float r_a1_error_1 = r_a1 - part3, r_a1_error_2 = r_a1 - r_a1_error_1,
-      r_a1_error_3 = part3 - r_a1_error_2, r_a1_error_4 = r_a2 - r_a1_error_1,
-      r_a1_error = r_a1_error_3 + r_a1_error_4;
-  const float r_a0 = high + r_a1;
-  const float r_a0_error_1 = r_a0 - high, r_a0_error_2 = r_a0 - r_a0_error_1,
-      r_a0_error_3 = high - r_a0_error_2, r_a0_error_4 = r_a1 - r_a0_error_1,
-      r_a0_error = r_a0_error_3 + r_a0_error_4;
-  const float r_b3 = r_a2_error + r_a3_error;
-  const float r_b3_error_1 = r_b3 - r_a2_error, r_b3_error_2 = r_b3 - r_b3_error_1,
-      r_b3_error_3 = r_a2_error - r_b3_error_2, r_b3_error_4 = r_a3_error - r_b3_error_1,
-      r_b3_error = r_b3_error_3 + r_b3_error_4;
-  const float r_b2 = r_a1_error + r_b3;
-  const float r_b2_error_1 = r_b2 - r_a1_error, r_b2_error_2 = r_b2 - r_b2_error_1,
-      r_b2_error_3 = r_a1_error - r_b2_error_2, r_b2_error_4 = r_b3 - r_b2_error_1,
-      r_b2_error = r_b2_error_3 + r_b2_error_4;
-  const float r_b1 = r_a0_error + r_b2;
-  const float r_b1_error_1 = r_b1 - r_a0_error, r_b1_error_2 = r_b1 - r_b1_error_1,
-      r_b1_error_3 = r_a0_error - r_b1_error_2, r_b1_error_4 = r_b2 - r_b1_error_1,
-      r_b1_error = r_b1_error_3 + r_b1_error_4;
-  const float r_b0 = r_a0 + r_b1;
-  const float r_b0_error_1 = r_b0 - r_a0, r_b0_error_2 = r_b0 - r_b0_error_1,
-      r_b0_error_3 = r_a0 - r_b0_error_2, r_b0_error_4 = r_b1 - r_b0_error_1,
-      r_b0_error = r_b0_error_3 + r_b0_error_4;
-  const float r_low_1 = r_b2_error + r_b3_error, r_low_2 = r_b1_error + r_low_1,
-      r_low_value = r_b0_error + r_low_2;
-  *r = r_b0;
+  const float a_1 = KSL_MULF(quadrant_value, -1.589251e-08f), a = high + a_1;
+  const float a_error_1 = a - high, a_error_2 = a - a_error_1, a_error_3 = high - a_error_2,
+      a_error_4 = a_1 - a_error_1, a_error = a_error_3 + a_error_4;
+  const float fourth_1 = KSL_MULF(quadrant_value, 7.442935e-13f), fourth = a_error - fourth_1;
+  const float b = a + fourth;
+  const float b_error_1 = b - a, b_error = fourth - b_error_1;
+  const float fifth_1 = KSL_MULF(quadrant_value, 6.123032e-17f), fifth = b_error - fifth_1;
+  const float r_value = b + fifth;
+  const float r_error_1 = r_value - b, r_error = fifth - r_error_1;
+  const float r_low_1 = KSL_MULF(quadrant_value, 2.0222662e-21f), r_low_value = r_error - r_low_1;
+  *r = r_value;
   *r_low = r_low_value;
   return quadrant_value;
 }
@@ -2728,10 +2489,10 @@ static KSL_COLD float ksl_sincos_error_farf(const float x, float *r, float *r_lo
 }
 
 /* (s_error, c_error) = (sin x - s, cos x - c), (s, c) as sincos has them.
-   x = k pi/2 + r, r as a pair; Taylor polynomials of degrees 17 and 16 in pairs; s + s_error and
-     c + c_error are within 2^-42.9 of sin x and cos x, relative to these (proved), for every
-     finite x.
-   53 mul, 101 add, 14 product error, 2 abs, 1 less, 1 select. */
+   x = k pi/2 + r, r as a pair; Taylor's polynomial of degree 17 in pairs for sin r, whose error
+     gives that of cos r, as their squares are 1 together; s + s_error and c + c_error are within
+     2^-42.6 of sin x and cos x, relative to these (proved), for every finite x.
+   33 mul, 52 add, 8 product error, 1 div, 2 abs, 1 less, 1 select. */
 static KSL_INLINE float ksl_sincos_errorf(const float x, const float s, const float c, float *c_error) {
   float r, r_low,
       quadrant = ksl_sincos_error_nearf(x, &r, &r_low);
@@ -2741,130 +2502,84 @@ static KSL_INLINE float ksl_sincos_errorf(const float x, const float s, const fl
     r = far_r;
     r_low = far_r_low;
   }
-  const float argument_1 = fabsf(r), argument = argument_1 < 2.9802322e-08f ? 0.0f : r;
-  const float z = KSL_MULF(argument, argument);
-  const float z_error = ksl_product_errorf(argument, argument, z);
-  const float z_low_1 = KSL_MULF(argument, r_low), z_low_2 = KSL_MULF(r_low, argument),
-      z_low_3 = z_low_1 + z_low_2, z_low = z_error + z_low_3;
-  const float sin7_1 = KSL_MULF(z, 2.8114574e-15f), sin7 = -7.6471636e-13f + sin7_1;
-  const float sin6_1 = KSL_MULF(z, sin7), sin6 = 1.6059044e-10f + sin6_1;
-  const float sin5_z = KSL_MULF(z, sin6);
-  const float sin5_z_error = ksl_product_errorf(z, sin6, sin5_z);
-  const float sin5_z_low_1 = KSL_MULF(z_low, sin6), sin5_z_low = sin5_z_error + sin5_z_low_1;
-  const float sin5 = -2.5052108e-08f + sin5_z;
-  const float sin5_error_1 = sin5 - -2.5052108e-08f, sin5_error = sin5_z - sin5_error_1;
-  const float sin5_low_1 = sin5_z_low + -4.417623e-16f, sin5_low = sin5_error + sin5_low_1;
-  const float sin4_z = KSL_MULF(z, sin5);
-  const float sin4_z_error = ksl_product_errorf(z, sin5, sin4_z);
-  const float sin4_z_low_1 = KSL_MULF(z, sin5_low), sin4_z_low_2 = KSL_MULF(z_low, sin5),
-      sin4_z_low_3 = sin4_z_low_1 + sin4_z_low_2, sin4_z_low = sin4_z_error + sin4_z_low_3;
-  const float sin4 = 2.7557319e-06f + sin4_z;
-  const float sin4_error_1 = sin4 - 2.7557319e-06f, sin4_error = sin4_z - sin4_error_1;
-  const float sin4_low_1 = sin4_z_low + 3.7935712e-14f, sin4_low = sin4_error + sin4_low_1;
-  const float sin3_z = KSL_MULF(z, sin4);
-  const float sin3_z_error = ksl_product_errorf(z, sin4, sin3_z);
-  const float sin3_z_low_1 = KSL_MULF(z, sin4_low), sin3_z_low_2 = KSL_MULF(z_low, sin4),
-      sin3_z_low_3 = sin3_z_low_1 + sin3_z_low_2, sin3_z_low = sin3_z_error + sin3_z_low_3;
-  const float sin3 = -0.0001984127f + sin3_z;
-  const float sin3_error_1 = sin3 - -0.0001984127f, sin3_error = sin3_z - sin3_error_1;
-  const float sin3_low_1 = sin3_z_low + 2.7255969e-12f, sin3_low = sin3_error + sin3_low_1;
-  const float sin2_z = KSL_MULF(z, sin3);
-  const float sin2_z_error = ksl_product_errorf(z, sin3, sin2_z);
-  const float sin2_z_low_1 = KSL_MULF(z, sin3_low), sin2_z_low_2 = KSL_MULF(z_low, sin3),
-      sin2_z_low_3 = sin2_z_low_1 + sin2_z_low_2, sin2_z_low = sin2_z_error + sin2_z_low_3;
-  const float sin2 = 0.008333334f + sin2_z;
-  const float sin2_error_1 = sin2 - 0.008333334f, sin2_error = sin2_z - sin2_error_1;
-  const float sin2_low_1 = sin2_z_low + -4.346172e-10f, sin2_low = sin2_error + sin2_low_1;
-  const float sin1_z = KSL_MULF(z, sin2);
-  const float sin1_z_error = ksl_product_errorf(z, sin2, sin1_z);
-  const float sin1_z_low_1 = KSL_MULF(z, sin2_low), sin1_z_low_2 = KSL_MULF(z_low, sin2),
-      sin1_z_low_3 = sin1_z_low_1 + sin1_z_low_2, sin1_z_low = sin1_z_error + sin1_z_low_3;
-  const float sin1 = -0.16666667f + sin1_z;
-  const float sin1_error_1 = sin1 - -0.16666667f, sin1_error = sin1_z - sin1_error_1;
-  const float sin1_low_1 = sin1_z_low + 4.967054e-09f, sin1_low = sin1_error + sin1_low_1;
-  const float sin_sum = KSL_MULF(z, sin1);
-  const float sin_sum_error = ksl_product_errorf(z, sin1, sin_sum);
-  const float sin_sum_low_1 = KSL_MULF(z, sin1_low), sin_sum_low_2 = KSL_MULF(z_low, sin1),
-      sin_sum_low_3 = sin_sum_low_1 + sin_sum_low_2, sin_sum_low = sin_sum_error + sin_sum_low_3;
-  const float sin_r_more = KSL_MULF(r, sin_sum);
-  const float sin_r_more_error = ksl_product_errorf(r, sin_sum, sin_r_more);
-  const float sin_r_more_low_1 = KSL_MULF(r, sin_sum_low),
-      sin_r_more_low_2 = KSL_MULF(r_low, sin_sum),
-      sin_r_more_low_3 = sin_r_more_low_1 + sin_r_more_low_2,
-      sin_r_more_low = sin_r_more_error + sin_r_more_low_3;
-  const float sin_r = r + sin_r_more;
-  const float sin_r_error_1 = sin_r - r, sin_r_error = sin_r_more - sin_r_error_1;
-  const float sin_r_low_1 = sin_r_more_low + r_low, sin_r_low = sin_r_error + sin_r_low_1;
-  const float cos7_1 = KSL_MULF(z, 4.7794773e-14f), cos7 = -1.1470745e-11f + cos7_1;
-  const float cos6_1 = KSL_MULF(z, cos7), cos6 = 2.0876756e-09f + cos6_1;
-  const float cos5_z = KSL_MULF(z, cos6);
-  const float cos5_z_error = ksl_product_errorf(z, cos6, cos5_z);
-  const float cos5_z_low_1 = KSL_MULF(z_low, cos6), cos5_z_low = cos5_z_error + cos5_z_low_1;
-  const float cos5 = -2.755732e-07f + cos5_z;
-  const float cos5_error_1 = cos5 - -2.755732e-07f, cos5_error = cos5_z - cos5_error_1;
-  const float cos5_low_1 = cos5_z_low + 7.575112e-15f, cos5_low = cos5_error + cos5_low_1;
-  const float cos4_z = KSL_MULF(z, cos5);
-  const float cos4_z_error = ksl_product_errorf(z, cos5, cos4_z);
-  const float cos4_z_low_1 = KSL_MULF(z, cos5_low), cos4_z_low_2 = KSL_MULF(z_low, cos5),
-      cos4_z_low_3 = cos4_z_low_1 + cos4_z_low_2, cos4_z_low = cos4_z_error + cos4_z_low_3;
-  const float cos4 = 2.4801588e-05f + cos4_z;
-  const float cos4_error_1 = cos4 - 2.4801588e-05f, cos4_error = cos4_z - cos4_error_1;
-  const float cos4_low_1 = cos4_z_low + -3.406996e-13f, cos4_low = cos4_error + cos4_low_1;
-  const float cos3_z = KSL_MULF(z, cos4);
-  const float cos3_z_error = ksl_product_errorf(z, cos4, cos3_z);
-  const float cos3_z_low_1 = KSL_MULF(z, cos4_low), cos3_z_low_2 = KSL_MULF(z_low, cos4),
-      cos3_z_low_3 = cos3_z_low_1 + cos3_z_low_2, cos3_z_low = cos3_z_error + cos3_z_low_3;
-  const float cos3 = -0.0013888889f + cos3_z;
-  const float cos3_error_1 = cos3 - -0.0013888889f, cos3_error = cos3_z - cos3_error_1;
-  const float cos3_low_1 = cos3_z_low + 3.3631094e-11f, cos3_low = cos3_error + cos3_low_1;
-  const float cos2_z = KSL_MULF(z, cos3);
-  const float cos2_z_error = ksl_product_errorf(z, cos3, cos2_z);
-  const float cos2_z_low_1 = KSL_MULF(z, cos3_low), cos2_z_low_2 = KSL_MULF(z_low, cos3),
-      cos2_z_low_3 = cos2_z_low_1 + cos2_z_low_2, cos2_z_low = cos2_z_error + cos2_z_low_3;
-  const float cos2 = 0.041666668f + cos2_z;
-  const float cos2_error_1 = cos2 - 0.041666668f, cos2_error = cos2_z - cos2_error_1;
-  const float cos2_low_1 = cos2_z_low + -1.2417635e-09f, cos2_low = cos2_error + cos2_low_1;
-  const float cos1_z = KSL_MULF(z, cos2);
-  const float cos1_z_error = ksl_product_errorf(z, cos2, cos1_z);
-  const float cos1_z_low_1 = KSL_MULF(z, cos2_low), cos1_z_low_2 = KSL_MULF(z_low, cos2),
-      cos1_z_low_3 = cos1_z_low_1 + cos1_z_low_2, cos1_z_low = cos1_z_error + cos1_z_low_3;
-  const float cos1 = -0.5f + cos1_z;
-  const float cos1_error_1 = cos1 - -0.5f, cos1_error = cos1_z - cos1_error_1;
-  const float cos1_low = cos1_error + cos1_z_low;
-  const float cos_sum = KSL_MULF(z, cos1);
-  const float cos_sum_error = ksl_product_errorf(z, cos1, cos_sum);
-  const float cos_sum_low_1 = KSL_MULF(z, cos1_low), cos_sum_low_2 = KSL_MULF(z_low, cos1),
-      cos_sum_low_3 = cos_sum_low_1 + cos_sum_low_2, cos_sum_low = cos_sum_error + cos_sum_low_3;
-  const float cos_r = 1.0f + cos_sum;
-  const float cos_r_error_1 = cos_r - 1.0f, cos_r_error = cos_sum - cos_r_error_1;
-  const float cos_r_low = cos_r_error + cos_sum_low;
   const float q_1 = quadrant + 5.033165e+07f, q_2 = q_1 - 5.033165e+07f, q = q_2 - quadrant;
   const float cos_k_1 = fabsf(q), cos_k = 1.0f - cos_k_1;
   const float minus_sin_k_1 = 1.0f + cos_k, minus_sin_k = KSL_MULF(q, minus_sin_k_1);
-  const float sin_x_1 = KSL_MULF(sin_r, cos_k), sin_x_2 = KSL_MULF(cos_r, minus_sin_k),
-      sin_x = sin_x_1 - sin_x_2;
-  const float sin_x_low_1 = KSL_MULF(sin_r_low, cos_k),
-      sin_x_low_2 = KSL_MULF(cos_r_low, minus_sin_k), sin_x_low = sin_x_low_1 - sin_x_low_2;
-  const float cos_x_1 = KSL_MULF(cos_r, cos_k), cos_x_2 = KSL_MULF(sin_r, minus_sin_k),
-      cos_x = cos_x_1 + cos_x_2;
-  const float cos_x_low_1 = KSL_MULF(cos_r_low, cos_k),
-      cos_x_low_2 = KSL_MULF(sin_r_low, minus_sin_k), cos_x_low = cos_x_low_1 + cos_x_low_2;
-  const float s_error_1 = sin_x - s, s_error_value = s_error_1 + sin_x_low;
-  const float c_error_1 = cos_x - c, c_error_value = c_error_1 + cos_x_low;
+  const float sin_r_1 = KSL_MULF(s, cos_k), sin_r_2 = KSL_MULF(c, minus_sin_k),
+      sin_r = sin_r_1 + sin_r_2;
+  const float cos_r_1 = KSL_MULF(c, cos_k), cos_r_2 = KSL_MULF(s, minus_sin_k),
+      cos_r = cos_r_1 - cos_r_2;
+  const float argument_1 = fabsf(r), argument = argument_1 < 2.9802322e-08f ? 0.0f : r;
+  const float z = KSL_MULF(argument, argument);
+  const float z_error = ksl_product_errorf(argument, argument, z);
+  const float cube = KSL_MULF(argument, z);
+  const float cube_error = ksl_product_errorf(argument, z, cube);
+  const float cube_low_1 = KSL_MULF(argument, z_error), cube_low = cube_error + cube_low_1;
+  const float sin7_1 = KSL_MULF(z, 2.8114574e-15f), sin7 = -7.6471636e-13f + sin7_1;
+  const float sin6_1 = KSL_MULF(z, sin7), sin6 = 1.6059044e-10f + sin6_1;
+  const float sin5_1 = KSL_MULF(z, sin6), sin5 = -2.5052108e-08f + sin5_1;
+  const float sin4_z = KSL_MULF(z, sin5);
+  const float sin4 = 2.7557319e-06f + sin4_z;
+  const float sin4_error_1 = sin4 - 2.7557319e-06f, sin4_error = sin4_z - sin4_error_1;
+  const float sin4_low = 3.7935712e-14f + sin4_error;
+  const float sin3_z = KSL_MULF(z, sin4);
+  const float sin3 = -0.0001984127f + sin3_z;
+  const float sin3_error_1 = sin3 - -0.0001984127f, sin3_error = sin3_z - sin3_error_1;
+  const float sin3_low_1 = ksl_product_errorf(z, sin4, sin3_z),
+      sin3_low_2 = KSL_MULF(sin4, z_error), sin3_low_3 = KSL_MULF(z, sin4_low),
+      sin3_low_4 = sin3_low_2 + sin3_low_1, sin3_low_5 = sin3_low_4 + 2.7255969e-12f,
+      sin3_low_6 = sin3_low_5 + sin3_error, sin3_low = sin3_low_6 + sin3_low_3;
+  const float sin2_z = KSL_MULF(z, sin3);
+  const float sin2 = 0.008333334f + sin2_z;
+  const float sin2_error_1 = sin2 - 0.008333334f, sin2_error = sin2_z - sin2_error_1;
+  const float sin2_low_1 = ksl_product_errorf(z, sin3, sin2_z),
+      sin2_low_2 = KSL_MULF(sin3, z_error), sin2_low_3 = KSL_MULF(z, sin3_low),
+      sin2_low_4 = sin2_low_2 + sin2_low_1, sin2_low_5 = sin2_low_4 + -4.346172e-10f,
+      sin2_low_6 = sin2_low_5 + sin2_error, sin2_low = sin2_low_6 + sin2_low_3;
+  const float sin1_z = KSL_MULF(z, sin2);
+  const float sin1 = -0.16666667f + sin1_z;
+  const float sin1_error_1 = sin1 - -0.16666667f, sin1_error = sin1_z - sin1_error_1;
+  const float sin1_low_1 = ksl_product_errorf(z, sin2, sin1_z),
+      sin1_low_2 = KSL_MULF(sin2, z_error), sin1_low_3 = KSL_MULF(z, sin2_low),
+      sin1_low_4 = sin1_low_2 + sin1_low_1, sin1_low_5 = sin1_low_4 + 4.967054e-09f,
+      sin1_low_6 = sin1_low_5 + sin1_error, sin1_low = sin1_low_6 + sin1_low_3;
+  const float more = KSL_MULF(cube, sin1);
+  const float more_error = ksl_product_errorf(cube, sin1, more);
+  const float more_low_1 = KSL_MULF(cube, sin1_low), more_low_2 = KSL_MULF(cube_low, sin1),
+      more_low_3 = more_low_1 + more_low_2, more_low = more_error + more_low_3;
+  const float difference = r - sin_r;
+  const float sin_r_error_1 = difference + more, sin_r_error_2 = KSL_MULF(r_low, cos_r),
+      sin_r_error_3 = more_low + sin_r_error_2, sin_r_error = sin_r_error_1 + sin_r_error_3;
+  const float known_sin_r = argument - difference;
+  const float h = 1.0f - cos_r;
+  const float square = KSL_MULF(known_sin_r, known_sin_r);
+  const float square_error = ksl_product_errorf(known_sin_r, known_sin_r, square);
+  const float h_square = KSL_MULF(h, h);
+  const float h_square_error = ksl_product_errorf(h, h, h_square);
+  const float excess_1 = h + h, excess_2 = excess_1 - square, excess_3 = excess_2 - h_square,
+      excess_4 = square_error + h_square_error, excess = excess_3 - excess_4;
+  const float cos_r_error_1 = KSL_MULF(excess, 0.5f),
+      cos_r_error_2 = KSL_MULF(known_sin_r, sin_r_error),
+      cos_r_error_3 = cos_r_error_1 - cos_r_error_2, cos_r_error = cos_r_error_3 / cos_r;
+  const float s_error_1 = KSL_MULF(sin_r_error, cos_k),
+      s_error_2 = KSL_MULF(cos_r_error, minus_sin_k), s_error_value = s_error_1 - s_error_2;
+  const float c_error_1 = KSL_MULF(cos_r_error, cos_k),
+      c_error_2 = KSL_MULF(sin_r_error, minus_sin_k), c_error_value = c_error_1 + c_error_2;
   *c_error = c_error_value;
   return s_error_value;
 }
 
 /* sin x - s, as ksl_sincos_errorf. */
 static KSL_INLINE float ksl_sin_errorf(const float x, const float s) {
-  float c_error;
-  return ksl_sincos_errorf(x, s, s, &c_error);
+  float c, c_error;
+  (void)ksl_sincosf(x, &c);
+  return ksl_sincos_errorf(x, s, c, &c_error);
 }
 
 /* cos x - c, as ksl_sincos_errorf. */
 static KSL_INLINE float ksl_cos_errorf(const float x, const float c) {
-  float c_error;
-  (void)ksl_sincos_errorf(x, c, c, &c_error);
+  float unused, c_error;
+  (void)ksl_sincos_errorf(x, ksl_sincosf(x, &unused), c, &c_error);
   return c_error;
 }
 
@@ -2874,7 +2589,7 @@ static KSL_INLINE float ksl_cos_errorf(const float x, const float c) {
 /* y_error = tanh x - y, y as tanh has it.
    m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-42 of tanh x,
      relative to it (proved); 0 for |x| below 2^-25 and above 20.
-   39 mul, 99 add, 10 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
+   38 mul, 97 add, 9 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
 static KSL_INLINE float ksl_tanh_errorf(const float x, const float y) {
   const float size = fabsf(x);
   const float within_1 = size < 2.9802322e-08f ? 1.0f : size,
@@ -2899,53 +2614,51 @@ static KSL_INLINE float ksl_tanh_errorf(const float x, const float y) {
   const float term9_1 = KSL_MULF(argument, term10), term9 = 2.755732e-07f + term9_1;
   const float term8_1 = KSL_MULF(argument, term9), term8 = 2.7557319e-06f + term8_1;
   const float term7_z = KSL_MULF(argument, term8);
-  const float term7_z_error = ksl_product_errorf(argument, term8, term7_z);
-  const float term7_z_low_1 = KSL_MULF(r_low, term8), term7_z_low = term7_z_error + term7_z_low_1;
   const float term7 = 2.4801588e-05f + term7_z;
   const float term7_error_1 = term7 - 2.4801588e-05f, term7_error = term7_z - term7_error_1;
-  const float term7_low_1 = term7_z_low + -3.406996e-13f, term7_low = term7_error + term7_low_1;
+  const float term7_low = -3.406996e-13f + term7_error;
   const float term6_z = KSL_MULF(argument, term7);
-  const float term6_z_error = ksl_product_errorf(argument, term7, term6_z);
-  const float term6_z_low_1 = KSL_MULF(argument, term7_low), term6_z_low_2 = KSL_MULF(r_low, term7),
-      term6_z_low_3 = term6_z_low_1 + term6_z_low_2, term6_z_low = term6_z_error + term6_z_low_3;
   const float term6 = 0.0001984127f + term6_z;
   const float term6_error_1 = term6 - 0.0001984127f, term6_error = term6_z - term6_error_1;
-  const float term6_low_1 = term6_z_low + -2.7255969e-12f, term6_low = term6_error + term6_low_1;
+  const float term6_low_1 = ksl_product_errorf(argument, term7, term6_z),
+      term6_low_2 = KSL_MULF(term7, r_low), term6_low_3 = KSL_MULF(argument, term7_low),
+      term6_low_4 = term6_low_2 + term6_low_1, term6_low_5 = term6_low_4 + -2.7255969e-12f,
+      term6_low_6 = term6_low_5 + term6_error, term6_low = term6_low_6 + term6_low_3;
   const float term5_z = KSL_MULF(argument, term6);
-  const float term5_z_error = ksl_product_errorf(argument, term6, term5_z);
-  const float term5_z_low_1 = KSL_MULF(argument, term6_low), term5_z_low_2 = KSL_MULF(r_low, term6),
-      term5_z_low_3 = term5_z_low_1 + term5_z_low_2, term5_z_low = term5_z_error + term5_z_low_3;
   const float term5 = 0.0013888889f + term5_z;
   const float term5_error_1 = term5 - 0.0013888889f, term5_error = term5_z - term5_error_1;
-  const float term5_low_1 = term5_z_low + -3.3631094e-11f, term5_low = term5_error + term5_low_1;
+  const float term5_low_1 = ksl_product_errorf(argument, term6, term5_z),
+      term5_low_2 = KSL_MULF(term6, r_low), term5_low_3 = KSL_MULF(argument, term6_low),
+      term5_low_4 = term5_low_2 + term5_low_1, term5_low_5 = term5_low_4 + -3.3631094e-11f,
+      term5_low_6 = term5_low_5 + term5_error, term5_low = term5_low_6 + term5_low_3;
   const float term4_z = KSL_MULF(argument, term5);
-  const float term4_z_error = ksl_product_errorf(argument, term5, term4_z);
-  const float term4_z_low_1 = KSL_MULF(argument, term5_low), term4_z_low_2 = KSL_MULF(r_low, term5),
-      term4_z_low_3 = term4_z_low_1 + term4_z_low_2, term4_z_low = term4_z_error + term4_z_low_3;
   const float term4 = 0.008333334f + term4_z;
   const float term4_error_1 = term4 - 0.008333334f, term4_error = term4_z - term4_error_1;
-  const float term4_low_1 = term4_z_low + -4.346172e-10f, term4_low = term4_error + term4_low_1;
+  const float term4_low_1 = ksl_product_errorf(argument, term5, term4_z),
+      term4_low_2 = KSL_MULF(term5, r_low), term4_low_3 = KSL_MULF(argument, term5_low),
+      term4_low_4 = term4_low_2 + term4_low_1, term4_low_5 = term4_low_4 + -4.346172e-10f,
+      term4_low_6 = term4_low_5 + term4_error, term4_low = term4_low_6 + term4_low_3;
   const float term3_z = KSL_MULF(argument, term4);
-  const float term3_z_error = ksl_product_errorf(argument, term4, term3_z);
-  const float term3_z_low_1 = KSL_MULF(argument, term4_low), term3_z_low_2 = KSL_MULF(r_low, term4),
-      term3_z_low_3 = term3_z_low_1 + term3_z_low_2, term3_z_low = term3_z_error + term3_z_low_3;
   const float term3 = 0.041666668f + term3_z;
   const float term3_error_1 = term3 - 0.041666668f, term3_error = term3_z - term3_error_1;
-  const float term3_low_1 = term3_z_low + -1.2417635e-09f, term3_low = term3_error + term3_low_1;
+  const float term3_low_1 = ksl_product_errorf(argument, term4, term3_z),
+      term3_low_2 = KSL_MULF(term4, r_low), term3_low_3 = KSL_MULF(argument, term4_low),
+      term3_low_4 = term3_low_2 + term3_low_1, term3_low_5 = term3_low_4 + -1.2417635e-09f,
+      term3_low_6 = term3_low_5 + term3_error, term3_low = term3_low_6 + term3_low_3;
   const float term2_z = KSL_MULF(argument, term3);
-  const float term2_z_error = ksl_product_errorf(argument, term3, term2_z);
-  const float term2_z_low_1 = KSL_MULF(argument, term3_low), term2_z_low_2 = KSL_MULF(r_low, term3),
-      term2_z_low_3 = term2_z_low_1 + term2_z_low_2, term2_z_low = term2_z_error + term2_z_low_3;
   const float term2 = 0.16666667f + term2_z;
   const float term2_error_1 = term2 - 0.16666667f, term2_error = term2_z - term2_error_1;
-  const float term2_low_1 = term2_z_low + -4.967054e-09f, term2_low = term2_error + term2_low_1;
+  const float term2_low_1 = ksl_product_errorf(argument, term3, term2_z),
+      term2_low_2 = KSL_MULF(term3, r_low), term2_low_3 = KSL_MULF(argument, term3_low),
+      term2_low_4 = term2_low_2 + term2_low_1, term2_low_5 = term2_low_4 + -4.967054e-09f,
+      term2_low_6 = term2_low_5 + term2_error, term2_low = term2_low_6 + term2_low_3;
   const float term1_z = KSL_MULF(argument, term2);
-  const float term1_z_error = ksl_product_errorf(argument, term2, term1_z);
-  const float term1_z_low_1 = KSL_MULF(argument, term2_low), term1_z_low_2 = KSL_MULF(r_low, term2),
-      term1_z_low_3 = term1_z_low_1 + term1_z_low_2, term1_z_low = term1_z_error + term1_z_low_3;
   const float term1 = 0.5f + term1_z;
   const float term1_error_1 = term1 - 0.5f, term1_error = term1_z - term1_error_1;
-  const float term1_low = term1_error + term1_z_low;
+  const float term1_low_1 = ksl_product_errorf(argument, term2, term1_z),
+      term1_low_2 = KSL_MULF(term2, r_low), term1_low_3 = KSL_MULF(argument, term2_low),
+      term1_low_4 = term1_low_2 + term1_low_1, term1_low_5 = term1_low_4 + term1_error,
+      term1_low = term1_low_5 + term1_low_3;
   const float term_sum = KSL_MULF(argument, term1);
   const float term_sum_error = ksl_product_errorf(argument, term1, term_sum);
   const float term_sum_low_1 = KSL_MULF(argument, term1_low),
@@ -2999,7 +2712,7 @@ static KSL_INLINE float ksl_tanh_errorf(const float x, const float y) {
 
 /* s = sin x, c = cos x, x in rad.
    x, c: number.
-   113 mul, 244 add, 21 product error, 3 abs, 1 less, 2 equal, 3 select.
+   79 mul, 129 add, 11 product error, 1 div, 3 abs, 1 less, 2 equal, 3 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_sincos_accurate(const double x, double *c) {
   double c_; const double s = ksl_sincos(x, &c_);
@@ -3012,7 +2725,7 @@ static inline double ksl_sincos_accurate(const double x, double *c) {
 
 /* s = sin x, x in rad.
    x: number.
-   113 mul, 243 add, 21 product error, 3 abs, 1 less, 1 equal, 2 select.
+   79 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_sin_accurate(const double x) {
   const double s = ksl_sin(x), s_own_error = ksl_sin_error(x, s);
@@ -3022,7 +2735,7 @@ static inline double ksl_sin_accurate(const double x) {
 
 /* c = cos x, x in rad.
    x: number.
-   113 mul, 243 add, 21 product error, 3 abs, 1 less, 1 equal, 2 select.
+   79 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_cos_accurate(const double x) {
   const double c = ksl_cos(x), c_own_error = ksl_cos_error(x, c);
@@ -3032,7 +2745,7 @@ static inline double ksl_cos_accurate(const double x) {
 
 /* y = e^x.
    x: number.
-   80 mul, 150 add, 15 product error, 5 power of two, 1 abs, 7 less, 2 equal, 10 select.
+   79 mul, 148 add, 14 product error, 5 power of two, 1 abs, 7 less, 2 equal, 10 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_exp_accurate(const double x) {
   const double y = ksl_exp(x), y_own_error = ksl_exp_error(x, y);
@@ -3042,7 +2755,7 @@ static inline double ksl_exp_accurate(const double x) {
 
 /* y = tanh x.
    x: number.
-   90 mul, 176 add, 16 product error, 2 div, 2 power of two, 4 abs, 2 copysign, 5 less, 1 equal,
+   89 mul, 174 add, 15 product error, 2 div, 2 power of two, 4 abs, 2 copysign, 5 less, 1 equal,
      12 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_tanh_accurate(const double x) {
@@ -3053,7 +2766,7 @@ static inline double ksl_tanh_accurate(const double x) {
 
 /* angle of the vector (x, y) to the x axis, in rad, from -π to π.
    y, x: number.
-   122 mul, 253 add, 23 product error, 2 div, 1 neg, 8 abs, 4 copysign, 13 less, 4 equal, 24
+   120 mul, 213 add, 21 product error, 2 div, 1 neg, 8 abs, 4 copysign, 13 less, 4 equal, 24
      select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_atan2_accurate(const double y, const double x) {
@@ -3586,7 +3299,7 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
 
 /* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
    v1, v2: vector.
-   164 mul, 373 add, 24 product error, 12 product rest, 8 div, 1 sqrt, 4 neg, 19 abs, 4 copysign,
+   162 mul, 333 add, 22 product error, 12 product rest, 8 div, 1 sqrt, 4 neg, 19 abs, 4 copysign,
      35 less, 6 equal, 51 select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
@@ -6857,7 +6570,8 @@ static inline void ksl_mat3x3_setFromAxisDC_accurate(ksl_mat3x3_t *R, const ksl_
 
 /* R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
    angles: vector; R: rotation or other 3×3 matrix.
-   381 mul, 779 add, 69 product error, 8 product rest, 9 neg, 9 abs, 3 less, 9 equal, 12 select.
+   279 mul, 434 add, 39 product error, 8 product rest, 3 div, 9 neg, 9 abs, 3 less, 9 equal, 12
+     select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_mat3x3_from_euler_xyz_accurate(const ksl_vec3_t *angles, ksl_mat3x3_t *R) {
@@ -6965,7 +6679,7 @@ static inline void ksl_mat3x3_from_euler_xyz_accurate(const ksl_vec3_t *angles, 
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   391 mul, 821 add, 72 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
+   385 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
      copysign, 41 less, 16 equal, 85 select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
@@ -7090,7 +6804,8 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
 
 /* R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
    angles: vector; R: rotation or other 3×3 matrix.
-   381 mul, 779 add, 69 product error, 8 product rest, 5 neg, 9 abs, 3 less, 9 equal, 12 select.
+   279 mul, 434 add, 39 product error, 8 product rest, 3 div, 5 neg, 9 abs, 3 less, 9 equal, 12
+     select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
 static inline void ksl_mat3x3_from_euler_xyx_accurate(const ksl_vec3_t *angles, ksl_mat3x3_t *R) {
@@ -7195,7 +6910,7 @@ static inline void ksl_mat3x3_from_euler_xyx_accurate(const ksl_vec3_t *angles, 
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   391 mul, 821 add, 72 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
+   385 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
      copysign, 41 less, 16 equal, 85 select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
@@ -7529,7 +7244,7 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
      not a rotation.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
-   256 mul, 581 add, 46 product error, 18 product rest, 6 abs, 3 less, 9 equal, 13 select.
+   188 mul, 351 add, 26 product error, 18 product rest, 2 div, 6 abs, 3 less, 9 equal, 13 select.
    Error <= R: 1 u of its largest component for |axis| = 1; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
      nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
@@ -7665,7 +7380,7 @@ static inline void ksl_mat3x3_from_axis_angle_accurate(const ksl_vec3_t *axis, c
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   157 mul, 488 add, 27 product error, 3 product rest, 14 div, 1 sqrt, 13 neg, 13 abs, 4
+   155 mul, 448 add, 25 product error, 3 product rest, 14 div, 1 sqrt, 13 neg, 13 abs, 4
      copysign, 29 less, 10 equal, 80 select.
    Error <= angle: 1 u, axis: 1 u of its largest component for R a rotation; searched, not
      proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
@@ -14200,7 +13915,7 @@ static inline void ksl_product_ddtzinvf_accurate(const ksl_SE3f_t *D, const floa
 
 /* dc = (sin θ, cos θ), θ in rad.
    theta: number; dc: (sin θ, cos θ).
-   113 mul, 244 add, 21 product error, 3 abs, 1 less, 2 equal, 3 select.
+   79 mul, 129 add, 11 product error, 1 div, 3 abs, 1 less, 2 equal, 3 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline void ksl_dc_accurate(const double theta, double dc[2]) {
   double dc_1; const double dc_0 = ksl_sincos(theta, &dc_1);
@@ -23908,7 +23623,7 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
 /* qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
      rotation is by another angle.
    axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
-   120 mul, 249 add, 24 product error, 3 abs, 1 less, 4 equal, 5 select.
+   86 mul, 134 add, 14 product error, 1 div, 3 abs, 1 less, 4 equal, 5 select.
    Error <= qo: 1 u of its largest component for |axis| = 1; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
@@ -23941,7 +23656,7 @@ static inline void ksl_quaternion_from_axis_angle_accurate(const ksl_vec3_t *axi
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
      angle is 0; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
-   149 mul, 308 add, 27 product error, 3 product rest, 13 div, 1 sqrt, 5 neg, 17 abs, 4 copysign,
+   147 mul, 268 add, 25 product error, 3 product rest, 13 div, 1 sqrt, 5 neg, 17 abs, 4 copysign,
      27 less, 10 equal, 51 select.
    Error <= angle: 1 u, axis: 1 u of its largest component; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
@@ -24063,7 +23778,7 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
 
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (x, y, z, w), the scalar last.
-   169 mul, 338 add, 26 product error, 3 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 6 equal, 14
+   135 mul, 222 add, 16 product error, 3 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 6 equal, 14
      select.
    Error <= qo: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -24148,12 +23863,12 @@ static inline void ksl_quaternion_exp_accurate(const ksl_vec3_t *v, ksl_quaterni
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -24204,7 +23919,7 @@ static inline void ksl_quaternion_exp_accurate(const ksl_vec3_t *v, ksl_quaterni
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
-   151 mul, 311 add, 28 product error, 3 product rest, 9 div, 1 sqrt, 5 neg, 17 abs, 4 copysign,
+   149 mul, 271 add, 26 product error, 3 product rest, 9 div, 1 sqrt, 5 neg, 17 abs, 4 copysign,
      27 less, 9 equal, 48 select.
    Error <= vo: 1 u of its largest component; searched, not proved.  Each component is within 1
      ulp as long as its condition is below 1e13; in single precision it is the nearest number,
@@ -24315,7 +24030,7 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-   395 mul, 921 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 14 neg, 21 abs, 4
+   359 mul, 765 add, 45 product error, 38 product rest, 16 div, 2 sqrt, 14 neg, 21 abs, 4
      copysign, 35 less, 12 equal, 68 select.
    Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -24768,16 +24483,15 @@ static inline void ksl_quaternion_interpolated_accurate(const ksl_quaternion_t *
   const double exp_sine_half = KSL_MUL(exp_sine_of_exp_half_angle_lo, 0.5);
   double exp_sine_half_cos; const double exp_sine_half_sin = ksl_sincos(exp_sine_half,
       &exp_sine_half_cos);
-  const double exp_sine_slope1 = KSL_MUL(exp_sine_half_cos, exp_c),
+  const double exp_sine_twice = exp_sine_half_sin + exp_sine_half_sin,
+      exp_sine_slope1 = KSL_MUL(exp_sine_half_cos, exp_c),
       exp_sine_slope2 = KSL_MUL(exp_sine_half_sin, exp_sine),
       exp_sine_slope = exp_sine_slope1 - exp_sine_slope2,
-      exp_sine_twice = exp_sine_half_sin + exp_sine_half_sin,
       exp_sine_more = KSL_MUL(exp_sine_slope, exp_sine_twice),
       exp_sine_lo = exp_sine_own_error + exp_sine_more;
   const double exp_c_slope1 = KSL_MUL(exp_sine_half_cos, exp_sine),
       exp_c_slope2 = KSL_MUL(exp_sine_half_sin, exp_c), exp_c_slope = exp_c_slope1 + exp_c_slope2,
-      exp_c_twice = exp_sine_half_sin + exp_sine_half_sin,
-      exp_c_more = KSL_MUL(exp_c_slope, exp_c_twice), exp_c_lo = exp_c_own_error - exp_c_more;
+      exp_c_more = KSL_MUL(exp_c_slope, exp_sine_twice), exp_c_lo = exp_c_own_error - exp_c_more;
   const double exp_sinc_divisor = exp_sine_of_exp_half_angle == 0.0 ? 1.0 :
       exp_sine_of_exp_half_angle,
       exp_sinc_divisor_lo = exp_sine_of_exp_half_angle == 0.0 ? 0.0 : exp_sine_of_exp_half_angle_lo;
@@ -26334,7 +26048,7 @@ static inline void ksl_quaternionf_interpolated_accurate(const ksl_quaternionf_t
 
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   202 mul, 427 add, 26 product error, 21 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 11 equal,
+   168 mul, 311 add, 16 product error, 21 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 11 equal,
      19 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -26419,12 +26133,12 @@ static inline void ksl_SO3_exp_accurate(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -26578,7 +26292,7 @@ static inline void ksl_SO3_exp_accurate(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 
 /* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
    R: rotation or other 3×3 matrix; vo: vector.
-   162 mul, 473 add, 28 product error, 3 product rest, 10 div, 1 sqrt, 13 neg, 13 abs, 4
+   160 mul, 433 add, 26 product error, 3 product rest, 10 div, 1 sqrt, 13 neg, 13 abs, 4
      copysign, 29 less, 9 equal, 77 select.
    Error <= vo: 1 u of its largest component for R a rotation; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -26849,7 +26563,7 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   235 mul, 580 add, 31 product error, 42 product rest, 5 div, 1 sqrt, 4 abs, 5 less, 11 equal,
+   201 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 11 equal,
      25 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -26891,12 +26605,12 @@ static inline void ksl_SO3_leftJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x3
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -27248,7 +26962,7 @@ static inline void ksl_SO3_leftJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x3
 
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   235 mul, 580 add, 31 product error, 42 product rest, 5 div, 1 sqrt, 9 neg, 4 abs, 5 less, 11
+   201 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 9 neg, 4 abs, 5 less, 11
      equal, 25 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -27290,12 +27004,12 @@ static inline void ksl_SO3_rightJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -27651,7 +27365,7 @@ static inline void ksl_SO3_rightJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0.
    v: vector; R: rotation or other 3×3 matrix.
-   235 mul, 611 add, 33 product error, 33 product rest, 9 div, 1 sqrt, 3 neg, 4 abs, 5 less, 11
+   201 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less, 11
      equal, 25 select.
    Error <= R: 1 u of its largest component for |v| <= π; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
@@ -27692,12 +27406,12 @@ static inline void ksl_SO3_leftJacobianInverse_accurate(const ksl_vec3_t *v, ksl
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -28112,7 +27826,7 @@ static inline void ksl_SO3_leftJacobianInverse_accurate(const ksl_vec3_t *v, ksl
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0.
    v: vector; R: rotation or other 3×3 matrix.
-   235 mul, 611 add, 33 product error, 33 product rest, 9 div, 1 sqrt, 4 abs, 5 less, 11 equal,
+   201 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 4 abs, 5 less, 11 equal,
      25 select.
    Error <= R: 1 u of its largest component for |v| <= π; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
@@ -28153,12 +27867,12 @@ static inline void ksl_SO3_rightJacobianInverse_accurate(const ksl_vec3_t *v, ks
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -29293,7 +29007,7 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
 
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-   273 mul, 662 add, 34 product error, 57 product rest, 5 div, 1 sqrt, 4 abs, 5 less, 14 equal,
+   239 mul, 546 add, 24 product error, 57 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 14 equal,
      28 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of s.lin if that is larger, for |ω of s|
      <= 1e13, in single precision 1e5; searched, not proved.  Each component is within 1 ulp as
@@ -29336,12 +29050,12 @@ static inline void ksl_SE3_exp_accurate(const ksl_screw_t *s, ksl_SE3_t *D) {
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -29781,7 +29495,7 @@ static inline void ksl_SE3_exp_accurate(const ksl_screw_t *s, ksl_SE3_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   282 mul, 788 add, 38 product error, 35 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
+   280 mul, 748 add, 36 product error, 35 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
      copysign, 31 less, 14 equal, 88 select.
    Error <= lin: 1 u, ang: 1 u of its largest component for R of D a rotation; searched, not
      proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
@@ -30460,7 +30174,7 @@ static inline void ksl_SE3_log_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   348 mul, 928 add, 41 product error, 86 product rest, 9 div, 1 sqrt, 3 neg, 4 abs, 5 less, 20
+   314 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less, 20
      equal, 38 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -30502,12 +30216,12 @@ static inline void ksl_SE3_leftJacobian_accurate(const ksl_screw_t *s, ksl_mat6x
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -31355,7 +31069,7 @@ static inline void ksl_SE3_leftJacobian_accurate(const ksl_screw_t *s, ksl_mat6x
 
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   348 mul, 928 add, 41 product error, 86 product rest, 9 div, 1 sqrt, 36 neg, 4 abs, 5 less, 20
+   314 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 36 neg, 4 abs, 5 less, 20
      equal, 38 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -31397,12 +31111,12 @@ static inline void ksl_SE3_rightJacobian_accurate(const ksl_screw_t *s, ksl_mat6
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -32267,7 +31981,7 @@ static inline void ksl_SE3_rightJacobian_accurate(const ksl_screw_t *s, ksl_mat6
 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   310 mul, 830 add, 44 product error, 59 product rest, 13 div, 1 sqrt, 9 neg, 4 abs, 5 less, 20
+   276 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 9 neg, 4 abs, 5 less, 20
      equal, 36 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -32309,12 +32023,12 @@ static inline void ksl_SE3_leftJacobianInverse_accurate(const ksl_screw_t *s, ks
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -33101,7 +32815,7 @@ static inline void ksl_SE3_leftJacobianInverse_accurate(const ksl_screw_t *s, ks
 
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   310 mul, 830 add, 44 product error, 59 product rest, 13 div, 1 sqrt, 21 neg, 4 abs, 5 less, 20
+   276 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 21 neg, 4 abs, 5 less, 20
      equal, 36 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -33143,12 +32857,12 @@ static inline void ksl_SE3_rightJacobianInverse_accurate(const ksl_screw_t *s, k
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -33943,7 +33657,7 @@ static inline void ksl_SE3_rightJacobianInverse_accurate(const ksl_screw_t *s, k
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   741 mul, 1861 add, 78 product error, 164 product rest, 28 div, 3 sqrt, 11 neg, 18 abs, 4
+   705 mul, 1705 add, 66 product error, 164 product rest, 29 div, 3 sqrt, 11 neg, 18 abs, 4
      copysign, 36 less, 22 equal, 110 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of D1.t or D2.t if that is larger, for R
      of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Each
@@ -35097,16 +34811,15 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
   const double exp_sine_half = KSL_MUL(exp_sine_of_exp_half_angle_lo, 0.5);
   double exp_sine_half_cos; const double exp_sine_half_sin = ksl_sincos(exp_sine_half,
       &exp_sine_half_cos);
-  const double exp_sine_slope1 = KSL_MUL(exp_sine_half_cos, exp_c),
+  const double exp_sine_twice = exp_sine_half_sin + exp_sine_half_sin,
+      exp_sine_slope1 = KSL_MUL(exp_sine_half_cos, exp_c),
       exp_sine_slope2 = KSL_MUL(exp_sine_half_sin, exp_sine),
       exp_sine_slope = exp_sine_slope1 - exp_sine_slope2,
-      exp_sine_twice = exp_sine_half_sin + exp_sine_half_sin,
       exp_sine_more = KSL_MUL(exp_sine_slope, exp_sine_twice),
       exp_sine_lo = exp_sine_own_error + exp_sine_more;
   const double exp_c_slope1 = KSL_MUL(exp_sine_half_cos, exp_sine),
       exp_c_slope2 = KSL_MUL(exp_sine_half_sin, exp_c), exp_c_slope = exp_c_slope1 + exp_c_slope2,
-      exp_c_twice = exp_sine_half_sin + exp_sine_half_sin,
-      exp_c_more = KSL_MUL(exp_c_slope, exp_c_twice), exp_c_lo = exp_c_own_error - exp_c_more;
+      exp_c_more = KSL_MUL(exp_c_slope, exp_sine_twice), exp_c_lo = exp_c_own_error - exp_c_more;
   const double exp_sinc_divisor = exp_sine_of_exp_half_angle == 0.0 ? 1.0 :
       exp_sine_of_exp_half_angle,
       exp_sinc_divisor_lo = exp_sine_of_exp_half_angle == 0.0 ? 0.0 : exp_sine_of_exp_half_angle_lo;

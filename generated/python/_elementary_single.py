@@ -256,116 +256,85 @@ def atan2_error(y, x, angle):
     """angle_error = atan2(y, x) - angle, angle as atan2 has it.  (y c - x s) / (x c + y s), s and
     c the angle's sine and cosine as pairs; angle + angle_error is within 2^-42.1 of atan2(y,
     x), relative to it (proved), and 0.51 of the least subnormal number; 0 where the angle is 0.
-    68 mul, 164 add, 16 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select.
+    66 mul, 124 add, 14 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select.
     """
     quadrant = angle * 0.63661975 + 1.2582912e+07 - 1.2582912e+07
     high = angle - quadrant * 1.5706787 - quadrant * 0.000117599964
-    part3 = quadrant * -1.589251e-08
-    part4 = quadrant * -7.44349e-13
-    part5 = quadrant * -5.7208605e-18
-    part6 = quadrant * -3.2820037e-22
-    r_a3 = part5 + part6
-    r_a3_error_1 = r_a3 - part5
-    r_a3_error = part5 - (r_a3 - r_a3_error_1) + (part6 - r_a3_error_1)
-    r_a2 = part4 + r_a3
-    r_a2_error_1 = r_a2 - part4
-    r_a2_error = part4 - (r_a2 - r_a2_error_1) + (r_a3 - r_a2_error_1)
-    r_a1 = part3 + r_a2
-    r_a1_error_1 = r_a1 - part3
-    r_a1_error = part3 - (r_a1 - r_a1_error_1) + (r_a2 - r_a1_error_1)
-    r_a0 = high + r_a1
-    r_a0_error_1 = r_a0 - high
-    r_a0_error = high - (r_a0 - r_a0_error_1) + (r_a1 - r_a0_error_1)
-    r_b3 = r_a2_error + r_a3_error
-    r_b3_error_1 = r_b3 - r_a2_error
-    r_b3_error = r_a2_error - (r_b3 - r_b3_error_1) + (r_a3_error - r_b3_error_1)
-    r_b2 = r_a1_error + r_b3
-    r_b2_error_1 = r_b2 - r_a1_error
-    r_b2_error = r_a1_error - (r_b2 - r_b2_error_1) + (r_b3 - r_b2_error_1)
-    r_b1 = r_a0_error + r_b2
-    r_b1_error_1 = r_b1 - r_a0_error
-    r_b1_error = r_a0_error - (r_b1 - r_b1_error_1) + (r_b2 - r_b1_error_1)
-    r_b0 = r_a0 + r_b1
-    r_b0_error_1 = r_b0 - r_a0
-    r_b0_error = r_a0 - (r_b0 - r_b0_error_1) + (r_b1 - r_b0_error_1)
-    r_low = r_b0_error + (r_b1_error + (r_b2_error + r_b3_error))
-    argument = where(absolute(r_b0) < 2.9802322e-08, 0.0, r_b0)
+    a_1 = quadrant * -1.589251e-08
+    a = high + a_1
+    a_error_1 = a - high
+    a_error = high - (a - a_error_1) + (a_1 - a_error_1)
+    fourth = a_error - quadrant * 7.442935e-13
+    b = a + fourth
+    b_error = fourth - (b - a)
+    fifth = b_error - quadrant * 6.123032e-17
+    r = b + fifth
+    r_error = fifth - (r - b)
+    r_low = r_error - quadrant * 2.0222662e-21
+    argument = where(absolute(r) < 2.9802322e-08, 0.0, r)
     z = argument * argument
     z_error = product_error(argument, argument, z)
     z_low = z_error + (argument * r_low + r_low * argument)
     sin7 = -7.6471636e-13 + z * 2.8114574e-15
     sin6 = 1.6059044e-10 + z * sin7
     sin5_z = z * sin6
-    sin5_z_error = product_error(z, sin6, sin5_z)
-    sin5_z_low = sin5_z_error + z_low * sin6
     sin5 = -2.5052108e-08 + sin5_z
     sin5_error = sin5_z - (sin5 - -2.5052108e-08)
-    sin5_low = sin5_error + (sin5_z_low + -4.417623e-16)
+    sin5_low = -4.417623e-16 + sin5_error
     sin4_z = z * sin5
-    sin4_z_error = product_error(z, sin5, sin4_z)
-    sin4_z_low = sin4_z_error + (z * sin5_low + z_low * sin5)
     sin4 = 2.7557319e-06 + sin4_z
     sin4_error = sin4_z - (sin4 - 2.7557319e-06)
-    sin4_low = sin4_error + (sin4_z_low + 3.7935712e-14)
+    sin4_low_6 = sin5 * z_low + product_error(z, sin5, sin4_z) + 3.7935712e-14 + sin4_error
+    sin4_low = sin4_low_6 + z * sin5_low
     sin3_z = z * sin4
-    sin3_z_error = product_error(z, sin4, sin3_z)
-    sin3_z_low = sin3_z_error + (z * sin4_low + z_low * sin4)
     sin3 = -0.0001984127 + sin3_z
     sin3_error = sin3_z - (sin3 - -0.0001984127)
-    sin3_low = sin3_error + (sin3_z_low + 2.7255969e-12)
+    sin3_low_6 = sin4 * z_low + product_error(z, sin4, sin3_z) + 2.7255969e-12 + sin3_error
+    sin3_low = sin3_low_6 + z * sin4_low
     sin2_z = z * sin3
-    sin2_z_error = product_error(z, sin3, sin2_z)
-    sin2_z_low = sin2_z_error + (z * sin3_low + z_low * sin3)
     sin2 = 0.008333334 + sin2_z
     sin2_error = sin2_z - (sin2 - 0.008333334)
-    sin2_low = sin2_error + (sin2_z_low + -4.346172e-10)
+    sin2_low_6 = sin3 * z_low + product_error(z, sin3, sin2_z) + -4.346172e-10 + sin2_error
+    sin2_low = sin2_low_6 + z * sin3_low
     sin1_z = z * sin2
-    sin1_z_error = product_error(z, sin2, sin1_z)
-    sin1_z_low = sin1_z_error + (z * sin2_low + z_low * sin2)
     sin1 = -0.16666667 + sin1_z
     sin1_error = sin1_z - (sin1 - -0.16666667)
-    sin1_low = sin1_error + (sin1_z_low + 4.967054e-09)
+    sin1_low_6 = sin2 * z_low + product_error(z, sin2, sin1_z) + 4.967054e-09 + sin1_error
+    sin1_low = sin1_low_6 + z * sin2_low
     sin_sum = z * sin1
     sin_sum_error = product_error(z, sin1, sin_sum)
     sin_sum_low = sin_sum_error + (z * sin1_low + z_low * sin1)
-    sin_r_more = r_b0 * sin_sum
-    sin_r_more_error = product_error(r_b0, sin_sum, sin_r_more)
-    sin_r_more_low = sin_r_more_error + (r_b0 * sin_sum_low + r_low * sin_sum)
-    sin_r = r_b0 + sin_r_more
-    sin_r_error = sin_r_more - (sin_r - r_b0)
+    sin_r_more = r * sin_sum
+    sin_r_more_error = product_error(r, sin_sum, sin_r_more)
+    sin_r_more_low = sin_r_more_error + (r * sin_sum_low + r_low * sin_sum)
+    sin_r = r + sin_r_more
+    sin_r_error = sin_r_more - (sin_r - r)
     sin_r_low = sin_r_error + (sin_r_more_low + r_low)
     cos7 = -1.1470745e-11 + z * 4.7794773e-14
     cos6 = 2.0876756e-09 + z * cos7
     cos5_z = z * cos6
-    cos5_z_error = product_error(z, cos6, cos5_z)
-    cos5_z_low = cos5_z_error + z_low * cos6
     cos5 = -2.755732e-07 + cos5_z
     cos5_error = cos5_z - (cos5 - -2.755732e-07)
-    cos5_low = cos5_error + (cos5_z_low + 7.575112e-15)
+    cos5_low = 7.575112e-15 + cos5_error
     cos4_z = z * cos5
-    cos4_z_error = product_error(z, cos5, cos4_z)
-    cos4_z_low = cos4_z_error + (z * cos5_low + z_low * cos5)
     cos4 = 2.4801588e-05 + cos4_z
     cos4_error = cos4_z - (cos4 - 2.4801588e-05)
-    cos4_low = cos4_error + (cos4_z_low + -3.406996e-13)
+    cos4_low_6 = cos5 * z_low + product_error(z, cos5, cos4_z) + -3.406996e-13 + cos4_error
+    cos4_low = cos4_low_6 + z * cos5_low
     cos3_z = z * cos4
-    cos3_z_error = product_error(z, cos4, cos3_z)
-    cos3_z_low = cos3_z_error + (z * cos4_low + z_low * cos4)
     cos3 = -0.0013888889 + cos3_z
     cos3_error = cos3_z - (cos3 - -0.0013888889)
-    cos3_low = cos3_error + (cos3_z_low + 3.3631094e-11)
+    cos3_low_6 = cos4 * z_low + product_error(z, cos4, cos3_z) + 3.3631094e-11 + cos3_error
+    cos3_low = cos3_low_6 + z * cos4_low
     cos2_z = z * cos3
-    cos2_z_error = product_error(z, cos3, cos2_z)
-    cos2_z_low = cos2_z_error + (z * cos3_low + z_low * cos3)
     cos2 = 0.041666668 + cos2_z
     cos2_error = cos2_z - (cos2 - 0.041666668)
-    cos2_low = cos2_error + (cos2_z_low + -1.2417635e-09)
+    cos2_low_6 = cos3 * z_low + product_error(z, cos3, cos2_z) + -1.2417635e-09 + cos2_error
+    cos2_low = cos2_low_6 + z * cos3_low
     cos1_z = z * cos2
-    cos1_z_error = product_error(z, cos2, cos1_z)
-    cos1_z_low = cos1_z_error + (z * cos2_low + z_low * cos2)
     cos1 = -0.5 + cos1_z
     cos1_error = cos1_z - (cos1 - -0.5)
-    cos1_low = cos1_error + cos1_z_low
+    cos1_low = cos2 * z_low + product_error(z, cos2, cos1_z) + cos1_error + z * cos2_low
     cos_sum = z * cos1
     cos_sum_error = product_error(z, cos1, cos_sum)
     cos_sum_low = cos_sum_error + (z * cos1_low + z_low * cos1)
@@ -406,7 +375,7 @@ def atan2_error(y, x, angle):
 def exp_error(x, y):
     """y_error = exp x - y, y as exp has it.  x = k ln 2 + r, r as a pair; a Taylor polynomial of
     degree 13 in pairs; y + y_error is within 2^-43.7 of exp x, relative to it (proved), and
-    0.51 of the least subnormal number; 0 where y is 0 or infinite.  39 mul, 83 add, 9 product
+    0.51 of the least subnormal number; 0 where y is 0 or infinite.  38 mul, 81 add, 8 product
     error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select.
     """
     within_2 = where(89.0 < x, 89.0, x)
@@ -426,47 +395,39 @@ def exp_error(x, y):
     term9 = 2.755732e-07 + argument * term10
     term8 = 2.7557319e-06 + argument * term9
     term7_z = argument * term8
-    term7_z_error = product_error(argument, term8, term7_z)
-    term7_z_low = term7_z_error + r_low * term8
     term7 = 2.4801588e-05 + term7_z
     term7_error = term7_z - (term7 - 2.4801588e-05)
-    term7_low = term7_error + (term7_z_low + -3.406996e-13)
+    term7_low = -3.406996e-13 + term7_error
     term6_z = argument * term7
-    term6_z_error = product_error(argument, term7, term6_z)
-    term6_z_low = term6_z_error + (argument * term7_low + r_low * term7)
     term6 = 0.0001984127 + term6_z
     term6_error = term6_z - (term6 - 0.0001984127)
-    term6_low = term6_error + (term6_z_low + -2.7255969e-12)
+    term6_low_5 = term7 * r_low + product_error(argument, term7, term6_z) + -2.7255969e-12
+    term6_low = term6_low_5 + term6_error + argument * term7_low
     term5_z = argument * term6
-    term5_z_error = product_error(argument, term6, term5_z)
-    term5_z_low = term5_z_error + (argument * term6_low + r_low * term6)
     term5 = 0.0013888889 + term5_z
     term5_error = term5_z - (term5 - 0.0013888889)
-    term5_low = term5_error + (term5_z_low + -3.3631094e-11)
+    term5_low_5 = term6 * r_low + product_error(argument, term6, term5_z) + -3.3631094e-11
+    term5_low = term5_low_5 + term5_error + argument * term6_low
     term4_z = argument * term5
-    term4_z_error = product_error(argument, term5, term4_z)
-    term4_z_low = term4_z_error + (argument * term5_low + r_low * term5)
     term4 = 0.008333334 + term4_z
     term4_error = term4_z - (term4 - 0.008333334)
-    term4_low = term4_error + (term4_z_low + -4.346172e-10)
+    term4_low_5 = term5 * r_low + product_error(argument, term5, term4_z) + -4.346172e-10
+    term4_low = term4_low_5 + term4_error + argument * term5_low
     term3_z = argument * term4
-    term3_z_error = product_error(argument, term4, term3_z)
-    term3_z_low = term3_z_error + (argument * term4_low + r_low * term4)
     term3 = 0.041666668 + term3_z
     term3_error = term3_z - (term3 - 0.041666668)
-    term3_low = term3_error + (term3_z_low + -1.2417635e-09)
+    term3_low_5 = term4 * r_low + product_error(argument, term4, term3_z) + -1.2417635e-09
+    term3_low = term3_low_5 + term3_error + argument * term4_low
     term2_z = argument * term3
-    term2_z_error = product_error(argument, term3, term2_z)
-    term2_z_low = term2_z_error + (argument * term3_low + r_low * term3)
     term2 = 0.16666667 + term2_z
     term2_error = term2_z - (term2 - 0.16666667)
-    term2_low = term2_error + (term2_z_low + -4.967054e-09)
+    term2_low_5 = term3 * r_low + product_error(argument, term3, term2_z) + -4.967054e-09
+    term2_low = term2_low_5 + term2_error + argument * term3_low
     term1_z = argument * term2
-    term1_z_error = product_error(argument, term2, term1_z)
-    term1_z_low = term1_z_error + (argument * term2_low + r_low * term2)
     term1 = 0.5 + term1_z
     term1_error = term1_z - (term1 - 0.5)
-    term1_low = term1_error + term1_z_low
+    term1_low_5 = term2 * r_low + product_error(argument, term2, term1_z) + term1_error
+    term1_low = term1_low_5 + argument * term2_low
     term_sum = argument * term1
     term_sum_error = product_error(argument, term1, term_sum)
     term_sum_low = term_sum_error + (argument * term1_low + r_low * term1)
@@ -497,36 +458,18 @@ def _sincos_error_near(x):
     """Its reduction of angles up to 1607.0."""
     quadrant = x * 0.63661975 + 1.2582912e+07 - 1.2582912e+07
     high = x - quadrant * 1.5706787 - quadrant * 0.000117599964
-    part3 = quadrant * -1.589251e-08
-    part4 = quadrant * -7.44349e-13
-    part5 = quadrant * -5.7208605e-18
-    part6 = quadrant * -3.2820037e-22
-    r_a3 = part5 + part6
-    r_a3_error_1 = r_a3 - part5
-    r_a3_error = part5 - (r_a3 - r_a3_error_1) + (part6 - r_a3_error_1)
-    r_a2 = part4 + r_a3
-    r_a2_error_1 = r_a2 - part4
-    r_a2_error = part4 - (r_a2 - r_a2_error_1) + (r_a3 - r_a2_error_1)
-    r_a1 = part3 + r_a2
-    r_a1_error_1 = r_a1 - part3
-    r_a1_error = part3 - (r_a1 - r_a1_error_1) + (r_a2 - r_a1_error_1)
-    r_a0 = high + r_a1
-    r_a0_error_1 = r_a0 - high
-    r_a0_error = high - (r_a0 - r_a0_error_1) + (r_a1 - r_a0_error_1)
-    r_b3 = r_a2_error + r_a3_error
-    r_b3_error_1 = r_b3 - r_a2_error
-    r_b3_error = r_a2_error - (r_b3 - r_b3_error_1) + (r_a3_error - r_b3_error_1)
-    r_b2 = r_a1_error + r_b3
-    r_b2_error_1 = r_b2 - r_a1_error
-    r_b2_error = r_a1_error - (r_b2 - r_b2_error_1) + (r_b3 - r_b2_error_1)
-    r_b1 = r_a0_error + r_b2
-    r_b1_error_1 = r_b1 - r_a0_error
-    r_b1_error = r_a0_error - (r_b1 - r_b1_error_1) + (r_b2 - r_b1_error_1)
-    r_b0 = r_a0 + r_b1
-    r_b0_error_1 = r_b0 - r_a0
-    r_b0_error = r_a0 - (r_b0 - r_b0_error_1) + (r_b1 - r_b0_error_1)
-    r_low = r_b0_error + (r_b1_error + (r_b2_error + r_b3_error))
-    return quadrant, r_b0, r_low
+    a_1 = quadrant * -1.589251e-08
+    a = high + a_1
+    a_error_1 = a - high
+    a_error = high - (a - a_error_1) + (a_1 - a_error_1)
+    fourth = a_error - quadrant * 7.442935e-13
+    b = a + fourth
+    b_error = fourth - (b - a)
+    fifth = b_error - quadrant * 6.123032e-17
+    r = b + fifth
+    r_error = fifth - (r - b)
+    r_low = r_error - quadrant * 2.0222662e-21
+    return quadrant, r, r_low
 
 
 def _sincos_error_far(x):
@@ -617,107 +560,64 @@ def _sincos_error_far(x):
 
 
 def _sincos_error_of(quadrant, r, r_low, s, c):
-    argument = where(absolute(r) < 2.9802322e-08, 0.0, r)
-    z = argument * argument
-    z_error = product_error(argument, argument, z)
-    z_low = z_error + (argument * r_low + r_low * argument)
-    sin7 = -7.6471636e-13 + z * 2.8114574e-15
-    sin6 = 1.6059044e-10 + z * sin7
-    sin5_z = z * sin6
-    sin5_z_error = product_error(z, sin6, sin5_z)
-    sin5_z_low = sin5_z_error + z_low * sin6
-    sin5 = -2.5052108e-08 + sin5_z
-    sin5_error = sin5_z - (sin5 - -2.5052108e-08)
-    sin5_low = sin5_error + (sin5_z_low + -4.417623e-16)
-    sin4_z = z * sin5
-    sin4_z_error = product_error(z, sin5, sin4_z)
-    sin4_z_low = sin4_z_error + (z * sin5_low + z_low * sin5)
-    sin4 = 2.7557319e-06 + sin4_z
-    sin4_error = sin4_z - (sin4 - 2.7557319e-06)
-    sin4_low = sin4_error + (sin4_z_low + 3.7935712e-14)
-    sin3_z = z * sin4
-    sin3_z_error = product_error(z, sin4, sin3_z)
-    sin3_z_low = sin3_z_error + (z * sin4_low + z_low * sin4)
-    sin3 = -0.0001984127 + sin3_z
-    sin3_error = sin3_z - (sin3 - -0.0001984127)
-    sin3_low = sin3_error + (sin3_z_low + 2.7255969e-12)
-    sin2_z = z * sin3
-    sin2_z_error = product_error(z, sin3, sin2_z)
-    sin2_z_low = sin2_z_error + (z * sin3_low + z_low * sin3)
-    sin2 = 0.008333334 + sin2_z
-    sin2_error = sin2_z - (sin2 - 0.008333334)
-    sin2_low = sin2_error + (sin2_z_low + -4.346172e-10)
-    sin1_z = z * sin2
-    sin1_z_error = product_error(z, sin2, sin1_z)
-    sin1_z_low = sin1_z_error + (z * sin2_low + z_low * sin2)
-    sin1 = -0.16666667 + sin1_z
-    sin1_error = sin1_z - (sin1 - -0.16666667)
-    sin1_low = sin1_error + (sin1_z_low + 4.967054e-09)
-    sin_sum = z * sin1
-    sin_sum_error = product_error(z, sin1, sin_sum)
-    sin_sum_low = sin_sum_error + (z * sin1_low + z_low * sin1)
-    sin_r_more = r * sin_sum
-    sin_r_more_error = product_error(r, sin_sum, sin_r_more)
-    sin_r_more_low = sin_r_more_error + (r * sin_sum_low + r_low * sin_sum)
-    sin_r = r + sin_r_more
-    sin_r_error = sin_r_more - (sin_r - r)
-    sin_r_low = sin_r_error + (sin_r_more_low + r_low)
-    cos7 = -1.1470745e-11 + z * 4.7794773e-14
-    cos6 = 2.0876756e-09 + z * cos7
-    cos5_z = z * cos6
-    cos5_z_error = product_error(z, cos6, cos5_z)
-    cos5_z_low = cos5_z_error + z_low * cos6
-    cos5 = -2.755732e-07 + cos5_z
-    cos5_error = cos5_z - (cos5 - -2.755732e-07)
-    cos5_low = cos5_error + (cos5_z_low + 7.575112e-15)
-    cos4_z = z * cos5
-    cos4_z_error = product_error(z, cos5, cos4_z)
-    cos4_z_low = cos4_z_error + (z * cos5_low + z_low * cos5)
-    cos4 = 2.4801588e-05 + cos4_z
-    cos4_error = cos4_z - (cos4 - 2.4801588e-05)
-    cos4_low = cos4_error + (cos4_z_low + -3.406996e-13)
-    cos3_z = z * cos4
-    cos3_z_error = product_error(z, cos4, cos3_z)
-    cos3_z_low = cos3_z_error + (z * cos4_low + z_low * cos4)
-    cos3 = -0.0013888889 + cos3_z
-    cos3_error = cos3_z - (cos3 - -0.0013888889)
-    cos3_low = cos3_error + (cos3_z_low + 3.3631094e-11)
-    cos2_z = z * cos3
-    cos2_z_error = product_error(z, cos3, cos2_z)
-    cos2_z_low = cos2_z_error + (z * cos3_low + z_low * cos3)
-    cos2 = 0.041666668 + cos2_z
-    cos2_error = cos2_z - (cos2 - 0.041666668)
-    cos2_low = cos2_error + (cos2_z_low + -1.2417635e-09)
-    cos1_z = z * cos2
-    cos1_z_error = product_error(z, cos2, cos1_z)
-    cos1_z_low = cos1_z_error + (z * cos2_low + z_low * cos2)
-    cos1 = -0.5 + cos1_z
-    cos1_error = cos1_z - (cos1 - -0.5)
-    cos1_low = cos1_error + cos1_z_low
-    cos_sum = z * cos1
-    cos_sum_error = product_error(z, cos1, cos_sum)
-    cos_sum_low = cos_sum_error + (z * cos1_low + z_low * cos1)
-    cos_r = 1.0 + cos_sum
-    cos_r_error = cos_sum - (cos_r - 1.0)
-    cos_r_low = cos_r_error + cos_sum_low
     q = quadrant + 5.033165e+07 - 5.033165e+07 - quadrant
     cos_k = 1.0 - absolute(q)
     minus_sin_k = q * (1.0 + cos_k)
-    sin_x = sin_r * cos_k - cos_r * minus_sin_k
-    sin_x_low = sin_r_low * cos_k - cos_r_low * minus_sin_k
-    cos_x = cos_r * cos_k + sin_r * minus_sin_k
-    cos_x_low = cos_r_low * cos_k + sin_r_low * minus_sin_k
-    s_error = sin_x - s + sin_x_low
-    c_error = cos_x - c + cos_x_low
+    sin_r = s * cos_k + c * minus_sin_k
+    cos_r = c * cos_k - s * minus_sin_k
+    argument = where(absolute(r) < 2.9802322e-08, 0.0, r)
+    z = argument * argument
+    z_error = product_error(argument, argument, z)
+    cube = argument * z
+    cube_error = product_error(argument, z, cube)
+    cube_low = cube_error + argument * z_error
+    sin7 = -7.6471636e-13 + z * 2.8114574e-15
+    sin6 = 1.6059044e-10 + z * sin7
+    sin5 = -2.5052108e-08 + z * sin6
+    sin4_z = z * sin5
+    sin4 = 2.7557319e-06 + sin4_z
+    sin4_error = sin4_z - (sin4 - 2.7557319e-06)
+    sin4_low = 3.7935712e-14 + sin4_error
+    sin3_z = z * sin4
+    sin3 = -0.0001984127 + sin3_z
+    sin3_error = sin3_z - (sin3 - -0.0001984127)
+    sin3_low_6 = sin4 * z_error + product_error(z, sin4, sin3_z) + 2.7255969e-12 + sin3_error
+    sin3_low = sin3_low_6 + z * sin4_low
+    sin2_z = z * sin3
+    sin2 = 0.008333334 + sin2_z
+    sin2_error = sin2_z - (sin2 - 0.008333334)
+    sin2_low_6 = sin3 * z_error + product_error(z, sin3, sin2_z) + -4.346172e-10 + sin2_error
+    sin2_low = sin2_low_6 + z * sin3_low
+    sin1_z = z * sin2
+    sin1 = -0.16666667 + sin1_z
+    sin1_error = sin1_z - (sin1 - -0.16666667)
+    sin1_low_6 = sin2 * z_error + product_error(z, sin2, sin1_z) + 4.967054e-09 + sin1_error
+    sin1_low = sin1_low_6 + z * sin2_low
+    more = cube * sin1
+    more_error = product_error(cube, sin1, more)
+    more_low = more_error + (cube * sin1_low + cube_low * sin1)
+    difference = r - sin_r
+    sin_r_error = difference + more + (more_low + r_low * cos_r)
+    known_sin_r = argument - difference
+    h = 1.0 - cos_r
+    square = known_sin_r * known_sin_r
+    square_error = product_error(known_sin_r, known_sin_r, square)
+    h_square = h * h
+    h_square_error = product_error(h, h, h_square)
+    excess = h + h - square - h_square - (square_error + h_square_error)
+    cos_r_error = (excess * 0.5 - known_sin_r * sin_r_error) / cos_r
+    s_error = sin_r_error * cos_k - cos_r_error * minus_sin_k
+    c_error = cos_r_error * cos_k + sin_r_error * minus_sin_k
     return s_error, c_error
 
 
 @errstate(all="ignore")
 def sincos_error(x, s, c):
     """(s_error, c_error) = (sin x - s, cos x - c), (s, c) as sincos has them.  x = k pi/2 + r, r
-    as a pair; Taylor polynomials of degrees 17 and 16 in pairs; s + s_error and c + c_error are
-    within 2^-42.9 of sin x and cos x, relative to these (proved), for every finite x.  53 mul,
-    101 add, 14 product error, 2 abs, 1 less, 1 select.
+    as a pair; Taylor's polynomial of degree 17 in pairs for sin r, whose error gives that of
+    cos r, as their squares are 1 together; s + s_error and c + c_error are within 2^-42.6 of
+    sin x and cos x, relative to these (proved), for every finite x.  33 mul, 52 add, 8 product
+    error, 1 div, 2 abs, 1 less, 1 select.
     """
     quadrant, r, r_low = _sincos_error_near(x)
     beyond = absolute(x) > 1607.0
@@ -730,19 +630,19 @@ def sincos_error(x, s, c):
 
 def sin_error(x, s):
     """sin x - s, as sincos_error."""
-    return sincos_error(x, s, s)[0]
+    return sincos_error(x, s, cos(x))[0]
 
 
 def cos_error(x, c):
     """cos x - c, as sincos_error."""
-    return sincos_error(x, c, c)[1]
+    return sincos_error(x, sin(x), c)[1]
 
 
 @errstate(all="ignore")
 def tanh_error(x, y):
     """y_error = tanh x - y, y as tanh has it.  m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as
     pairs; y + y_error is within 2^-42 of tanh x, relative to it (proved); 0 for |x| below 2^-25
-    and above 20.  39 mul, 99 add, 10 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3
+    and above 20.  38 mul, 97 add, 9 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3
     less, 6 select.
     """
     size = absolute(x)
@@ -769,47 +669,39 @@ def tanh_error(x, y):
     term9 = 2.755732e-07 + argument * term10
     term8 = 2.7557319e-06 + argument * term9
     term7_z = argument * term8
-    term7_z_error = product_error(argument, term8, term7_z)
-    term7_z_low = term7_z_error + r_low * term8
     term7 = 2.4801588e-05 + term7_z
     term7_error = term7_z - (term7 - 2.4801588e-05)
-    term7_low = term7_error + (term7_z_low + -3.406996e-13)
+    term7_low = -3.406996e-13 + term7_error
     term6_z = argument * term7
-    term6_z_error = product_error(argument, term7, term6_z)
-    term6_z_low = term6_z_error + (argument * term7_low + r_low * term7)
     term6 = 0.0001984127 + term6_z
     term6_error = term6_z - (term6 - 0.0001984127)
-    term6_low = term6_error + (term6_z_low + -2.7255969e-12)
+    term6_low_5 = term7 * r_low + product_error(argument, term7, term6_z) + -2.7255969e-12
+    term6_low = term6_low_5 + term6_error + argument * term7_low
     term5_z = argument * term6
-    term5_z_error = product_error(argument, term6, term5_z)
-    term5_z_low = term5_z_error + (argument * term6_low + r_low * term6)
     term5 = 0.0013888889 + term5_z
     term5_error = term5_z - (term5 - 0.0013888889)
-    term5_low = term5_error + (term5_z_low + -3.3631094e-11)
+    term5_low_5 = term6 * r_low + product_error(argument, term6, term5_z) + -3.3631094e-11
+    term5_low = term5_low_5 + term5_error + argument * term6_low
     term4_z = argument * term5
-    term4_z_error = product_error(argument, term5, term4_z)
-    term4_z_low = term4_z_error + (argument * term5_low + r_low * term5)
     term4 = 0.008333334 + term4_z
     term4_error = term4_z - (term4 - 0.008333334)
-    term4_low = term4_error + (term4_z_low + -4.346172e-10)
+    term4_low_5 = term5 * r_low + product_error(argument, term5, term4_z) + -4.346172e-10
+    term4_low = term4_low_5 + term4_error + argument * term5_low
     term3_z = argument * term4
-    term3_z_error = product_error(argument, term4, term3_z)
-    term3_z_low = term3_z_error + (argument * term4_low + r_low * term4)
     term3 = 0.041666668 + term3_z
     term3_error = term3_z - (term3 - 0.041666668)
-    term3_low = term3_error + (term3_z_low + -1.2417635e-09)
+    term3_low_5 = term4 * r_low + product_error(argument, term4, term3_z) + -1.2417635e-09
+    term3_low = term3_low_5 + term3_error + argument * term4_low
     term2_z = argument * term3
-    term2_z_error = product_error(argument, term3, term2_z)
-    term2_z_low = term2_z_error + (argument * term3_low + r_low * term3)
     term2 = 0.16666667 + term2_z
     term2_error = term2_z - (term2 - 0.16666667)
-    term2_low = term2_error + (term2_z_low + -4.967054e-09)
+    term2_low_5 = term3 * r_low + product_error(argument, term3, term2_z) + -4.967054e-09
+    term2_low = term2_low_5 + term2_error + argument * term3_low
     term1_z = argument * term2
-    term1_z_error = product_error(argument, term2, term1_z)
-    term1_z_low = term1_z_error + (argument * term2_low + r_low * term2)
     term1 = 0.5 + term1_z
     term1_error = term1_z - (term1 - 0.5)
-    term1_low = term1_error + term1_z_low
+    term1_low_5 = term2 * r_low + product_error(argument, term2, term1_z) + term1_error
+    term1_low = term1_low_5 + argument * term2_low
     term_sum = argument * term1
     term_sum_error = product_error(argument, term1, term_sum)
     term_sum_low = term_sum_error + (argument * term1_low + r_low * term1)

@@ -9,6 +9,7 @@ from xml.etree import ElementTree
 import mpmath as mp
 import numpy as np
 import pytest
+from gmpy2 import mpfr
 from matplotlib.figure import Figure
 
 from coscrew_codegen import load_scene
@@ -28,7 +29,7 @@ from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.program.flops import flops
 from coscrew_codegen.program.interpreter import evaluate
-from coscrew_codegen.program.multiprecise import MULTIPRECISE
+from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.outcome import RunOverrides
@@ -174,11 +175,10 @@ def test_the_exact_run_of_a_free_body_is_dop853s(kernels):
 def test_programs_are_evaluated_with_all_digits(kernels):
     its = system(kernels["PENDULUM"], "double")
     forward = its.programs["forward_dynamics"]
-    with mp.workdps(60):
-        q = mp.mpf(1) / 3
-        (a,) = evaluate(forward, [{"q": [q], "v": [mp.mpf(2)], "tau": [mp.mpf(0)]}[x.name]
-                                  for x in forward.inputs], MULTIPRECISE)
-        assert abs(a + mp.mpf("9.81") * mp.sin(q)) < mp.mpf(10)**-58
+    with precise(60), mp.workdps(60):
+        given = {"q": [mpfr(1) / 3], "v": [mpfr(2)], "tau": [mpfr(0)]}
+        (a,) = evaluate(forward, [given[x.name] for x in forward.inputs], MULTIPRECISE)
+        assert abs(mp.mpf(str(a)) + mp.mpf("9.81") * mp.sin(mp.mpf(1) / 3)) < mp.mpf(10)**-58
 
 
 def test_scenes_that_are_not_smooth_have_no_exact_run(tmp_path):

@@ -13,14 +13,17 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.cost import measure
-from coscrew_codegen.cost.accuracy import CHOICES, Accuracy, Bounds, Counts, Errors, Measured
+from coscrew_codegen.cost.accuracy import Accuracy, Bounds, Errors
 from coscrew_codegen.cost.advice import recommended, sentences
 from coscrew_codegen.cost.asked import Asked
 from coscrew_codegen.cost.measure import Costs
-from coscrew_codegen.cost.plot import plot
+from coscrew_codegen.cost.measured import ACCURATE, CERTIFIED, Choice, Counts, Measured
+from coscrew_codegen.cost.measured import choices as choices_of
+from coscrew_codegen.cost.plot import figure, plot
 from coscrew_codegen.cost.states import Box, Values, box_of, searched
 from coscrew_codegen.cost.table import accuracies
 from coscrew_codegen.cost.units import in_unit, units
+from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.scene_files.toml_scene import read_scene
@@ -98,7 +101,7 @@ def test_errors_and_bounds_are_those_of_rational_arithmetic(costs, looked_at):
         function, states, places = looked_at[rows[0].function]
         assert {places.count(x) for x in ("run", "limits", "search")} == {16, 32}
         exact = [true(function.name, states, n) for n in range(64)]
-        for row, choice in zip(rows, CHOICES, strict=True):
+        for row, choice in zip(rows, choices_of(function.built), strict=True):
             found, *bounds = function.values(choice, states)
             errors = [abs(Fraction(float(x)) - y) for x, y in zip(found[:, 0], exact, strict=True)]
             (of,) = row.errors
@@ -167,6 +170,52 @@ def test_the_search_finds_a_peak_that_chance_misses(box):
     by_chance = score(box.drawn(np.random.default_rng(5), 40_000)).max()
     assert score(found).min() > by_chance
     assert len(found["q"]) == 4
+
+
+def test_the_search_climbs_the_errors_of_each_choice(costs, looked_at, box):
+    """Of all states, those that the search found have the worst error of a choice, of the certified
+    ones the worst bound; it knows the errors of accurate results in double exactly."""
+    function, states, places = looked_at["inverse_dynamics"]
+    chance = box.drawn(np.random.default_rng(7), 4000)
+    for choice in choices_of(function.built):
+        (unit,) = function.different_units
+        bad, others = (function.badness(choice, unit, x) for x in (states, chance))
+        searched_for = [n for n, place in enumerate(places) if place == "search"]
+        assert bad[searched_for].max() == bad.max() >= 0.99 * others.max(), choice.name
+        if choice.tier == CERTIFIED:
+            assert bad.max() == function.values(choice, states)[1].max()
+        if choice == Choice(ACCURATE, DOUBLE):  # half a unit of the last digit of the largest ones
+            found, = function.values(choice, states)
+            assert bad.tolist() == pytest.approx([
+                float(abs(Fraction(float(found[n, 0])) - true(function.name, states, n)))
+                for n in range(len(bad))], rel=1e-15, abs=1e-48)
+
+
+def test_every_choice_and_unit_has_its_search(costs, looked_at):
+    """At least one state; sixteen of six choices in one unit."""
+    for function, _, places in looked_at.values():
+        assert len(choices_of(function.built)) == 6 and places.count("search") == 16
+
+
+def test_tiers_that_the_scene_selects_are_measured_too(tmp_path):
+    """Pairs are of single precision alone, and as accurate there as the accurate tier."""
+    path = tmp_path / "spring.toml"
+    path.write_text('tiers = ["pairs"]\n' + TEXT)
+    found = measure.measure(load_scene(path, functions=["default"]), RunOverrides(until=0.1),
+                            Asked(("forward_dynamics",), Counts.of(16)))
+    (rows,) = found.accuracy
+    assert [x.name for x in rows] == [
+        "double plain", "single plain", "double accurate", "single accurate", "double certified",
+        "single certified", "single pairs"]
+    errors = {x.name: x.errors[0] for x in rows}
+    pairs, accurate = errors["single pairs"], errors["single accurate"]
+    assert pairs.worst_digits >= 23.99 * math.log10(2) and pairs.bounds is None
+    assert pairs.worst < 2 * accurate.worst
+    plot(found, tmp_path / "costs.svg")
+    drawn = (tmp_path / "costs.svg").read_text()
+    assert 'id="forward_dynamics single pairs"' in drawn
+    labels = [x.get_text() for x in figure(found).subfigs[0].legends[0].get_texts()]
+    assert labels == ["plain", "accurate", "certified", "pairs", "double", "single"]
 
 
 @pytest.mark.parametrize("total", (4, 7, 64))
@@ -241,13 +290,13 @@ def choices(single_accurate_ns: float = 110) -> Sequence[Accuracy]:
 def test_the_advice_follows_from_the_figures():
     assert recommended(choices()).name == "double plain"
     assert sentences(choices()) == (
-        "inverse_dynamics: double plain is within 1e-14 N m at all 64 states looked at, in 100 ns "
-        "(1.11 times single plain).",
-        "double accurate is within 1e-15 N m: 10 times less error than double plain in 5 times its "
-        "time.",
-        "In single precision single accurate is within 1 µN m, in 1.22 times single plain's time.",
+        "inverse_dynamics: double plain is within 1e-14 N m everywhere we looked (64 states), at "
+        "1.11× single plain (100 ns).",
+        "double accurate is within 1e-15 N m: 10 times less error than double plain, at 5× double "
+        "plain.",
+        "In single precision single accurate is within 1 µN m, at 1.22× single plain.",
         "double certified returns the plain results and bounds of their errors, here at most 2e-14 "
-        "N m, in 5.2 times the time of double plain.")
+        "N m, at 5.2× double plain.")
 
 
 def test_what_is_slow_is_not_recommended():
@@ -255,11 +304,15 @@ def test_what_is_slow_is_not_recommended():
     slow = [replace(x, time=Interval(9000, 8990, 9010)) if x.precision == "double" else x
             for x in choices()]
     assert recommended(slow).name == "single accurate"
-    assert sentences(slow)[0].endswith("in 110 ns (1.22 times single plain).")
+    assert sentences(slow)[0] == (
+        "inverse_dynamics: single accurate is within 1 µN m everywhere we looked (64 states), at "
+        "1.22× single plain (110 ns).")
     assert sentences(slow)[-1] == (
         "single certified returns the plain results, but no bounds of their errors at some of "
-        "these states, in 5.33 times the time of single plain.")
-    assert recommended([x for x in choices(400) if x.precision == "single"]).name == "single plain"
+        "these states, at 5.33× single plain.")
+    alone = [x for x in choices(400) if x.precision == "single"]
+    assert recommended(alone).name == "single plain"
+    assert sentences(alone)[0].endswith("(64 states), the fastest choice (90 ns).")
 
 
 def test_the_table_marks_what_nothing_beats():

@@ -13,13 +13,15 @@ import pytest
 from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.cost import CostError, measure, page, schema
-from coscrew_codegen.cost.accuracy import CHOICES, Bounds, Counts
+from coscrew_codegen.cost.accuracy import Bounds
 from coscrew_codegen.cost.asked import Asked
 from coscrew_codegen.cost.measure import Costs, Row
+from coscrew_codegen.cost.measured import Counts
 from coscrew_codegen.cost.panels import shown
 from coscrew_codegen.cost.run_errors import RunError, RunErrors
 from coscrew_codegen.cost.table import accuracies, others
 from coscrew_codegen.cost.work_precision import Point, Reference
+from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.native.intervals import Interval
 from coscrew_codegen.scene.selected import FunctionsError
 from coscrew_codegen.scene_files.toml_scene import read_scene
@@ -79,7 +81,8 @@ def whole(costs) -> Costs:
     return replace(
         costs, scene="</script><b>", accuracy=((*others, last), *costs.accuracy[1:]), runs=True,
         run_errors=RunErrors("rk4", 1e-3, 2.0, (0.5, 1.0), (
-            RunError("rounding", "single", (1e-7, math.inf)),)),
+            RunError("rounding", "single plain", (1e-7, math.inf), 1.0),
+            RunError("step", "0.001 s", (1e-9, 1e-8))), 5000),
         rows=(Row("all effects", "energy", "3 mul", 3, (time, time)),), points=points,
         reference=Reference("dop853, rtol 1e-13", 1.0, np.zeros(1), np.zeros(1), 1e-12))
 
@@ -119,8 +122,10 @@ def test_json_has_the_figures(whole, tmp_path):
         "worst": None, "least_ratio": 1.5, "typical_ratio": 2, "worst_ratio": None}
     assert [x["error"] for x in found["runs"]] == [1e-9, None]
     assert [x["best"] for x in found["runs"]] == [True, False]
+    assert found["run_errors"]["whole"] is False
     assert found["run_errors"]["rows"] == [
-        {"cause": "rounding", "of": "single", "errors": [1e-7, None]}]
+        {"cause": "rounding", "of": "single plain", "errors": [1e-7, None], "gone": 1.0},
+        {"cause": "step", "of": "0.001 s", "errors": [1e-9, 1e-8], "gone": None}]
 
 
 def test_every_field_is_documented(whole, tmp_path):
@@ -214,7 +219,8 @@ def test_the_readme_figure_is_made_by_its_command(tmp_path, capsys):
     assert sorted(tmp_path.iterdir()) == sorted(made.values())
     committed = Asked(tuple(re.findall(r"--function (\S+)", command[1]))).of(
         read_scene(ROOT / command[2]))
-    marks = {f'id="{name} {x.precision.name} {x.tier}"' for name in committed for x in CHOICES}
+    marks = {f'id="{name} {precision} {tier}"' for name in committed for precision in BY_NAME
+             for tier in ("plain", "accurate", "certified")}
     assert len(marks) == 18
     for path in (made["svg"], ROOT / command[3]):
         drawn = path.read_text("utf-8")

@@ -1,17 +1,36 @@
-"""Errors of runs: those of a linear oscillator are known: its steps are powers of a matrix."""
+"""Errors of runs: those of a linear oscillator are known, its steps being powers of a matrix; a run
+in the certified tier is the compiled one; numbers are MPFR's."""
 
+import math
 import re
+from dataclasses import replace
 
 import mpmath
+import numpy as np
 import pytest
+from gmpy2 import mpfr
 from mpmath import matrix, mpf
 
-from coscrew_codegen.cost.run_errors import DIGITS, RunErrors, run_errors
+from coscrew_codegen.cost.run_errors import (
+    DIGITS,
+    RunError,
+    RunErrors,
+    _Compared,
+    _Steps,
+    run_errors,
+)
 from coscrew_codegen.cost.table import of_run
-from coscrew_codegen.formats import BY_NAME
+from coscrew_codegen.formats import BY_NAME, DOUBLE, PRECISIONS, SINGLE
 from coscrew_codegen.integrators import named
+from coscrew_codegen.program import Op, Program
+from coscrew_codegen.program.in_python import FLOATS, in_python
+from coscrew_codegen.program.interpreter import interpreter
+from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
+from coscrew_codegen.program.program import Constant, Input, Instruction, NotANumber, Ref
+from coscrew_codegen.recording.recorder import array
 from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.outcome import RunOverrides
+from coscrew_codegen.simulate.plan import plan
 from coscrew_codegen.simulate.system import system
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.selecting import checked
@@ -32,6 +51,11 @@ slide = 0.01
 [effects.limit]
 joints = ["slide"]
 k = 2000
+[effects.actuator]
+kind = "pd"
+joints = ["slide"]
+kp = 10
+target = "0.1*sin(pi*t)"
 [run]
 duration = 0.25
 step = 0.0078125
@@ -51,8 +75,8 @@ def overrides(**other: str) -> RunOverrides:
 
 @pytest.fixture(scope="module")
 def found(spring: Kernels) -> RunErrors:
-    told = run_errors(spring, overrides())
-    assert told
+    told = run_errors(spring, overrides(), (("accurate", DOUBLE), ("pairs", SINGLE)))
+    assert told and told.whole
     return told
 
 
@@ -65,7 +89,7 @@ def linear(h: mpf, steps: int) -> tuple[mpf, mpf]:
 
 
 def test_rounding_and_step_of_a_linear_oscillator(spring: Kernels, found: RunErrors):
-    marks = [STEPS // 8, STEPS // 4, STEPS // 2, STEPS]
+    marks = range(1, STEPS + 1)
     assert found.times == tuple(n * H for n in marks) and found.integrator == "rk4"
     with mpmath.workdps(DIGITS):
         exact = [linear(mpf(H), n)[0] for n in marks]
@@ -76,7 +100,7 @@ def test_rounding_and_step_of_a_linear_oscillator(spring: Kernels, found: RunErr
         for name in BY_NAME:
             its = system(spring, name)
             ends = [its.stepper("step_rk4")(n, 0, H, *its.start())[0] for n in marks]
-            assert told["rounding", name] == pytest.approx(
+            assert told["rounding", f"{name} plain"] == pytest.approx(
                 [float(abs(mpf(float(q[0])) - x)) for q, x in zip(ends, exact, strict=True)],
                 rel=1e-12)
 
@@ -89,23 +113,131 @@ def test_an_effect_left_out_is_its_share(found: RunErrors):
     assert bare.cause == "model" and bare.errors == pytest.approx(moved, rel=1e-12)
 
 
+def test_tiers_round_as_much_as_their_precision(found: RunErrors):
+    """An accurate step rounds the state once a call: what it errs by is of plain's size."""
+    told = {x.of: max(x.errors) for x in found.rows if x.cause == "rounding"}
+    assert list(told) == ["double plain", "single plain", "double accurate", "single pairs"]
+    assert 2.0**-58 < told["double accurate"] < 2 * told["double plain"] < 2.0**-48
+    assert 2.0**-29 < told["single pairs"] < 2 * told["single plain"] < 2.0**-19
+
+
+@pytest.mark.parametrize("precision", PRECISIONS, ids=lambda x: x.name)
+@pytest.mark.parametrize("name", ("spring", "ball"))
+def test_a_run_in_the_certified_tier_is_the_compiled_one(request, tmp_path, name, precision):
+    """Certified functions return plain's results: call by call the same bits, in split steps, too.
+    """
+    path = tmp_path / "ball.toml"
+    path.write_text(BOUNCING)
+    kernels = checked(path) if name == "ball" else request.getfixturevalue("spring")
+    given = RunOverrides() if name == "ball" else overrides()
+    planned = plan(system(kernels, "double"), given.until, given.step, given.integrator)
+    step = next(x for x in kernels.functions.steps
+                if x.name == named(planned.integrator).step_name)
+    run, marks = _Steps(kernels, given, planned, step), [3, 17, 32]
+    pairs = zip(run.in_tier("certified", precision, marks), run.compiled(precision, marks),
+                strict=True)
+    for state, wanted in pairs:
+        for x, y in zip(state, wanted, strict=True):
+            assert np.array(x, precision.numpy_type).tobytes() == np.array(y).tobytes()
+
+
 def test_split_steps_of_a_bounce_round_little(tmp_path):
     """The ball bounces within the run: its steps are taken in parts, also with 40 digits."""
     path = tmp_path / "ball.toml"
     path.write_text(BOUNCING)
-    found = run_errors(checked(path), RunOverrides())
-    assert found and named(found.integrator).splits
+    kernels = checked(path)
+    found = run_errors(kernels, RunOverrides(), ())
+    assert found and found.whole and named(found.integrator).splits
     told = {x.of: x.errors for x in found.rows}
-    assert max(told["double"]) < 1e-12 < max(told["single"]) < 1e-4
+    assert max(told["double plain"]) < 1e-12 < max(told["single plain"]) < 1e-4
     assert told["without limit"][-1] > 0.05  # it falls
+    each = sum(len(kernels.functions.named(x.function).program.instructions)
+               for x in kernels.functions.steps[0].calls)
+    early = run_errors(kernels, RunOverrides(), (), most=5 * 32 * each)
+    assert early and not early.whole  # parts of steps are counted, too
 
 
 def test_few_instructions_end_the_run_early(spring: Kernels, found: RunErrors):
-    early = run_errors(spring, overrides(), most=5000)
+    early = run_errors(spring, overrides(), (), most=5000)
     assert early and early.times[-1] < UNTIL == found.times[-1]
-    assert re.search(r"the first 0\.\d+ s of 0\.5 s, .* 40 digits", of_run(early).text())
-    assert "rounding: double" in of_run(found).text() and "t = 0.5 s" in of_run(found).text()
+    text = of_run(early).text()
+    assert re.search(r"the first 0\.\d+ s of 0\.5 s: more .* 0\.005 million instructions", text)
+    assert "the whole 0.5 s" in of_run(found).text() and "t = 0.5 s" in of_run(found).text()
+    assert "rounding: single pairs" in of_run(found).text()
+
+
+# when digits are gone
+
+@pytest.mark.parametrize("size, error, gone", (
+    (0.5, 0.04, None), (0.5, 0.06, 0.75), (100, 0.3, None), (100, 0.35, 0.75)))
+def test_digits_are_gone_from_a_tenth_of_the_motion_or_of_half_a_turn(
+        tmp_path, size, error, gone):
+    path = tmp_path / "pendulum.toml"
+    path.write_text(texts.PENDULUM)
+    its = system(checked(path), "double")
+    exact = [([mpfr(x)], [mpfr(0)]) for x in (0, -size, size / 2, 0)]
+    off = [([float(q[0]) + x], v) for (q, v), x in zip(exact, (0, error / 2, -error, 0),
+                                                       strict=True)]
+    row = _Compared(its, (0.25, 0.5, 0.75, 1.0), exact).row("rounding", "double plain", off)
+    assert row.gone == gone and row.errors == pytest.approx((0, error / 2, error, 0), abs=1e-13)
+
+
+def test_the_table_says_when_digits_are_gone():
+    def row(cause: str, of: str, *errors: float, gone: float | None = None) -> RunError:
+        return RunError(cause, of, errors, gone)
+
+    times = (1.0, 2.0, 3.0, 4.0)
+    found = RunErrors("rk4", 1e-3, 4.0, times, (
+        row("rounding", "double plain", 1e-15, 1e-14, 1e-13, 1e-12),
+        row("rounding", "single plain", 1e-6, 1e-3, 1, 3, gone=3.0),
+        row("step", "0.001 s", 1e-9, 1e-8, 1e-7, 1e-6)), 10**6)
+    table = of_run(found)
+    assert [x[-1] for x in table.rows] == ["", "from 3 s", ""]
+    assert table.below == (
+        "In double precision rounding moves the run by at most 1e-12, the step by 1e-6: shorter "
+        "steps would be more accurate.",
+        "In single precision until t = 2 s rounding moves the run by at most 0.001, the step by "
+        "1e-8: shorter steps would gain nothing.")
+    at_once = of_run(replace(found, rows=(
+        row("rounding", "single plain", 1, 1, 1, 1, gone=1.0), *found.rows[2:])))
+    assert at_once.below == ()
+
+
+# numbers
+
+def test_programs_in_python_are_those_of_the_interpreter(spring: Kernels):
+    """On many digits and on floats, for all functions of the oscillator and its steps."""
+    draw = np.random.default_rng(1)
+    for function in spring.functions.functions:
+        program = function.program
+        given = [draw.normal(size=max(a.quantity.size, 1)).tolist() for a in program.inputs]
+        assert in_python(program, FLOATS)(given) == interpreter(program, FLOATS)(given)
+        with precise(DIGITS) as context:
+            assert context.precision > DIGITS * math.log2(10)
+            numbers = [[mpfr(x) / 3 for x in part] for part in given]
+            found = in_python(program, MULTIPRECISE)(numbers)
+            assert found == interpreter(program, MULTIPRECISE)(numbers)
+            assert {x.precision for x in found} == {context.precision}
+
+
+@pytest.mark.parametrize("arithmetic", (MULTIPRECISE, FLOATS), ids=("40 digits", "floats"))
+def test_what_has_no_value_is_infinite_or_nan_as_in_c(arithmetic):
+    """1/0, -1/0, 0/0, √-1, exp 1e300, and a product with the infinite one; nothing is raised."""
+    one, zero = Input(0, 0), Input(0, 1)
+    steps = (("a", Op.DIV, (one, zero)), ("n", Op.NEG, (one,)), ("b", Op.DIV, (Ref("n"), zero)),
+             ("c", Op.DIV, (zero, zero)), ("d", Op.SQRT, (Ref("n"),)),
+             ("h", Op.MUL, (Constant(10**300, 10**30), one)), ("e", Op.EXP, (Ref("h"),)),
+             ("f", Op.MUL, (Ref("a"), zero)))
+    program = Program("none", (array("x", (2,)),), (array("y", (7,)),), tuple(
+        Instruction(name, op, operands, "y") for name, op, operands in steps),
+        tuple(map(Ref, "abcdef")) + (NotANumber(),))
+    with precise(DIGITS), np.errstate(all="ignore"):
+        number = float if arithmetic is FLOATS else mpfr
+        for make in (in_python, interpreter):
+            a, b, c, d, e, f, g = map(float, make(program, arithmetic)([[number(1), number(0)]]))
+            assert (a, b, e) == (math.inf, -math.inf, math.inf)
+            assert all(map(math.isnan, (c, d, f, g)))
 
 
 def test_scipys_integrators_have_no_steps(spring: Kernels):
-    assert run_errors(spring, overrides(integrator="dop853")) is None
+    assert run_errors(spring, overrides(integrator="dop853"), ()) is None

@@ -6,7 +6,14 @@ from math import log2
 import numpy as np
 import pytest
 
-from coscrew_codegen.elementary import reduction, reduction_pairs, sincos, sincos_error
+from coscrew_codegen.elementary import (
+    atan2_error,
+    reduction,
+    reduction_pairs,
+    sincos,
+    sincos_error,
+    sincos_pairs,
+)
 from coscrew_codegen.elementary.reduction import HALF_PI
 from coscrew_codegen.formats import Precision
 from tests.support.each import each_precision
@@ -63,18 +70,23 @@ def test_errors_are_stated_as_they_are_proved(precision: Precision):
 
 
 @each_precision
-@pytest.mark.parametrize("place", ["near", "far"])
+@pytest.mark.parametrize("place", ["first", "near", "far"])
 def test_reductions_are_within_what_is_proved(place: str, precision: Precision):
-    x = np.abs(hard(precision))
-    x = x[(x > float(reduction.limit(precision))) == (place == "far")]
-    spread = getattr(reduction_pairs, f"{place}_spread")(precision)
-    found = values(getattr(reduction_pairs, place)(precision), precision, x)
+    """Of the results of atan2 first, next to which the distances are of all magnitudes."""
+    x, ends = np.abs(hard(precision)), [0, atan2_error.LARGEST, reduction.limit(precision), np.inf]
+    at, name = ("first", "near", "far").index(place), "far" if place == "far" else "near"
+    beside = (n * HALF_PI * (1 + Fraction(3, 2**m)) for n in (1, 2) for m in range(9, 60))
+    x = np.concatenate([x, np.array([float(y) for y in beside], x.dtype)])
+    x = x[(x > float(ends[at])) & (x <= float(ends[at + 1]))]
+    spread = (reduction_pairs.near_spread(precision, atan2_error.LARGEST) if place == "first" else
+              getattr(reduction_pairs, f"{place}_spread")(precision))
+    found = values(getattr(reduction_pairs, name)(precision), precision, x)
     for row in zip(x.tolist(), *(y.tolist() for y in found), strict=True):
         given, k, r, low = map(Fraction, row)
         whole = round(given / HALF_PI)
         angle = given - whole * HALF_PI
         assert (whole - k) % 4 == 0
-        assert abs(r) <= min(spread.high * abs(angle), sincos_error.ANGLE)
+        assert abs(r) <= min(spread.high * abs(angle), sincos_pairs.ANGLE)
         assert abs(low) <= spread.low * abs(angle)
         assert abs(r + low - angle) <= spread.error * abs(angle)
 

@@ -39,9 +39,8 @@ def needed(*commands: str) -> None:
 
 
 def chosen(architecture: str, tier: str) -> tuple[Kernel, ...]:
-    """All plain kernels; of a marked tier, every second one: each runs on two architectures."""
-    place = [*COMPILERS].index(architecture)
-    return kernels(tier)[place % 2::2] if tier else kernels(tier)
+    """Every second one: each runs on two architectures."""
+    return kernels(tier)[[*COMPILERS].index(architecture) % 2::2]
 
 
 def built(folder: Path, architecture: str) -> list[Path]:

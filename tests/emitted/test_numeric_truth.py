@@ -13,10 +13,12 @@ from fractions import Fraction
 from functools import cache, partial
 from types import FunctionType
 
+import gmpy2
 import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
+from gmpy2 import is_nan, mpfr
 
 import coscrew
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE, Precision
@@ -35,17 +37,21 @@ from tests.support.truth.motion_errors import as_arrays, errors, multiprecise, t
 from tests.support.truth.motions import TRUTHS, matrix_of, nearest_quaternion, norm
 from tests.support.truth.multiprecision import (
     DIGITS,
+    NAN,
     NUMERIC,
+    WIDE,
     Evaluator,
     Number,
     Rules,
     c_arithmetic,
     can_evaluate,
     python_function,
+    wide,
 )
 
-Row = tuple[list[mp.mpf], ...]  # components of every input
-Run = Callable[[Operation, Rules, Row], list[mp.mpf]]
+Row = tuple[list[mpfr], ...]  # components of every input
+TOLERATED = mpfr("1e-40")
+Run = Callable[[Operation, Rules, Row], list[mpfr]]
 
 # That they suffice, branches taken and signs flipped show.
 ROWS = 36
@@ -61,12 +67,12 @@ each_operation = pytest.mark.parametrize("operation", NUMERIC, ids=lambda op: op
 
 @pytest.fixture(autouse=True)
 def digits():
-    with mp.workdps(DIGITS):
+    with mp.workdps(DIGITS), gmpy2.context(WIDE):
         yield
 
 
 def run_c(operation: Operation, rules: Rules, row: Row, functions: Header | None = None,
-          shared: tuple[str, str] | None = None) -> list[mp.mpf]:
+          shared: tuple[str, str] | None = None) -> list[mpfr]:
     """Every component of every output of the C function; `shared`: an output and the input whose
     object it is."""
     functions = (functions or header()).with_arithmetic(c_arithmetic(rules))
@@ -94,7 +100,7 @@ def run_c(operation: Operation, rules: Rules, row: Row, functions: Header | None
 
 
 def run_python(operation: Operation, rules: Rules, row: Row,
-               function: FunctionType | None = None) -> list[mp.mpf]:
+               function: FunctionType | None = None) -> list[mpfr]:
     """Every component of every output of the Python function."""
     module = getattr(coscrew, rules.precision.name)
     function = function or getattr(module, operation.name).__wrapped__
@@ -104,8 +110,8 @@ def run_python(operation: Operation, rules: Rules, row: Row,
     return values_of(found if isinstance(found, tuple) else (found,), rules)
 
 
-def values_of(results: list[Number | int | sp.Basic], rules: Rules) -> list[mp.mpf]:
-    return [mp.nan if x is sp.nan else rules.number(x).value for x in results]
+def values_of(results: list[Number | int | sp.Basic], rules: Rules) -> list[mpfr]:
+    return [NAN if x is sp.nan else rules.number(x).value for x in results]
 
 
 @cache
@@ -114,7 +120,7 @@ def kernel(operation: Operation) -> Kernel:
 
 
 def run_kernel(operation: Operation, rules: Rules, row: Row,
-               seen: set | None = None) -> list[mp.mpf]:
+               seen: set | None = None) -> list[mpfr]:
     """Every component of every output of the kernel; adds the conditions met to `seen`."""
     evaluator = evaluator_of(operation, rules, row)
     results = evaluator.kernel(kernel(operation))
@@ -158,11 +164,11 @@ def rows(operation: Operation, precision: Precision) -> list[Row]:
     sizes = np.cumsum([a.quantity.size for a in operation.inputs])
     units = np.vstack([np.zeros(sizes[-1]), np.eye(sizes[-1])])
     groups += [np.split(size * units, sizes[:-1], axis=1) for size in (1, 2.0**-70)]
-    found = [tuple([mp.mpf(float(c)) for c in np.ravel(x)] for x in row)
+    found = [tuple([mpfr(float(c)) for c in np.ravel(x)] for x in row)
              for group in groups for row in zip(*group, strict=True)]
     # For the sine of larger angles 60 digits are not enough.
-    largest = [mp.mpf(10)**6 if a.name in ("v", "s", "k", "angle") and Op.SIN in
-               plain_program(operation).counts else mp.inf for a in operation.inputs]
+    largest = [1e6 if a.name in ("v", "s", "k", "angle") and Op.SIN in
+               plain_program(operation).counts else np.inf for a in operation.inputs]
     return [row for row in found
             if all(abs(c) < limit for x, limit in zip(row, largest, strict=True) for c in x)]
 
@@ -181,10 +187,10 @@ def singular_at(k: int, M: np.ndarray) -> np.ndarray:
     return found
 
 
-def differs(found: list[mp.mpf], wanted: list[mp.mpf]) -> bool:
+def differs(found: list[mpfr], wanted: list[mpfr]) -> bool:
     """By more than 1e-40 of the largest."""
-    size = max([abs(x) for x in wanted if not mp.isnan(x)], default=mp.mpf(0))
-    return any(mp.isnan(x) != mp.isnan(y) or abs(x - y) > size * mp.mpf(10)**-40
+    size = max([abs(x) for x in wanted if not is_nan(x)], default=mpfr(0))
+    return any(is_nan(x) != is_nan(y) or abs(x - y) > size * TOLERATED
                for x, y in zip(found, wanted, strict=True))
 
 
@@ -222,7 +228,7 @@ def test_c_output_may_be_an_input(operation):
 
 def test_another_threshold_is_noticed():
     operation, name = next(op for op in NUMERIC if op.name == "coscrew_norm"), "ksl_coscrew_norm"
-    rules, row = Rules(DOUBLE), ([mp.mpf(5e-9)] * 3 + [mp.mpf(1)] * 3,)
+    rules, row = Rules(DOUBLE), ([mpfr(5e-9)] * 3 + [mpfr(1)] * 3,)
     wrong = header().with_text(name, header().texts[name].replace("1e-09", "1e-08"))
     wanted = run_kernel(operation, rules, row)
     assert not fails(run_c, operation, rules, row, wanted)
@@ -249,13 +255,13 @@ def test_any_flipped_sign_in_python_is_noticed(operation):
         assert noticed(operation, SINGLE, partial(run_python, function=wrong), tried), text
 
 
-def compared(operation: Operation, precision: Precision) -> list[tuple[Row, list[mp.mpf]]]:
+def compared(operation: Operation, precision: Precision) -> list[tuple[Row, list[mpfr]]]:
     """Rows, and the kernel's results."""
     return list(zip(rows(operation, precision), results(operation, precision), strict=True))
 
 
 def noticed(operation: Operation, precision: Precision, run: Run,
-            tried: list[tuple[Row, list[mp.mpf]]]) -> bool:
+            tried: list[tuple[Row, list[mpfr]]]) -> bool:
     """Whether any row shows a difference.  The row that does becomes the first to be tried: the
     next sign is likely to be in the same branch."""
     rules = Rules(precision, rounds=True)
@@ -266,19 +272,19 @@ def noticed(operation: Operation, precision: Precision, run: Run,
     return False
 
 
-def results(operation: Operation, precision: Precision) -> list[list[mp.mpf]]:
+def results(operation: Operation, precision: Precision) -> list[list[mpfr]]:
     """Of the kernel, for each row."""
     return evaluated(operation, precision)[0]
 
 
 @cache
-def evaluated(operation: Operation, precision: Precision) -> tuple[list[list[mp.mpf]], set]:
+def evaluated(operation: Operation, precision: Precision) -> tuple[list[list[mpfr]], set]:
     """The kernel's results for each row, and the conditions met."""
     rules, seen = Rules(precision, rounds=True), set()
     return [run_kernel(operation, rules, row, seen) for row in rows(operation, precision)], seen
 
 
-def fails(run: Run, operation: Operation, rules: Rules, row: Row, wanted: list[mp.mpf]) -> bool:
+def fails(run: Run, operation: Operation, rules: Rules, row: Row, wanted: list[mpfr]) -> bool:
     """Whether the result differs, or there is a division by zero."""
     try:
         return differs(run(operation, rules, row), wanted)
@@ -302,10 +308,10 @@ def test_series_and_text_are_their_truth(operation, precision):
         arguments = [orthonormal(a.name, multiprecise(x))
                      for a, x in zip(operation.inputs, given, strict=True)]
         inputs = [as_arrays(x)[0] for x in arguments]
-        row = tuple(list(np.ravel(x)) for x in inputs)
+        row = tuple([wide(c) for c in np.ravel(x)] for x in inputs)
         truths = truth_of(operation, tuple(arguments), mp.mpf(10)**-40)
         for run, rules, bound in runs:
-            found = iter(run(operation, rules, row))
+            found = (mp.mpf(x.as_mantissa_exp()) for x in run(operation, rules, row))
             outputs = [np.array([next(found) for _ in range(a.quantity.size)], dtype=object)
                        .reshape(a.quantity.rows_columns) for a in operation.outputs]
             for part, error in errors(operation, inputs, outputs, truths).items():

@@ -3,7 +3,8 @@ unit of its last digit as long as its condition is below 1e13, and in single pre
 nearest number, except near ties.
 
 Truth of inverse and forward dynamics of arms is a Newton-Euler method of the tests' own, in the
-world's frame; of other functions, the plain Program in 60 digits.
+world's frame; of motions of free joints, power series; of other functions, the plain Program in 60
+digits.
 """
 
 from collections.abc import Sequence
@@ -25,6 +26,7 @@ from tests.support.each import each_precision
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.arms import GRAVITY, arm, exact, inverse, motions
 from tests.support.scenes.tiers import DIGITS, Result, results, states
+from tests.support.truth import motions as series
 from tests.support.truth.condition import conditions
 from tests.support.truth.newton_euler import inverse_dynamics
 
@@ -116,3 +118,63 @@ def test_functions_are_those_of_the_scene():
     scene = example("wingnut")
     names = {f.name for f in derive(scene).functions if not f.internal}
     assert {*kernels_for(scene).accurate.double} == names
+
+
+ANGLES = (1e-160, 1e-9, 0.5, 0.999, 1.001, 2, 3.1415926, 6.2831853, 1e3, 1e9, 1e12)
+
+
+def free_motions(precision: Precision) -> tuple[np.ndarray, np.ndarray]:
+    """q and phi of a free joint for these angles; every second q and translation is chosen such
+    that the motion takes a component to 1e-12 of the others."""
+    rng, rows = np.random.default_rng(7), []
+    for angle in [x for x in ANGLES if precision == DOUBLE or 1e-20 < x < 1e4]:
+        for near in (False, True, False, True):
+            w, v, q = rng.normal(size=3), rng.normal(size=3), rng.normal(size=4)
+            w *= angle / np.linalg.norm(w)
+            q[rng.integers(4)] *= 1e-12 if near else 1
+            phi = np.array([*v, *w], precision.numpy_type)
+            r = series.quaternion_exp(mpmath.matrix(phi[3:].astype(float).tolist()))
+            q = series.product(mpmath.matrix((q / np.linalg.norm(q)).tolist()),
+                               series.conjugate(r) if near else r)
+            t = moved(mpmath.matrix([0, 0, 0, *q]), mpmath.matrix(phi.tolist()))[0:3]
+            rows.append(([*(-x for x in t), *q], phi))
+    q, phi = (np.array(x, float).astype(precision.numpy_type) for x in zip(*rows, strict=True))
+    return q, phi
+
+
+def moved(q: mpmath.matrix, phi: mpmath.matrix) -> mpmath.matrix:
+    """(t; r), moved by the screw motion phi; r with a Newton step towards norm 1."""
+    t = q[0:3] + series.matrix_of(q[3:7]) * series.SE3_exp(phi)[0:3, 3]
+    r = series.product(q[3:7], series.quaternion_exp(phi[3:6]))
+    return mpmath.matrix([*t, *(r * (3 - mpmath.fsum(x * x for x in r)) / 2)])
+
+
+@each_precision
+def test_motions_of_quaternions_are_those_of_power_series(precision: Precision):
+    """Of angles around those where series end, and large ones."""
+    kernels = kernels_for(example("wingnut"))
+    program = kernels.functions.named("integrated").program
+    assert program.fine and len(program.fine.instructions) < len(program.instructions)
+    with mpmath.workdps(DIGITS):
+        given = free_motions(precision)
+        true = [moved(*(mpmath.matrix(x.astype(float).tolist()) for x in row))
+                for row in zip(*given, strict=True)]
+    found = getattr(kernels.accurate, precision.name).integrated(*given)
+    size = conditions(program.fine, [list(x.T.astype(float)) for x in given])
+    judged = [Result(j, found[k, j], true[k][j], float(size[j][k]))
+              for k in range(len(found)) for j in range(7)]
+    assert not broken(judged, precision)
+    assert max(x.condition for x in judged) > LARGEST[precision.name] / 100
+
+
+def test_angles_that_a_function_computes_may_be_large():
+    """Those of a mimic joint; their rests are of 1e-4 and more."""
+    scene = Scene("geared", m.geared(Fraction("1.7"), Fraction("0.3")), (
+        m.applied("mimic"), m.gravity(0, 0, Fraction("-9.81"))), functions=("body_poses",),
+        tiers=("accurate",))
+    kernels = kernels_for(scene)
+    function = kernels.functions.named("body_poses")
+    given = [np.random.default_rng(3).uniform(1e12, 3e12, (40, 1))]
+    found = list(results(function.program, given, kernels.accurate.double.body_poses(*given)))
+    assert not broken(found, DOUBLE)
+    assert sum(x.condition > 1e11 for x in found) > 100

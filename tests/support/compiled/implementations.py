@@ -1,5 +1,6 @@
 """The implementations whose bounds are attacked: NumPy twins, and compiled C of the fused tier."""
 
+import functools
 from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
@@ -37,6 +38,7 @@ def gufuncs(package: ModuleType) -> Implementation:
     return evaluate
 
 
+@functools.cache
 def compiled(folder: Path, tier: str, compiler: str, flags: tuple[str, ...]) -> Implementation:
     """The C kernels of a tier other than plain."""
     made = tier_named(tier)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from coscrew_codegen.elementary import ELEMENTARY, ERRORS, Elementary
 from coscrew_codegen.elementary.calls import FUNCTION_OF
+from coscrew_codegen.elementary.sincos import FUNCTION as SINCOS
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.program import Constant, Op, Program
 from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly, interpreter
@@ -46,8 +47,9 @@ def arithmetic(precision: Precision) -> Arithmetic[Any]:
 def _called(op: Op, precision: Precision, *operands: Array) -> Array:
     """What the function of our own that computes this operation returns."""
     function = next(x for x in (*ELEMENTARY, *ERRORS) if x.name == FUNCTION_OF[op])
-    repeated = operands[-1:] * (len(function.inputs) - len(operands))  # the other's result
-    return results(function, precision, *operands, *repeated)[op in (Op.COS, Op.COS_ERROR)]
+    if op in (Op.SIN_ERROR, Op.COS_ERROR):  # these take both results
+        operands = operands[0], *results(SINCOS, precision, operands[0])
+    return results(function, precision, *operands)[op in (Op.COS, Op.COS_ERROR)]
 
 
 def _power(a: Array, precision: Precision) -> Array:

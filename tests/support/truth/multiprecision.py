@@ -10,13 +10,15 @@ import operator
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache, cached_property, partial, reduce
+from functools import cache, cached_property, reduce
 from types import FunctionType, SimpleNamespace
 from typing import TypeAlias
 
+import gmpy2
 import mpmath as mp
 import numpy as np
 import sympy as sp
+from gmpy2 import mpfr, mpq
 
 from coscrew_codegen.formats import PRECISIONS, Precision
 from coscrew_codegen.kernel import Kernel
@@ -27,6 +29,9 @@ from tests.support.compiled.c_reader import Arithmetic
 from tests.support.truth.attack import plain_program
 
 DIGITS = 60
+WIDE = gmpy2.context(precision=203)  # DIGITS
+_NARROW = {p: gmpy2.context(precision=p.digits) for p in PRECISIONS}
+NAN, _ZERO = mpfr("nan"), mpfr(0)
 Factor: TypeAlias = tuple[sp.Expr, sp.Rational]  # base and exponent
 
 
@@ -39,104 +44,136 @@ class Rules:
     exact: bool = False  # whether constants are exact, as in formulas
 
     def number(self, value: object) -> "Number":
-        return value if isinstance(value, Number) else Number(mp.mpmathify(value), self)
+        return value if isinstance(value, Number) else Number(wide(value), self)
 
     def literal(self, text: str) -> "Number":
         """The number in this precision that the text denotes."""
-        return self.number(_literal(self.precision, text))
+        return Number(_literal(self.precision, text), self)
 
     def constant(self, value: sp.Rational) -> "Number":
-        if self.exact:
-            return self.number(mp.mpf(int(value.p)) / int(value.q))
-        return self.number(_rounded(self.precision, value))
+        return Number(_exactly(value) if self.exact else _rounded(self.precision, value), self)
 
     def named(self, symbol: sp.Symbol) -> "Number":
         return self.constant(PER_PRECISION[symbol][PRECISIONS.index(self.precision)])
 
-    def rounded(self, function: Callable[..., mp.mpf], *values: mp.mpf) -> mp.mpf:
-        if not self.rounds:
-            return function(*values)
-        with mp.workprec(np.finfo(self.precision.numpy_type).nmant + 1):
-            return function(*values)
+    @cached_property
+    def arithmetic(self) -> gmpy2.context:
+        """Of operations that may be rounded."""
+        return _NARROW[self.precision] if self.rounds else WIDE
 
     @cached_property
-    def grid(self) -> mp.mpf:
-        return mp.mpf(int(PER_PRECISION[GRID][PRECISIONS.index(self.precision)]))
+    def grid(self) -> mpfr:
+        return mpfr(int(PER_PRECISION[GRID][PRECISIONS.index(self.precision)]))
 
-    def sum(self, function: Callable[..., mp.mpf], x: "Number", y: "Like") -> "Number":
-        on_grid = x.is_grid or isinstance(y, Number) and y.is_grid
-        found = x._with(partial(self.rounded, function) if on_grid else function, y)
-        found.on_grid = on_grid
-        return found
 
-    def product(self, x: "Number", y: "Like") -> "Number":
-        square = x.on_grid and isinstance(y, Number) and y.on_grid and x.value == y.value
-        is_grid = self.grid in (x.value, value_of(y))
-        found = x._with(partial(self.rounded, operator.mul) if square or is_grid else
-                        operator.mul, y)
-        found.is_grid = is_grid
-        return found
-
-    def quotient(self, x: mp.mpf, y: mp.mpf) -> mp.mpf:
-        return self.rounded(operator.truediv, x, y)
-
-    def root(self, x: mp.mpf) -> mp.mpf:
-        return self.rounded(mp.sqrt, x) if x >= 0 else mp.nan
+def wide(value: object) -> mpfr:
+    """The number, exactly."""
+    if isinstance(value, mp.mpf):
+        sign, mantissa, exponent, _ = value._mpf_
+        return WIDE.mul(mpfr(mpq(2)**exponent), (-1)**sign * mantissa)
+    return mpfr(value, WIDE.precision)
 
 
 @cache
-def _literal(precision: Precision, text: str) -> mp.mpf:
-    return mp.mpf(float(np.dtype(precision.numpy_type).type(text)))
+def _literal(precision: Precision, text: str) -> mpfr:
+    return mpfr(float(np.dtype(precision.numpy_type).type(text)))
 
 
 @cache
-def _rounded(precision: Precision, value: sp.Rational) -> float:
-    return float(precision.rounded(Fraction(int(value.p), int(value.q))))
+def _rounded(precision: Precision, value: sp.Rational) -> mpfr:
+    return mpfr(float(precision.rounded(Fraction(int(value.p), int(value.q)))))
+
+
+@cache
+def _exactly(value: sp.Rational) -> mpfr:
+    return WIDE.div(int(value.p), int(value.q))
 
 
 class Number:
     """A number under rules."""
 
-    def __init__(self, value: mp.mpf, rules: Rules):
+    __slots__ = ("value", "rules", "is_grid", "on_grid")
+
+    def __init__(self, value: mpfr, rules: Rules, is_grid: bool = False, on_grid: bool = False):
         self.value, self.rules = value, rules
-        self.is_grid = False  # a multiple of GRID
-        self.on_grid = False  # a sum with one
+        self.is_grid = is_grid  # a multiple of GRID
+        self.on_grid = on_grid  # a sum with one
 
-    def _with(self, function: Callable[..., mp.mpf], *others: "Like") -> "Number":
-        return Number(function(self.value, *map(value_of, others)), self.rules)
+    def _added(self, other: "Like", sign: str) -> "Number":
+        on_grid = self.is_grid or isinstance(other, Number) and other.is_grid
+        add = getattr(self.rules.arithmetic if on_grid else WIDE, sign)
+        return Number(add(self.value, value_of(other)), self.rules, False, on_grid)
 
-    def __add__(self, other: "Like") -> "Number": return self.rules.sum(operator.add, self, other)
-    def __sub__(self, other: "Like") -> "Number": return self.rules.sum(operator.sub, self, other)
-    def __rsub__(self, other: "Like") -> "Number": return -self + other
-    def __mul__(self, other: "Like") -> "Number": return self.rules.product(self, other)
-    def __truediv__(self, other: "Like") -> "Number": return self._with(self.rules.quotient, other)
-    def __rtruediv__(self, other: "Like") -> "Number": return self.rules.number(other) / self
-    def __neg__(self) -> "Number": return self._with(operator.neg)
-    def __lt__(self, other: "Like") -> bool: return bool(self.value < value_of(other))
-    def __gt__(self, other: "Like") -> bool: return bool(self.value > value_of(other))
-    def __eq__(self, other: object) -> bool: return bool(self.value == value_of(other))
+    def __add__(self, other: "Like") -> "Number":
+        return self._added(other, "add")
+
+    def __sub__(self, other: "Like") -> "Number":
+        return self._added(other, "sub")
+
+    def __rsub__(self, other: "Like") -> "Number":
+        return -self + other
+
+    def __mul__(self, other: "Like") -> "Number":
+        x, y, grid = self.value, value_of(other), self.rules.grid
+        square = self.on_grid and isinstance(other, Number) and other.on_grid and x == y
+        is_grid = grid in (x, y)
+        arithmetic = self.rules.arithmetic if square or is_grid else WIDE
+        return Number(arithmetic.mul(x, y), self.rules, is_grid)
+
+    def __truediv__(self, other: "Like") -> "Number":
+        if not (y := value_of(other)):
+            raise ZeroDivisionError
+        return Number(self.rules.arithmetic.div(self.value, y), self.rules)
+
+    def __rtruediv__(self, other: "Like") -> "Number":
+        return self.rules.number(other) / self
+
+    def __neg__(self) -> "Number":
+        return Number(WIDE.minus(self.value), self.rules)
+
+    def __abs__(self) -> "Number":
+        return Number(WIDE.abs(self.value), self.rules)
+
+    def __lt__(self, other: "Like") -> bool:
+        return bool(self.value < value_of(other))
+
+    def __gt__(self, other: "Like") -> bool:
+        return bool(self.value > value_of(other))
+
+    def __eq__(self, other: object) -> bool:
+        return bool(self.value == value_of(other))
+
     __radd__, __rmul__ = __add__, __mul__
 
     def sqrt(self) -> "Number":
-        return self._with(self.rules.root)
+        x = self.value
+        return Number(self.rules.arithmetic.sqrt(x) if x >= 0 else NAN, self.rules)
+
+    def sin(self) -> "Number":
+        return Number(WIDE.sin(self.value), self.rules)
+
+    def cos(self) -> "Number":
+        return Number(WIDE.cos(self.value), self.rules)
+
+    def atan2(self, other: "Number") -> "Number":
+        """Zeros have no sign."""
+        return Number(WIDE.atan2(self.value or _ZERO, other.value or _ZERO), self.rules)
 
 
 Like: TypeAlias = Number | int
 
 
-def value_of(x: object) -> mp.mpf:
+def value_of(x: object) -> mpfr:
     if isinstance(x, Number):
         return x.value
     if isinstance(x, int):
-        return mp.mpf(x)
+        return mpfr(x)
     raise TypeError(f"{x!r} came in beside the rules")
 
 
 _FUNCTIONS: dict[str, Callable[..., Number]] = {
-    "abs": lambda x: x._with(abs), "sqrt": Number.sqrt, "sin": lambda x: x._with(mp.sin),
-    "cos": lambda x: x._with(mp.cos), "atan2": lambda y, x: y._with(mp.atan2, x)}
-
-_FUNCTIONS["atan2_error"] = lambda y, x, angle: _FUNCTIONS["atan2"](y, x) - angle
+    "abs": abs, "sqrt": Number.sqrt, "sin": Number.sin, "cos": Number.cos,
+    "atan2": Number.atan2, "atan2_error": lambda y, x, angle: y.atan2(x) - angle}
 
 _ELEMENTARY = ("sin", "cos", "atan2", "atan2_error")
 
@@ -165,7 +202,7 @@ def python_function(function: FunctionType, rules: Rules) -> FunctionType:
         sincos=lambda x: (_FUNCTIONS["sin"](x), _FUNCTIONS["cos"](x)))
     names = {"absolute": _FUNCTIONS["abs"], "sqrt": Number.sqrt, "elementary": elementary,
              "where": lambda test, x, y: rules.number(x if test else y),
-             "float64": rules.number, "float32": rules.number, "nan": rules.number(mp.nan)}
+             "float64": rules.number, "float32": rules.number, "nan": rules.number(NAN)}
     constants = tuple(rules.literal(repr(x)) if isinstance(x, float) else x
                       for x in function.__code__.co_consts)
     return FunctionType(function.__code__.replace(co_consts=constants),
@@ -191,7 +228,7 @@ class Evaluator:
         if x.is_Symbol:
             return self.rules.named(x) if x in PER_PRECISION else self.values[x]
         if x is sp.nan:
-            return self.rules.number(mp.nan)
+            return self.rules.number(NAN)
         if x.is_Rational:
             return self.rules.constant(x)
         if isinstance(x, sp.Piecewise):

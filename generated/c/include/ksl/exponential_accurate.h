@@ -12,7 +12,7 @@
 
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   202 mul, 427 add, 26 product error, 21 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 11 equal,
+   168 mul, 311 add, 16 product error, 21 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 11 equal,
      19 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -97,12 +97,12 @@ static inline void ksl_SO3_exp_accurate(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -256,7 +256,7 @@ static inline void ksl_SO3_exp_accurate(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 
 /* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
    R: rotation or other 3×3 matrix; vo: vector.
-   162 mul, 473 add, 28 product error, 3 product rest, 10 div, 1 sqrt, 13 neg, 13 abs, 4
+   160 mul, 433 add, 26 product error, 3 product rest, 10 div, 1 sqrt, 13 neg, 13 abs, 4
      copysign, 29 less, 9 equal, 77 select.
    Error <= vo: 1 u of its largest component for R a rotation; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -527,7 +527,7 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   235 mul, 580 add, 31 product error, 42 product rest, 5 div, 1 sqrt, 4 abs, 5 less, 11 equal,
+   201 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 11 equal,
      25 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -569,12 +569,12 @@ static inline void ksl_SO3_leftJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x3
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -926,7 +926,7 @@ static inline void ksl_SO3_leftJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x3
 
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   235 mul, 580 add, 31 product error, 42 product rest, 5 div, 1 sqrt, 9 neg, 4 abs, 5 less, 11
+   201 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 9 neg, 4 abs, 5 less, 11
      equal, 25 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -968,12 +968,12 @@ static inline void ksl_SO3_rightJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -1329,7 +1329,7 @@ static inline void ksl_SO3_rightJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0.
    v: vector; R: rotation or other 3×3 matrix.
-   235 mul, 611 add, 33 product error, 33 product rest, 9 div, 1 sqrt, 3 neg, 4 abs, 5 less, 11
+   201 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less, 11
      equal, 25 select.
    Error <= R: 1 u of its largest component for |v| <= π; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
@@ -1370,12 +1370,12 @@ static inline void ksl_SO3_leftJacobianInverse_accurate(const ksl_vec3_t *v, ksl
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -1790,7 +1790,7 @@ static inline void ksl_SO3_leftJacobianInverse_accurate(const ksl_vec3_t *v, ksl
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0.
    v: vector; R: rotation or other 3×3 matrix.
-   235 mul, 611 add, 33 product error, 33 product rest, 9 div, 1 sqrt, 4 abs, 5 less, 11 equal,
+   201 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 4 abs, 5 less, 11 equal,
      25 select.
    Error <= R: 1 u of its largest component for |v| <= π; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
@@ -1831,12 +1831,12 @@ static inline void ksl_SO3_rightJacobianInverse_accurate(const ksl_vec3_t *v, ks
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -2971,7 +2971,7 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
 
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-   273 mul, 662 add, 34 product error, 57 product rest, 5 div, 1 sqrt, 4 abs, 5 less, 14 equal,
+   239 mul, 546 add, 24 product error, 57 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 14 equal,
      28 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of s.lin if that is larger, for |ω of s|
      <= 1e13, in single precision 1e5; searched, not proved.  Each component is within 1 ulp as
@@ -3014,12 +3014,12 @@ static inline void ksl_SE3_exp_accurate(const ksl_screw_t *s, ksl_SE3_t *D) {
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -3459,7 +3459,7 @@ static inline void ksl_SE3_exp_accurate(const ksl_screw_t *s, ksl_SE3_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   282 mul, 788 add, 38 product error, 35 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
+   280 mul, 748 add, 36 product error, 35 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
      copysign, 31 less, 14 equal, 88 select.
    Error <= lin: 1 u, ang: 1 u of its largest component for R of D a rotation; searched, not
      proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
@@ -4138,7 +4138,7 @@ static inline void ksl_SE3_log_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   348 mul, 928 add, 41 product error, 86 product rest, 9 div, 1 sqrt, 3 neg, 4 abs, 5 less, 20
+   314 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less, 20
      equal, 38 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -4180,12 +4180,12 @@ static inline void ksl_SE3_leftJacobian_accurate(const ksl_screw_t *s, ksl_mat6x
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -5033,7 +5033,7 @@ static inline void ksl_SE3_leftJacobian_accurate(const ksl_screw_t *s, ksl_mat6x
 
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   348 mul, 928 add, 41 product error, 86 product rest, 9 div, 1 sqrt, 36 neg, 4 abs, 5 less, 20
+   314 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 36 neg, 4 abs, 5 less, 20
      equal, 38 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -5075,12 +5075,12 @@ static inline void ksl_SE3_rightJacobian_accurate(const ksl_screw_t *s, ksl_mat6
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -5945,7 +5945,7 @@ static inline void ksl_SE3_rightJacobian_accurate(const ksl_screw_t *s, ksl_mat6
 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   310 mul, 830 add, 44 product error, 59 product rest, 13 div, 1 sqrt, 9 neg, 4 abs, 5 less, 20
+   276 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 9 neg, 4 abs, 5 less, 20
      equal, 36 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -5987,12 +5987,12 @@ static inline void ksl_SE3_leftJacobianInverse_accurate(const ksl_screw_t *s, ks
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -6779,7 +6779,7 @@ static inline void ksl_SE3_leftJacobianInverse_accurate(const ksl_screw_t *s, ks
 
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   310 mul, 830 add, 44 product error, 59 product rest, 13 div, 1 sqrt, 21 neg, 4 abs, 5 less, 20
+   276 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 21 neg, 4 abs, 5 less, 20
      equal, 36 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -6821,12 +6821,12 @@ static inline void ksl_SE3_rightJacobianInverse_accurate(const ksl_screw_t *s, k
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -7621,7 +7621,7 @@ static inline void ksl_SE3_rightJacobianInverse_accurate(const ksl_screw_t *s, k
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   741 mul, 1861 add, 78 product error, 164 product rest, 28 div, 3 sqrt, 11 neg, 18 abs, 4
+   705 mul, 1705 add, 66 product error, 164 product rest, 29 div, 3 sqrt, 11 neg, 18 abs, 4
      copysign, 36 less, 22 equal, 110 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of D1.t or D2.t if that is larger, for R
      of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Each
@@ -8775,16 +8775,15 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
   const double exp_sine_half = KSL_MUL(exp_sine_of_exp_half_angle_lo, 0.5);
   double exp_sine_half_cos; const double exp_sine_half_sin = ksl_sincos(exp_sine_half,
       &exp_sine_half_cos);
-  const double exp_sine_slope1 = KSL_MUL(exp_sine_half_cos, exp_c),
+  const double exp_sine_twice = exp_sine_half_sin + exp_sine_half_sin,
+      exp_sine_slope1 = KSL_MUL(exp_sine_half_cos, exp_c),
       exp_sine_slope2 = KSL_MUL(exp_sine_half_sin, exp_sine),
       exp_sine_slope = exp_sine_slope1 - exp_sine_slope2,
-      exp_sine_twice = exp_sine_half_sin + exp_sine_half_sin,
       exp_sine_more = KSL_MUL(exp_sine_slope, exp_sine_twice),
       exp_sine_lo = exp_sine_own_error + exp_sine_more;
   const double exp_c_slope1 = KSL_MUL(exp_sine_half_cos, exp_sine),
       exp_c_slope2 = KSL_MUL(exp_sine_half_sin, exp_c), exp_c_slope = exp_c_slope1 + exp_c_slope2,
-      exp_c_twice = exp_sine_half_sin + exp_sine_half_sin,
-      exp_c_more = KSL_MUL(exp_c_slope, exp_c_twice), exp_c_lo = exp_c_own_error - exp_c_more;
+      exp_c_more = KSL_MUL(exp_c_slope, exp_sine_twice), exp_c_lo = exp_c_own_error - exp_c_more;
   const double exp_sinc_divisor = exp_sine_of_exp_half_angle == 0.0 ? 1.0 :
       exp_sine_of_exp_half_angle,
       exp_sinc_divisor_lo = exp_sine_of_exp_half_angle == 0.0 ? 0.0 : exp_sine_of_exp_half_angle_lo;

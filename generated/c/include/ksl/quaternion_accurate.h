@@ -2633,7 +2633,7 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
 /* qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
      rotation is by another angle.
    axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
-   120 mul, 249 add, 24 product error, 3 abs, 1 less, 4 equal, 5 select.
+   86 mul, 134 add, 14 product error, 1 div, 3 abs, 1 less, 4 equal, 5 select.
    Error <= qo: 1 u of its largest component for |axis| = 1; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
@@ -2666,7 +2666,7 @@ static inline void ksl_quaternion_from_axis_angle_accurate(const ksl_vec3_t *axi
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
      angle is 0; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
-   149 mul, 308 add, 27 product error, 3 product rest, 13 div, 1 sqrt, 5 neg, 17 abs, 4 copysign,
+   147 mul, 268 add, 25 product error, 3 product rest, 13 div, 1 sqrt, 5 neg, 17 abs, 4 copysign,
      27 less, 10 equal, 51 select.
    Error <= angle: 1 u, axis: 1 u of its largest component; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
@@ -2788,7 +2788,7 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
 
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (x, y, z, w), the scalar last.
-   169 mul, 338 add, 26 product error, 3 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 6 equal, 14
+   135 mul, 222 add, 16 product error, 3 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 6 equal, 14
      select.
    Error <= qo: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -2873,12 +2873,12 @@ static inline void ksl_quaternion_exp_accurate(const ksl_vec3_t *v, ksl_quaterni
       &c_own_error);
   const double sine_half = KSL_MUL(sine_of_half_angle_lo, 0.5);
   double sine_half_cos; const double sine_half_sin = ksl_sincos(sine_half, &sine_half_cos);
-  const double sine_slope1 = KSL_MUL(sine_half_cos, c), sine_slope2 = KSL_MUL(sine_half_sin, sine),
-      sine_slope = sine_slope1 - sine_slope2, sine_twice = sine_half_sin + sine_half_sin,
+  const double sine_twice = sine_half_sin + sine_half_sin, sine_slope1 = KSL_MUL(sine_half_cos, c),
+      sine_slope2 = KSL_MUL(sine_half_sin, sine), sine_slope = sine_slope1 - sine_slope2,
       sine_more = KSL_MUL(sine_slope, sine_twice), sine_lo = sine_own_error + sine_more;
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
-      c_slope = c_slope1 + c_slope2, c_twice = sine_half_sin + sine_half_sin,
-      c_more = KSL_MUL(c_slope, c_twice), c_lo = c_own_error - c_more;
+      c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
+      c_lo = c_own_error - c_more;
   const double sinc_divisor = sine_of_half_angle == 0.0 ? 1.0 : sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle == 0.0 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -2929,7 +2929,7 @@ static inline void ksl_quaternion_exp_accurate(const ksl_vec3_t *v, ksl_quaterni
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
-   151 mul, 311 add, 28 product error, 3 product rest, 9 div, 1 sqrt, 5 neg, 17 abs, 4 copysign,
+   149 mul, 271 add, 26 product error, 3 product rest, 9 div, 1 sqrt, 5 neg, 17 abs, 4 copysign,
      27 less, 9 equal, 48 select.
    Error <= vo: 1 u of its largest component; searched, not proved.  Each component is within 1
      ulp as long as its condition is below 1e13; in single precision it is the nearest number,
@@ -3040,7 +3040,7 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-   395 mul, 921 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 14 neg, 21 abs, 4
+   359 mul, 765 add, 45 product error, 38 product rest, 16 div, 2 sqrt, 14 neg, 21 abs, 4
      copysign, 35 less, 12 equal, 68 select.
    Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -3493,16 +3493,15 @@ static inline void ksl_quaternion_interpolated_accurate(const ksl_quaternion_t *
   const double exp_sine_half = KSL_MUL(exp_sine_of_exp_half_angle_lo, 0.5);
   double exp_sine_half_cos; const double exp_sine_half_sin = ksl_sincos(exp_sine_half,
       &exp_sine_half_cos);
-  const double exp_sine_slope1 = KSL_MUL(exp_sine_half_cos, exp_c),
+  const double exp_sine_twice = exp_sine_half_sin + exp_sine_half_sin,
+      exp_sine_slope1 = KSL_MUL(exp_sine_half_cos, exp_c),
       exp_sine_slope2 = KSL_MUL(exp_sine_half_sin, exp_sine),
       exp_sine_slope = exp_sine_slope1 - exp_sine_slope2,
-      exp_sine_twice = exp_sine_half_sin + exp_sine_half_sin,
       exp_sine_more = KSL_MUL(exp_sine_slope, exp_sine_twice),
       exp_sine_lo = exp_sine_own_error + exp_sine_more;
   const double exp_c_slope1 = KSL_MUL(exp_sine_half_cos, exp_sine),
       exp_c_slope2 = KSL_MUL(exp_sine_half_sin, exp_c), exp_c_slope = exp_c_slope1 + exp_c_slope2,
-      exp_c_twice = exp_sine_half_sin + exp_sine_half_sin,
-      exp_c_more = KSL_MUL(exp_c_slope, exp_c_twice), exp_c_lo = exp_c_own_error - exp_c_more;
+      exp_c_more = KSL_MUL(exp_c_slope, exp_sine_twice), exp_c_lo = exp_c_own_error - exp_c_more;
   const double exp_sinc_divisor = exp_sine_of_exp_half_angle == 0.0 ? 1.0 :
       exp_sine_of_exp_half_angle,
       exp_sinc_divisor_lo = exp_sine_of_exp_half_angle == 0.0 ? 0.0 : exp_sine_of_exp_half_angle_lo;

@@ -17,7 +17,7 @@ def SO3_exp(v):
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    202 mul, 427 add, 26 product error, 21 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 11 equal,
+    168 mul, 311 add, 16 product error, 21 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 11 equal,
     19 select.  Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision
     1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
     1e13; in single precision it is the nearest number, except near ties, as long as that is
@@ -84,10 +84,9 @@ def SO3_exp(v):
     sine_own_error, c_own_error = elementary.sincos_error(sine_of_half_angle, sine, c)
     sine_half = sine_of_half_angle_lo * 0.5
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
-    sine_more = (sine_half_cos * c - sine_half_sin * sine) * (sine_half_sin + sine_half_sin)
-    sine_lo = sine_own_error + sine_more
-    c_more = (sine_half_cos * sine + sine_half_sin * c) * (sine_half_sin + sine_half_sin)
-    c_lo = c_own_error - c_more
+    sine_twice = sine_half_sin + sine_half_sin
+    sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
+    c_lo = c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice
     sinc_divisor_a = sine_of_half_angle == 0
     sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
@@ -212,7 +211,7 @@ def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    162 mul, 473 add, 28 product error, 3 product rest, 10 div, 1 sqrt, 13 neg, 13 abs, 4
+    160 mul, 433 add, 26 product error, 3 product rest, 10 div, 1 sqrt, 13 neg, 13 abs, 4
     copysign, 29 less, 9 equal, 77 select.  Error <= vo: 1 u of its largest component for R a
     rotation; searched, not proved.  Each component is within 1 ulp as long as its condition is
     below 1e13; in single precision it is the nearest number, except near ties, as long as that
@@ -446,7 +445,7 @@ def SO3_leftJacobian(v):
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    235 mul, 580 add, 31 product error, 42 product rest, 5 div, 1 sqrt, 4 abs, 5 less, 11 equal,
+    201 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 11 equal,
     25 select.  Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision
     1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
     1e13; in single precision it is the nearest number, except near ties, as long as that is
@@ -485,9 +484,8 @@ def SO3_leftJacobian(v):
     sine_own_error, c_own_error = elementary.sincos_error(sine_of_half_angle, sine, c)
     sine_half = sine_of_half_angle_lo * 0.5
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
-    sine_more = (sine_half_cos * c - sine_half_sin * sine) * (sine_half_sin + sine_half_sin)
-    sine_lo = sine_own_error + sine_more
-    c_more = (sine_half_cos * sine + sine_half_sin * c) * (sine_half_sin + sine_half_sin)
+    sine_twice = sine_half_sin + sine_half_sin
+    sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     sinc_divisor_a = sine_of_half_angle == 0
     sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
@@ -512,7 +510,8 @@ def SO3_leftJacobian(v):
     sinc = where(sinc_divisor_a, 1, sinc_quotient)
     sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
     g1 = c * sinc
-    g1_cross = (c_own_error - c_more) * sinc + c * sinc_lo
+    g1_cross1 = (c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice) * sinc
+    g1_cross = g1_cross1 + c * sinc_lo
     g2a = sinc * sinc
     g2 = 0.5 * g2a
     g2_cross2 = 0.5 * (product_error(sinc, sinc, g2a) + (sinc_lo * sinc + sinc * sinc_lo))
@@ -758,7 +757,7 @@ def SO3_rightJacobian(v):
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    235 mul, 580 add, 31 product error, 42 product rest, 5 div, 1 sqrt, 9 neg, 4 abs, 5 less, 11
+    201 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 9 neg, 4 abs, 5 less, 11
     equal, 25 select.  Error <= R: 1 u of its largest component for |v| <= 1e13, in single
     precision 1e5; searched, not proved.  Each component is within 1 ulp as long as its
     condition is below 1e13; in single precision it is the nearest number, except near ties, as
@@ -797,9 +796,8 @@ def SO3_rightJacobian(v):
     sine_own_error, c_own_error = elementary.sincos_error(sine_of_half_angle, sine, c)
     sine_half = sine_of_half_angle_lo * 0.5
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
-    sine_more = (sine_half_cos * c - sine_half_sin * sine) * (sine_half_sin + sine_half_sin)
-    sine_lo = sine_own_error + sine_more
-    c_more = (sine_half_cos * sine + sine_half_sin * c) * (sine_half_sin + sine_half_sin)
+    sine_twice = sine_half_sin + sine_half_sin
+    sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     sinc_divisor_a = sine_of_half_angle == 0
     sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
@@ -824,7 +822,8 @@ def SO3_rightJacobian(v):
     sinc = where(sinc_divisor_a, 1, sinc_quotient)
     sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
     g1 = c * sinc
-    g1_cross = (c_own_error - c_more) * sinc + c * sinc_lo
+    g1_cross1 = (c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice) * sinc
+    g1_cross = g1_cross1 + c * sinc_lo
     g2a = sinc * sinc
     g2 = 0.5 * g2a
     g2_cross2 = 0.5 * (product_error(sinc, sinc, g2a) + (sinc_lo * sinc + sinc * sinc_lo))
@@ -1074,8 +1073,8 @@ def SO3_leftJacobianInverse(v):
     except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    235 mul, 611 add, 33 product error, 33 product rest, 9 div, 1 sqrt, 3 neg, 4 abs, 5 less, 11
-    equal, 25 select.  Error <= R: 1 u of its largest component for |v| <= π; searched, not
+    201 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less,
+    11 equal, 25 select.  Error <= R: 1 u of its largest component for |v| <= π; searched, not
     proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
     precision it is the nearest number, except near ties, as long as that is below 1e5;
     searched, not proved.
@@ -1113,10 +1112,9 @@ def SO3_leftJacobianInverse(v):
     sine_own_error, c_own_error = elementary.sincos_error(sine_of_half_angle, sine, c)
     sine_half = sine_of_half_angle_lo * 0.5
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
-    sine_more = (sine_half_cos * c - sine_half_sin * sine) * (sine_half_sin + sine_half_sin)
-    sine_lo = sine_own_error + sine_more
-    c_more = (sine_half_cos * sine + sine_half_sin * c) * (sine_half_sin + sine_half_sin)
-    c_lo = c_own_error - c_more
+    sine_twice = sine_half_sin + sine_half_sin
+    sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
+    c_lo = c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice
     sinc_divisor_a = sine_of_half_angle == 0
     sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
@@ -1414,11 +1412,11 @@ def SO3_rightJacobianInverse(v):
     except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    235 mul, 611 add, 33 product error, 33 product rest, 9 div, 1 sqrt, 4 abs, 5 less, 11 equal,
-    25 select.  Error <= R: 1 u of its largest component for |v| <= π; searched, not proved.
-    Each component is within 1 ulp as long as its condition is below 1e13; in single precision
-    it is the nearest number, except near ties, as long as that is below 1e5; searched, not
-    proved.
+    201 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 4 abs, 5 less, 11
+    equal, 25 select.  Error <= R: 1 u of its largest component for |v| <= π; searched, not
+    proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
+    precision it is the nearest number, except near ties, as long as that is below 1e5;
+    searched, not proved.
     """
     v_0, v_1, v_2 = v
     halved_0 = 0.5 * v_0
@@ -1453,10 +1451,9 @@ def SO3_rightJacobianInverse(v):
     sine_own_error, c_own_error = elementary.sincos_error(sine_of_half_angle, sine, c)
     sine_half = sine_of_half_angle_lo * 0.5
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
-    sine_more = (sine_half_cos * c - sine_half_sin * sine) * (sine_half_sin + sine_half_sin)
-    sine_lo = sine_own_error + sine_more
-    c_more = (sine_half_cos * sine + sine_half_sin * c) * (sine_half_sin + sine_half_sin)
-    c_lo = c_own_error - c_more
+    sine_twice = sine_half_sin + sine_half_sin
+    sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
+    c_lo = c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice
     sinc_divisor_a = sine_of_half_angle == 0
     sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
@@ -2332,7 +2329,7 @@ def SE3_exp(s):
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    273 mul, 662 add, 34 product error, 57 product rest, 5 div, 1 sqrt, 4 abs, 5 less, 14 equal,
+    239 mul, 546 add, 24 product error, 57 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 14 equal,
     28 select.  Error <= R: 1 u, t: 1 u of its largest component, or of s.lin if that is larger,
     for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Each component is
     within 1 ulp as long as its condition is below 1e13; in single precision it is the nearest
@@ -2372,9 +2369,8 @@ def SE3_exp(s):
     sine_own_error, c_own_error = elementary.sincos_error(sine_of_half_angle, sine, c)
     sine_half = sine_of_half_angle_lo * 0.5
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
-    sine_more = (sine_half_cos * c - sine_half_sin * sine) * (sine_half_sin + sine_half_sin)
-    sine_lo = sine_own_error + sine_more
-    c_more = (sine_half_cos * sine + sine_half_sin * c) * (sine_half_sin + sine_half_sin)
+    sine_twice = sine_half_sin + sine_half_sin
+    sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     sinc_divisor_a = sine_of_half_angle == 0
     sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
@@ -2399,7 +2395,8 @@ def SE3_exp(s):
     sinc = where(sinc_divisor_a, 1, sinc_quotient)
     sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
     g1 = c * sinc
-    g1_cross = (c_own_error - c_more) * sinc + c * sinc_lo
+    g1_cross1 = (c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice) * sinc
+    g1_cross = g1_cross1 + c * sinc_lo
     g2a = sinc * sinc
     g2 = 0.5 * g2a
     g2_cross2 = 0.5 * (product_error(sinc, sinc, g2a) + (sinc_lo * sinc + sinc * sinc_lo))
@@ -2723,7 +2720,7 @@ def SE3_log(D):
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    282 mul, 788 add, 38 product error, 35 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
+    280 mul, 748 add, 36 product error, 35 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
     copysign, 31 less, 14 equal, 88 select.  Error <= lin: 1 u, ang: 1 u of its largest
     component for R of D a rotation; searched, not proved.  Each component is within 1 ulp as
     long as its condition is below 1e13; in single precision it is the nearest number, except
@@ -3262,10 +3259,10 @@ def SE3_leftJacobian(s):
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    348 mul, 928 add, 41 product error, 86 product rest, 9 div, 1 sqrt, 3 neg, 4 abs, 5 less, 20
-    equal, 38 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not
-    proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
-    precision it is the nearest number, except near ties, as long as that is below 1e5;
+    314 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less,
+    20 equal, 38 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
+    not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
+    single precision it is the nearest number, except near ties, as long as that is below 1e5;
     searched, not proved.  Intermediate sums may overflow where |v| is above 2e306, in single
     precision 5e36.
     """
@@ -3302,9 +3299,8 @@ def SE3_leftJacobian(s):
     sine_own_error, c_own_error = elementary.sincos_error(sine_of_half_angle, sine, c)
     sine_half = sine_of_half_angle_lo * 0.5
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
-    sine_more = (sine_half_cos * c - sine_half_sin * sine) * (sine_half_sin + sine_half_sin)
-    sine_lo = sine_own_error + sine_more
-    c_more = (sine_half_cos * sine + sine_half_sin * c) * (sine_half_sin + sine_half_sin)
+    sine_twice = sine_half_sin + sine_half_sin
+    sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     sinc_divisor_a = sine_of_half_angle == 0
     sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
@@ -3329,7 +3325,8 @@ def SE3_leftJacobian(s):
     sinc = where(sinc_divisor_a, 1, sinc_quotient)
     sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
     g1 = c * sinc
-    g1_cross = (c_own_error - c_more) * sinc + c * sinc_lo
+    g1_cross1 = (c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice) * sinc
+    g1_cross = g1_cross1 + c * sinc_lo
     g2a = sinc * sinc
     g2 = 0.5 * g2a
     g2_cross2 = 0.5 * (product_error(sinc, sinc, g2a) + (sinc_lo * sinc + sinc * sinc_lo))
@@ -3916,7 +3913,7 @@ def SE3_rightJacobian(s):
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    348 mul, 928 add, 41 product error, 86 product rest, 9 div, 1 sqrt, 36 neg, 4 abs, 5 less,
+    314 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 36 neg, 4 abs, 5 less,
     20 equal, 38 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
     not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
     single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -3956,9 +3953,8 @@ def SE3_rightJacobian(s):
     sine_own_error, c_own_error = elementary.sincos_error(sine_of_half_angle, sine, c)
     sine_half = sine_of_half_angle_lo * 0.5
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
-    sine_more = (sine_half_cos * c - sine_half_sin * sine) * (sine_half_sin + sine_half_sin)
-    sine_lo = sine_own_error + sine_more
-    c_more = (sine_half_cos * sine + sine_half_sin * c) * (sine_half_sin + sine_half_sin)
+    sine_twice = sine_half_sin + sine_half_sin
+    sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     sinc_divisor_a = sine_of_half_angle == 0
     sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
@@ -3983,7 +3979,8 @@ def SE3_rightJacobian(s):
     sinc = where(sinc_divisor_a, 1, sinc_quotient)
     sinc_lo = where(sinc_divisor_a, 0, sinc_quotient_residual / sinc_quotient_of_sinc_divisor)
     g1 = c * sinc
-    g1_cross = (c_own_error - c_more) * sinc + c * sinc_lo
+    g1_cross1 = (c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice) * sinc
+    g1_cross = g1_cross1 + c * sinc_lo
     g2a = sinc * sinc
     g2 = 0.5 * g2a
     g2_cross2 = 0.5 * (product_error(sinc, sinc, g2a) + (sinc_lo * sinc + sinc * sinc_lo))
@@ -4576,7 +4573,7 @@ def SE3_leftJacobianInverse(s):
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    310 mul, 830 add, 44 product error, 59 product rest, 13 div, 1 sqrt, 9 neg, 4 abs, 5 less,
+    276 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 9 neg, 4 abs, 5 less,
     20 equal, 36 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
     not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
     single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -4616,10 +4613,9 @@ def SE3_leftJacobianInverse(s):
     sine_own_error, c_own_error = elementary.sincos_error(sine_of_half_angle, sine, c)
     sine_half = sine_of_half_angle_lo * 0.5
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
-    sine_more = (sine_half_cos * c - sine_half_sin * sine) * (sine_half_sin + sine_half_sin)
-    sine_lo = sine_own_error + sine_more
-    c_more = (sine_half_cos * sine + sine_half_sin * c) * (sine_half_sin + sine_half_sin)
-    c_lo = c_own_error - c_more
+    sine_twice = sine_half_sin + sine_half_sin
+    sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
+    c_lo = c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice
     sinc_divisor_a = sine_of_half_angle == 0
     sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
@@ -5172,7 +5168,7 @@ def SE3_rightJacobianInverse(s):
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    310 mul, 830 add, 44 product error, 59 product rest, 13 div, 1 sqrt, 21 neg, 4 abs, 5 less,
+    276 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 21 neg, 4 abs, 5 less,
     20 equal, 36 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
     not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
     single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -5212,10 +5208,9 @@ def SE3_rightJacobianInverse(s):
     sine_own_error, c_own_error = elementary.sincos_error(sine_of_half_angle, sine, c)
     sine_half = sine_of_half_angle_lo * 0.5
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
-    sine_more = (sine_half_cos * c - sine_half_sin * sine) * (sine_half_sin + sine_half_sin)
-    sine_lo = sine_own_error + sine_more
-    c_more = (sine_half_cos * sine + sine_half_sin * c) * (sine_half_sin + sine_half_sin)
-    c_lo = c_own_error - c_more
+    sine_twice = sine_half_sin + sine_half_sin
+    sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
+    c_lo = c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice
     sinc_divisor_a = sine_of_half_angle == 0
     sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
@@ -5765,7 +5760,7 @@ def SE3_interpolated(D1, D2, k):
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    741 mul, 1861 add, 78 product error, 164 product rest, 28 div, 3 sqrt, 11 neg, 18 abs, 4
+    705 mul, 1705 add, 66 product error, 164 product rest, 29 div, 3 sqrt, 11 neg, 18 abs, 4
     copysign, 36 less, 22 equal, 110 select.  Error <= R: 1 u, t: 1 u of its largest component,
     or of D1.t or D2.t if that is larger, for R of D1 a rotation and R of D2 a rotation and 0 <=
     k <= 1; searched, not proved.  Each component is within 1 ulp as long as its condition is
@@ -6621,9 +6616,10 @@ def SE3_interpolated(D1, D2, k):
     exp_sine_own_error, exp_c_own_error = elementary.sincos_error(exp_sine_of_exp_half_angle, exp_sine, exp_c)
     exp_sine_half = exp_sine_of_exp_half_angle_lo * 0.5
     exp_sine_half_sin, exp_sine_half_cos = elementary.sincos(exp_sine_half)
-    exp_sine_slope = exp_sine_half_cos * exp_c - exp_sine_half_sin * exp_sine
-    exp_sine_lo = exp_sine_own_error + exp_sine_slope * (exp_sine_half_sin + exp_sine_half_sin)
-    exp_c_slope = exp_sine_half_cos * exp_sine + exp_sine_half_sin * exp_c
+    exp_sine_twice = exp_sine_half_sin + exp_sine_half_sin
+    exp_sine_more = (exp_sine_half_cos * exp_c - exp_sine_half_sin * exp_sine) * exp_sine_twice
+    exp_sine_lo = exp_sine_own_error + exp_sine_more
+    exp_c_more = (exp_sine_half_cos * exp_sine + exp_sine_half_sin * exp_c) * exp_sine_twice
     exp_sinc_divisor_a = exp_sine_of_exp_half_angle == 0
     exp_sinc_divisor = where(exp_sinc_divisor_a, 1, exp_sine_of_exp_half_angle)
     exp_sinc_divisor_lo = where(exp_sinc_divisor_a, 0, exp_sine_of_exp_half_angle_lo)
@@ -6651,8 +6647,7 @@ def SE3_interpolated(D1, D2, k):
     exp_sinc_quotient_lo = exp_sinc_quotient_residual / exp_sinc_quotient_of_exp_sinc_divisor
     exp_sinc_lo = where(exp_sinc_divisor_a, 0, exp_sinc_quotient_lo)
     exp_g1 = exp_c * exp_sinc
-    exp_c_lo = exp_c_own_error - exp_c_slope * (exp_sine_half_sin + exp_sine_half_sin)
-    exp_g1_cross = exp_c_lo * exp_sinc + exp_c * exp_sinc_lo
+    exp_g1_cross = (exp_c_own_error - exp_c_more) * exp_sinc + exp_c * exp_sinc_lo
     exp_g2a = exp_sinc * exp_sinc
     exp_g2a_cross = exp_sinc_lo * exp_sinc + exp_sinc * exp_sinc_lo
     exp_g2 = 0.5 * exp_g2a

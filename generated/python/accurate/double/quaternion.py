@@ -2539,10 +2539,10 @@ def quaternion_from_axis_angle(axis, angle):
     rotation is by another angle.
 
     (3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
-    120 mul, 249 add, 24 product error, 3 abs, 1 less, 4 equal, 5 select.  Error <= qo: 1 u of
-    its largest component for |axis| = 1; searched, not proved.  Each component is within 1 ulp
-    as long as its condition is below 1e13; in single precision it is the nearest number, except
-    near ties, as long as that is below 1e5; searched, not proved.
+    86 mul, 134 add, 14 product error, 1 div, 3 abs, 1 less, 4 equal, 5 select.  Error <= qo: 1
+    u of its largest component for |axis| = 1; searched, not proved.  Each component is within 1
+    ulp as long as its condition is below 1e13; in single precision it is the nearest number,
+    except near ties, as long as that is below 1e5; searched, not proved.
     """
     axis_0, axis_1, axis_2 = axis
     half = 0.5 * angle
@@ -2568,7 +2568,7 @@ def axis_angle_from_quaternion(q):
     angle is 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    149 mul, 308 add, 27 product error, 3 product rest, 13 div, 1 sqrt, 5 neg, 17 abs, 4
+    147 mul, 268 add, 25 product error, 3 product rest, 13 div, 1 sqrt, 5 neg, 17 abs, 4
     copysign, 27 less, 10 equal, 51 select.  Error <= angle: 1 u, axis: 1 u of its largest
     component; searched, not proved.  Each component is within 1 ulp as long as its condition is
     below 1e13; in single precision it is the nearest number, except near ties, as long as that
@@ -2676,7 +2676,7 @@ def quaternion_exp(v):
     """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
 
     (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
-    169 mul, 338 add, 26 product error, 3 product rest, 4 div, 1 sqrt, 7 abs, 5 less, 6 equal,
+    135 mul, 222 add, 16 product error, 3 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 6 equal,
     14 select.  Error <= qo: 1 u of its largest component for |v| <= 1e13, in single precision
     1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
     1e13; in single precision it is the nearest number, except near ties, as long as that is
@@ -2743,9 +2743,8 @@ def quaternion_exp(v):
     sine_own_error, c_own_error = elementary.sincos_error(sine_of_half_angle, sine, c)
     sine_half = sine_of_half_angle_lo * 0.5
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
-    sine_more = (sine_half_cos * c - sine_half_sin * sine) * (sine_half_sin + sine_half_sin)
-    sine_lo = sine_own_error + sine_more
-    c_more = (sine_half_cos * sine + sine_half_sin * c) * (sine_half_sin + sine_half_sin)
+    sine_twice = sine_half_sin + sine_half_sin
+    sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     sinc_divisor_a = sine_of_half_angle == 0
     sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
@@ -2775,7 +2774,7 @@ def quaternion_exp(v):
     qo_0_rounded = qo_0 + (product_error(h_0, sinc, qo_0) + h_0 * sinc_lo)
     qo_1_rounded = qo_1 + (product_error(h_1, sinc, qo_1) + h_1 * sinc_lo)
     qo_2_rounded = qo_2 + (product_error(h_2, sinc, qo_2) + h_2 * sinc_lo)
-    c_rounded = c + (c_own_error - c_more)
+    c_rounded = c + (c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice)
     qo_0_final = where(qo_0_rounded == qo_0_rounded, qo_0_rounded, qo_0)
     qo_1_final = where(qo_1_rounded == qo_1_rounded, qo_1_rounded, qo_1)
     qo_2_final = where(qo_2_rounded == qo_2_rounded, qo_2_rounded, qo_2)
@@ -2789,7 +2788,7 @@ def quaternion_log(q):
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    151 mul, 311 add, 28 product error, 3 product rest, 9 div, 1 sqrt, 5 neg, 17 abs, 4
+    149 mul, 271 add, 26 product error, 3 product rest, 9 div, 1 sqrt, 5 neg, 17 abs, 4
     copysign, 27 less, 9 equal, 48 select.  Error <= vo: 1 u of its largest component; searched,
     not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
     single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -2895,7 +2894,7 @@ def quaternion_interpolated(q1, q2, k):
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-    395 mul, 921 add, 57 product error, 38 product rest, 15 div, 2 sqrt, 14 neg, 21 abs, 4
+    359 mul, 765 add, 45 product error, 38 product rest, 16 div, 2 sqrt, 14 neg, 21 abs, 4
     copysign, 35 less, 12 equal, 68 select.  Error <= qo: 1 u of its largest component for |q1|
     = 1 and |q2| = 1 and 0 <= k <= 1; searched, not proved.  Each component is within 1 ulp as
     long as its condition is below 1e13; in single precision it is the nearest number, except
@@ -3253,10 +3252,11 @@ def quaternion_interpolated(q1, q2, k):
     exp_sine_own_error, exp_c_own_error = elementary.sincos_error(exp_sine_of_exp_half_angle, exp_sine, exp_c)
     exp_sine_half = exp_sine_of_exp_half_angle_lo * 0.5
     exp_sine_half_sin, exp_sine_half_cos = elementary.sincos(exp_sine_half)
-    exp_sine_slope = exp_sine_half_cos * exp_c - exp_sine_half_sin * exp_sine
-    exp_sine_lo = exp_sine_own_error + exp_sine_slope * (exp_sine_half_sin + exp_sine_half_sin)
-    exp_c_slope = exp_sine_half_cos * exp_sine + exp_sine_half_sin * exp_c
-    exp_c_lo = exp_c_own_error - exp_c_slope * (exp_sine_half_sin + exp_sine_half_sin)
+    exp_sine_twice = exp_sine_half_sin + exp_sine_half_sin
+    exp_sine_more = (exp_sine_half_cos * exp_c - exp_sine_half_sin * exp_sine) * exp_sine_twice
+    exp_sine_lo = exp_sine_own_error + exp_sine_more
+    exp_c_more = (exp_sine_half_cos * exp_sine + exp_sine_half_sin * exp_c) * exp_sine_twice
+    exp_c_lo = exp_c_own_error - exp_c_more
     exp_sinc_divisor_a = exp_sine_of_exp_half_angle == 0
     exp_sinc_divisor = where(exp_sinc_divisor_a, 1, exp_sine_of_exp_half_angle)
     exp_sinc_divisor_lo = where(exp_sinc_divisor_a, 0, exp_sine_of_exp_half_angle_lo)
