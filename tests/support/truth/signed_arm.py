@@ -64,7 +64,8 @@ ARMS = (Links(("0.228", "-0.31", "0.163"), "1.05", ("0.043", "0.059", "-0.082"),
 """In the first, what a link moves outweighs it; in the second, it outweighs what it moves."""
 
 SAME = ("U1xyn - U1xyn_right_1) [+] (dw1z - U1xyn_right_1)",
-        "U1zy + U1zy_right_1) [-] (dw1xn - U1zy_right_1)")
+        "U1zy + U1zy_right_1) [-] (dw1xn - U1zy_right_1)",
+        "mB4z - mB4z_right_1) [+] (forward_dynamics->u4 -")
 """Signs of what is zero: the second part b - right of the error of a + b, b being c - a rounded.
 If |a| > |b|, either c / a is in [1/2, 2] and b is c - a, or b / a is in [-1, -1/2]; so a + b is
 exact.  If |a| <= |b|, a + b rounds to c, and right = c - a to b again (ties apart)."""
