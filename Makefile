@@ -6,7 +6,7 @@ PYTHON  := $(VENV)/bin/python
 PIP     := PYTHONWARNINGS=ignore $(PYTHON) -m pip --quiet --disable-pip-version-check
 SOURCES := $(wildcard $(addprefix generated/,gufunc/*.[ch] gufunc/*/*.[ch] c/coscrew*.h))
 
-.PHONY: all generate check build example scene test test-quick bench attack report docs clean
+.PHONY: all generate check build example scene test test-quick bench attack report figure docs clean
 
 all: generate
 	@$(MAKE) --no-print-directory check example scene
@@ -70,7 +70,7 @@ $(VENV)/test-ready: $(VENV)/ready
 test: $(VENV)/test-ready check build
 	$(PYTHON) -m pytest -n auto --dist loadfile --no-loadscope-reorder
 
-# For the working day, in a minute and a half: without slow tests, and with samples of large ones.
+# For the working day, in a minute: without slow tests, and with samples of large ones.
 test-quick: $(VENV)/test-ready
 	$(PYTHON) -m pytest -n auto --dist loadfile --no-loadscope-reorder --quick
 
@@ -90,6 +90,12 @@ attack: $(VENV)/test-ready build
 # Errors and times of everything on this machine, in about two minutes: build/report/.
 report: $(VENV)/test-ready build
 	$(PYTHON) -m coscrew_codegen report --hard-cases tests/hard_cases
+
+# README's figure of what accuracy costs for a Panda, drawn again; it shows times, so the machine
+# should be idle.
+figure: build
+	$(PYTHON) -m coscrew_codegen cost examples/cost/panda.toml --function inverse_dynamics \
+	    --function forward_dynamics --function mass_matrix --plot examples/cost/panda.svg
 
 # README, docs/ and generated/docs/ as pages in build/docs, without network access; warnings, such as
 # for broken links, are errors.

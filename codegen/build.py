@@ -5,6 +5,7 @@ in the folders that the generator has written."""
 
 import os
 from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
 from importlib import import_module
 from pathlib import Path
 
@@ -51,12 +52,12 @@ def _relative(root: Path, paths: Iterable[Path]) -> list[str]:
 
 
 class BuildExt(build_ext):
-    """Adds NumPy's headers, and flags under which every operation is rounded on its own."""
+    """Adds NumPy's headers, and flags under which every operation is rounded on its own; compiles
+    as many files at a time as there are processors."""
 
     def build_extensions(self) -> None:
         import numpy
 
-        self.parallel: int | None = self.parallel or os.cpu_count()
         microsoft = self.compiler.compiler_type == "msvc"
         for extension in self.extensions:
             extension.include_dirs.append(numpy.get_include())
@@ -65,4 +66,14 @@ class BuildExt(build_ext):
                 ["-O3", "-g0", "-ffp-contract=off", "-DKSL_CONTRACT_OFF", "-fno-fast-math",
                  "-fvisibility=hidden"])
             extension.libraries += [] if microsoft else ["m"]
-        super().build_extensions()
+        compile_some = self.compiler.compile
+        with ThreadPoolExecutor(self.parallel or os.cpu_count()) as pool:
+
+            def compile_each(sources: list[str], **options: object) -> list[str]:
+                longest_first = sorted(sources, key=os.path.getsize, reverse=True)
+                made = {x: pool.submit(compile_some, [x], **options) for x in longest_first}
+                return [path for x in sources for path in made[x].result()]
+
+            self.compiler.compile = compile_each
+            self.parallel: int | None = len(self.extensions)
+            super().build_extensions()

@@ -95,14 +95,7 @@ class Precision(Format):
 
     def rounded(self, value: Fraction) -> "np.floating":
         """`value` rounded to nearest, ties to even."""
-        import numpy as np
-
-        number = getattr(np, self.numpy_type)
-        near = number(value.numerator / value.denominator)
-        with np.errstate(over="ignore"):
-            around = [near, *(np.nextafter(near, number(x)) for x in (-np.inf, np.inf))]
-        return min((x for x in around if np.isfinite(x)), key=lambda x: (
-            abs(Fraction(float(x)) - value), int(x.view(f"u{self.bytes}")) & 1))
+        return _rounded(self, value)
 
 
 @cache
@@ -110,6 +103,18 @@ def _limits(precision: Precision) -> dict[str, Fraction]:
     normal = precision.smallest_normal
     return {"max": (2 - 2 * precision.u) * Fraction(2)**(1 - precision.least_exponent),
             "smallest_normal": normal, "smallest_subnormal": normal * 2 * precision.u}
+
+
+@cache
+def _rounded(precision: Precision, value: Fraction) -> "np.floating":
+    import numpy as np
+
+    number = getattr(np, precision.numpy_type)
+    near = number(value.numerator / value.denominator)
+    with np.errstate(over="ignore"):
+        around = [near, *(np.nextafter(near, number(x)) for x in (-np.inf, np.inf))]
+    return min((x for x in around if np.isfinite(x)), key=lambda x: (
+        abs(Fraction(float(x)) - value), int(x.view(f"u{precision.bytes}")) & 1))
 
 
 @cache

@@ -39,7 +39,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("--functions", metavar="NAME", nargs="+", action="extend",
                         help="for a scene, only these functions; default and all select several")
     parser.add_argument("--tier", metavar="NAME", nargs="+", action="extend",
-                        help="for a scene, these tiers besides plain: accurate, certified, pairs")
+                        help="for a scene, these tiers besides plain: accurate, certified, mixed, "
+                             "pairs")
     add_implausible(parser)
     parser.set_defaults(run=run)
 

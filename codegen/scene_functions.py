@@ -22,6 +22,17 @@ class Coordinate:
 
 
 @dataclass(frozen=True)
+class Accuracy:
+    """What errors of a function's results may be, and of which states: ranges of each component of
+    each input, and which of them are quaternions."""
+
+    tolerances: tuple[float, ...]  # of each component of the results
+    components: tuple[tuple[str, int], ...]  # their outputs and numbers
+    ranges: tuple[tuple[tuple[float, float], ...], ...]
+    quaternions: tuple[tuple[int, range], ...] = ()  # number of the input, its components
+
+
+@dataclass(frozen=True)
 class Function:
     """A function of a scene.
 
@@ -39,6 +50,7 @@ class Function:
     internal: bool = False
     rounding: str = ""  # how far roundings can move its outputs, if that is proved
     plain: Program | None = None
+    accuracy: Accuracy | None = None  # if it is asked for: the mixed tier has it
 
     @property
     def inputs(self) -> tuple[Argument, ...]:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.formats import Precision, named
+from coscrew_codegen.program import Program
 from coscrew_codegen.recording.recorder import headings
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.tiers import PLAIN, Tier
@@ -45,6 +46,11 @@ class SceneTier:
 def in_tier(scene: SceneFunctions, tier: Tier) -> SceneTier:
     """The scene's public functions in this tier.  Raises NoFunctionsError if there are none."""
     public = [f for f in scene.functions if not f.internal]
+    if tier.asked:
+        public = [f for f in public if f.accuracy]
+        if not public:
+            raise NoFunctionsError(f"{scene.name}: the {tier.name} tier needs a function of which "
+                                   "an accuracy is asked: [accuracy] in the scene's file")
     if not public:
         raise NoFunctionsError(f"{scene.name}: the {tier.name} tier needs a function; steps, which "
                                "alone are selected, have no tier")
@@ -58,14 +64,24 @@ def in_tier(scene: SceneFunctions, tier: Tier) -> SceneTier:
 
 
 def _function(plain: Function, tier: Tier, precision: Precision) -> Function:
-    if tier.scene is None:
-        raise ValueError(f"scenes do not have the {tier.name} tier")
-    program = tier.scene(plain.program, precision)
+    program, rounding = _in_tier(plain, tier, precision)
     words = {_heading(plain, place): text for place, text in plain.headings}
     more = len(program.inputs) > len(plain.program.inputs)
-    return replace(plain, program=program, plain=plain.program if more else None, rounding="",
+    return replace(plain, program=program, plain=plain.program if more else None, rounding=rounding,
                    headings=tuple((place, words.get(heading, heading))
                                   for place, heading in headings(program)))
+
+
+def _in_tier(plain: Function, tier: Tier, precision: Precision) -> tuple[Program, str]:
+    """The program, and what is known of its rounding errors."""
+    if tier.asked and plain.accuracy:
+        from coscrew_codegen.mixture.choice import chosen, in_words  # when asked: few scenes do
+
+        choice = chosen(plain.program, plain.accuracy)
+        return choice.program, in_words(choice, plain)
+    if tier.scene is None:
+        raise ValueError(f"scenes do not have the {tier.name} tier")
+    return tier.scene(plain.program, precision), ""
 
 
 def _heading(function: Function, place: int) -> str:

@@ -19,16 +19,23 @@ if TYPE_CHECKING:  # imports SymPy and the operations: only the tests that need 
 LONG = frozenset("""
     test_absence test_accurate_functions test_cache test_certified_scenes test_check
     test_check_advice test_check_alarms test_check_bounces test_checkers test_climb
-    test_command_line test_cost test_cross test_documents test_examples test_family_cache
-    test_flags test_found test_generate test_generate_scene test_gufuncs test_hard_cases
-    test_hard_effects test_headers test_implausible test_inverses test_load_scene test_motions
-    test_mujoco test_packaging test_parity test_pinocchio test_recording test_references
-    test_report_command test_report_files test_report_measure test_report_page test_roundings
-    test_sanitizers test_scene_agreement test_scene_compilation test_scene_flags
-    test_scene_names test_scene_parts test_scene_signs test_scene_text test_scene_tiers
-    test_selected_functions test_selfcheck test_simulate test_tiers test_true_motion test_typing
-    test_version test_view""".split())
-"""Files that take more than five seconds of processor time, even with few parameters."""
+    test_command_line test_cost test_cost_accuracy test_cost_files test_cross test_documents
+    test_elementary_attack test_encodings test_examples test_family_cache test_flags
+    test_found test_generate test_generate_scene test_gufuncs test_hard_cases
+    test_hard_effects test_headers test_implausible test_integrators test_inverses
+    test_load_scene test_minimax test_motions test_mujoco test_packaging test_parity
+    test_pinocchio test_random_robots test_recording test_references test_report_command
+    test_report_files test_report_measure test_report_page test_roundings test_sanitizers
+    test_scene_accuracy test_scene_agreement test_scene_arrays test_scene_bounds
+    test_scene_compilation test_scene_flags test_scene_names test_scene_pairs test_scene_parts
+    test_scene_signs test_scene_text test_scene_tiers test_selected_functions test_selfcheck
+    test_simulate test_simulate_command test_sincos test_symmetric test_tiers test_told
+    test_true_motion test_typing test_version test_view""".split())
+"""Files that take more than four seconds of processor time, even with few parameters."""
+MANY = frozenset("""
+    test_bits test_derivatives test_lagrange test_lanes test_numeric_truth test_rounding
+    test_symbolic_truth test_tier_text""".split())
+"""Files that take more than ten with all parameters."""
 FEW = 4
 
 
@@ -96,7 +103,7 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Slow files first, so that at the end no processor waits for another; a few parameters."""
-    items.sort(key=lambda item: item.path.stem not in LONG)
+    items.sort(key=lambda item: (item.path.stem not in LONG, item.path.stem not in MANY))
     if not config.getoption("--quick"):
         return
     each: dict[str, list[pytest.Item]] = {}

@@ -40,7 +40,8 @@ def _sentences(rows: Sequence[Accuracy]) -> Iterator[str]:
            f"states), {cost} ({three_digits(best.time.median)} ns).")
     better = [x for x in undominated(results) if x.relative < best.relative]
     for a, b in pairwise((best, *better)):
-        yield f"{b.name} is {within(b)}: {_gain(a, b)} than {a.name}, at {_times(b, a)}."
+        yield (f"{b.name.capitalize()} is {within(b)}: {_gain(a, b)} than {a.name}, at "
+               f"{_times(b, a)}.")
     single = [x for x in results if x.precision == "single"]
     if best.precision != "single":
         own, fastest = recommended(single), undominated(single)[0]
@@ -49,7 +50,7 @@ def _sentences(rows: Sequence[Accuracy]) -> Iterator[str]:
     for x in rows:
         if x.tier == CERTIFIED and x.precision == best.precision:
             plain = next(y for y in rows if y.name == f"{x.precision} plain")
-            yield f"{x.name} {_proved(x)}, at {_times(x, plain)}."
+            yield f"{x.name.capitalize()} {_proved(x)}, at {_times(x, plain)}."
 
 
 def within(x: Accuracy) -> str:

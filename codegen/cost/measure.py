@@ -115,7 +115,8 @@ def _tiers(of: Part, names: Sequence[str]) -> tuple[SceneTier, ...]:
         f for f in of.public if f.name in names))
     return tuple(in_tier(some, tier) for tier in OF_SCENES
                  if names and tier != PLAIN and (
-                     tier.precisions == PRECISIONS or tier.name in of.scene.tiers))
+                     tier.precisions == PRECISIONS
+                     or tier.name in of.scene.tiers and not tier.asked))
 
 
 def _accuracies(kernels: Kernels, overrides: RunOverrides, run: Trajectory, built: Compiled,

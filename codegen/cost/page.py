@@ -22,7 +22,8 @@ def write(costs: Costs, path: Path, command: str) -> None:
 def page(costs: Costs, command: str) -> str:
     """The text of the page."""
     figures = data(costs, command)
-    return render("cost/page.html", tiers=OF_SCENES, about=ABOUT, figures=figures,
-                  advice=[sentences(rows) for rows in costs.accuracy],
+    measured = {x.tier for rows in costs.accuracy for x in rows}
+    return render("cost/page.html", tiers=OF_SCENES, measured=measured, about=ABOUT,
+                  figures=figures, advice=[sentences(rows) for rows in costs.accuracy],
                   accuracies=[x for rows in costs.accuracy for x in accuracies(rows)],
                   others=tuple(others(costs)), data=embedded(figures))

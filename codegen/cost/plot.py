@@ -9,6 +9,7 @@ import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from coscrew_codegen.cost import run_panel
 from coscrew_codegen.cost.measure import Costs
 from coscrew_codegen.cost.panels import legend, panel
 from coscrew_codegen.cost.work_precision import Point
@@ -30,9 +31,11 @@ def plot(costs: Costs, path: Path) -> None:
 
 
 def figure(costs: Costs) -> Figure:
-    """Functions, _ABREAST in a row; below them effects and runs, if they were measured."""
+    """Functions, _ABREAST in a row; below them effects and runs, if they were measured; below these
+    the errors of the run."""
     lines = [costs.accuracy[n:n + _ABREAST] for n in range(0, len(costs.accuracy), _ABREAST)]
-    widest, rows = max([len(x) for x in lines] + [3 * costs.runs]), len(lines) + costs.runs
+    below = costs.runs + (costs.run_errors is not None)
+    widest, rows = max([len(x) for x in lines] + [3 * costs.runs]), len(lines) + below
     figure = Figure(figsize=(4.2 * widest, 4.2 * rows + 0.4), layout="constrained")
     parts = figure.subfigures(rows, 1, squeeze=False)[:, 0]
     for part, some in zip(parts, lines, strict=False):
@@ -41,9 +44,11 @@ def figure(costs: Costs) -> Figure:
     if lines:
         legend(parts[0], costs.accuracy[0])
     if costs.runs:
-        left, right = parts[-1].subplots(1, 2, width_ratios=(2, 3))
+        left, right = parts[len(lines)].subplots(1, 2, width_ratios=(2, 3))
         _bars(left, costs)
         _accuracy(right, costs)
+    if costs.run_errors:
+        run_panel.panel(parts[-1].subplots(), costs.run_errors)
     return figure
 
 

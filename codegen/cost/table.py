@@ -46,11 +46,12 @@ class Table:
 
     def text(self) -> str:
         """For a terminal."""
+        above, below = (map(_wrapped, x) for x in (self.above, self.below))
         if not self.rows:
-            return "\n".join((*self.above, *self.below))
+            return "\n".join((*above, *below))
         places = ("left", *("right" for _ in self.headers[1:]))
-        return "\n".join((*self.above, str(tabulate(
-            self.rows, self.headers, disable_numparse=True, colalign=places)), *self.below))
+        return "\n".join((*above, str(tabulate(
+            self.rows, self.headers, disable_numparse=True, colalign=places)), *below))
 
 
 def table(costs: Costs) -> str:
@@ -143,7 +144,7 @@ def of_run(found: RunErrors) -> Table:
          f"from {x.gone:.4g} s" if x.gone is not None else "") for x in found.rows), (
              f"Errors of a run in m or rad, told apart: {found.integrator}, step {found.step:g} s, "
              f"{_covered(found)}, against the same steps with {RUN_DIGITS} digits.",
-             *textwrap.wrap(_CAUSES, 110)), tuple(_compared(found)))
+             _CAUSES), tuple(_compared(found)))
 
 
 def _covered(found: RunErrors) -> str:

@@ -82,7 +82,8 @@ def _key(key: Key) -> Schema:
         inner = _table(key.table)
         several: Schema = {"anyOf": [inner, {"type": "array", "items": inner}]}
         holding: dict[str, Schema] = {"table": inner, "tables": _by_name(inner),
-                                      "expectations": _by_name(several)}
+                                      "expectations": _by_name(several), "tolerances": _by_name(
+                                          {"anyOf": [_POSITIVE, _by_name(_POSITIVE)]})}
         return holding[key.kind]
     if key.choices:
         return {"enum": list(key.choices)}

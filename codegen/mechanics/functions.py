@@ -6,6 +6,7 @@ from dataclasses import replace
 from coscrew_codegen.collection import uncollected
 from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.mechanics import coordinates
+from coscrew_codegen.mechanics.accuracy import asked
 from coscrew_codegen.mechanics.derivation import Makers
 from coscrew_codegen.mechanics.functions_of_bodies import BodyFunctions
 from coscrew_codegen.mechanics.functions_of_dynamics import DynamicsFunctions
@@ -63,7 +64,8 @@ class _Derivation(DynamicsFunctions, BodyFunctions, StepFunctions):
     def _stated(self, made: Function, public: bool) -> Function:
         """The function, public or not, with what is proved of its rounding errors."""
         rounding = statement(made.program, self.scene, self.tree) if public else ""
-        return replace(made, internal=not public, rounding=rounding)
+        return replace(made, internal=not public, rounding=rounding,
+                       accuracy=asked(made.program, self.scene, self.tree) if public else None)
 
     def _makers(self) -> Makers:
         return {**self._of_dynamics(), **self._of_bodies(), **self._of_steps()}

@@ -56,6 +56,15 @@ class Expectation:
 
 
 @dataclass(frozen=True)
+class Tolerance:
+    """How far rounding may move an output of a function, or all of them, in single precision."""
+
+    function: str
+    output: str  # "" for all
+    within: float  # in the output's unit
+
+
+@dataclass(frozen=True)
 class Run:
     """How to integrate: `step` is for emitted integrators, the tolerances are for SciPy's."""
 
@@ -85,6 +94,7 @@ class Scene:
     expectations: tuple[Expectation, ...] = ()
     functions: tuple[str, ...] = ()  # selected by name; (): the default functions
     tiers: tuple[str, ...] = ()  # selected besides plain, the cheapest first
+    accuracy: tuple[Tolerance, ...] = ()  # what the mixed tier is to reach
     unused: tuple[str, ...] = ()  # physical numbers of the model that are not used, a line each
 
 

@@ -17,6 +17,13 @@ def known() -> tuple[str, ...]:
     return tuple(tier.name for tier in OF_SCENES)
 
 
+def asked() -> tuple[str, ...]:
+    """Those of functions of which an accuracy is asked."""
+    from coscrew_codegen.tiers import OF_SCENES
+
+    return tuple(tier.name for tier in OF_SCENES if tier.asked)
+
+
 def selected(words: Sequence[str]) -> tuple[str, ...]:
     """The tiers of these names besides plain, which every scene has; the cheapest first.  Raises
     TiersError."""

@@ -24,7 +24,8 @@ class Key:
     words: str  # description with units
     kind: str = "text"  # text, texts, number, positive, nonnegative, vector (3 numbers), quaternion
     # (4), moments (3 or 6 numbers or a 3×3 matrix), coordinates (by joint: a number or a list),
-    # expectations (by quantity), effects; table and tables (by name) have `table`
+    # expectations (by quantity), tolerances (by function), effects; table and tables (by name)
+    # have `table`
     choices: tuple[str, ...] = ()  # of a text; the first is the default unless there is another
     default: str = ""  # in TOML
     required: bool = False
@@ -124,6 +125,10 @@ EXPECT = TableOf('expect."QUANTITY"', "A condition for `coscrew check`: |quantit
     Key("rtol", "relative tolerance", "nonnegative", default="0"),
     Key("atol", "absolute tolerance", "nonnegative", default="0")))
 
+ACCURACY = TableOf("accuracy", "How accurate functions are in the mixed tier.", (
+    Key("FUNCTION", "how far rounding may move its outputs, in their unit; or a table of this by "
+        "output", "positive"),))
+
 SCENE = TableOf("", "The file itself.", (
     Key("model", "a URDF file next to the scene; without it the tables `bodies` and `joints` are "
         "the model"),
@@ -139,7 +144,9 @@ SCENE = TableOf("", "The file itself.", (
     Key("functions", "what is generated: names of functions; \"default\" and \"all\" stand for "
         "several", "texts", default='["default"]'),
     Key("tiers", "in which the functions, steps excepted, are generated besides plain: accurate, "
-        "certified, pairs", "texts", default='["plain"]'),
+        "certified, mixed, pairs", "texts", default='["plain"]'),
+    Key("accuracy", "how accurate functions in single precision are in the mixed tier, which they "
+        "then have", "tolerances", table=ACCURACY),
     Key("runtime", "numbers that stay arguments of functions: BODY.mass, BODY.com, BODY.inertia, "
         "EFFECT.WHERE.PARAMETER", "texts", default="[]"),
     Key("bodies", "the bodies, by name", "tables", table=BODY),
@@ -150,5 +157,5 @@ SCENE = TableOf("", "The file itself.", (
     Key("run", "how a run is integrated", "table", table=RUN),
     Key("expect", "conditions on a run, by quantity", "expectations", table=EXPECT)))
 
-TABLES = (SCENE, BODY, JOINT, ORIGIN, LIMITS, MIMIC, START, OUTPUTS, RUN, EXPECT)
+TABLES = (SCENE, BODY, JOINT, ORIGIN, LIMITS, MIMIC, ACCURACY, START, OUTPUTS, RUN, EXPECT)
 """All tables except those of effects."""

@@ -20,7 +20,8 @@ from coscrew_codegen.scene.recorded import (
 from coscrew_codegen.scene.rotations import unit
 from coscrew_codegen.scene.scene import Expectation, Run, Scene
 from coscrew_codegen.scene.selected import FunctionsError, resolved
-from coscrew_codegen.scene.tiers import TiersError, selected
+from coscrew_codegen.scene.tiers import TiersError, asked, selected
+from coscrew_codegen.scene_files.accuracy import read_accuracy
 from coscrew_codegen.scene_files.effect_table import Use
 from coscrew_codegen.scene_files.errors import SceneError, shown
 from coscrew_codegen.scene_files.identifiers import identifier, refused
@@ -108,14 +109,17 @@ def _scene(file: Table, catalogue: tuple[Effect, ...], overrides: SceneOverrides
                     start_v=_start_v(start.table("v"), scene), record=_record(outputs, scene),
                     every=float(outputs.positive("every", Fraction(1, 100))),
                     expectations=_expectations(file, scene))
-    functions = overrides.functions or _functions(file, scene)
-    tiers = _tiers(file)
+    functions = _functions(file, scene)
+    accuracy = read_accuracy(file, scene, resolved(scene, functions))
+    functions = overrides.functions or functions
+    accuracy = tuple(x for x in accuracy if x.function in resolved(scene, functions))
+    tiers = selected((*_tiers(file), *(asked() if accuracy else ())))
     effects = with_reactions(scene, catalogue)
     model, effects, parameters = with_parameters(file, model, effects, catalogue)
     if overrides.tiers:
         tiers = selected(overrides.tiers)
     return _selecting(replace(scene, model=model, effects=effects, parameters=parameters,
-                              tiers=tiers), functions)
+                              accuracy=accuracy, tiers=tiers), functions)
 
 
 def _functions(file: Table, scene: Scene) -> tuple[str, ...]:

@@ -4,6 +4,7 @@ plain       fixed order, every operation rounded once             names without 
 fused       products fused into sums by fma                       C only
 accurate    single: computed in double, rounded once; double: compensated, carried as hi + lo
 certified   plain, and a bound on each component's error that always holds
+mixed       single: what an asked accuracy needs is carried as hi + lo         scenes only
 pairs       single: compensated, carried as hi + lo in single                  scenes only
 
 A tier may also add in another order: `program.sums` gives the terms of a plain program's sums.
@@ -21,7 +22,7 @@ TIERS = tuple(tier for tier in _ALL if tier.make)
 PLAIN = next(tier for tier in TIERS if not tier.marked)
 MARKED = tuple(tier for tier in TIERS if tier.marked)
 """All tiers but plain: those with a suffix in names."""
-OF_SCENES = tuple(tier for tier in _ALL if tier is PLAIN or tier.scene)
+OF_SCENES = tuple(tier for tier in _ALL if tier is PLAIN or tier.scene or tier.asked)
 """The tiers that functions of scenes have."""
 
 

@@ -22,16 +22,16 @@ def of_scene(program: Program, precision: Precision) -> Program:
     single precision doubles."""
     if precision == DOUBLE:
         return in_pairs(program, DOUBLE)
-    return replace(_rounded(program.fine or program, DOUBLE), wide=True)
+    return replace(rounded(program.fine or program, DOUBLE), wide=True)
 
 
 def in_pairs(program: Program, precision: Precision) -> Program:
     """The plain program with every value, constants included, as hi + lo in this precision."""
     program = program.fine or program
-    return _rounded(compensated(program, OfScene(program, precision)), precision)
+    return rounded(compensated(program, OfScene(program, precision)), precision)
 
 
-def _rounded(program: Program, precision: Precision) -> Program:
+def rounded(program: Program, precision: Precision) -> Program:
     def rounded(x: Operand) -> Operand:
         return rounded_constant(x, precision) if isinstance(x, Constant) else x
 

@@ -42,11 +42,16 @@ LEAST = constant(2 * SINGLE.eta)
 def of_scene(program: Program) -> Program:
     """The plain program's results, which are further inputs, and their bounds in single precision.
     Raises NoRuleError."""
+    return _with_plain_results(program, in_double(program))
+
+
+def in_double(program: Program) -> Program:
+    """w and B: the certified program in double, with the values of single's constants.  Raises
+    NoRuleError."""
     exact = _of_single(program)
     divides = any(step.op in (Op.DIV, Op.SQRT) and isinstance(step.operands[-1], Ref)
                   for step in program.instructions)
-    certifier = (Certifier if divides else WithoutErrors)(exact, DOUBLE)
-    return _with_plain_results(program, extended(exact, certifier))
+    return extended(exact, (Certifier if divides else WithoutErrors)(exact, DOUBLE))
 
 
 class WithoutErrors(Certifier):

@@ -9,6 +9,6 @@ from coscrew_codegen.tiers.accurate_scene import in_pairs
 from coscrew_codegen.tiers.tier import Tier
 
 TIER = Tier(
-    "pairs", 4, "Pairs tier: single precision compensated, every value a pair of floats.",
+    "pairs", 5, "Pairs tier: single precision compensated, every value a pair of floats.",
     ("#8250c4", "#b58cf0"), make=None, scene=in_pairs, precisions=(SINGLE,), header="ksl_exact",
     in_words="The pairs tier: float32 compensated, intermediate results carried as hi + lo.")

@@ -7,10 +7,12 @@ const costs = JSON.parse(document.getElementById("cost-data").textContent);
 const readable = unit => unit.replace("^2", "²");
 const number = v => v === null || v === undefined ? NaN : Number(v);
 
-function markOf({ function: name }, { tier, precision, time, best, errors: [first] }) {
+function markOf({ function: name, recommended: chosen }, { tier, precision, time, best, errors: [first] }) {
   const y = number(first.bound ? first.bound.worst : first.worst), unit = readable(first.unit);
   return { x: number(time.median), low: number(time.low), high: number(time.high), y, tier,
-    precision, hollow: !best, variant: `${name} ${precision} ${tier}`, name: `${precision} ${tier}`,
+    precision, hollow: !best, variant: `${name} ${precision} ${tier}`,
+    name: `${precision} ${tier}` +
+      (tier === chosen.tier && precision === chosen.precision ? ", recommended" : ""),
     title: `${precision} ${tier}: ${first.bound ? "bound" : "error"} ${formatted(y)} ` +
       `${unit}, typically an error of ${formatted(number(first.typical))} ${unit}, ` +
       `${formatted(number(time.median))} ns` };
@@ -27,8 +29,12 @@ function figureOf(measured) {
   return figure;
 }
 
-const draw = () => document.getElementById("plots")?.replaceChildren(
-  ...costs.functions.map(figureOf));
+function draw() {
+  document.getElementById("plots")?.replaceChildren(...costs.functions.map(figureOf));
+  if (costs.run_errors) {
+    document.getElementById("run")?.replaceChildren(runPlot(costs.run_errors));
+  }
+}
 
 addEventListener("resize", draw);
 draw();

@@ -1,7 +1,9 @@
 """What accuracy costs on a Cortex-M4F, whose double precision is software: instructions of a call,
-counted under qemu-user, and the largest errors found."""
+counted under qemu-user, and the largest errors found; and what mixtures cost that are as accurate
+as asked."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -11,6 +13,9 @@ from tabulate import tabulate
 from coscrew_codegen import emit
 from coscrew_codegen.formats import DOUBLE, SINGLE
 from coscrew_codegen.layout import scene_files
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.mixture.choice import AccuracyError, chosen
+from coscrew_codegen.scene.scene import Scene, Tolerance
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.scene_functions import Function
 from coscrew_codegen.simulate.load import Kernels, load_scene
@@ -25,6 +30,7 @@ FUNCTIONS = ("inverse_dynamics", "forward_dynamics")
 TIERS = ("accurate", "pairs")
 VARIANTS = ((SINGLE, ""), (SINGLE, "pairs"), (SINGLE, "accurate"), (DOUBLE, ""))
 STATES = 100
+ASKED = {"inverse_dynamics": (1e-5, 2e-5, 5e-5), "forward_dynamics": (1e-3,)}  # N m, rad/s²
 
 
 def measured(kernels: Kernels, function: Function, folder: Path) -> Iterator[tuple[object, ...]]:
@@ -54,8 +60,7 @@ def measured(kernels: Kernels, function: Function, folder: Path) -> Iterator[tup
 
 def rows() -> Iterator[tuple[object, ...]]:
     """The lines of every robot."""
-    for name, scene in (("arm6", read_scene(ARM6)),
-                        *((name, scene_of(file)) for name, file in ROBOTS.items())):
+    for name, scene in _scenes():
         kernels = load_scene(scene, functions=FUNCTIONS, tiers=TIERS)
         with TemporaryDirectory() as folder:
             emit.write({x: text for x, text in scene_files(kernels.functions).items()
@@ -66,12 +71,52 @@ def rows() -> Iterator[tuple[object, ...]]:
                         yield name, *row
 
 
+def mixtures() -> Iterator[tuple[object, ...]]:
+    """Of every robot and accuracy: instructions in the mixed tier and in pairs, and the largest
+    error certified at the drawn states."""
+    for name, scene in _scenes():
+        for function, accuracies in ASKED.items():
+            for within in accuracies:
+                yield name, function, f"{within:g}", *_mixed(scene, function, within)
+
+
+def _mixed(scene: Scene, function: str, within: float) -> tuple[object, ...]:
+    made = derive(replace(scene, functions=(function,), tiers=("mixed", "pairs"),
+                          accuracy=(Tolerance(function, "", within),)))
+    f, counts = made.named(function), []
+    assert f.accuracy
+    try:
+        choice = chosen(f.program, f.accuracy)
+    except AccuracyError as error:
+        return str(error).rpartition("; ")[-1], "", "", "", ""
+    given = [x[0] for x in states(made, f, 1, SINGLE)]
+    with TemporaryDirectory() as folder:
+        emit.write({x: text for x, text in scene_files(made).items()
+                    if x.endswith((".c", ".h"))}, Path(folder))
+        for tier in ("", "mixed", "pairs"):
+            stem, name = ("_".join(filter(None, x)) for x in (
+                (made.name, tier), (made.name, function, tier)))
+            objects = built(Path(folder), stem, SINGLE)
+            counts.append(counted(objects, stem, f, f"{name}f", given, SINGLE)[0])
+    share = f"{choice.paired} of {len(f.program.instructions)}"
+    return (*counts, share, f"{max(choice.worst):.2g}")
+
+
+def _scenes() -> Iterator[tuple[str, Scene]]:
+    yield "arm6", read_scene(ARM6)
+    for name, file in ROBOTS.items():
+        yield name, scene_of(file)
+
+
 def main() -> None:
     """Print the table."""
     print(f"\nCortex-M4F (gcc -O2, qemu-arm): instructions of a call; errors of {STATES} states in "
           "units of single's last digit")
     print(tabulate(rows(), ("robot", "function", "precision", "tier", "instructions", "ratio",
                             "worst", "worst, condition < 1000"), disable_numparse=True))
+    print("\nFunctions of an asked accuracy, in N m, rad/s²: instructions of a call")
+    print(tabulate(mixtures(), ("robot", "function", "asked", "plain", "mixed", "pairs",
+                                "instructions in pairs", "certified"), disable_numparse=True))
 
 
 if __name__ == "__main__":

@@ -238,6 +238,8 @@ def test_the_figure_holds_a_bar_for_each_part_and_a_curve_for_each_integrator(co
     bars = [x for x in ids if x.endswith(("-double-ns", "-single-ns"))]
     assert sorted(bars) == sorted(f"{x.part}-{p.name}-ns" for x in costs.rows for p in PRECISIONS
                                   if x.function == "forward_dynamics")
+    causes = {f"{x.cause}: {x.of}" for x in costs.run_errors.rows}
+    assert len(causes) > 6 and causes <= set(ids)
 
 
 def point(integrator: str, seconds: float, error: float) -> Point:

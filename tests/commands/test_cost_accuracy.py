@@ -5,11 +5,15 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import combinations
 from statistics import median
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from matplotlib import rc_context
+from matplotlib.figure import Figure
+from matplotlib.transforms import Bbox
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.cost import measure
@@ -19,6 +23,7 @@ from coscrew_codegen.cost.asked import Asked
 from coscrew_codegen.cost.measure import Costs
 from coscrew_codegen.cost.measured import ACCURATE, CERTIFIED, Choice, Counts, Measured
 from coscrew_codegen.cost.measured import choices as choices_of
+from coscrew_codegen.cost.panels import panel
 from coscrew_codegen.cost.plot import figure, plot
 from coscrew_codegen.cost.states import Box, Values, box_of, searched
 from coscrew_codegen.cost.table import accuracies
@@ -26,6 +31,7 @@ from coscrew_codegen.cost.units import in_unit, units
 from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.native.intervals import Interval
+from coscrew_codegen.plots import STYLE
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.system import system
@@ -215,7 +221,8 @@ def test_tiers_that_the_scene_selects_are_measured_too(tmp_path):
     drawn = (tmp_path / "costs.svg").read_text()
     assert 'id="forward_dynamics single pairs"' in drawn
     labels = [x.get_text() for x in figure(found).subfigs[0].legends[0].get_texts()]
-    assert labels == ["plain", "accurate", "certified", "pairs", "double", "single"]
+    assert labels == ["plain", "accurate", "certified", "pairs", "double", "single",
+                      "recommended"]
 
 
 @pytest.mark.parametrize("total", (4, 7, 64))
@@ -292,10 +299,10 @@ def test_the_advice_follows_from_the_figures():
     assert sentences(choices()) == (
         "inverse_dynamics: double plain is within 1e-14 N m everywhere we looked (64 states), at "
         "1.11× single plain (100 ns).",
-        "double accurate is within 1e-15 N m: 10 times less error than double plain, at 5× double "
+        "Double accurate is within 1e-15 N m: 10 times less error than double plain, at 5× double "
         "plain.",
         "In single precision single accurate is within 1 µN m, at 1.22× single plain.",
-        "double certified returns the plain results and bounds of their errors, here at most 2e-14 "
+        "Double certified returns the plain results and bounds of their errors, here at most 2e-14 "
         "N m, at 5.2× double plain.")
 
 
@@ -308,7 +315,7 @@ def test_what_is_slow_is_not_recommended():
         "inverse_dynamics: single accurate is within 1 µN m everywhere we looked (64 states), at "
         "1.22× single plain (110 ns).")
     assert sentences(slow)[-1] == (
-        "single certified returns the plain results, but no bounds of their errors at some of "
+        "Single certified returns the plain results, but no bounds of their errors at some of "
         "these states, at 5.33× single plain.")
     alone = [x for x in choices(400) if x.precision == "single"]
     assert recommended(alone).name == "single plain"
@@ -320,6 +327,28 @@ def test_the_table_marks_what_nothing_beats():
     marks = {row[0]: row[-1] for row in table.rows}
     assert marks == {"double plain": "*", "single plain": "*", "double accurate": "*",
                      "single accurate": "", "double certified": "*", "single certified": "*"}
+
+
+def texts_of(axes) -> list[Bbox]:
+    """The extents of the texts beside marks."""
+    axes.figure.figure.draw_without_rendering()
+    return [x.get_window_extent() for x in axes.texts]
+
+
+@pytest.mark.parametrize("single_certified, accurate", ((193, 434), (72, 434), (64, 900), (66, 69)))
+def test_numbers_beside_marks_do_not_meet(single_certified, accurate):
+    """As in a Panda's mass matrix, whose certified and plain single have the same error."""
+    rows = [made("plain", "double", 1.6e-15, 68.9), made("plain", "single", 9.2e-7, 62.9),
+            made("accurate", "double", 2.2e-16, accurate), made("accurate", "single", 1.2e-7, 68.5),
+            made("certified", "double", 1.6e-15, accurate + 8, 1.6e-15),
+            made("certified", "single", 9.2e-7, single_certified, 9.2e-7)]
+    drawn = Figure(figsize=(12.6, 4.6), layout="constrained")
+    with rc_context(STYLE):
+        panel(drawn.subplots(1, 3)[0], rows)
+        boxes = texts_of(drawn.axes[0])
+    assert len(boxes) == 6
+    for a, b in combinations(boxes, 2):
+        assert not a.overlaps(b), (a, b)
 
 
 def test_the_figure_has_a_mark_for_each_function_tier_and_precision(costs, tmp_path):

@@ -81,7 +81,8 @@ def whole(costs) -> Costs:
     return replace(
         costs, scene="</script><b>", accuracy=((*others, last), *costs.accuracy[1:]), runs=True,
         run_errors=RunErrors("rk4", 1e-3, 2.0, (0.5, 1.0), (
-            RunError("rounding", "single plain", (1e-7, math.inf), 1.0),
+            RunError("rounding", "single plain", (1e-7, 1e-6), 1.0),
+            RunError("model", "bare", (math.inf, math.inf)),
             RunError("step", "0.001 s", (1e-9, 1e-8))), 5000),
         rows=(Row("all effects", "energy", "3 mul", 3, (time, time)),), points=points,
         reference=Reference("dop853, rtol 1e-13", 1.0, np.zeros(1), np.zeros(1), 1e-12))
@@ -124,7 +125,8 @@ def test_json_has_the_figures(whole, tmp_path):
     assert [x["best"] for x in found["runs"]] == [True, False]
     assert found["run_errors"]["whole"] is False
     assert found["run_errors"]["rows"] == [
-        {"cause": "rounding", "of": "single plain", "errors": [1e-7, None], "gone": 1.0},
+        {"cause": "rounding", "of": "single plain", "errors": [1e-7, 1e-6], "gone": 1.0},
+        {"cause": "model", "of": "bare", "errors": [None, None], "gone": None},
         {"cause": "step", "of": "0.001 s", "errors": [1e-9, 1e-8], "gone": None}]
 
 
@@ -158,11 +160,27 @@ def test_the_page_shows_the_figures_in_a_browser(whole, tmp_path):
         rows = browser.execute_script("""
             return [...document.querySelectorAll("tbody tr")].map(row =>
               [...row.children].map(cell => cell.textContent));""")
+        curves = browser.execute_script("""
+            return [...document.querySelectorAll("#run .curve")].map(curve => [
+              curve.dataset.curve, curve.dataset.points ?? "cross", curve.getAttribute("d"),
+              curve.getAttribute("class")]);""")
+        key = browser.execute_script("""
+            return [...document.querySelectorAll(".key li")].map(x => x.textContent);""")
     wanted = [(f"{x.function} {x.name}", x.time.median, shown(x))
               for rows in whole.accuracy for x in rows]
     assert [(name, float(x), float(y)) for name, x, y in marks] == wanted
     tables = [*(x for rows in whole.accuracy for x in accuracies(rows)), *others(whole)]
     assert rows == [list(row) for x in tables for row in x.rows]
+    assert [x[:2] for x in curves] == [["model: bare", "0"], ["step: 0.001 s", "2"],
+                                       ["rounding: single plain", "2"],
+                                       ["rounding: single plain", "cross"]]
+    assert {x[3] for x in curves} == {"curve model  ", "curve step  ",
+                                      "curve rounding plain single",
+                                      "curve rounding plain single cross"}
+    heights = [float(y) for x in curves[1:3] for y in re.findall(r"[ML]\S+ (\S+?)(?=[ML]|$)", x[2])]
+    assert heights == sorted(set(heights), reverse=True)  # 1e-9, 1e-8, 1e-7, 1e-6: upwards
+    assert key == ["plain", "accurate", "certified", "double", "single",
+                   "rounding: single plain", "model: bare", "step: 0.001 s"]
 
 
 def test_what_cannot_be_written_leaves_the_old_file_whole(whole, tmp_path, monkeypatch):

@@ -1,0 +1,95 @@
+"""The mixed tier: single precision, of which what an asked accuracy needs is carried in pairs.
+
+Of a Mixture, instructions in pairs are those of the pairs tier.  The others have one result,
+rounded: those of its operands that are pairs and matter take part as hi + lo, so that the result is
+hi + (what the lo contribute), else as hi + lo rounded.
+"""
+
+from dataclasses import dataclass, replace
+
+from coscrew_codegen.formats import SINGLE
+from coscrew_codegen.program import Constant, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program.program import name_of
+from coscrew_codegen.tiers.accurate_scene import OfScene, rounded
+from coscrew_codegen.tiers.nonlinear import compensated
+from coscrew_codegen.tiers.tier import Tier
+
+CARRYING = frozenset({Op.ADD, Op.SUB, Op.MUL})
+"""The operations to which lo of operands may contribute though the result is a single number."""
+
+
+@dataclass(frozen=True)
+class Mixture:
+    """Which instructions of a plain program are carried in pairs, by name; and for the others,
+    which operands take part as hi + lo: pairs (instruction, place of the operand)."""
+
+    paired: frozenset[str]
+    kept: frozenset[tuple[str, int]]
+
+
+def mixed(program: Program, mixture: Mixture) -> Program:
+    """The plain program in single precision with this mixture."""
+    return rounded(compensated(program, _Mixed(program, mixture)), SINGLE)
+
+
+class _Mixed(OfScene):
+    def __init__(self, program: Program, mixture: Mixture) -> None:
+        super().__init__(program, SINGLE)
+        self._mixture = mixture
+        self._singles: dict[str, Ref] = {}  # hi + lo rounded, by hi's name
+
+    def compensate(self, step: Instruction) -> None:
+        """Issue the instruction as the mixture says; what does not round passes lo on."""
+        if not step.op.rounds or step.name in self._mixture.paired:
+            super().compensate(step)
+            return
+        known = tuple(self._normal.get(name_of(x), x) for x in step.operands)
+        low = [self.low(step, x) if (step.name, place) in self._mixture.kept else None
+               for place, x in enumerate(known)]
+        operands = tuple(x if more is not None else self._single(step, x)
+                         for x, more in zip(known, low, strict=True))
+        step = replace(step, operands=operands)
+        more = self._contributed(step, low)
+        if more is None:
+            self.steps.append(step)
+        else:
+            high = self.issue(step, step.op, operands, "high")
+            self.steps.append(replace(step, op=Op.ADD, operands=(high, more)))
+
+    def _contributed(self, step: Instruction, low: list[Operand | None]) -> Operand | None:
+        """What the lo contribute to a sum, a difference or a product."""
+        if low == [None] * len(low):
+            return None
+        (a, b), (a_lo, b_lo) = step.operands, low
+        if step.op is not Op.MUL:
+            if a_lo is None and b_lo is not None and step.op is Op.SUB:
+                return self.issue(step, Op.NEG, (b_lo,), "cross")
+            return self._sum_of(step, step.op, a_lo, b_lo)
+        left = None if a_lo is None else self.issue(
+            step, Op.MUL, (a_lo, b if b_lo is None else self.factor(step, a, b)), "cross1")
+        right = None if b_lo is None else self.issue(step, Op.MUL, (a, b_lo), "cross2")
+        return self._sum_of(step, Op.ADD, left, right)
+
+    def _sum_of(self, step: Instruction, op: Op, a: Operand | None, b: Operand | None
+                ) -> Operand | None:
+        if a is None or b is None:
+            return b if a is None else a
+        return self.issue(step, op, (a, b), "cross")
+
+    def _single(self, step: Instruction, x: Operand) -> Operand:
+        """hi + lo of an operand rounded, computed once."""
+        if isinstance(x, Constant) or self.is_exact(x):
+            return x
+        if name_of(x) not in self._singles:
+            low = self.low(step, x)
+            assert low is not None
+            at = Instruction(self.name(name_of(x), "near"), Op.ADD, (x, low), step.component)
+            self.steps.append(at)
+            self._singles[name_of(x)] = Ref(at.name)
+        return self._singles[name_of(x)]
+
+
+TIER = Tier(
+    "mixed", 4, "Mixed tier: single precision; what the asked accuracy needs, in pairs of floats.",
+    ("#0f766e", "#5eead4"), make=None, asked=True, precisions=(SINGLE,), header="ksl_exact",
+    in_words="The mixed tier: float32, as much of it in pairs hi + lo as the asked accuracy needs.")

@@ -1,0 +1,214 @@
+"""The mixed tier: single precision, in pairs where an accuracy that is asked for needs them.
+
+Its errors at states that it has not been chosen at are held against a Newton-Euler method of the
+tests' own in 60 digits; its bits are the same in C, NumPy and in what chooses.
+"""
+
+import hashlib
+import importlib
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+
+import mpmath
+import numpy as np
+import pytest
+
+from coscrew_codegen import emit
+from coscrew_codegen.formats import SINGLE
+from coscrew_codegen.layout import scene_files
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.mechanics.accuracy import AskedError
+from coscrew_codegen.mixture.arrays import evaluated
+from coscrew_codegen.mixture.choice import AccuracyError, chosen, operations
+from coscrew_codegen.mixture.sample import States
+from coscrew_codegen.scene.scene import Scene, Tolerance
+from coscrew_codegen.scene_files.errors import SceneError
+from coscrew_codegen.scene_files.toml_scene import read_scene
+from coscrew_codegen.scene_functions import SceneFunctions
+from coscrew_codegen.scene_tiers import NoFunctionsError, in_tier
+from coscrew_codegen.simulate import calls, native
+from coscrew_codegen.simulate.load import library_of
+from coscrew_codegen.targets import scene_c_tier, scene_calls
+from coscrew_codegen.tiers import tier_named
+from coscrew_codegen.tiers.certified_wide import in_double
+from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
+from tests.support.scenes import mechanisms as m
+from tests.support.scenes.arms import arm, inverse
+from tests.support.scenes.generated_scenes import BANNER
+from tests.support.scenes.scene_values import same_bits
+
+MIXED = tier_named("mixed")
+NAME, WITHIN = "inverse_dynamics", 4e-6
+SHOULDER = replace(arm(), joints=arm().joints[:4], bodies=arm().bodies[:4])
+SCENE = Scene("mixed_arm", SHOULDER, (m.gravity(),), functions=(NAME,), tiers=("mixed",),
+              accuracy=(Tolerance(NAME, "", WITHIN),))
+FRESH = 100
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[SceneFunctions, Path]]:
+    """The arm's functions, and the folder of its files."""
+    path, functions = tmp_path_factory.mktemp("mixed"), derive(SCENE)
+    emit.write(scene_files(functions), path)
+    sys.path.insert(0, str(path))
+    yield functions, path
+    sys.path.remove(str(path))
+
+
+def drawn(functions: SceneFunctions, count: int) -> list[list[np.ndarray]]:
+    """Components of states within the limits; none is one of those of the choice."""
+    f, rng = functions.named(NAME), np.random.default_rng(5)
+    return [[rng.uniform(low, high, count).astype(np.float32) for low, high in each]
+            for each in f.accuracy.ranges]
+
+
+def test_errors_at_fresh_states_are_within_what_is_asked(made):
+    functions, _ = made
+    given, f = drawn(functions, FRESH), functions.named(NAME)
+    choice = chosen(f.program, f.accuracy)
+    found, plain = (np.stack(evaluated(p, SINGLE, given), 1) for p in (choice.program, f.program))
+    true = [inverse(SCENE.model, *(np.stack([x[k] for x in each]) for each in given))
+            for k in range(FRESH)]
+    errors, of_plain = (largest(x, true) for x in (found, plain))
+    assert errors.max() <= WITHIN < of_plain.max()
+    assert max(choice.worst) <= WITHIN
+
+
+def largest(found: np.ndarray, true: list[list[mpmath.mpf]]) -> np.ndarray:
+    with mpmath.workdps(60):
+        return np.array([[float(abs(mpmath.mpf(float(x)) - y)) for x, y in zip(*row, strict=True)]
+                         for row in zip(found, true, strict=True)])
+
+
+def test_certified_bounds_hold_at_their_states(made):
+    functions, _ = made
+    f = functions.named(NAME)
+    program = chosen(f.program, f.accuracy).program
+    sample = States(f.accuracy, in_double(f.program)).drawn(20)
+    found = np.stack(evaluated(program, SINGLE, sample.given), 1)
+    true = [inverse(SCENE.model, *(np.stack([x[k] for x in each]) for each in sample.given))
+            for k in range(20)]
+    assert (largest(found, true) <= sample.certified(program).T).all()
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_bits_are_the_same_in_c_in_numpy_and_in_the_choice(made, compiler: str, tmp_path: Path,
+                                                            monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    functions, path = made
+    tier = in_tier(functions, MIXED)
+    flags = ("-O3", "-march=native", "-ffp-contract=fast")
+    run([compiler, *C11, *STRICT, *flags, "-c", path / f"{tier.stem}.c", "-o", tmp_path / "x.o"])
+    using = native.Compiler((compiler,), compiler, ("-fPIC", *flags))
+    files = scene_c_tier.files(tier, BANNER) | scene_calls.tier_files(tier, BANNER)
+    library = library_of(files, tier.plain, tier.stem, using, ("single",))
+    found = scene_calls.tier_interface(tier)
+    twin = importlib.import_module(f"{functions.name}.mixed.single")
+    given = drawn(functions, 500)
+    columns = [np.stack(each, 1) for each in given]
+    result = calls.compiled(found, library.opened, found.signatures[0], SINGLE)(None, *columns)
+    assert same_bits(result, twin.inverse_dynamics(*columns))
+    chosen_at = evaluated(tier.first.named(NAME).program, SINGLE, given)
+    assert same_bits(result, np.stack(chosen_at, 1))
+
+
+def test_operations_lie_between_those_of_single_and_of_pairs(made):
+    """The comment says how many; a looser accuracy takes fewer, and one that single has, none
+    more."""
+    f = made[0].named(NAME)
+    choice = chosen(f.program, f.accuracy)
+    counts = [operations(p) for p in (f.program, choice.program, choice.pairs)]
+    assert counts[0] < counts[1] < counts[2] / 1.5
+    words = (made[1] / "mixed_arm_mixed.h").read_text()
+    assert all(f"{count:,}" in words for count in counts), words
+    loose = chosen(f.program, replace(f.accuracy, tolerances=(1.0,) * 4))
+    assert loose.program.counts == f.program.counts and loose.paired == 0
+
+
+TEXT = """
+import sys, hashlib
+from tests.scenes.test_scene_mixed import SCENE
+from coscrew_codegen.layout import scene_files
+from coscrew_codegen.mechanics import derive
+print(hashlib.sha256(scene_files(derive(SCENE))["mixed_arm_mixed.c"].encode()).hexdigest())
+"""
+
+
+def test_text_is_the_same_for_every_hash_seed(made):
+    mine = hashlib.sha256((made[1] / "mixed_arm_mixed.c").read_bytes()).hexdigest()
+    there = subprocess.run([sys.executable, "-c", TEXT], capture_output=True, text=True, check=True,
+                           cwd=Path(__file__).parents[2],
+                           env={**os.environ, "PYTHONHASHSEED": "4242"}).stdout.strip()
+    assert there == mine
+
+
+def test_an_accuracy_that_pairs_do_not_have_is_refused():
+    scene = replace(SCENE, accuracy=(Tolerance(NAME, "tau", 1e-9),))
+    with pytest.raises(AccuracyError, match=r"accuracy of inverse_dynamics: 1e-09 is asked of tau; "
+                                            r"even pairs of floats, rounded at the end, err by"):
+        in_tier(derive(scene), MIXED)
+
+
+def test_an_unknown_output_is_refused():
+    scene = replace(SCENE, accuracy=(Tolerance(NAME, "taus", 1e-4),))
+    with pytest.raises(AskedError, match="accuracy.inverse_dynamics: no output 'taus'; did you "
+                                         "mean 'tau'?"):
+        derive(scene)
+
+
+def test_torques_without_limits_are_refused():
+    scene = replace(SCENE, functions=("forward_dynamics",),
+                    accuracy=(Tolerance("forward_dynamics", "", 1e-4),))
+    with pytest.raises(AskedError, match="joint 'j0' has no limit of its effort"):
+        derive(scene)
+
+
+def test_the_tier_needs_an_accuracy():
+    with pytest.raises(NoFunctionsError, match=r"the mixed tier needs a function .* \[accuracy\]"):
+        in_tier(derive(replace(SCENE, accuracy=())), MIXED)
+
+
+HEAD = """
+functions = ["inverse_dynamics", "energy"]
+[bodies.rod]
+mass = 1
+com = [0, 0, 0.5]
+inertia = [0.1, 0.1, 0.01]
+[joints.hinge]
+type = "revolute"
+child = "rod"
+axis = [0, 1, 0]
+[effects.gravity]
+[accuracy]
+"""
+
+
+@pytest.mark.parametrize("line, where, words", [
+    ("inverse_dynamic = 1e-5", "accuracy.inverse_dynamic", "did you mean 'inverse_dynamics'?"),
+    ("step_rk4 = 1e-5", "accuracy.step_rk4", "no function 'step_rk4'"),
+    ("inverse_dynamics = 0", "accuracy.inverse_dynamics", "0; wanted a positive number"),
+    ("energy = { e = -1e-5 }", "accuracy.energy.e", "-1e-05; wanted a positive number"),
+    ("energy = {}", "accuracy.energy", "an empty table"),
+    ("energy = true", "accuracy.energy", "the boolean true; wanted a number"),
+    ("mass_matrix = 1e-5", "accuracy.mass_matrix", "the function is not selected"),
+])
+def test_errors_name_the_key(tmp_path: Path, line: str, where: str, words: str):
+    file = tmp_path / "rod.toml"
+    file.write_text(HEAD + line)
+    with pytest.raises(SceneError) as error:
+        read_scene(file)
+    assert error.value.where == where and words in str(error.value)
+
+
+def test_a_file_selects_the_tier_by_its_accuracy(tmp_path: Path):
+    file = tmp_path / "rod.toml"
+    file.write_text(HEAD + "inverse_dynamics = '1/8000'\nenergy = { e = 1e-5 }")
+    scene = read_scene(file)
+    assert scene.tiers == ("mixed",)
+    assert scene.accuracy == (Tolerance("inverse_dynamics", "", float(Fraction(1, 8000))),
+                              Tolerance("energy", "e", 1e-5))
