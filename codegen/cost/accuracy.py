@@ -95,7 +95,7 @@ def measured(built: Compiled, names: Sequence[str], box: Box, trajectory: Trajec
         states, places = function.states(box, trajectory, counts)
         truth, times = function.exact(states), timed(name, states)
         yield tuple(_accuracy(function, choice, states, places, truth, time)
-                    for choice, time in zip(choices(built), times, strict=True))
+                    for choice, time in zip(choices(built, name), times, strict=True))
 
 
 def _accuracy(function: Measured, choice: Choice, states: Values, places: Sequence[str],

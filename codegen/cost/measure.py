@@ -3,6 +3,7 @@ and times, with and without each effect; accuracy of runs against time."""
 
 import sys
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
@@ -24,7 +25,7 @@ from coscrew_codegen.native.timing import timed_loops
 from coscrew_codegen.program import counts_in_words
 from coscrew_codegen.program.flops import flops
 from coscrew_codegen.scene_functions import Function
-from coscrew_codegen.scene_tiers import SceneTier, in_tier
+from coscrew_codegen.scene_tiers import NoFunctionsError, SceneTier, in_tier
 from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.load import Kernels
 from coscrew_codegen.simulate.outcome import RunOverrides
@@ -104,8 +105,8 @@ def _with_runs(costs: Costs, kernels: Kernels, overrides: RunOverrides, built: S
     return replace(costs, rows=rows, reference=truth,
                    points=tuple(_progress(points, "integrating", None)),
                    run_errors=run_errors(kernels, overrides, [
-                       (x.tier, x.precision) for x in choices(built[0])
-                       if x.tier not in (PLAIN.name, CERTIFIED)]))  # whose results are plain's
+                       (x.tier.name, p) for x in built[0].tiers for p, _ in x.in_precisions
+                       if x.tier.scene and x.tier.name != CERTIFIED]))  # certified: as plain
 
 
 def _tiers(of: Part, names: Sequence[str]) -> tuple[SceneTier, ...]:
@@ -113,10 +114,13 @@ def _tiers(of: Part, names: Sequence[str]) -> tuple[SceneTier, ...]:
     selects: the others pay where double is software."""
     some = replace(of.functions, steps=(), functions=tuple(
         f for f in of.public if f.name in names))
-    return tuple(in_tier(some, tier) for tier in OF_SCENES
-                 if names and tier != PLAIN and (
-                     tier.precisions == PRECISIONS
-                     or tier.name in of.scene.tiers and not tier.asked))
+    found = []
+    for tier in OF_SCENES:
+        if names and tier != PLAIN and (
+                tier.precisions == PRECISIONS or tier.name in of.scene.tiers):
+            with suppress(NoFunctionsError):
+                found.append(in_tier(some, tier))
+    return tuple(found)
 
 
 def _accuracies(kernels: Kernels, overrides: RunOverrides, run: Trajectory, built: Compiled,
@@ -128,7 +132,7 @@ def _accuracies(kernels: Kernels, overrides: RunOverrides, run: Trajectory, buil
     def timed(name: str, states: Values) -> list[Interval]:
         inputs = [np.resize(states[a.name], (ELEMENTS, *states[a.name].shape[1:]))
                   for a in built.part.functions.named(name).program.inputs]
-        loops = [built.loop(name, x.precision, inputs, x.tier) for x in choices(built)]
+        loops = [built.loop(name, x.precision, inputs, x.tier) for x in choices(built, name)]
         return [x.time for x in timed_loops(built.library, loops, 1e9 * _SECONDS * len(loops))]
 
     _, planned = _planned(kernels, overrides)

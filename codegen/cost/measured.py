@@ -38,10 +38,11 @@ class Choice:
         return f"{self.precision.name} {self.tier}"
 
 
-def choices(built: Compiled) -> tuple[Choice, ...]:
-    """What the library has, the cheapest tiers first."""
+def choices(built: Compiled, name: str) -> tuple[Choice, ...]:
+    """What the library has of this function, the cheapest tiers first."""
     return (*(Choice(PLAIN.name, p) for p in PRECISIONS),
-            *(Choice(x.tier.name, p) for x in built.tiers for p, _ in x.in_precisions))
+            *(Choice(x.tier.name, p) for x in built.tiers for p, scene in x.in_precisions
+              if scene.has(name)))
 
 
 @dataclass(frozen=True)
@@ -102,7 +103,8 @@ class Measured:
         worst state of each choice in each unit."""
         parts = [("run", box.of_run(trajectory, counts.run)),
                  ("limits", box.drawn(np.random.default_rng(2), counts.limits))]
-        searches = [(x, unit) for x in choices(self.built) for unit in self.different_units]
+        searches = [(x, unit) for x in choices(self.built, self.name)
+                    for unit in self.different_units]
         for n, (choice, unit) in enumerate(searches):
             count = max(1, (counts.search + n) // len(searches))
             batch = _FEWER if choice == _NEAREST else BATCH

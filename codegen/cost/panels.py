@@ -75,7 +75,7 @@ def shown(x: Accuracy) -> float:
 
 
 def legend(figure: FigureBase, rows: Sequence[Accuracy]) -> None:
-    """What the marks of a function mean, above all panels."""
+    """What these marks mean, above all panels."""
     tiers = dict.fromkeys(x.tier for x in rows)
     handles = [Line2D([], [], marker="o", linestyle="", color=_COLOURS[name], label=name)
                for name in tiers]

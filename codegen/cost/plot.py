@@ -42,7 +42,7 @@ def figure(costs: Costs) -> Figure:
         for axes, x in zip(part.subplots(1, len(some), squeeze=False)[0], some, strict=True):
             panel(axes, x)
     if lines:
-        legend(parts[0], costs.accuracy[0])
+        legend(parts[0], [x for rows in costs.accuracy for x in rows])
     if costs.runs:
         left, right = parts[len(lines)].subplots(1, 2, width_ratios=(2, 3))
         _bars(left, costs)

@@ -10,6 +10,7 @@ from fractions import Fraction
 from functools import reduce
 from math import ceil, factorial, log2
 
+from coscrew_codegen.elementary.polynomial import estrin
 from coscrew_codegen.elementary.reduction import nearest, ordered_sum, two_sum
 from coscrew_codegen.elementary.steps import Steps, Value
 from coscrew_codegen.formats import Precision
@@ -174,29 +175,30 @@ class Pairs:
         """c1 + c2 z + …, which times z is added to 1: without low parts of what is less than so
         many u, whose roundings matter as many u² then.  The coefficients decrease so fast that
         |c z| is less than the one before."""
-        steps, u = z.high.steps, self.precision.u
-        last = len(coefficients)
-        start = nearest(coefficients[-1], self.precision)
-        value = Pair(steps.constant(start), None, abs(start), error=abs(coefficients[-1] - start))
-        for n in range(last - 1, 0, -1):
+        limit, last = negligible * self.precision.u, len(coefficients)
+        first = next(n for n in range(1, last + 1)
+                     if n == last or abs(coefficients[n - 1]) * z.size**n <= limit)
+        value = self._plain(f"{name}{first}", coefficients[first - 1:], z)
+        for n in range(first - 1, 0, -1):
             c = coefficients[n - 1]
-            assert abs(c) >= z.size * value.size * (1 + u)
-            if abs(c) * z.size**n <= negligible * u:
-                value = self._plain_step(f"{name}{n}", c, z, value)
-            else:
-                brief = value.size * z.size**(n + 1) <= negligible * u
-                value = self._step(f"{name}{n}", c, z, value, brief)
+            assert abs(c) >= z.size * value.size * (1 + self.precision.u)
+            brief = value.size * z.size**(n + 1) <= limit
+            value = self._step(f"{name}{n}", c, z, value, brief)
         return value
 
-    def _plain_step(self, name: str, c: Fraction, z: Pair, value: Pair) -> Pair:
-        """c + z value, both operations rounded."""
-        near = nearest(c, self.precision)
-        product = z.size * value.size
-        size = abs(near) + product + self.rounding(product)
-        error = (abs(c - near) + (z.rest + z.error) * value.most + z.size * value.error
-                 + self.rounding(product) + self.rounding(size))
-        return _bounded(z.high.steps.named(name, near + z.high * value.high), None,
-                        size + self.rounding(size), _ZERO, error)
+    def _plain(self, name: str, coefficients: Sequence[Fraction], z: Pair) -> Pair:
+        """c0 + c1 z + …, every operation rounded.  c0 is added last; what the other terms are
+        multiplied and added by is rounded no more than twice a coefficient."""
+        near = [nearest(c, self.precision) for c in coefficients]
+        most = z.size + z.rest + z.error
+        size = sum((abs(c) * most**n for n, c in enumerate(near)), _ZERO)
+        slope = sum((n * abs(c) * most**(n - 1) for n, c in enumerate(near) if n), _ZERO)
+        error = sum((abs(c - x) * most**n for n, (c, x) in enumerate(zip(
+            coefficients, near, strict=True))), (z.rest + z.error) * slope)
+        error += 3 * len(near) * self.rounding(size - abs(near[0])) + self.rounding(size + error)
+        value = (z.high.steps.named(name, estrin(near, z.high)) if len(near) > 1 else
+                 z.high.steps.constant(near[0]))
+        return _bounded(value, None, size + error, _ZERO, error)
 
     def _step(self, name: str, c: Fraction, z: Pair, value: Pair, brief: bool) -> Pair:
         """c + z value, z value being rounded if `brief`.  The low part of value, for which all

@@ -5,6 +5,7 @@ cosine of r + r_low, of which C is the larger.  S errs by E = sin r - S + r_low 
 r + r³ (…), a series in pairs.  Then C errs by ((1 - C² - S²)/2 - S E) / C, since the squares of
 what is exact are 1 together: no second series is needed."""
 
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
 
@@ -24,15 +25,30 @@ NEGLIGIBLE = Fraction(4)
 """Terms of the series up to so many u, relative to r, have no low parts."""
 
 
-def beyond_r(r: Value, spread: Spread, precision: Precision) -> tuple[Value, Pair]:
-    """r, or 0 if it is tiny; and sin r - r, or 0, in the unit of the angle that r is near."""
+@dataclass(frozen=True)
+class Beyond:
+    """sin r - r = more + last, in the unit of the angle that r is near; of tiny r, 0."""
+
+    angle: Value  # r, or 0 if it is tiny
+    more: Pair
+    last: Value  # what is computed last; its rounding is counted in more's error
+    size: Fraction  # of last
+
+
+def beyond_r(r: Value, spread: Spread, precision: Precision) -> Beyond:
+    """The steps from r to its sine."""
     pairs = Pairs(precision)
     angle = Pair(pairs.vanishing("argument", Pair(r, None, ANGLE)), None, ANGLE)
     z, terms = pairs.product("z", angle, angle), SINES.terms(precision)
     cube = pairs.product("cube", Pair(angle.high, None, spread.high), z)
     left_out = (SINES.left_out(len(terms)) + pairs.tiny**2) / z.size
     series = pairs.horner("sin", terms, z, NEGLIGIBLE).less(left_out)
-    return angle.high, pairs.product("more", cube, series)
+    assert series.low is not None
+    more = pairs.product("more", cube, replace(series, low=None, rest=Fraction(0)))
+    size = cube.size * series.rest
+    missed = (cube.rest + cube.error) * series.rest + pairs.rounding(size)
+    return Beyond(angle.high, more.less(missed), cube.high * series.low,
+                  size + pairs.rounding(size))
 
 
 @cache
@@ -42,25 +58,30 @@ def kernel(precision: Precision) -> Program:
     k, r, r_low, s, c = steps.inputs()
     a, b = turn(k, precision)
     sine, cosine = steps.named("sin_r", s * a + c * b), steps.named("cos_r", c * a - s * b)
-    angle, more = beyond_r(r, reduction_pairs.spread(precision), precision)
+    beyond = beyond_r(r, reduction_pairs.spread(precision), precision)
+    more, last = beyond.more, steps.named("last", beyond.last)
     assert more.low is not None
     difference = steps.named("difference", r - sine)  # exact
-    error = steps.named("sin_r_error", (difference + more.high) + (more.low + r_low * cosine))
-    other = _other_error(steps.named("known_sin_r", angle - difference), error, cosine)
+    known = steps.named("known_sin_r", beyond.angle - difference)
+    error = steps.named("sin_r_error", (
+        (difference + more.high) + (more.low + r_low * cosine)) + last)
+    other = _other_error(known, error, cosine)
     return steps.program("kernel", OUTPUTS, (steps.named("s_error", error * a - other * b),
                                              steps.named("c_error", other * a + error * b)))
 
 
 def _other_error(sine: Value, error: Value, cosine: Value) -> Value:
-    """That of the cosine, from the sine and its: 1 - C² - S² is 2 h - S² - h² with h = 1 - C."""
+    """That of the cosine, from the sine and its: 1 - C² - S² is 2 h - S² - h² with h = 1 - C.
+    Only a product and a sum wait for the sine's error."""
     steps = sine.steps
-    h = steps.named("h", 1 - cosine)
+    h, inverse = steps.named("h", 1 - cosine), steps.named("inverse", 1 / cosine)
     squares, rests = [], []
     for name, x in (("square", sine), ("h_square", h)):
         squares.append(steps.named(name, x * x))
         rests.append(steps.named(f"{name}_error", steps.do(Op.PRODUCT_ERROR, x, x, squares[-1])))
     excess = steps.named("excess", ((h + h) - squares[0] - squares[1]) - (rests[0] + rests[1]))
-    return steps.named("cos_r_error", (excess * Fraction(1, 2) - sine * error) / cosine)
+    slope = steps.named("tangent", sine * inverse)
+    return steps.named("cos_r_error", excess * (inverse * Fraction(1, 2)) - slope * error)
 
 
 def errors(precision: Precision) -> tuple[Fraction, Fraction]:
@@ -70,13 +91,14 @@ def errors(precision: Precision) -> tuple[Fraction, Fraction]:
     S and C err by σ ulps at most.  r - S is exact (Sterbenz), R and S being close."""
     u, rounding = precision.u, Pairs(precision).rounding
     spread, (_, r, _) = reduction_pairs.spread(precision), Steps(*REDUCED).inputs()
-    _, more = beyond_r(r, spread, precision)
+    beyond = beyond_r(r, spread, precision)
     ulps = sincos.DATA[precision].error * u  # of numbers in [1/2, 1); relative at most twice that
     low = spread.low * (1 + u)
-    left = 2 * ulps + more.rest + low + u / 8  # difference + more.high, and what errors add
-    roundings = map(rounding, (low, more.rest + low, left, 2 * ulps + u**2))
+    lows = beyond.more.rest + low
+    first = 2 * ulps + beyond.size + u / 8  # without `last`; u / 8 is more than all errors
+    roundings = map(rounding, (low, lows, first + lows, first, 2 * ulps + u / 8))
     beside = spread.error + spread.low**2 + ulps * low  # r_low C
-    sine = more.error + beside + sum(roundings)
+    sine = beyond.more.error + beside + sum(roundings)
     return sine, _of_cosine(sine, ulps, precision)
 
 
@@ -92,9 +114,10 @@ def _of_cosine(sine: Fraction, ulps: Fraction, precision: Precision) -> Fraction
     square = largest**2 / 4 * (1 + 16 * u)  # h²
     rests = u * (largest + square)
     excess = u * (2 * ulps + u / 8 + (3 * ulps + rests) + rests + 3 * ulps) + tiny**2
-    product = ANGLE * ulps
-    lost = excess / 2 + largest * sine + u * (product + ulps) + ulps**2 + tiny**2
-    return lost / (1 - largest / 2 - ulps) + u * ulps
+    cosine = 1 - largest / 2 - ulps  # at least
+    lost = excess / 2 + largest * sine + ulps**2 + tiny**2
+    lost += 4 * u * (3 * ulps / 2 + ANGLE * ulps)  # of the inverse, products and their difference
+    return lost / cosine
 
 
 @cache

@@ -1237,7 +1237,7 @@ static KSL_INLINE double ksl_product_rest(
    (y c - x s) / (x c + y s), s and c the angle's sine and cosine as pairs; angle + angle_error
      is within 2^-100 of atan2(y, x), relative to it (proved), and 0.51 of the least subnormal
      number; 0 where the angle is 0.
-   91 mul, 177 add, 21 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
+   93 mul, 177 add, 21 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
 static KSL_INLINE double ksl_atan2_error(const double y, const double x, const double angle) {
   const double quadrant_1 = KSL_MUL(angle, 0.6366197723675814),
       quadrant_2 = quadrant_1 + 6755399441055744.0, quadrant = quadrant_2 - 6755399441055744.0;
@@ -1258,11 +1258,11 @@ static KSL_INLINE double ksl_atan2_error(const double y, const double x, const d
   const double z_error = ksl_product_error(argument, argument, z);
   const double z_low_1 = KSL_MUL(argument, r_low), z_low_2 = KSL_MUL(r_low, argument),
       z_low_3 = z_low_1 + z_low_2, z_low = z_error + z_low_3;
-  const double sin12_1 = KSL_MUL(z, -9.183689863795546e-29),
-      sin12 = 6.446950284384474e-26 + sin12_1;
-  const double sin11_1 = KSL_MUL(z, sin12), sin11 = -3.868170170630684e-23 + sin11_1;
-  const double sin10_1 = KSL_MUL(z, sin11), sin10 = 1.9572941063391263e-20 + sin10_1;
-  const double sin9_1 = KSL_MUL(z, sin10), sin9 = -8.22063524662433e-18 + sin9_1;
+  const double sin9_1 = KSL_MUL(z, -3.868170170630684e-23),
+      sin9_2 = sin9_1 + 1.9572941063391263e-20, sin9_3 = KSL_MUL(z, -9.183689863795546e-29),
+      sin9_4 = sin9_3 + 6.446950284384474e-26, sin9_5 = KSL_MUL(z, z),
+      sin9_6 = KSL_MUL(sin9_5, sin9_4), sin9_7 = sin9_6 + sin9_2, sin9_8 = KSL_MUL(z, sin9_7),
+      sin9 = sin9_8 + -8.22063524662433e-18;
   const double sin8_z = KSL_MUL(z, sin9);
   const double sin8 = 2.8114572543455206e-15 + sin8_z;
   const double sin8_error_1 = sin8 - 2.8114572543455206e-15, sin8_error = sin8_z - sin8_error_1;
@@ -1329,11 +1329,11 @@ static KSL_INLINE double ksl_atan2_error(const double y, const double x, const d
   const double sin_r = r + sin_r_more;
   const double sin_r_error_1 = sin_r - r, sin_r_error = sin_r_more - sin_r_error_1;
   const double sin_r_low_1 = sin_r_more_low + r_low, sin_r_low = sin_r_error + sin_r_low_1;
-  const double cos13_1 = KSL_MUL(z, 3.279889237069838e-30),
-      cos13 = -2.4795962632247976e-27 + cos13_1;
-  const double cos12_1 = KSL_MUL(z, cos13), cos12 = 1.6117375710961184e-24 + cos12_1;
-  const double cos11_1 = KSL_MUL(z, cos12), cos11 = -8.896791392450574e-22 + cos11_1;
-  const double cos10_1 = KSL_MUL(z, cos11), cos10 = 4.110317623312165e-19 + cos10_1;
+  const double cos10_1 = KSL_MUL(z, 1.6117375710961184e-24),
+      cos10_2 = cos10_1 + -8.896791392450574e-22, cos10_3 = KSL_MUL(z, 3.279889237069838e-30),
+      cos10_4 = cos10_3 + -2.4795962632247976e-27, cos10_5 = KSL_MUL(z, z),
+      cos10_6 = KSL_MUL(cos10_5, cos10_4), cos10_7 = cos10_6 + cos10_2,
+      cos10_8 = KSL_MUL(z, cos10_7), cos10 = cos10_8 + 4.110317623312165e-19;
   const double cos9_z = KSL_MUL(z, cos10);
   const double cos9 = -1.5619206968586225e-16 + cos9_z;
   const double cos9_error_1 = cos9 - -1.5619206968586225e-16, cos9_error = cos9_z - cos9_error_1;
@@ -1460,7 +1460,7 @@ static KSL_INLINE double ksl_power(const double shifted) {
    x = k ln 2 + r, r as a pair; a Taylor polynomial of degree 23 in pairs; y + y_error is within
      2^-101.8 of exp x, relative to it (proved), and 0.51 of the least subnormal number; 0 where
      y is 0 or infinite.
-   60 mul, 127 add, 14 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
+   62 mul, 127 add, 14 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
 static KSL_INLINE double ksl_exp_error(const double x, const double y) {
   const double within_2 = 710.0 < x ? 710.0 : x, within = within_2 < -746.0 ? -746.0 : within_2;
   const double shifted_1 = KSL_MUL(within, 1.4426950408889634),
@@ -1474,15 +1474,19 @@ static KSL_INLINE double ksl_exp_error(const double x, const double y) {
       r_error_4 = second - r_error_1, r_error = r_error_3 + r_error_4;
   const double r_low = r_error + rest;
   const double argument_1 = fabs(r), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r;
-  const double term21_1 = KSL_MUL(argument, 3.868170170630684e-23),
-      term21 = 8.896791392450574e-22 + term21_1;
-  const double term20_1 = KSL_MUL(argument, term21), term20 = 1.9572941063391263e-20 + term20_1;
-  const double term19_1 = KSL_MUL(argument, term20), term19 = 4.110317623312165e-19 + term19_1;
-  const double term18_1 = KSL_MUL(argument, term19), term18 = 8.22063524662433e-18 + term18_1;
-  const double term17_1 = KSL_MUL(argument, term18), term17 = 1.5619206968586225e-16 + term17_1;
-  const double term16_1 = KSL_MUL(argument, term17), term16 = 2.8114572543455206e-15 + term16_1;
-  const double term15_1 = KSL_MUL(argument, term16), term15 = 4.779477332387385e-14 + term15_1;
-  const double term14_1 = KSL_MUL(argument, term15), term14 = 7.647163731819816e-13 + term14_1;
+  const double term14_1 = KSL_MUL(argument, 2.8114572543455206e-15),
+      term14_2 = term14_1 + 4.779477332387385e-14,
+      term14_3 = KSL_MUL(argument, 8.22063524662433e-18),
+      term14_4 = term14_3 + 1.5619206968586225e-16,
+      term14_5 = KSL_MUL(argument, 1.9572941063391263e-20),
+      term14_6 = term14_5 + 4.110317623312165e-19,
+      term14_7 = KSL_MUL(argument, 3.868170170630684e-23),
+      term14_8 = term14_7 + 8.896791392450574e-22, term14_9 = KSL_MUL(argument, argument),
+      term14_10 = KSL_MUL(term14_9, term14_4), term14_11 = term14_10 + term14_2,
+      term14_12 = KSL_MUL(term14_9, term14_8), term14_13 = term14_12 + term14_6,
+      term14_14 = KSL_MUL(term14_9, term14_9), term14_15 = KSL_MUL(term14_14, term14_13),
+      term14_16 = term14_15 + term14_11, term14_17 = KSL_MUL(argument, term14_16),
+      term14 = term14_17 + 7.647163731819816e-13;
   const double term13_z = KSL_MUL(argument, term14);
   const double term13 = 1.1470745597729725e-11 + term13_z;
   const double term13_error_1 = term13 - 1.1470745597729725e-11,
@@ -1778,8 +1782,8 @@ static KSL_COLD double ksl_sincos_error_far(const double x, double *r, double *r
 /* (s_error, c_error) = (sin x - s, cos x - c), (s, c) as sincos has them.
    x = k pi/2 + r, r as a pair; Taylor's polynomial of degree 27 in pairs for sin r, whose error
      gives that of cos r, as their squares are 1 together; s + s_error and c + c_error are within
-     2^-100.6 of sin x and cos x, relative to these (proved), for every finite x.
-   44 mul, 75 add, 11 product error, 1 div, 2 abs, 1 less, 1 select. */
+     2^-100.2 of sin x and cos x, relative to these (proved), for every finite x.
+   48 mul, 75 add, 11 product error, 1 div, 2 abs, 1 less, 1 select. */
 static KSL_INLINE double ksl_sincos_error(const double x, const double s, const double c,
     double *c_error) {
   double r, r_low,
@@ -1804,12 +1808,12 @@ static KSL_INLINE double ksl_sincos_error(const double x, const double s, const 
   const double cube = KSL_MUL(argument, z);
   const double cube_error = ksl_product_error(argument, z, cube);
   const double cube_low_1 = KSL_MUL(argument, z_error), cube_low = cube_error + cube_low_1;
-  const double sin12_1 = KSL_MUL(z, -9.183689863795546e-29),
-      sin12 = 6.446950284384474e-26 + sin12_1;
-  const double sin11_1 = KSL_MUL(z, sin12), sin11 = -3.868170170630684e-23 + sin11_1;
-  const double sin10_1 = KSL_MUL(z, sin11), sin10 = 1.9572941063391263e-20 + sin10_1;
-  const double sin9_1 = KSL_MUL(z, sin10), sin9 = -8.22063524662433e-18 + sin9_1;
-  const double sin8_1 = KSL_MUL(z, sin9), sin8 = 2.8114572543455206e-15 + sin8_1;
+  const double sin8_1 = KSL_MUL(z, 1.9572941063391263e-20), sin8_2 = sin8_1 + -8.22063524662433e-18,
+      sin8_3 = KSL_MUL(z, 6.446950284384474e-26), sin8_4 = sin8_3 + -3.868170170630684e-23,
+      sin8_5 = KSL_MUL(z, z), sin8_6 = KSL_MUL(sin8_5, sin8_4), sin8_7 = sin8_6 + sin8_2,
+      sin8_8 = KSL_MUL(sin8_5, sin8_5), sin8_9 = KSL_MUL(sin8_8, -9.183689863795546e-29),
+      sin8_10 = sin8_9 + sin8_7, sin8_11 = KSL_MUL(z, sin8_10),
+      sin8 = sin8_11 + 2.8114572543455206e-15;
   const double sin7_z = KSL_MUL(z, sin8);
   const double sin7 = -7.647163731819816e-13 + sin7_z;
   const double sin7_error_1 = sin7 - -7.647163731819816e-13, sin7_error = sin7_z - sin7_error_1;
@@ -1858,22 +1862,25 @@ static KSL_INLINE double ksl_sincos_error(const double x, const double s, const 
       sin1_low = sin1_low_6 + sin1_low_3;
   const double more = KSL_MUL(cube, sin1);
   const double more_error = ksl_product_error(cube, sin1, more);
-  const double more_low_1 = KSL_MUL(cube, sin1_low), more_low_2 = KSL_MUL(cube_low, sin1),
-      more_low_3 = more_low_1 + more_low_2, more_low = more_error + more_low_3;
+  const double more_low_1 = KSL_MUL(cube_low, sin1), more_low = more_error + more_low_1;
+  const double last = KSL_MUL(cube, sin1_low);
   const double difference = r - sin_r;
-  const double sin_r_error_1 = difference + more, sin_r_error_2 = KSL_MUL(r_low, cos_r),
-      sin_r_error_3 = more_low + sin_r_error_2, sin_r_error = sin_r_error_1 + sin_r_error_3;
   const double known_sin_r = argument - difference;
+  const double sin_r_error_1 = difference + more, sin_r_error_2 = KSL_MUL(r_low, cos_r),
+      sin_r_error_3 = more_low + sin_r_error_2, sin_r_error_4 = sin_r_error_1 + sin_r_error_3,
+      sin_r_error = sin_r_error_4 + last;
   const double h = 1.0 - cos_r;
+  const double inverse = 1.0 / cos_r;
   const double square = KSL_MUL(known_sin_r, known_sin_r);
   const double square_error = ksl_product_error(known_sin_r, known_sin_r, square);
   const double h_square = KSL_MUL(h, h);
   const double h_square_error = ksl_product_error(h, h, h_square);
   const double excess_1 = h + h, excess_2 = excess_1 - square, excess_3 = excess_2 - h_square,
       excess_4 = square_error + h_square_error, excess = excess_3 - excess_4;
-  const double cos_r_error_1 = KSL_MUL(excess, 0.5),
-      cos_r_error_2 = KSL_MUL(known_sin_r, sin_r_error),
-      cos_r_error_3 = cos_r_error_1 - cos_r_error_2, cos_r_error = cos_r_error_3 / cos_r;
+  const double tangent = KSL_MUL(known_sin_r, inverse);
+  const double cos_r_error_1 = KSL_MUL(inverse, 0.5),
+      cos_r_error_2 = KSL_MUL(excess, cos_r_error_1), cos_r_error_3 = KSL_MUL(tangent, sin_r_error),
+      cos_r_error = cos_r_error_2 - cos_r_error_3;
   const double s_error_1 = KSL_MUL(sin_r_error, cos_k),
       s_error_2 = KSL_MUL(cos_r_error, minus_sin_k), s_error_value = s_error_1 - s_error_2;
   const double c_error_1 = KSL_MUL(cos_r_error, cos_k),
@@ -1902,7 +1909,7 @@ static KSL_INLINE double ksl_cos_error(const double x, const double c) {
 /* y_error = tanh x - y, y as tanh has it.
    m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-100.1 of tanh
      x, relative to it (proved); 0 for |x| below 2^-54 and above 40.
-   60 mul, 143 add, 15 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
+   62 mul, 143 add, 15 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
 static KSL_INLINE double ksl_tanh_error(const double x, const double y) {
   const double size = fabs(x);
   const double within_1 = size < 5.551115123125783e-17 ? 1.0 : size,
@@ -1923,15 +1930,19 @@ static KSL_INLINE double ksl_tanh_error(const double x, const double y) {
   const double whole = power + -1.0;
   const double whole_error_1 = whole - power, whole_error = -1.0 - whole_error_1;
   const double argument_1 = fabs(r), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r;
-  const double term21_1 = KSL_MUL(argument, 3.868170170630684e-23),
-      term21 = 8.896791392450574e-22 + term21_1;
-  const double term20_1 = KSL_MUL(argument, term21), term20 = 1.9572941063391263e-20 + term20_1;
-  const double term19_1 = KSL_MUL(argument, term20), term19 = 4.110317623312165e-19 + term19_1;
-  const double term18_1 = KSL_MUL(argument, term19), term18 = 8.22063524662433e-18 + term18_1;
-  const double term17_1 = KSL_MUL(argument, term18), term17 = 1.5619206968586225e-16 + term17_1;
-  const double term16_1 = KSL_MUL(argument, term17), term16 = 2.8114572543455206e-15 + term16_1;
-  const double term15_1 = KSL_MUL(argument, term16), term15 = 4.779477332387385e-14 + term15_1;
-  const double term14_1 = KSL_MUL(argument, term15), term14 = 7.647163731819816e-13 + term14_1;
+  const double term14_1 = KSL_MUL(argument, 2.8114572543455206e-15),
+      term14_2 = term14_1 + 4.779477332387385e-14,
+      term14_3 = KSL_MUL(argument, 8.22063524662433e-18),
+      term14_4 = term14_3 + 1.5619206968586225e-16,
+      term14_5 = KSL_MUL(argument, 1.9572941063391263e-20),
+      term14_6 = term14_5 + 4.110317623312165e-19,
+      term14_7 = KSL_MUL(argument, 3.868170170630684e-23),
+      term14_8 = term14_7 + 8.896791392450574e-22, term14_9 = KSL_MUL(argument, argument),
+      term14_10 = KSL_MUL(term14_9, term14_4), term14_11 = term14_10 + term14_2,
+      term14_12 = KSL_MUL(term14_9, term14_8), term14_13 = term14_12 + term14_6,
+      term14_14 = KSL_MUL(term14_9, term14_9), term14_15 = KSL_MUL(term14_14, term14_13),
+      term14_16 = term14_15 + term14_11, term14_17 = KSL_MUL(argument, term14_16),
+      term14 = term14_17 + 7.647163731819816e-13;
   const double term13_z = KSL_MUL(argument, term14);
   const double term13 = 1.1470745597729725e-11 + term13_z;
   const double term13_error_1 = term13 - 1.1470745597729725e-11,
@@ -2098,8 +2109,8 @@ static KSL_INLINE float ksl_atan2_errorf(const float y, const float x, const flo
   const float z_error = ksl_product_errorf(argument, argument, z);
   const float z_low_1 = KSL_MULF(argument, r_low), z_low_2 = KSL_MULF(r_low, argument),
       z_low_3 = z_low_1 + z_low_2, z_low = z_error + z_low_3;
-  const float sin7_1 = KSL_MULF(z, 2.8114574e-15f), sin7 = -7.6471636e-13f + sin7_1;
-  const float sin6_1 = KSL_MULF(z, sin7), sin6 = 1.6059044e-10f + sin6_1;
+  const float sin6_1 = KSL_MULF(z, 2.8114574e-15f), sin6_2 = sin6_1 + -7.6471636e-13f,
+      sin6_3 = KSL_MULF(z, sin6_2), sin6 = sin6_3 + 1.6059044e-10f;
   const float sin5_z = KSL_MULF(z, sin6);
   const float sin5 = -2.5052108e-08f + sin5_z;
   const float sin5_error_1 = sin5 - -2.5052108e-08f, sin5_error = sin5_z - sin5_error_1;
@@ -2145,8 +2156,8 @@ static KSL_INLINE float ksl_atan2_errorf(const float y, const float x, const flo
   const float sin_r = r + sin_r_more;
   const float sin_r_error_1 = sin_r - r, sin_r_error = sin_r_more - sin_r_error_1;
   const float sin_r_low_1 = sin_r_more_low + r_low, sin_r_low = sin_r_error + sin_r_low_1;
-  const float cos7_1 = KSL_MULF(z, 4.7794773e-14f), cos7 = -1.1470745e-11f + cos7_1;
-  const float cos6_1 = KSL_MULF(z, cos7), cos6 = 2.0876756e-09f + cos6_1;
+  const float cos6_1 = KSL_MULF(z, 4.7794773e-14f), cos6_2 = cos6_1 + -1.1470745e-11f,
+      cos6_3 = KSL_MULF(z, cos6_2), cos6 = cos6_3 + 2.0876756e-09f;
   const float cos5_z = KSL_MULF(z, cos6);
   const float cos5 = -2.755732e-07f + cos5_z;
   const float cos5_error_1 = cos5 - -2.755732e-07f, cos5_error = cos5_z - cos5_error_1;
@@ -2244,7 +2255,7 @@ static KSL_INLINE float ksl_powerf(const float shifted) {
    x = k ln 2 + r, r as a pair; a Taylor polynomial of degree 13 in pairs; y + y_error is within
      2^-43.7 of exp x, relative to it (proved), and 0.51 of the least subnormal number; 0 where y
      is 0 or infinite.
-   38 mul, 81 add, 8 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
+   39 mul, 81 add, 8 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
 static KSL_INLINE float ksl_exp_errorf(const float x, const float y) {
   const float within_2 = 89.0f < x ? 89.0f : x, within = within_2 < -104.0f ? -104.0f : within_2;
   const float shifted_1 = KSL_MULF(within, 1.442695f), shifted = shifted_1 + 1.2582912e+07f;
@@ -2257,10 +2268,11 @@ static KSL_INLINE float ksl_exp_errorf(const float x, const float y) {
       r_error_4 = second - r_error_1, r_error = r_error_3 + r_error_4;
   const float r_low = r_error + rest;
   const float argument_1 = fabsf(r), argument = argument_1 < 2.9802322e-08f ? 0.0f : r;
-  const float term11_1 = KSL_MULF(argument, 1.6059044e-10f), term11 = 2.0876756e-09f + term11_1;
-  const float term10_1 = KSL_MULF(argument, term11), term10 = 2.5052108e-08f + term10_1;
-  const float term9_1 = KSL_MULF(argument, term10), term9 = 2.755732e-07f + term9_1;
-  const float term8_1 = KSL_MULF(argument, term9), term8 = 2.7557319e-06f + term8_1;
+  const float term8_1 = KSL_MULF(argument, 2.5052108e-08f), term8_2 = term8_1 + 2.755732e-07f,
+      term8_3 = KSL_MULF(argument, 1.6059044e-10f), term8_4 = term8_3 + 2.0876756e-09f,
+      term8_5 = KSL_MULF(argument, argument), term8_6 = KSL_MULF(term8_5, term8_4),
+      term8_7 = term8_6 + term8_2, term8_8 = KSL_MULF(argument, term8_7),
+      term8 = term8_8 + 2.7557319e-06f;
   const float term7_z = KSL_MULF(argument, term8);
   const float term7 = 2.4801588e-05f + term7_z;
   const float term7_error_1 = term7 - 2.4801588e-05f, term7_error = term7_z - term7_error_1;
@@ -2491,8 +2503,8 @@ static KSL_COLD float ksl_sincos_error_farf(const float x, float *r, float *r_lo
 /* (s_error, c_error) = (sin x - s, cos x - c), (s, c) as sincos has them.
    x = k pi/2 + r, r as a pair; Taylor's polynomial of degree 17 in pairs for sin r, whose error
      gives that of cos r, as their squares are 1 together; s + s_error and c + c_error are within
-     2^-42.6 of sin x and cos x, relative to these (proved), for every finite x.
-   33 mul, 52 add, 8 product error, 1 div, 2 abs, 1 less, 1 select. */
+     2^-42.2 of sin x and cos x, relative to these (proved), for every finite x.
+   36 mul, 52 add, 8 product error, 1 div, 2 abs, 1 less, 1 select. */
 static KSL_INLINE float ksl_sincos_errorf(const float x, const float s, const float c, float *c_error) {
   float r, r_low,
       quadrant = ksl_sincos_error_nearf(x, &r, &r_low);
@@ -2515,9 +2527,9 @@ static KSL_INLINE float ksl_sincos_errorf(const float x, const float s, const fl
   const float cube = KSL_MULF(argument, z);
   const float cube_error = ksl_product_errorf(argument, z, cube);
   const float cube_low_1 = KSL_MULF(argument, z_error), cube_low = cube_error + cube_low_1;
-  const float sin7_1 = KSL_MULF(z, 2.8114574e-15f), sin7 = -7.6471636e-13f + sin7_1;
-  const float sin6_1 = KSL_MULF(z, sin7), sin6 = 1.6059044e-10f + sin6_1;
-  const float sin5_1 = KSL_MULF(z, sin6), sin5 = -2.5052108e-08f + sin5_1;
+  const float sin5_1 = KSL_MULF(z, -7.6471636e-13f), sin5_2 = sin5_1 + 1.6059044e-10f,
+      sin5_3 = KSL_MULF(z, z), sin5_4 = KSL_MULF(sin5_3, 2.8114574e-15f), sin5_5 = sin5_4 + sin5_2,
+      sin5_6 = KSL_MULF(z, sin5_5), sin5 = sin5_6 + -2.5052108e-08f;
   const float sin4_z = KSL_MULF(z, sin5);
   const float sin4 = 2.7557319e-06f + sin4_z;
   const float sin4_error_1 = sin4 - 2.7557319e-06f, sin4_error = sin4_z - sin4_error_1;
@@ -2545,22 +2557,25 @@ static KSL_INLINE float ksl_sincos_errorf(const float x, const float s, const fl
       sin1_low_6 = sin1_low_5 + sin1_error, sin1_low = sin1_low_6 + sin1_low_3;
   const float more = KSL_MULF(cube, sin1);
   const float more_error = ksl_product_errorf(cube, sin1, more);
-  const float more_low_1 = KSL_MULF(cube, sin1_low), more_low_2 = KSL_MULF(cube_low, sin1),
-      more_low_3 = more_low_1 + more_low_2, more_low = more_error + more_low_3;
+  const float more_low_1 = KSL_MULF(cube_low, sin1), more_low = more_error + more_low_1;
+  const float last = KSL_MULF(cube, sin1_low);
   const float difference = r - sin_r;
-  const float sin_r_error_1 = difference + more, sin_r_error_2 = KSL_MULF(r_low, cos_r),
-      sin_r_error_3 = more_low + sin_r_error_2, sin_r_error = sin_r_error_1 + sin_r_error_3;
   const float known_sin_r = argument - difference;
+  const float sin_r_error_1 = difference + more, sin_r_error_2 = KSL_MULF(r_low, cos_r),
+      sin_r_error_3 = more_low + sin_r_error_2, sin_r_error_4 = sin_r_error_1 + sin_r_error_3,
+      sin_r_error = sin_r_error_4 + last;
   const float h = 1.0f - cos_r;
+  const float inverse = 1.0f / cos_r;
   const float square = KSL_MULF(known_sin_r, known_sin_r);
   const float square_error = ksl_product_errorf(known_sin_r, known_sin_r, square);
   const float h_square = KSL_MULF(h, h);
   const float h_square_error = ksl_product_errorf(h, h, h_square);
   const float excess_1 = h + h, excess_2 = excess_1 - square, excess_3 = excess_2 - h_square,
       excess_4 = square_error + h_square_error, excess = excess_3 - excess_4;
-  const float cos_r_error_1 = KSL_MULF(excess, 0.5f),
-      cos_r_error_2 = KSL_MULF(known_sin_r, sin_r_error),
-      cos_r_error_3 = cos_r_error_1 - cos_r_error_2, cos_r_error = cos_r_error_3 / cos_r;
+  const float tangent = KSL_MULF(known_sin_r, inverse);
+  const float cos_r_error_1 = KSL_MULF(inverse, 0.5f),
+      cos_r_error_2 = KSL_MULF(excess, cos_r_error_1),
+      cos_r_error_3 = KSL_MULF(tangent, sin_r_error), cos_r_error = cos_r_error_2 - cos_r_error_3;
   const float s_error_1 = KSL_MULF(sin_r_error, cos_k),
       s_error_2 = KSL_MULF(cos_r_error, minus_sin_k), s_error_value = s_error_1 - s_error_2;
   const float c_error_1 = KSL_MULF(cos_r_error, cos_k),
@@ -2589,7 +2604,7 @@ static KSL_INLINE float ksl_cos_errorf(const float x, const float c) {
 /* y_error = tanh x - y, y as tanh has it.
    m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-42 of tanh x,
      relative to it (proved); 0 for |x| below 2^-25 and above 20.
-   38 mul, 97 add, 9 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
+   39 mul, 97 add, 9 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
 static KSL_INLINE float ksl_tanh_errorf(const float x, const float y) {
   const float size = fabsf(x);
   const float within_1 = size < 2.9802322e-08f ? 1.0f : size,
@@ -2609,10 +2624,11 @@ static KSL_INLINE float ksl_tanh_errorf(const float x, const float y) {
   const float whole = power + -1.0f;
   const float whole_error_1 = whole - power, whole_error = -1.0f - whole_error_1;
   const float argument_1 = fabsf(r), argument = argument_1 < 2.9802322e-08f ? 0.0f : r;
-  const float term11_1 = KSL_MULF(argument, 1.6059044e-10f), term11 = 2.0876756e-09f + term11_1;
-  const float term10_1 = KSL_MULF(argument, term11), term10 = 2.5052108e-08f + term10_1;
-  const float term9_1 = KSL_MULF(argument, term10), term9 = 2.755732e-07f + term9_1;
-  const float term8_1 = KSL_MULF(argument, term9), term8 = 2.7557319e-06f + term8_1;
+  const float term8_1 = KSL_MULF(argument, 2.5052108e-08f), term8_2 = term8_1 + 2.755732e-07f,
+      term8_3 = KSL_MULF(argument, 1.6059044e-10f), term8_4 = term8_3 + 2.0876756e-09f,
+      term8_5 = KSL_MULF(argument, argument), term8_6 = KSL_MULF(term8_5, term8_4),
+      term8_7 = term8_6 + term8_2, term8_8 = KSL_MULF(argument, term8_7),
+      term8 = term8_8 + 2.7557319e-06f;
   const float term7_z = KSL_MULF(argument, term8);
   const float term7 = 2.4801588e-05f + term7_z;
   const float term7_error_1 = term7 - 2.4801588e-05f, term7_error = term7_z - term7_error_1;
@@ -2712,7 +2728,7 @@ static KSL_INLINE float ksl_tanh_errorf(const float x, const float y) {
 
 /* s = sin x, c = cos x, x in rad.
    x, c: number.
-   79 mul, 129 add, 11 product error, 1 div, 3 abs, 1 less, 2 equal, 3 select.
+   83 mul, 129 add, 11 product error, 1 div, 3 abs, 1 less, 2 equal, 3 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_sincos_accurate(const double x, double *c) {
   double c_; const double s = ksl_sincos(x, &c_);
@@ -2725,7 +2741,7 @@ static inline double ksl_sincos_accurate(const double x, double *c) {
 
 /* s = sin x, x in rad.
    x: number.
-   79 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.
+   83 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_sin_accurate(const double x) {
   const double s = ksl_sin(x), s_own_error = ksl_sin_error(x, s);
@@ -2735,7 +2751,7 @@ static inline double ksl_sin_accurate(const double x) {
 
 /* c = cos x, x in rad.
    x: number.
-   79 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.
+   83 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_cos_accurate(const double x) {
   const double c = ksl_cos(x), c_own_error = ksl_cos_error(x, c);
@@ -2745,7 +2761,7 @@ static inline double ksl_cos_accurate(const double x) {
 
 /* y = e^x.
    x: number.
-   79 mul, 148 add, 14 product error, 5 power of two, 1 abs, 7 less, 2 equal, 10 select.
+   81 mul, 148 add, 14 product error, 5 power of two, 1 abs, 7 less, 2 equal, 10 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_exp_accurate(const double x) {
   const double y = ksl_exp(x), y_own_error = ksl_exp_error(x, y);
@@ -2755,7 +2771,7 @@ static inline double ksl_exp_accurate(const double x) {
 
 /* y = tanh x.
    x: number.
-   89 mul, 174 add, 15 product error, 2 div, 2 power of two, 4 abs, 2 copysign, 5 less, 1 equal,
+   91 mul, 174 add, 15 product error, 2 div, 2 power of two, 4 abs, 2 copysign, 5 less, 1 equal,
      12 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_tanh_accurate(const double x) {
@@ -2766,7 +2782,7 @@ static inline double ksl_tanh_accurate(const double x) {
 
 /* angle of the vector (x, y) to the x axis, in rad, from -π to π.
    y, x: number.
-   120 mul, 213 add, 21 product error, 2 div, 1 neg, 8 abs, 4 copysign, 13 less, 4 equal, 24
+   122 mul, 213 add, 21 product error, 2 div, 1 neg, 8 abs, 4 copysign, 13 less, 4 equal, 24
      select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_atan2_accurate(const double y, const double x) {
@@ -3299,7 +3315,7 @@ static inline void ksl_vec3_normalized_accurate(const ksl_vec3_t *v, ksl_vec3_t 
 
 /* angle = atan2(|v1 × v2|, v1·v2), in [0, π].
    v1, v2: vector.
-   162 mul, 333 add, 22 product error, 12 product rest, 8 div, 1 sqrt, 4 neg, 19 abs, 4 copysign,
+   164 mul, 333 add, 22 product error, 12 product rest, 8 div, 1 sqrt, 4 neg, 19 abs, 4 copysign,
      35 less, 6 equal, 51 select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
@@ -6570,7 +6586,7 @@ static inline void ksl_mat3x3_setFromAxisDC_accurate(ksl_mat3x3_t *R, const ksl_
 
 /* R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
    angles: vector; R: rotation or other 3×3 matrix.
-   279 mul, 434 add, 39 product error, 8 product rest, 3 div, 9 neg, 9 abs, 3 less, 9 equal, 12
+   291 mul, 434 add, 39 product error, 8 product rest, 3 div, 9 neg, 9 abs, 3 less, 9 equal, 12
      select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
@@ -6679,7 +6695,7 @@ static inline void ksl_mat3x3_from_euler_xyz_accurate(const ksl_vec3_t *angles, 
 /* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
      [-π/2, π/2]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   385 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
+   391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
      copysign, 41 less, 16 equal, 85 select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
@@ -6804,7 +6820,7 @@ static inline void ksl_euler_xyz_from_mat3x3_accurate(const ksl_mat3x3_t *R, ksl
 
 /* R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
    angles: vector; R: rotation or other 3×3 matrix.
-   279 mul, 434 add, 39 product error, 8 product rest, 3 div, 5 neg, 9 abs, 3 less, 9 equal, 12
+   291 mul, 434 add, 39 product error, 8 product rest, 3 div, 5 neg, 9 abs, 3 less, 9 equal, 12
      select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
@@ -6910,7 +6926,7 @@ static inline void ksl_mat3x3_from_euler_xyx_accurate(const ksl_vec3_t *angles, 
 /* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
      π]; c = 0 in gimbal lock.
    R: rotation or other 3×3 matrix; angles: vector.
-   385 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
+   391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
      copysign, 41 less, 16 equal, 85 select.
    Each component is within 1 ulp as long as its condition is below 1e13; in single precision it
      is the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
@@ -7244,7 +7260,7 @@ static inline void ksl_mat3x3_jacobi_accurate(ksl_mat3x3_t *A, ksl_mat3x3_t *V) 
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
      not a rotation.
    axis: vector; angle: number; R: rotation or other 3×3 matrix.
-   188 mul, 351 add, 26 product error, 18 product rest, 2 div, 6 abs, 3 less, 9 equal, 13 select.
+   196 mul, 351 add, 26 product error, 18 product rest, 2 div, 6 abs, 3 less, 9 equal, 13 select.
    Error <= R: 1 u of its largest component for |axis| = 1; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
      nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
@@ -7380,7 +7396,7 @@ static inline void ksl_mat3x3_from_axis_angle_accurate(const ksl_vec3_t *axis, c
 
 /* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
    R: rotation or other 3×3 matrix; axis: vector.
-   155 mul, 448 add, 25 product error, 3 product rest, 14 div, 1 sqrt, 13 neg, 13 abs, 4
+   157 mul, 448 add, 25 product error, 3 product rest, 14 div, 1 sqrt, 13 neg, 13 abs, 4
      copysign, 29 less, 10 equal, 80 select.
    Error <= angle: 1 u, axis: 1 u of its largest component for R a rotation; searched, not
      proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
@@ -13915,7 +13931,7 @@ static inline void ksl_product_ddtzinvf_accurate(const ksl_SE3f_t *D, const floa
 
 /* dc = (sin θ, cos θ), θ in rad.
    theta: number; dc: (sin θ, cos θ).
-   79 mul, 129 add, 11 product error, 1 div, 3 abs, 1 less, 2 equal, 3 select.
+   83 mul, 129 add, 11 product error, 1 div, 3 abs, 1 less, 2 equal, 3 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline void ksl_dc_accurate(const double theta, double dc[2]) {
   double dc_1; const double dc_0 = ksl_sincos(theta, &dc_1);
@@ -23623,7 +23639,7 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
 /* qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
      rotation is by another angle.
    axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
-   86 mul, 134 add, 14 product error, 1 div, 3 abs, 1 less, 4 equal, 5 select.
+   90 mul, 134 add, 14 product error, 1 div, 3 abs, 1 less, 4 equal, 5 select.
    Error <= qo: 1 u of its largest component for |axis| = 1; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
@@ -23656,7 +23672,7 @@ static inline void ksl_quaternion_from_axis_angle_accurate(const ksl_vec3_t *axi
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
      angle is 0; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
-   147 mul, 268 add, 25 product error, 3 product rest, 13 div, 1 sqrt, 5 neg, 17 abs, 4 copysign,
+   149 mul, 268 add, 25 product error, 3 product rest, 13 div, 1 sqrt, 5 neg, 17 abs, 4 copysign,
      27 less, 10 equal, 51 select.
    Error <= angle: 1 u, axis: 1 u of its largest component; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
@@ -23778,7 +23794,7 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
 
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (x, y, z, w), the scalar last.
-   135 mul, 222 add, 16 product error, 3 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 6 equal, 14
+   139 mul, 222 add, 16 product error, 3 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 6 equal, 14
      select.
    Error <= qo: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -23919,7 +23935,7 @@ static inline void ksl_quaternion_exp_accurate(const ksl_vec3_t *v, ksl_quaterni
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
-   149 mul, 271 add, 26 product error, 3 product rest, 9 div, 1 sqrt, 5 neg, 17 abs, 4 copysign,
+   151 mul, 271 add, 26 product error, 3 product rest, 9 div, 1 sqrt, 5 neg, 17 abs, 4 copysign,
      27 less, 9 equal, 48 select.
    Error <= vo: 1 u of its largest component; searched, not proved.  Each component is within 1
      ulp as long as its condition is below 1e13; in single precision it is the nearest number,
@@ -24030,7 +24046,7 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-   359 mul, 765 add, 45 product error, 38 product rest, 16 div, 2 sqrt, 14 neg, 21 abs, 4
+   365 mul, 765 add, 45 product error, 38 product rest, 16 div, 2 sqrt, 14 neg, 21 abs, 4
      copysign, 35 less, 12 equal, 68 select.
    Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -26048,7 +26064,7 @@ static inline void ksl_quaternionf_interpolated_accurate(const ksl_quaternionf_t
 
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   168 mul, 311 add, 16 product error, 21 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 11 equal,
+   172 mul, 311 add, 16 product error, 21 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 11 equal,
      19 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -26292,7 +26308,7 @@ static inline void ksl_SO3_exp_accurate(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
 
 /* vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
    R: rotation or other 3×3 matrix; vo: vector.
-   160 mul, 433 add, 26 product error, 3 product rest, 10 div, 1 sqrt, 13 neg, 13 abs, 4
+   162 mul, 433 add, 26 product error, 3 product rest, 10 div, 1 sqrt, 13 neg, 13 abs, 4
      copysign, 29 less, 9 equal, 77 select.
    Error <= vo: 1 u of its largest component for R a rotation; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -26563,7 +26579,7 @@ static inline void ksl_SO3_log_accurate(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
 
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   201 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 11 equal,
+   205 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 11 equal,
      25 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -26962,7 +26978,7 @@ static inline void ksl_SO3_leftJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x3
 
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
    v: vector; R: rotation or other 3×3 matrix.
-   201 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 9 neg, 4 abs, 5 less, 11
+   205 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 9 neg, 4 abs, 5 less, 11
      equal, 25 select.
    Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -27365,7 +27381,7 @@ static inline void ksl_SO3_rightJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0.
    v: vector; R: rotation or other 3×3 matrix.
-   201 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less, 11
+   205 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less, 11
      equal, 25 select.
    Error <= R: 1 u of its largest component for |v| <= π; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
@@ -27826,7 +27842,7 @@ static inline void ksl_SO3_leftJacobianInverse_accurate(const ksl_vec3_t *v, ksl
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0.
    v: vector; R: rotation or other 3×3 matrix.
-   201 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 4 abs, 5 less, 11 equal,
+   205 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 4 abs, 5 less, 11 equal,
      25 select.
    Error <= R: 1 u of its largest component for |v| <= π; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
@@ -29007,7 +29023,7 @@ static inline void ksl_mat3x3_orthonormalized_accurate(const ksl_mat3x3_t *R, ks
 
 /* D = exp s = [exp ω~ | J_l(ω) v].
    s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-   239 mul, 546 add, 24 product error, 57 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 14 equal,
+   243 mul, 546 add, 24 product error, 57 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 14 equal,
      28 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of s.lin if that is larger, for |ω of s|
      <= 1e13, in single precision 1e5; searched, not proved.  Each component is within 1 ulp as
@@ -29495,7 +29511,7 @@ static inline void ksl_SE3_exp_accurate(const ksl_screw_t *s, ksl_SE3_t *D) {
 
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
    D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-   280 mul, 748 add, 36 product error, 35 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
+   282 mul, 748 add, 36 product error, 35 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
      copysign, 31 less, 14 equal, 88 select.
    Error <= lin: 1 u, ang: 1 u of its largest component for R of D a rotation; searched, not
      proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
@@ -30174,7 +30190,7 @@ static inline void ksl_SE3_log_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
 
 /* M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   314 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less, 20
+   318 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less, 20
      equal, 38 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -31069,7 +31085,7 @@ static inline void ksl_SE3_leftJacobian_accurate(const ksl_screw_t *s, ksl_mat6x
 
 /* M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   314 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 36 neg, 4 abs, 5 less, 20
+   318 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 36 neg, 4 abs, 5 less, 20
      equal, 38 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -31981,7 +31997,7 @@ static inline void ksl_SE3_rightJacobian_accurate(const ksl_screw_t *s, ksl_mat6
 
 /* M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   276 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 9 neg, 4 abs, 5 less, 20
+   280 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 9 neg, 4 abs, 5 less, 20
      equal, 36 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -32815,7 +32831,7 @@ static inline void ksl_SE3_leftJacobianInverse_accurate(const ksl_screw_t *s, ks
 
 /* M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
    s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-   276 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 21 neg, 4 abs, 5 less, 20
+   280 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 21 neg, 4 abs, 5 less, 20
      equal, 36 select.
    Error <= M: 1 u of its largest component for |ω of s| <= π; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
@@ -33657,7 +33673,7 @@ static inline void ksl_SE3_rightJacobianInverse_accurate(const ksl_screw_t *s, k
 
 /* Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
    D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-   705 mul, 1705 add, 66 product error, 164 product rest, 29 div, 3 sqrt, 11 neg, 18 abs, 4
+   711 mul, 1705 add, 66 product error, 164 product rest, 29 div, 3 sqrt, 11 neg, 18 abs, 4
      copysign, 36 less, 22 equal, 110 select.
    Error <= R: 1 u, t: 1 u of its largest component, or of D1.t or D2.t if that is larger, for R
      of D1 a rotation and R of D2 a rotation and 0 <= k <= 1; searched, not proved.  Each

@@ -283,7 +283,7 @@ def tanh(x):
 def atan2_error(y, x, angle):
     """angle_error = atan2(y, x) - angle, angle as atan2 has it.  (y c - x s) / (x c + y s), s and
     c the angle's sine and cosine as pairs; angle + angle_error is within 2^-100 of atan2(y, x),
-    relative to it (proved), and 0.51 of the least subnormal number; 0 where the angle is 0.  91
+    relative to it (proved), and 0.51 of the least subnormal number; 0 where the angle is 0.  93
     mul, 177 add, 21 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select.
     """
     quadrant = angle * 0.6366197723675814 + 6755399441055744.0 - 6755399441055744.0
@@ -303,10 +303,9 @@ def atan2_error(y, x, angle):
     z = argument * argument
     z_error = product_error(argument, argument, z)
     z_low = z_error + (argument * r_low + r_low * argument)
-    sin12 = 6.446950284384474e-26 + z * -9.183689863795546e-29
-    sin11 = -3.868170170630684e-23 + z * sin12
-    sin10 = 1.9572941063391263e-20 + z * sin11
-    sin9 = -8.22063524662433e-18 + z * sin10
+    sin9_6 = z * z * (z * -9.183689863795546e-29 + 6.446950284384474e-26)
+    sin9_8 = z * (sin9_6 + (z * -3.868170170630684e-23 + 1.9572941063391263e-20))
+    sin9 = sin9_8 + -8.22063524662433e-18
     sin8_z = z * sin9
     sin8 = 2.8114572543455206e-15 + sin8_z
     sin8_error = sin8_z - (sin8 - 2.8114572543455206e-15)
@@ -355,10 +354,9 @@ def atan2_error(y, x, angle):
     sin_r = r + sin_r_more
     sin_r_error = sin_r_more - (sin_r - r)
     sin_r_low = sin_r_error + (sin_r_more_low + r_low)
-    cos13 = -2.4795962632247976e-27 + z * 3.279889237069838e-30
-    cos12 = 1.6117375710961184e-24 + z * cos13
-    cos11 = -8.896791392450574e-22 + z * cos12
-    cos10 = 4.110317623312165e-19 + z * cos11
+    cos10_6 = z * z * (z * 3.279889237069838e-30 + -2.4795962632247976e-27)
+    cos10_8 = z * (cos10_6 + (z * 1.6117375710961184e-24 + -8.896791392450574e-22))
+    cos10 = cos10_8 + 4.110317623312165e-19
     cos9_z = z * cos10
     cos9 = -1.5619206968586225e-16 + cos9_z
     cos9_error = cos9_z - (cos9 - -1.5619206968586225e-16)
@@ -443,7 +441,7 @@ def atan2_error(y, x, angle):
 def exp_error(x, y):
     """y_error = exp x - y, y as exp has it.  x = k ln 2 + r, r as a pair; a Taylor polynomial of
     degree 23 in pairs; y + y_error is within 2^-101.8 of exp x, relative to it (proved), and
-    0.51 of the least subnormal number; 0 where y is 0 or infinite.  60 mul, 127 add, 14 product
+    0.51 of the least subnormal number; 0 where y is 0 or infinite.  62 mul, 127 add, 14 product
     error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select.
     """
     within_2 = where(710.0 < x, 710.0, x)
@@ -458,14 +456,12 @@ def exp_error(x, y):
     r_error = high - (r - r_error_1) + (second - r_error_1)
     r_low = r_error + rest
     argument = where(absolute(r) < 5.551115123125783e-17, 0.0, r)
-    term21 = 8.896791392450574e-22 + argument * 3.868170170630684e-23
-    term20 = 1.9572941063391263e-20 + argument * term21
-    term19 = 4.110317623312165e-19 + argument * term20
-    term18 = 8.22063524662433e-18 + argument * term19
-    term17 = 1.5619206968586225e-16 + argument * term18
-    term16 = 2.8114572543455206e-15 + argument * term17
-    term15 = 4.779477332387385e-14 + argument * term16
-    term14 = 7.647163731819816e-13 + argument * term15
+    term14_9 = argument * argument
+    term14_10 = term14_9 * (argument * 8.22063524662433e-18 + 1.5619206968586225e-16)
+    term14_12 = term14_9 * (argument * 3.868170170630684e-23 + 8.896791392450574e-22)
+    term14_13 = term14_12 + (argument * 1.9572941063391263e-20 + 4.110317623312165e-19)
+    term14_11 = term14_10 + (argument * 2.8114572543455206e-15 + 4.779477332387385e-14)
+    term14 = argument * (term14_9 * term14_9 * term14_13 + term14_11) + 7.647163731819816e-13
     term13_z = argument * term14
     term13 = 1.1470745597729725e-11 + term13_z
     term13_error = term13_z - (term13 - 1.1470745597729725e-11)
@@ -673,11 +669,10 @@ def _sincos_error_of(quadrant, r, r_low, s, c):
     cube = argument * z
     cube_error = product_error(argument, z, cube)
     cube_low = cube_error + argument * z_error
-    sin12 = 6.446950284384474e-26 + z * -9.183689863795546e-29
-    sin11 = -3.868170170630684e-23 + z * sin12
-    sin10 = 1.9572941063391263e-20 + z * sin11
-    sin9 = -8.22063524662433e-18 + z * sin10
-    sin8 = 2.8114572543455206e-15 + z * sin9
+    sin8_5 = z * z
+    sin8_6 = sin8_5 * (z * 6.446950284384474e-26 + -3.868170170630684e-23)
+    sin8_7 = sin8_6 + (z * 1.9572941063391263e-20 + -8.22063524662433e-18)
+    sin8 = z * (sin8_5 * sin8_5 * -9.183689863795546e-29 + sin8_7) + 2.8114572543455206e-15
     sin7_z = z * sin8
     sin7 = -7.647163731819816e-13 + sin7_z
     sin7_error = sin7_z - (sin7 - -7.647163731819816e-13)
@@ -714,17 +709,20 @@ def _sincos_error_of(quadrant, r, r_low, s, c):
     sin1_low = sin1_low_5 + sin1_error + z * sin2_low
     more = cube * sin1
     more_error = product_error(cube, sin1, more)
-    more_low = more_error + (cube * sin1_low + cube_low * sin1)
+    more_low = more_error + cube_low * sin1
+    last = cube * sin1_low
     difference = r - sin_r
-    sin_r_error = difference + more + (more_low + r_low * cos_r)
     known_sin_r = argument - difference
+    sin_r_error = difference + more + (more_low + r_low * cos_r) + last
     h = 1.0 - cos_r
+    inverse = 1.0 / cos_r
     square = known_sin_r * known_sin_r
     square_error = product_error(known_sin_r, known_sin_r, square)
     h_square = h * h
     h_square_error = product_error(h, h, h_square)
     excess = h + h - square - h_square - (square_error + h_square_error)
-    cos_r_error = (excess * 0.5 - known_sin_r * sin_r_error) / cos_r
+    tangent = known_sin_r * inverse
+    cos_r_error = excess * (inverse * 0.5) - tangent * sin_r_error
     s_error = sin_r_error * cos_k - cos_r_error * minus_sin_k
     c_error = cos_r_error * cos_k + sin_r_error * minus_sin_k
     return s_error, c_error
@@ -734,8 +732,8 @@ def _sincos_error_of(quadrant, r, r_low, s, c):
 def sincos_error(x, s, c):
     """(s_error, c_error) = (sin x - s, cos x - c), (s, c) as sincos has them.  x = k pi/2 + r, r
     as a pair; Taylor's polynomial of degree 27 in pairs for sin r, whose error gives that of
-    cos r, as their squares are 1 together; s + s_error and c + c_error are within 2^-100.6 of
-    sin x and cos x, relative to these (proved), for every finite x.  44 mul, 75 add, 11 product
+    cos r, as their squares are 1 together; s + s_error and c + c_error are within 2^-100.2 of
+    sin x and cos x, relative to these (proved), for every finite x.  48 mul, 75 add, 11 product
     error, 1 div, 2 abs, 1 less, 1 select.
     """
     quadrant, r, r_low = _sincos_error_near(x)
@@ -761,7 +759,7 @@ def cos_error(x, c):
 def tanh_error(x, y):
     """y_error = tanh x - y, y as tanh has it.  m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as
     pairs; y + y_error is within 2^-100.1 of tanh x, relative to it (proved); 0 for |x| below
-    2^-54 and above 40.  60 mul, 143 add, 15 product error, 1 div, 1 power of two, 3 abs, 1
+    2^-54 and above 40.  62 mul, 143 add, 15 product error, 1 div, 1 power of two, 3 abs, 1
     copysign, 3 less, 6 select.
     """
     size = absolute(x)
@@ -783,14 +781,12 @@ def tanh_error(x, y):
     whole = power + -1.0
     whole_error = -1.0 - (whole - power)
     argument = where(absolute(r) < 5.551115123125783e-17, 0.0, r)
-    term21 = 8.896791392450574e-22 + argument * 3.868170170630684e-23
-    term20 = 1.9572941063391263e-20 + argument * term21
-    term19 = 4.110317623312165e-19 + argument * term20
-    term18 = 8.22063524662433e-18 + argument * term19
-    term17 = 1.5619206968586225e-16 + argument * term18
-    term16 = 2.8114572543455206e-15 + argument * term17
-    term15 = 4.779477332387385e-14 + argument * term16
-    term14 = 7.647163731819816e-13 + argument * term15
+    term14_9 = argument * argument
+    term14_10 = term14_9 * (argument * 8.22063524662433e-18 + 1.5619206968586225e-16)
+    term14_12 = term14_9 * (argument * 3.868170170630684e-23 + 8.896791392450574e-22)
+    term14_13 = term14_12 + (argument * 1.9572941063391263e-20 + 4.110317623312165e-19)
+    term14_11 = term14_10 + (argument * 2.8114572543455206e-15 + 4.779477332387385e-14)
+    term14 = argument * (term14_9 * term14_9 * term14_13 + term14_11) + 7.647163731819816e-13
     term13_z = argument * term14
     term13 = 1.1470745597729725e-11 + term13_z
     term13_error = term13_z - (term13 - 1.1470745597729725e-11)

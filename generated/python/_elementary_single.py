@@ -275,8 +275,7 @@ def atan2_error(y, x, angle):
     z = argument * argument
     z_error = product_error(argument, argument, z)
     z_low = z_error + (argument * r_low + r_low * argument)
-    sin7 = -7.6471636e-13 + z * 2.8114574e-15
-    sin6 = 1.6059044e-10 + z * sin7
+    sin6 = z * (z * 2.8114574e-15 + -7.6471636e-13) + 1.6059044e-10
     sin5_z = z * sin6
     sin5 = -2.5052108e-08 + sin5_z
     sin5_error = sin5_z - (sin5 - -2.5052108e-08)
@@ -310,8 +309,7 @@ def atan2_error(y, x, angle):
     sin_r = r + sin_r_more
     sin_r_error = sin_r_more - (sin_r - r)
     sin_r_low = sin_r_error + (sin_r_more_low + r_low)
-    cos7 = -1.1470745e-11 + z * 4.7794773e-14
-    cos6 = 2.0876756e-09 + z * cos7
+    cos6 = z * (z * 4.7794773e-14 + -1.1470745e-11) + 2.0876756e-09
     cos5_z = z * cos6
     cos5 = -2.755732e-07 + cos5_z
     cos5_error = cos5_z - (cos5 - -2.755732e-07)
@@ -375,7 +373,7 @@ def atan2_error(y, x, angle):
 def exp_error(x, y):
     """y_error = exp x - y, y as exp has it.  x = k ln 2 + r, r as a pair; a Taylor polynomial of
     degree 13 in pairs; y + y_error is within 2^-43.7 of exp x, relative to it (proved), and
-    0.51 of the least subnormal number; 0 where y is 0 or infinite.  38 mul, 81 add, 8 product
+    0.51 of the least subnormal number; 0 where y is 0 or infinite.  39 mul, 81 add, 8 product
     error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select.
     """
     within_2 = where(89.0 < x, 89.0, x)
@@ -390,10 +388,8 @@ def exp_error(x, y):
     r_error = high - (r - r_error_1) + (second - r_error_1)
     r_low = r_error + rest
     argument = where(absolute(r) < 2.9802322e-08, 0.0, r)
-    term11 = 2.0876756e-09 + argument * 1.6059044e-10
-    term10 = 2.5052108e-08 + argument * term11
-    term9 = 2.755732e-07 + argument * term10
-    term8 = 2.7557319e-06 + argument * term9
+    term8_6 = argument * argument * (argument * 1.6059044e-10 + 2.0876756e-09)
+    term8 = argument * (term8_6 + (argument * 2.5052108e-08 + 2.755732e-07)) + 2.7557319e-06
     term7_z = argument * term8
     term7 = 2.4801588e-05 + term7_z
     term7_error = term7_z - (term7 - 2.4801588e-05)
@@ -571,9 +567,7 @@ def _sincos_error_of(quadrant, r, r_low, s, c):
     cube = argument * z
     cube_error = product_error(argument, z, cube)
     cube_low = cube_error + argument * z_error
-    sin7 = -7.6471636e-13 + z * 2.8114574e-15
-    sin6 = 1.6059044e-10 + z * sin7
-    sin5 = -2.5052108e-08 + z * sin6
+    sin5 = z * (z * z * 2.8114574e-15 + (z * -7.6471636e-13 + 1.6059044e-10)) + -2.5052108e-08
     sin4_z = z * sin5
     sin4 = 2.7557319e-06 + sin4_z
     sin4_error = sin4_z - (sin4 - 2.7557319e-06)
@@ -595,17 +589,20 @@ def _sincos_error_of(quadrant, r, r_low, s, c):
     sin1_low = sin1_low_6 + z * sin2_low
     more = cube * sin1
     more_error = product_error(cube, sin1, more)
-    more_low = more_error + (cube * sin1_low + cube_low * sin1)
+    more_low = more_error + cube_low * sin1
+    last = cube * sin1_low
     difference = r - sin_r
-    sin_r_error = difference + more + (more_low + r_low * cos_r)
     known_sin_r = argument - difference
+    sin_r_error = difference + more + (more_low + r_low * cos_r) + last
     h = 1.0 - cos_r
+    inverse = 1.0 / cos_r
     square = known_sin_r * known_sin_r
     square_error = product_error(known_sin_r, known_sin_r, square)
     h_square = h * h
     h_square_error = product_error(h, h, h_square)
     excess = h + h - square - h_square - (square_error + h_square_error)
-    cos_r_error = (excess * 0.5 - known_sin_r * sin_r_error) / cos_r
+    tangent = known_sin_r * inverse
+    cos_r_error = excess * (inverse * 0.5) - tangent * sin_r_error
     s_error = sin_r_error * cos_k - cos_r_error * minus_sin_k
     c_error = cos_r_error * cos_k + sin_r_error * minus_sin_k
     return s_error, c_error
@@ -615,8 +612,8 @@ def _sincos_error_of(quadrant, r, r_low, s, c):
 def sincos_error(x, s, c):
     """(s_error, c_error) = (sin x - s, cos x - c), (s, c) as sincos has them.  x = k pi/2 + r, r
     as a pair; Taylor's polynomial of degree 17 in pairs for sin r, whose error gives that of
-    cos r, as their squares are 1 together; s + s_error and c + c_error are within 2^-42.6 of
-    sin x and cos x, relative to these (proved), for every finite x.  33 mul, 52 add, 8 product
+    cos r, as their squares are 1 together; s + s_error and c + c_error are within 2^-42.2 of
+    sin x and cos x, relative to these (proved), for every finite x.  36 mul, 52 add, 8 product
     error, 1 div, 2 abs, 1 less, 1 select.
     """
     quadrant, r, r_low = _sincos_error_near(x)
@@ -642,7 +639,7 @@ def cos_error(x, c):
 def tanh_error(x, y):
     """y_error = tanh x - y, y as tanh has it.  m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as
     pairs; y + y_error is within 2^-42 of tanh x, relative to it (proved); 0 for |x| below 2^-25
-    and above 20.  38 mul, 97 add, 9 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3
+    and above 20.  39 mul, 97 add, 9 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3
     less, 6 select.
     """
     size = absolute(x)
@@ -664,10 +661,8 @@ def tanh_error(x, y):
     whole = power + -1.0
     whole_error = -1.0 - (whole - power)
     argument = where(absolute(r) < 2.9802322e-08, 0.0, r)
-    term11 = 2.0876756e-09 + argument * 1.6059044e-10
-    term10 = 2.5052108e-08 + argument * term11
-    term9 = 2.755732e-07 + argument * term10
-    term8 = 2.7557319e-06 + argument * term9
+    term8_6 = argument * argument * (argument * 1.6059044e-10 + 2.0876756e-09)
+    term8 = argument * (term8_6 + (argument * 2.5052108e-08 + 2.755732e-07)) + 2.7557319e-06
     term7_z = argument * term8
     term7 = 2.4801588e-05 + term7_z
     term7_error = term7_z - (term7 - 2.4801588e-05)

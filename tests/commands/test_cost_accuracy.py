@@ -107,7 +107,7 @@ def test_errors_and_bounds_are_those_of_rational_arithmetic(costs, looked_at):
         function, states, places = looked_at[rows[0].function]
         assert {places.count(x) for x in ("run", "limits", "search")} == {16, 32}
         exact = [true(function.name, states, n) for n in range(64)]
-        for row, choice in zip(rows, choices_of(function.built), strict=True):
+        for row, choice in zip(rows, choices_of(function.built, function.name), strict=True):
             found, *bounds = function.values(choice, states)
             errors = [abs(Fraction(float(x)) - y) for x, y in zip(found[:, 0], exact, strict=True)]
             (of,) = row.errors
@@ -183,7 +183,7 @@ def test_the_search_climbs_the_errors_of_each_choice(costs, looked_at, box):
     ones the worst bound; it knows the errors of accurate results in double exactly."""
     function, states, places = looked_at["inverse_dynamics"]
     chance = box.drawn(np.random.default_rng(7), 4000)
-    for choice in choices_of(function.built):
+    for choice in choices_of(function.built, function.name):
         (unit,) = function.different_units
         bad, others = (function.badness(choice, unit, x) for x in (states, chance))
         searched_for = [n for n, place in enumerate(places) if place == "search"]
@@ -200,7 +200,19 @@ def test_the_search_climbs_the_errors_of_each_choice(costs, looked_at, box):
 def test_every_choice_and_unit_has_its_search(costs, looked_at):
     """At least one state; sixteen of six choices in one unit."""
     for function, _, places in looked_at.values():
-        assert len(choices_of(function.built)) == 6 and places.count("search") == 16
+        assert len(choices_of(function.built, function.name)) == 6
+        assert places.count("search") == 16
+
+
+def test_a_function_has_the_tiers_that_have_it(costs, looked_at):
+    function, *_ = looked_at["inverse_dynamics"]
+    accurate, certified = function.built.tiers
+    without = replace(accurate, in_precisions=tuple(
+        (p, replace(x, functions=tuple(f for f in x.functions if f.name != function.name)))
+        for p, x in accurate.in_precisions))
+    found = replace(function.built, tiers=(without, certified))
+    assert {x.tier for x in choices_of(found, function.name)} == {"plain", CERTIFIED}
+    assert {x.tier for x in choices_of(found, "mass_matrix")} == {"plain", ACCURATE, CERTIFIED}
 
 
 def test_tiers_that_the_scene_selects_are_measured_too(tmp_path):

@@ -22,7 +22,8 @@ from tests.support.scenes.generated_scenes import BANNER
 from tests.support.scenes.mechanisms import Y, Z, chain, inertia, scene
 from tests.support.truth.elementary import Array, results, same, worst_cases
 
-FLAGS = (("-O0",), ("-O2",), ("-O3", *FMA, "-ffp-contract=fast"))
+FLAGS = (("-O0",), ("-O2",), ("-O3", *FMA, "-ffp-contract=fast"),
+         ("-O1", "-U__SSE2__"))  # as where there are no vectors
 COUNTS = (2, 3, 4)
 FUNCTIONS = (sincos.FUNCTION, sincos_error.ERROR)
 

@@ -79,6 +79,8 @@ force = [0, 0, "sin(t)"]
 [effects.spring_damper.rope]
 bodies = ["a", "world"]
 k = 3
+[accuracy]
+energy = 1e-3  # by FUNCTION
 [start]
 q.one = 0.1
 q.three = [0, 0, 0, 1]
@@ -137,7 +139,8 @@ def places(value: object, path: tuple = ()) -> Iterator[tuple]:
 def tables(value: object, path: tuple = ()) -> Iterator[tuple]:
     """The paths to all tables except those whose keys are names of the scene's own."""
     if isinstance(value, dict):
-        own = ("bodies", "joints", "q", "v", "expect", "spring_damper", "viscous", "wrench")
+        own = ("accuracy", "bodies", "joints", "q", "v", "expect", "spring_damper", "viscous",
+               "wrench")
         if not path or path[-1] not in own and path[-2:] != ("viscous", "d"):
             yield path
         for key, inner in value.items():

@@ -54,6 +54,8 @@ NORMALIZED = re.compile(r"(\w+_of_\w+)_right =")  # sums hi + lo that take their
 ERROR = re.compile(r"\w+_(error|rest|lo\d?) = ")
 TEXT = {tier.name: "".join(path.read_text() for path in INCLUDE.glob(f"*_{tier.name}.h"))
         for tier in MARKED}
+FUNCTION = re.compile(r"\b(ksl_\w+)\([^)]*\) {\n(.*?)\n}\n", re.DOTALL)
+BODIES = {found[1]: found[2] for text in TEXT.values() for found in FUNCTION.finditer(text)}
 
 MOST_SIGNS = 30  # flipped in a text
 
@@ -69,8 +71,7 @@ def spread(found: Sequence[re.Match]) -> Sequence[re.Match]:
 
 def body(operation: Operation, precision: Precision, tier: str) -> str:
     """The text between the braces of the operation's function."""
-    name = f"{c_name(operation.name, precision)}_{tier}"
-    text = re.search(rf"\b{name}\([^)]*\) {{\n(.*?)\n}}\n", TEXT[tier], re.DOTALL)[1]
+    text = BODIES[f"{c_name(operation.name, precision)}_{tier}"]
     if operation.by_value:  # as if by address
         passed = "|".join(a.name for a in (*operation.inputs, *operation.outputs)
                           if a.quantity.shape)

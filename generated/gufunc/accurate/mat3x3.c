@@ -1105,7 +1105,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).\n"
     "\n"
     "(3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.\n"
-    "279 mul, 434 add, 39 product error, 8 product rest, 3 div, 9 neg, 9 abs, 3 less, 9 equal, 12\n"
+    "291 mul, 434 add, 39 product error, 8 product rest, 3 div, 9 neg, 9 abs, 3 less, 9 equal, 12\n"
     "select.  Each component is within 1 ulp as long as its condition is below 1e13; in single\n"
     "precision it is the nearest number, except near ties, as long as that is below 1e5;\n"
     "searched, not proved.\n",
@@ -1115,7 +1115,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "[-π/2, π/2]; c = 0 in gimbal lock.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
-    "385 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12\n"
+    "391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12\n"
     "copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its\n"
     "condition is below 1e13; in single precision it is the nearest number, except near ties, as\n"
     "long as that is below 1e5; searched, not proved.\n",
@@ -1124,7 +1124,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).\n"
     "\n"
     "(3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.\n"
-    "279 mul, 434 add, 39 product error, 8 product rest, 3 div, 5 neg, 9 abs, 3 less, 9 equal, 12\n"
+    "291 mul, 434 add, 39 product error, 8 product rest, 3 div, 5 neg, 9 abs, 3 less, 9 equal, 12\n"
     "select.  Each component is within 1 ulp as long as its condition is below 1e13; in single\n"
     "precision it is the nearest number, except near ties, as long as that is below 1e5;\n"
     "searched, not proved.\n",
@@ -1134,7 +1134,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "[0, π]; c = 0 in gimbal lock.\n"
     "\n"
     "(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.\n"
-    "385 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12\n"
+    "391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12\n"
     "copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its\n"
     "condition is below 1e13; in single precision it is the nearest number, except near ties, as\n"
     "long as that is below 1e5; searched, not proved.\n",
@@ -1154,7 +1154,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "not a rotation.\n"
     "\n"
     "(3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.\n"
-    "188 mul, 351 add, 26 product error, 18 product rest, 2 div, 6 abs, 3 less, 9 equal, 13\n"
+    "196 mul, 351 add, 26 product error, 18 product rest, 2 div, 6 abs, 3 less, 9 equal, 13\n"
     "select.  Error <= R: 1 u of its largest component for |axis| = 1; searched, not proved.\n"
     "Each component is within 1 ulp as long as its condition is below 1e13; in single precision\n"
     "it is the nearest number, except near ties, as long as that is below 1e5; searched, not\n"
@@ -1164,7 +1164,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.\n"
     "\n"
     "(3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.\n"
-    "155 mul, 448 add, 25 product error, 3 product rest, 14 div, 1 sqrt, 13 neg, 13 abs, 4\n"
+    "157 mul, 448 add, 25 product error, 3 product rest, 14 div, 1 sqrt, 13 neg, 13 abs, 4\n"
     "copysign, 29 less, 10 equal, 80 select.  Error <= angle: 1 u, axis: 1 u of its largest\n"
     "component for R a rotation; searched, not proved.  Each component is within 1 ulp as long as\n"
     "its condition is below 1e13; in single precision it is the nearest number, except near ties,\n"

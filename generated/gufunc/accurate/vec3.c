@@ -2013,7 +2013,7 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "angle = atan2(|v1 × v2|, v1·v2), in [0, π].\n"
     "\n"
     "(3),(3)->().  v1, v2: vector; angle: number.\n"
-    "162 mul, 333 add, 22 product error, 12 product rest, 8 div, 1 sqrt, 4 neg, 19 abs, 4\n"
+    "164 mul, 333 add, 22 product error, 12 product rest, 8 div, 1 sqrt, 4 neg, 19 abs, 4\n"
     "copysign, 35 less, 6 equal, 51 select.  Each component is within 1 ulp as long as its\n"
     "condition is below 1e13; in single precision it is the nearest number, except near ties, as\n"
     "long as that is below 1e5; searched, not proved.\n",

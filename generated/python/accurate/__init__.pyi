@@ -12,7 +12,7 @@ def sincos(x: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floa
     """s = sin x, c = cos x, x in rad.
 
     ()->(),().  x, s, c: number.
-    79 mul, 129 add, 11 product error, 1 div, 3 abs, 1 less, 2 equal, 3 select.  Error <= 0.501
+    83 mul, 129 add, 11 product error, 1 div, 3 abs, 1 less, 2 equal, 3 select.  Error <= 0.501
     ulp, unless a result is subnormal; proved.
     """
 
@@ -20,7 +20,7 @@ def sin(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floa
     """s = sin x, x in rad.
 
     ()->().  x, s: number.
-    79 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.  Error <= 0.501
+    83 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.  Error <= 0.501
     ulp, unless a result is subnormal; proved.
     """
 
@@ -28,7 +28,7 @@ def cos(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floa
     """c = cos x, x in rad.
 
     ()->().  x, c: number.
-    79 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.  Error <= 0.501
+    83 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.  Error <= 0.501
     ulp, unless a result is subnormal; proved.
     """
 
@@ -36,7 +36,7 @@ def exp(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floa
     """y = e^x.
 
     ()->().  x, y: number.
-    79 mul, 148 add, 14 product error, 5 power of two, 1 abs, 7 less, 2 equal, 10 select.  Error
+    81 mul, 148 add, 14 product error, 5 power of two, 1 abs, 7 less, 2 equal, 10 select.  Error
     <= 0.501 ulp, unless a result is subnormal; proved.
     """
 
@@ -44,7 +44,7 @@ def tanh(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.flo
     """y = tanh x.
 
     ()->().  x, y: number.
-    89 mul, 174 add, 15 product error, 2 div, 2 power of two, 4 abs, 2 copysign, 5 less, 1
+    91 mul, 174 add, 15 product error, 2 div, 2 power of two, 4 abs, 2 copysign, 5 less, 1
     equal, 12 select.  Error <= 0.501 ulp, unless a result is subnormal; proved.
     """
 
@@ -52,7 +52,7 @@ def atan2(y: ArrayLike, x: ArrayLike, out: NDArray[np.floating] | None = ...) ->
     """angle of the vector (x, y) to the x axis, in rad, from -π to π.
 
     (),()->().  y, x, angle: number.
-    120 mul, 213 add, 21 product error, 2 div, 1 neg, 8 abs, 4 copysign, 13 less, 4 equal, 24
+    122 mul, 213 add, 21 product error, 2 div, 1 neg, 8 abs, 4 copysign, 13 less, 4 equal, 24
     select.  Error <= 0.501 ulp, unless a result is subnormal; proved.
     """
 
@@ -141,7 +141,7 @@ def angle_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ..
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    162 mul, 333 add, 22 product error, 12 product rest, 8 div, 1 sqrt, 4 neg, 19 abs, 4
+    164 mul, 333 add, 22 product error, 12 product rest, 8 div, 1 sqrt, 4 neg, 19 abs, 4
     copysign, 35 less, 6 equal, 51 select.  Each component is within 1 ulp as long as its
     condition is below 1e13; in single precision it is the nearest number, except near ties, as
     long as that is below 1e5; searched, not proved.
@@ -327,7 +327,7 @@ def mat3x3_from_euler_xyz(angles: ArrayLike, out: NDArray[np.floating] | None = 
     """R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
 
     (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
-    279 mul, 434 add, 39 product error, 8 product rest, 3 div, 9 neg, 9 abs, 3 less, 9 equal, 12
+    291 mul, 434 add, 39 product error, 8 product rest, 3 div, 9 neg, 9 abs, 3 less, 9 equal, 12
     select.  Each component is within 1 ulp as long as its condition is below 1e13; in single
     precision it is the nearest number, except near ties, as long as that is below 1e5;
     searched, not proved.
@@ -338,7 +338,7 @@ def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) 
     [-π/2, π/2]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    385 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
+    391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
     copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its
     condition is below 1e13; in single precision it is the nearest number, except near ties, as
     long as that is below 1e5; searched, not proved.
@@ -348,7 +348,7 @@ def mat3x3_from_euler_xyx(angles: ArrayLike, out: NDArray[np.floating] | None = 
     """R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
 
     (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
-    279 mul, 434 add, 39 product error, 8 product rest, 3 div, 5 neg, 9 abs, 3 less, 9 equal, 12
+    291 mul, 434 add, 39 product error, 8 product rest, 3 div, 5 neg, 9 abs, 3 less, 9 equal, 12
     select.  Each component is within 1 ulp as long as its condition is below 1e13; in single
     precision it is the nearest number, except near ties, as long as that is below 1e5;
     searched, not proved.
@@ -359,7 +359,7 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) 
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    385 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
+    391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
     copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its
     condition is below 1e13; in single precision it is the nearest number, except near ties, as
     long as that is below 1e5; searched, not proved.
@@ -738,7 +738,7 @@ def dc(theta: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.f
     """dc = (sin θ, cos θ), θ in rad.
 
     ()->(2).  theta: number; dc: (sin θ, cos θ).
-    79 mul, 129 add, 11 product error, 1 div, 3 abs, 1 less, 2 equal, 3 select.  Error <= 0.501
+    83 mul, 129 add, 11 product error, 1 div, 3 abs, 1 less, 2 equal, 3 select.  Error <= 0.501
     ulp, unless a result is subnormal; proved.
     """
 
@@ -1735,7 +1735,7 @@ def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[n
     rotation is by another angle.
 
     (3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
-    86 mul, 134 add, 14 product error, 1 div, 3 abs, 1 less, 4 equal, 5 select.  Error <= qo: 1
+    90 mul, 134 add, 14 product error, 1 div, 3 abs, 1 less, 4 equal, 5 select.  Error <= qo: 1
     u of its largest component for |axis| = 1; searched, not proved.  Each component is within 1
     ulp as long as its condition is below 1e13; in single precision it is the nearest number,
     except near ties, as long as that is below 1e5; searched, not proved.
@@ -1746,7 +1746,7 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.floating] | N
     angle is 0; any multiple of a quaternion.
 
     (4)->(),(3).  q: quaternion (x, y, z, w), the scalar last; angle: number; axis: vector.
-    147 mul, 268 add, 25 product error, 3 product rest, 13 div, 1 sqrt, 5 neg, 17 abs, 4
+    149 mul, 268 add, 25 product error, 3 product rest, 13 div, 1 sqrt, 5 neg, 17 abs, 4
     copysign, 27 less, 10 equal, 51 select.  Error <= angle: 1 u, axis: 1 u of its largest
     component; searched, not proved.  Each component is within 1 ulp as long as its condition is
     below 1e13; in single precision it is the nearest number, except near ties, as long as that
@@ -1757,7 +1757,7 @@ def quaternion_exp(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDAr
     """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
 
     (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
-    135 mul, 222 add, 16 product error, 3 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 6 equal,
+    139 mul, 222 add, 16 product error, 3 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 6 equal,
     14 select.  Error <= qo: 1 u of its largest component for |v| <= 1e13, in single precision
     1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
     1e13; in single precision it is the nearest number, except near ties, as long as that is
@@ -1769,7 +1769,7 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDAr
     it.
 
     (4)->(3).  q: quaternion (x, y, z, w), the scalar last; vo: vector.
-    149 mul, 271 add, 26 product error, 3 product rest, 9 div, 1 sqrt, 5 neg, 17 abs, 4
+    151 mul, 271 add, 26 product error, 3 product rest, 9 div, 1 sqrt, 5 neg, 17 abs, 4
     copysign, 27 less, 9 equal, 48 select.  Error <= vo: 1 u of its largest component; searched,
     not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
     single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -1780,7 +1780,7 @@ def quaternion_interpolated(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: NDA
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-    359 mul, 765 add, 45 product error, 38 product rest, 16 div, 2 sqrt, 14 neg, 21 abs, 4
+    365 mul, 765 add, 45 product error, 38 product rest, 16 div, 2 sqrt, 14 neg, 21 abs, 4
     copysign, 35 less, 12 equal, 68 select.  Error <= qo: 1 u of its largest component for |q1|
     = 1 and |q2| = 1 and 0 <= k <= 1; searched, not proved.  Each component is within 1 ulp as
     long as its condition is below 1e13; in single precision it is the nearest number, except
@@ -1791,7 +1791,7 @@ def SO3_exp(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    168 mul, 311 add, 16 product error, 21 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 11 equal,
+    172 mul, 311 add, 16 product error, 21 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 11 equal,
     19 select.  Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision
     1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
     1e13; in single precision it is the nearest number, except near ties, as long as that is
@@ -1802,7 +1802,7 @@ def SO3_log(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
-    160 mul, 433 add, 26 product error, 3 product rest, 10 div, 1 sqrt, 13 neg, 13 abs, 4
+    162 mul, 433 add, 26 product error, 3 product rest, 10 div, 1 sqrt, 13 neg, 13 abs, 4
     copysign, 29 less, 9 equal, 77 select.  Error <= vo: 1 u of its largest component for R a
     rotation; searched, not proved.  Each component is within 1 ulp as long as its condition is
     below 1e13; in single precision it is the nearest number, except near ties, as long as that
@@ -1813,7 +1813,7 @@ def SO3_leftJacobian(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> ND
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    201 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 11 equal,
+    205 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 11 equal,
     25 select.  Error <= R: 1 u of its largest component for |v| <= 1e13, in single precision
     1e5; searched, not proved.  Each component is within 1 ulp as long as its condition is below
     1e13; in single precision it is the nearest number, except near ties, as long as that is
@@ -1824,7 +1824,7 @@ def SO3_rightJacobian(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    201 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 9 neg, 4 abs, 5 less, 11
+    205 mul, 464 add, 21 product error, 42 product rest, 6 div, 1 sqrt, 9 neg, 4 abs, 5 less, 11
     equal, 25 select.  Error <= R: 1 u of its largest component for |v| <= 1e13, in single
     precision 1e5; searched, not proved.  Each component is within 1 ulp as long as its
     condition is below 1e13; in single precision it is the nearest number, except near ties, as
@@ -1836,7 +1836,7 @@ def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ...
     except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    201 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less,
+    205 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less,
     11 equal, 25 select.  Error <= R: 1 u of its largest component for |v| <= π; searched, not
     proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
     precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -1848,7 +1848,7 @@ def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ..
     except 0.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
-    201 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 4 abs, 5 less, 11
+    205 mul, 495 add, 23 product error, 33 product rest, 10 div, 1 sqrt, 4 abs, 5 less, 11
     equal, 25 select.  Error <= R: 1 u of its largest component for |v| <= π; searched, not
     proved.  Each component is within 1 ulp as long as its condition is below 1e13; in single
     precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -1860,7 +1860,7 @@ def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.fl
     not a rotation.
 
     (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
-    188 mul, 351 add, 26 product error, 18 product rest, 2 div, 6 abs, 3 less, 9 equal, 13
+    196 mul, 351 add, 26 product error, 18 product rest, 2 div, 6 abs, 3 less, 9 equal, 13
     select.  Error <= R: 1 u of its largest component for |axis| = 1; searched, not proved.
     Each component is within 1 ulp as long as its condition is below 1e13; in single precision
     it is the nearest number, except near ties, as long as that is below 1e5; searched, not
@@ -1871,7 +1871,7 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None,
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    155 mul, 448 add, 25 product error, 3 product rest, 14 div, 1 sqrt, 13 neg, 13 abs, 4
+    157 mul, 448 add, 25 product error, 3 product rest, 14 div, 1 sqrt, 13 neg, 13 abs, 4
     copysign, 29 less, 10 equal, 80 select.  Error <= angle: 1 u, axis: 1 u of its largest
     component for R a rotation; searched, not proved.  Each component is within 1 ulp as long as
     its condition is below 1e13; in single precision it is the nearest number, except near ties,
@@ -1898,7 +1898,7 @@ def SE3_exp(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
-    239 mul, 546 add, 24 product error, 57 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 14 equal,
+    243 mul, 546 add, 24 product error, 57 product rest, 6 div, 1 sqrt, 4 abs, 5 less, 14 equal,
     28 select.  Error <= R: 1 u, t: 1 u of its largest component, or of s.lin if that is larger,
     for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Each component is
     within 1 ulp as long as its condition is below 1e13; in single precision it is the nearest
@@ -1910,7 +1910,7 @@ def SE3_log(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
-    280 mul, 748 add, 36 product error, 35 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
+    282 mul, 748 add, 36 product error, 35 product rest, 23 div, 2 sqrt, 11 neg, 14 abs, 4
     copysign, 31 less, 14 equal, 88 select.  Error <= lin: 1 u, ang: 1 u of its largest
     component for R of D a rotation; searched, not proved.  Each component is within 1 ulp as
     long as its condition is below 1e13; in single precision it is the nearest number, except
@@ -1922,7 +1922,7 @@ def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> ND
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    314 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less,
+    318 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 3 neg, 4 abs, 5 less,
     20 equal, 38 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
     not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
     single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -1934,7 +1934,7 @@ def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    314 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 36 neg, 4 abs, 5 less,
+    318 mul, 812 add, 31 product error, 86 product rest, 10 div, 1 sqrt, 36 neg, 4 abs, 5 less,
     20 equal, 38 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
     not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
     single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -1946,7 +1946,7 @@ def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ...
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    276 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 9 neg, 4 abs, 5 less,
+    280 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 9 neg, 4 abs, 5 less,
     20 equal, 36 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
     not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
     single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -1958,7 +1958,7 @@ def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ..
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
-    276 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 21 neg, 4 abs, 5 less,
+    280 mul, 714 add, 34 product error, 59 product rest, 14 div, 1 sqrt, 21 neg, 4 abs, 5 less,
     20 equal, 36 select.  Error <= M: 1 u of its largest component for |ω of s| <= π; searched,
     not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
     single precision it is the nearest number, except near ties, as long as that is below 1e5;
@@ -1970,7 +1970,7 @@ def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
-    705 mul, 1705 add, 66 product error, 164 product rest, 29 div, 3 sqrt, 11 neg, 18 abs, 4
+    711 mul, 1705 add, 66 product error, 164 product rest, 29 div, 3 sqrt, 11 neg, 18 abs, 4
     copysign, 36 less, 22 equal, 110 select.  Error <= R: 1 u, t: 1 u of its largest component,
     or of D1.t or D2.t if that is larger, for R of D1 a rotation and R of D2 a rotation and 0 <=
     k <= 1; searched, not proved.  Each component is within 1 ulp as long as its condition is

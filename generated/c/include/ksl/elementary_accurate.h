@@ -12,7 +12,7 @@
 
 /* s = sin x, c = cos x, x in rad.
    x, c: number.
-   79 mul, 129 add, 11 product error, 1 div, 3 abs, 1 less, 2 equal, 3 select.
+   83 mul, 129 add, 11 product error, 1 div, 3 abs, 1 less, 2 equal, 3 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_sincos_accurate(const double x, double *c) {
   double c_; const double s = ksl_sincos(x, &c_);
@@ -25,7 +25,7 @@ static inline double ksl_sincos_accurate(const double x, double *c) {
 
 /* s = sin x, x in rad.
    x: number.
-   79 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.
+   83 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_sin_accurate(const double x) {
   const double s = ksl_sin(x), s_own_error = ksl_sin_error(x, s);
@@ -35,7 +35,7 @@ static inline double ksl_sin_accurate(const double x) {
 
 /* c = cos x, x in rad.
    x: number.
-   79 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.
+   83 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_cos_accurate(const double x) {
   const double c = ksl_cos(x), c_own_error = ksl_cos_error(x, c);
@@ -45,7 +45,7 @@ static inline double ksl_cos_accurate(const double x) {
 
 /* y = e^x.
    x: number.
-   79 mul, 148 add, 14 product error, 5 power of two, 1 abs, 7 less, 2 equal, 10 select.
+   81 mul, 148 add, 14 product error, 5 power of two, 1 abs, 7 less, 2 equal, 10 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_exp_accurate(const double x) {
   const double y = ksl_exp(x), y_own_error = ksl_exp_error(x, y);
@@ -55,7 +55,7 @@ static inline double ksl_exp_accurate(const double x) {
 
 /* y = tanh x.
    x: number.
-   89 mul, 174 add, 15 product error, 2 div, 2 power of two, 4 abs, 2 copysign, 5 less, 1 equal,
+   91 mul, 174 add, 15 product error, 2 div, 2 power of two, 4 abs, 2 copysign, 5 less, 1 equal,
      12 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_tanh_accurate(const double x) {
@@ -66,7 +66,7 @@ static inline double ksl_tanh_accurate(const double x) {
 
 /* angle of the vector (x, y) to the x axis, in rad, from -π to π.
    y, x: number.
-   120 mul, 213 add, 21 product error, 2 div, 1 neg, 8 abs, 4 copysign, 13 less, 4 equal, 24
+   122 mul, 213 add, 21 product error, 2 div, 1 neg, 8 abs, 4 copysign, 13 less, 4 equal, 24
      select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_atan2_accurate(const double y, const double x) {

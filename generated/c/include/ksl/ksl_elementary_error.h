@@ -14,7 +14,7 @@
    (y c - x s) / (x c + y s), s and c the angle's sine and cosine as pairs; angle + angle_error
      is within 2^-100 of atan2(y, x), relative to it (proved), and 0.51 of the least subnormal
      number; 0 where the angle is 0.
-   91 mul, 177 add, 21 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
+   93 mul, 177 add, 21 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
 static KSL_INLINE double ksl_atan2_error(const double y, const double x, const double angle) {
   const double quadrant_1 = KSL_MUL(angle, 0.6366197723675814),
       quadrant_2 = quadrant_1 + 6755399441055744.0, quadrant = quadrant_2 - 6755399441055744.0;
@@ -35,11 +35,11 @@ static KSL_INLINE double ksl_atan2_error(const double y, const double x, const d
   const double z_error = ksl_product_error(argument, argument, z);
   const double z_low_1 = KSL_MUL(argument, r_low), z_low_2 = KSL_MUL(r_low, argument),
       z_low_3 = z_low_1 + z_low_2, z_low = z_error + z_low_3;
-  const double sin12_1 = KSL_MUL(z, -9.183689863795546e-29),
-      sin12 = 6.446950284384474e-26 + sin12_1;
-  const double sin11_1 = KSL_MUL(z, sin12), sin11 = -3.868170170630684e-23 + sin11_1;
-  const double sin10_1 = KSL_MUL(z, sin11), sin10 = 1.9572941063391263e-20 + sin10_1;
-  const double sin9_1 = KSL_MUL(z, sin10), sin9 = -8.22063524662433e-18 + sin9_1;
+  const double sin9_1 = KSL_MUL(z, -3.868170170630684e-23),
+      sin9_2 = sin9_1 + 1.9572941063391263e-20, sin9_3 = KSL_MUL(z, -9.183689863795546e-29),
+      sin9_4 = sin9_3 + 6.446950284384474e-26, sin9_5 = KSL_MUL(z, z),
+      sin9_6 = KSL_MUL(sin9_5, sin9_4), sin9_7 = sin9_6 + sin9_2, sin9_8 = KSL_MUL(z, sin9_7),
+      sin9 = sin9_8 + -8.22063524662433e-18;
   const double sin8_z = KSL_MUL(z, sin9);
   const double sin8 = 2.8114572543455206e-15 + sin8_z;
   const double sin8_error_1 = sin8 - 2.8114572543455206e-15, sin8_error = sin8_z - sin8_error_1;
@@ -106,11 +106,11 @@ static KSL_INLINE double ksl_atan2_error(const double y, const double x, const d
   const double sin_r = r + sin_r_more;
   const double sin_r_error_1 = sin_r - r, sin_r_error = sin_r_more - sin_r_error_1;
   const double sin_r_low_1 = sin_r_more_low + r_low, sin_r_low = sin_r_error + sin_r_low_1;
-  const double cos13_1 = KSL_MUL(z, 3.279889237069838e-30),
-      cos13 = -2.4795962632247976e-27 + cos13_1;
-  const double cos12_1 = KSL_MUL(z, cos13), cos12 = 1.6117375710961184e-24 + cos12_1;
-  const double cos11_1 = KSL_MUL(z, cos12), cos11 = -8.896791392450574e-22 + cos11_1;
-  const double cos10_1 = KSL_MUL(z, cos11), cos10 = 4.110317623312165e-19 + cos10_1;
+  const double cos10_1 = KSL_MUL(z, 1.6117375710961184e-24),
+      cos10_2 = cos10_1 + -8.896791392450574e-22, cos10_3 = KSL_MUL(z, 3.279889237069838e-30),
+      cos10_4 = cos10_3 + -2.4795962632247976e-27, cos10_5 = KSL_MUL(z, z),
+      cos10_6 = KSL_MUL(cos10_5, cos10_4), cos10_7 = cos10_6 + cos10_2,
+      cos10_8 = KSL_MUL(z, cos10_7), cos10 = cos10_8 + 4.110317623312165e-19;
   const double cos9_z = KSL_MUL(z, cos10);
   const double cos9 = -1.5619206968586225e-16 + cos9_z;
   const double cos9_error_1 = cos9 - -1.5619206968586225e-16, cos9_error = cos9_z - cos9_error_1;
@@ -237,7 +237,7 @@ static KSL_INLINE double ksl_power(const double shifted) {
    x = k ln 2 + r, r as a pair; a Taylor polynomial of degree 23 in pairs; y + y_error is within
      2^-101.8 of exp x, relative to it (proved), and 0.51 of the least subnormal number; 0 where
      y is 0 or infinite.
-   60 mul, 127 add, 14 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
+   62 mul, 127 add, 14 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
 static KSL_INLINE double ksl_exp_error(const double x, const double y) {
   const double within_2 = 710.0 < x ? 710.0 : x, within = within_2 < -746.0 ? -746.0 : within_2;
   const double shifted_1 = KSL_MUL(within, 1.4426950408889634),
@@ -251,15 +251,19 @@ static KSL_INLINE double ksl_exp_error(const double x, const double y) {
       r_error_4 = second - r_error_1, r_error = r_error_3 + r_error_4;
   const double r_low = r_error + rest;
   const double argument_1 = fabs(r), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r;
-  const double term21_1 = KSL_MUL(argument, 3.868170170630684e-23),
-      term21 = 8.896791392450574e-22 + term21_1;
-  const double term20_1 = KSL_MUL(argument, term21), term20 = 1.9572941063391263e-20 + term20_1;
-  const double term19_1 = KSL_MUL(argument, term20), term19 = 4.110317623312165e-19 + term19_1;
-  const double term18_1 = KSL_MUL(argument, term19), term18 = 8.22063524662433e-18 + term18_1;
-  const double term17_1 = KSL_MUL(argument, term18), term17 = 1.5619206968586225e-16 + term17_1;
-  const double term16_1 = KSL_MUL(argument, term17), term16 = 2.8114572543455206e-15 + term16_1;
-  const double term15_1 = KSL_MUL(argument, term16), term15 = 4.779477332387385e-14 + term15_1;
-  const double term14_1 = KSL_MUL(argument, term15), term14 = 7.647163731819816e-13 + term14_1;
+  const double term14_1 = KSL_MUL(argument, 2.8114572543455206e-15),
+      term14_2 = term14_1 + 4.779477332387385e-14,
+      term14_3 = KSL_MUL(argument, 8.22063524662433e-18),
+      term14_4 = term14_3 + 1.5619206968586225e-16,
+      term14_5 = KSL_MUL(argument, 1.9572941063391263e-20),
+      term14_6 = term14_5 + 4.110317623312165e-19,
+      term14_7 = KSL_MUL(argument, 3.868170170630684e-23),
+      term14_8 = term14_7 + 8.896791392450574e-22, term14_9 = KSL_MUL(argument, argument),
+      term14_10 = KSL_MUL(term14_9, term14_4), term14_11 = term14_10 + term14_2,
+      term14_12 = KSL_MUL(term14_9, term14_8), term14_13 = term14_12 + term14_6,
+      term14_14 = KSL_MUL(term14_9, term14_9), term14_15 = KSL_MUL(term14_14, term14_13),
+      term14_16 = term14_15 + term14_11, term14_17 = KSL_MUL(argument, term14_16),
+      term14 = term14_17 + 7.647163731819816e-13;
   const double term13_z = KSL_MUL(argument, term14);
   const double term13 = 1.1470745597729725e-11 + term13_z;
   const double term13_error_1 = term13 - 1.1470745597729725e-11,
@@ -555,8 +559,8 @@ static KSL_COLD double ksl_sincos_error_far(const double x, double *r, double *r
 /* (s_error, c_error) = (sin x - s, cos x - c), (s, c) as sincos has them.
    x = k pi/2 + r, r as a pair; Taylor's polynomial of degree 27 in pairs for sin r, whose error
      gives that of cos r, as their squares are 1 together; s + s_error and c + c_error are within
-     2^-100.6 of sin x and cos x, relative to these (proved), for every finite x.
-   44 mul, 75 add, 11 product error, 1 div, 2 abs, 1 less, 1 select. */
+     2^-100.2 of sin x and cos x, relative to these (proved), for every finite x.
+   48 mul, 75 add, 11 product error, 1 div, 2 abs, 1 less, 1 select. */
 static KSL_INLINE double ksl_sincos_error(const double x, const double s, const double c,
     double *c_error) {
   double r, r_low,
@@ -581,12 +585,12 @@ static KSL_INLINE double ksl_sincos_error(const double x, const double s, const 
   const double cube = KSL_MUL(argument, z);
   const double cube_error = ksl_product_error(argument, z, cube);
   const double cube_low_1 = KSL_MUL(argument, z_error), cube_low = cube_error + cube_low_1;
-  const double sin12_1 = KSL_MUL(z, -9.183689863795546e-29),
-      sin12 = 6.446950284384474e-26 + sin12_1;
-  const double sin11_1 = KSL_MUL(z, sin12), sin11 = -3.868170170630684e-23 + sin11_1;
-  const double sin10_1 = KSL_MUL(z, sin11), sin10 = 1.9572941063391263e-20 + sin10_1;
-  const double sin9_1 = KSL_MUL(z, sin10), sin9 = -8.22063524662433e-18 + sin9_1;
-  const double sin8_1 = KSL_MUL(z, sin9), sin8 = 2.8114572543455206e-15 + sin8_1;
+  const double sin8_1 = KSL_MUL(z, 1.9572941063391263e-20), sin8_2 = sin8_1 + -8.22063524662433e-18,
+      sin8_3 = KSL_MUL(z, 6.446950284384474e-26), sin8_4 = sin8_3 + -3.868170170630684e-23,
+      sin8_5 = KSL_MUL(z, z), sin8_6 = KSL_MUL(sin8_5, sin8_4), sin8_7 = sin8_6 + sin8_2,
+      sin8_8 = KSL_MUL(sin8_5, sin8_5), sin8_9 = KSL_MUL(sin8_8, -9.183689863795546e-29),
+      sin8_10 = sin8_9 + sin8_7, sin8_11 = KSL_MUL(z, sin8_10),
+      sin8 = sin8_11 + 2.8114572543455206e-15;
   const double sin7_z = KSL_MUL(z, sin8);
   const double sin7 = -7.647163731819816e-13 + sin7_z;
   const double sin7_error_1 = sin7 - -7.647163731819816e-13, sin7_error = sin7_z - sin7_error_1;
@@ -635,22 +639,25 @@ static KSL_INLINE double ksl_sincos_error(const double x, const double s, const 
       sin1_low = sin1_low_6 + sin1_low_3;
   const double more = KSL_MUL(cube, sin1);
   const double more_error = ksl_product_error(cube, sin1, more);
-  const double more_low_1 = KSL_MUL(cube, sin1_low), more_low_2 = KSL_MUL(cube_low, sin1),
-      more_low_3 = more_low_1 + more_low_2, more_low = more_error + more_low_3;
+  const double more_low_1 = KSL_MUL(cube_low, sin1), more_low = more_error + more_low_1;
+  const double last = KSL_MUL(cube, sin1_low);
   const double difference = r - sin_r;
-  const double sin_r_error_1 = difference + more, sin_r_error_2 = KSL_MUL(r_low, cos_r),
-      sin_r_error_3 = more_low + sin_r_error_2, sin_r_error = sin_r_error_1 + sin_r_error_3;
   const double known_sin_r = argument - difference;
+  const double sin_r_error_1 = difference + more, sin_r_error_2 = KSL_MUL(r_low, cos_r),
+      sin_r_error_3 = more_low + sin_r_error_2, sin_r_error_4 = sin_r_error_1 + sin_r_error_3,
+      sin_r_error = sin_r_error_4 + last;
   const double h = 1.0 - cos_r;
+  const double inverse = 1.0 / cos_r;
   const double square = KSL_MUL(known_sin_r, known_sin_r);
   const double square_error = ksl_product_error(known_sin_r, known_sin_r, square);
   const double h_square = KSL_MUL(h, h);
   const double h_square_error = ksl_product_error(h, h, h_square);
   const double excess_1 = h + h, excess_2 = excess_1 - square, excess_3 = excess_2 - h_square,
       excess_4 = square_error + h_square_error, excess = excess_3 - excess_4;
-  const double cos_r_error_1 = KSL_MUL(excess, 0.5),
-      cos_r_error_2 = KSL_MUL(known_sin_r, sin_r_error),
-      cos_r_error_3 = cos_r_error_1 - cos_r_error_2, cos_r_error = cos_r_error_3 / cos_r;
+  const double tangent = KSL_MUL(known_sin_r, inverse);
+  const double cos_r_error_1 = KSL_MUL(inverse, 0.5),
+      cos_r_error_2 = KSL_MUL(excess, cos_r_error_1), cos_r_error_3 = KSL_MUL(tangent, sin_r_error),
+      cos_r_error = cos_r_error_2 - cos_r_error_3;
   const double s_error_1 = KSL_MUL(sin_r_error, cos_k),
       s_error_2 = KSL_MUL(cos_r_error, minus_sin_k), s_error_value = s_error_1 - s_error_2;
   const double c_error_1 = KSL_MUL(cos_r_error, cos_k),
@@ -679,7 +686,7 @@ static KSL_INLINE double ksl_cos_error(const double x, const double c) {
 /* y_error = tanh x - y, y as tanh has it.
    m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-100.1 of tanh
      x, relative to it (proved); 0 for |x| below 2^-54 and above 40.
-   60 mul, 143 add, 15 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
+   62 mul, 143 add, 15 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
 static KSL_INLINE double ksl_tanh_error(const double x, const double y) {
   const double size = fabs(x);
   const double within_1 = size < 5.551115123125783e-17 ? 1.0 : size,
@@ -700,15 +707,19 @@ static KSL_INLINE double ksl_tanh_error(const double x, const double y) {
   const double whole = power + -1.0;
   const double whole_error_1 = whole - power, whole_error = -1.0 - whole_error_1;
   const double argument_1 = fabs(r), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r;
-  const double term21_1 = KSL_MUL(argument, 3.868170170630684e-23),
-      term21 = 8.896791392450574e-22 + term21_1;
-  const double term20_1 = KSL_MUL(argument, term21), term20 = 1.9572941063391263e-20 + term20_1;
-  const double term19_1 = KSL_MUL(argument, term20), term19 = 4.110317623312165e-19 + term19_1;
-  const double term18_1 = KSL_MUL(argument, term19), term18 = 8.22063524662433e-18 + term18_1;
-  const double term17_1 = KSL_MUL(argument, term18), term17 = 1.5619206968586225e-16 + term17_1;
-  const double term16_1 = KSL_MUL(argument, term17), term16 = 2.8114572543455206e-15 + term16_1;
-  const double term15_1 = KSL_MUL(argument, term16), term15 = 4.779477332387385e-14 + term15_1;
-  const double term14_1 = KSL_MUL(argument, term15), term14 = 7.647163731819816e-13 + term14_1;
+  const double term14_1 = KSL_MUL(argument, 2.8114572543455206e-15),
+      term14_2 = term14_1 + 4.779477332387385e-14,
+      term14_3 = KSL_MUL(argument, 8.22063524662433e-18),
+      term14_4 = term14_3 + 1.5619206968586225e-16,
+      term14_5 = KSL_MUL(argument, 1.9572941063391263e-20),
+      term14_6 = term14_5 + 4.110317623312165e-19,
+      term14_7 = KSL_MUL(argument, 3.868170170630684e-23),
+      term14_8 = term14_7 + 8.896791392450574e-22, term14_9 = KSL_MUL(argument, argument),
+      term14_10 = KSL_MUL(term14_9, term14_4), term14_11 = term14_10 + term14_2,
+      term14_12 = KSL_MUL(term14_9, term14_8), term14_13 = term14_12 + term14_6,
+      term14_14 = KSL_MUL(term14_9, term14_9), term14_15 = KSL_MUL(term14_14, term14_13),
+      term14_16 = term14_15 + term14_11, term14_17 = KSL_MUL(argument, term14_16),
+      term14 = term14_17 + 7.647163731819816e-13;
   const double term13_z = KSL_MUL(argument, term14);
   const double term13 = 1.1470745597729725e-11 + term13_z;
   const double term13_error_1 = term13 - 1.1470745597729725e-11,
@@ -875,8 +886,8 @@ static KSL_INLINE float ksl_atan2_errorf(const float y, const float x, const flo
   const float z_error = ksl_product_errorf(argument, argument, z);
   const float z_low_1 = KSL_MULF(argument, r_low), z_low_2 = KSL_MULF(r_low, argument),
       z_low_3 = z_low_1 + z_low_2, z_low = z_error + z_low_3;
-  const float sin7_1 = KSL_MULF(z, 2.8114574e-15f), sin7 = -7.6471636e-13f + sin7_1;
-  const float sin6_1 = KSL_MULF(z, sin7), sin6 = 1.6059044e-10f + sin6_1;
+  const float sin6_1 = KSL_MULF(z, 2.8114574e-15f), sin6_2 = sin6_1 + -7.6471636e-13f,
+      sin6_3 = KSL_MULF(z, sin6_2), sin6 = sin6_3 + 1.6059044e-10f;
   const float sin5_z = KSL_MULF(z, sin6);
   const float sin5 = -2.5052108e-08f + sin5_z;
   const float sin5_error_1 = sin5 - -2.5052108e-08f, sin5_error = sin5_z - sin5_error_1;
@@ -922,8 +933,8 @@ static KSL_INLINE float ksl_atan2_errorf(const float y, const float x, const flo
   const float sin_r = r + sin_r_more;
   const float sin_r_error_1 = sin_r - r, sin_r_error = sin_r_more - sin_r_error_1;
   const float sin_r_low_1 = sin_r_more_low + r_low, sin_r_low = sin_r_error + sin_r_low_1;
-  const float cos7_1 = KSL_MULF(z, 4.7794773e-14f), cos7 = -1.1470745e-11f + cos7_1;
-  const float cos6_1 = KSL_MULF(z, cos7), cos6 = 2.0876756e-09f + cos6_1;
+  const float cos6_1 = KSL_MULF(z, 4.7794773e-14f), cos6_2 = cos6_1 + -1.1470745e-11f,
+      cos6_3 = KSL_MULF(z, cos6_2), cos6 = cos6_3 + 2.0876756e-09f;
   const float cos5_z = KSL_MULF(z, cos6);
   const float cos5 = -2.755732e-07f + cos5_z;
   const float cos5_error_1 = cos5 - -2.755732e-07f, cos5_error = cos5_z - cos5_error_1;
@@ -1021,7 +1032,7 @@ static KSL_INLINE float ksl_powerf(const float shifted) {
    x = k ln 2 + r, r as a pair; a Taylor polynomial of degree 13 in pairs; y + y_error is within
      2^-43.7 of exp x, relative to it (proved), and 0.51 of the least subnormal number; 0 where y
      is 0 or infinite.
-   38 mul, 81 add, 8 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
+   39 mul, 81 add, 8 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
 static KSL_INLINE float ksl_exp_errorf(const float x, const float y) {
   const float within_2 = 89.0f < x ? 89.0f : x, within = within_2 < -104.0f ? -104.0f : within_2;
   const float shifted_1 = KSL_MULF(within, 1.442695f), shifted = shifted_1 + 1.2582912e+07f;
@@ -1034,10 +1045,11 @@ static KSL_INLINE float ksl_exp_errorf(const float x, const float y) {
       r_error_4 = second - r_error_1, r_error = r_error_3 + r_error_4;
   const float r_low = r_error + rest;
   const float argument_1 = fabsf(r), argument = argument_1 < 2.9802322e-08f ? 0.0f : r;
-  const float term11_1 = KSL_MULF(argument, 1.6059044e-10f), term11 = 2.0876756e-09f + term11_1;
-  const float term10_1 = KSL_MULF(argument, term11), term10 = 2.5052108e-08f + term10_1;
-  const float term9_1 = KSL_MULF(argument, term10), term9 = 2.755732e-07f + term9_1;
-  const float term8_1 = KSL_MULF(argument, term9), term8 = 2.7557319e-06f + term8_1;
+  const float term8_1 = KSL_MULF(argument, 2.5052108e-08f), term8_2 = term8_1 + 2.755732e-07f,
+      term8_3 = KSL_MULF(argument, 1.6059044e-10f), term8_4 = term8_3 + 2.0876756e-09f,
+      term8_5 = KSL_MULF(argument, argument), term8_6 = KSL_MULF(term8_5, term8_4),
+      term8_7 = term8_6 + term8_2, term8_8 = KSL_MULF(argument, term8_7),
+      term8 = term8_8 + 2.7557319e-06f;
   const float term7_z = KSL_MULF(argument, term8);
   const float term7 = 2.4801588e-05f + term7_z;
   const float term7_error_1 = term7 - 2.4801588e-05f, term7_error = term7_z - term7_error_1;
@@ -1268,8 +1280,8 @@ static KSL_COLD float ksl_sincos_error_farf(const float x, float *r, float *r_lo
 /* (s_error, c_error) = (sin x - s, cos x - c), (s, c) as sincos has them.
    x = k pi/2 + r, r as a pair; Taylor's polynomial of degree 17 in pairs for sin r, whose error
      gives that of cos r, as their squares are 1 together; s + s_error and c + c_error are within
-     2^-42.6 of sin x and cos x, relative to these (proved), for every finite x.
-   33 mul, 52 add, 8 product error, 1 div, 2 abs, 1 less, 1 select. */
+     2^-42.2 of sin x and cos x, relative to these (proved), for every finite x.
+   36 mul, 52 add, 8 product error, 1 div, 2 abs, 1 less, 1 select. */
 static KSL_INLINE float ksl_sincos_errorf(const float x, const float s, const float c, float *c_error) {
   float r, r_low,
       quadrant = ksl_sincos_error_nearf(x, &r, &r_low);
@@ -1292,9 +1304,9 @@ static KSL_INLINE float ksl_sincos_errorf(const float x, const float s, const fl
   const float cube = KSL_MULF(argument, z);
   const float cube_error = ksl_product_errorf(argument, z, cube);
   const float cube_low_1 = KSL_MULF(argument, z_error), cube_low = cube_error + cube_low_1;
-  const float sin7_1 = KSL_MULF(z, 2.8114574e-15f), sin7 = -7.6471636e-13f + sin7_1;
-  const float sin6_1 = KSL_MULF(z, sin7), sin6 = 1.6059044e-10f + sin6_1;
-  const float sin5_1 = KSL_MULF(z, sin6), sin5 = -2.5052108e-08f + sin5_1;
+  const float sin5_1 = KSL_MULF(z, -7.6471636e-13f), sin5_2 = sin5_1 + 1.6059044e-10f,
+      sin5_3 = KSL_MULF(z, z), sin5_4 = KSL_MULF(sin5_3, 2.8114574e-15f), sin5_5 = sin5_4 + sin5_2,
+      sin5_6 = KSL_MULF(z, sin5_5), sin5 = sin5_6 + -2.5052108e-08f;
   const float sin4_z = KSL_MULF(z, sin5);
   const float sin4 = 2.7557319e-06f + sin4_z;
   const float sin4_error_1 = sin4 - 2.7557319e-06f, sin4_error = sin4_z - sin4_error_1;
@@ -1322,22 +1334,25 @@ static KSL_INLINE float ksl_sincos_errorf(const float x, const float s, const fl
       sin1_low_6 = sin1_low_5 + sin1_error, sin1_low = sin1_low_6 + sin1_low_3;
   const float more = KSL_MULF(cube, sin1);
   const float more_error = ksl_product_errorf(cube, sin1, more);
-  const float more_low_1 = KSL_MULF(cube, sin1_low), more_low_2 = KSL_MULF(cube_low, sin1),
-      more_low_3 = more_low_1 + more_low_2, more_low = more_error + more_low_3;
+  const float more_low_1 = KSL_MULF(cube_low, sin1), more_low = more_error + more_low_1;
+  const float last = KSL_MULF(cube, sin1_low);
   const float difference = r - sin_r;
-  const float sin_r_error_1 = difference + more, sin_r_error_2 = KSL_MULF(r_low, cos_r),
-      sin_r_error_3 = more_low + sin_r_error_2, sin_r_error = sin_r_error_1 + sin_r_error_3;
   const float known_sin_r = argument - difference;
+  const float sin_r_error_1 = difference + more, sin_r_error_2 = KSL_MULF(r_low, cos_r),
+      sin_r_error_3 = more_low + sin_r_error_2, sin_r_error_4 = sin_r_error_1 + sin_r_error_3,
+      sin_r_error = sin_r_error_4 + last;
   const float h = 1.0f - cos_r;
+  const float inverse = 1.0f / cos_r;
   const float square = KSL_MULF(known_sin_r, known_sin_r);
   const float square_error = ksl_product_errorf(known_sin_r, known_sin_r, square);
   const float h_square = KSL_MULF(h, h);
   const float h_square_error = ksl_product_errorf(h, h, h_square);
   const float excess_1 = h + h, excess_2 = excess_1 - square, excess_3 = excess_2 - h_square,
       excess_4 = square_error + h_square_error, excess = excess_3 - excess_4;
-  const float cos_r_error_1 = KSL_MULF(excess, 0.5f),
-      cos_r_error_2 = KSL_MULF(known_sin_r, sin_r_error),
-      cos_r_error_3 = cos_r_error_1 - cos_r_error_2, cos_r_error = cos_r_error_3 / cos_r;
+  const float tangent = KSL_MULF(known_sin_r, inverse);
+  const float cos_r_error_1 = KSL_MULF(inverse, 0.5f),
+      cos_r_error_2 = KSL_MULF(excess, cos_r_error_1),
+      cos_r_error_3 = KSL_MULF(tangent, sin_r_error), cos_r_error = cos_r_error_2 - cos_r_error_3;
   const float s_error_1 = KSL_MULF(sin_r_error, cos_k),
       s_error_2 = KSL_MULF(cos_r_error, minus_sin_k), s_error_value = s_error_1 - s_error_2;
   const float c_error_1 = KSL_MULF(cos_r_error, cos_k),
@@ -1366,7 +1381,7 @@ static KSL_INLINE float ksl_cos_errorf(const float x, const float c) {
 /* y_error = tanh x - y, y as tanh has it.
    m / d = (e^2|x| - 1) / (e^2|x| + 1), m and d as pairs; y + y_error is within 2^-42 of tanh x,
      relative to it (proved); 0 for |x| below 2^-25 and above 20.
-   38 mul, 97 add, 9 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
+   39 mul, 97 add, 9 product error, 1 div, 1 power of two, 3 abs, 1 copysign, 3 less, 6 select. */
 static KSL_INLINE float ksl_tanh_errorf(const float x, const float y) {
   const float size = fabsf(x);
   const float within_1 = size < 2.9802322e-08f ? 1.0f : size,
@@ -1386,10 +1401,11 @@ static KSL_INLINE float ksl_tanh_errorf(const float x, const float y) {
   const float whole = power + -1.0f;
   const float whole_error_1 = whole - power, whole_error = -1.0f - whole_error_1;
   const float argument_1 = fabsf(r), argument = argument_1 < 2.9802322e-08f ? 0.0f : r;
-  const float term11_1 = KSL_MULF(argument, 1.6059044e-10f), term11 = 2.0876756e-09f + term11_1;
-  const float term10_1 = KSL_MULF(argument, term11), term10 = 2.5052108e-08f + term10_1;
-  const float term9_1 = KSL_MULF(argument, term10), term9 = 2.755732e-07f + term9_1;
-  const float term8_1 = KSL_MULF(argument, term9), term8 = 2.7557319e-06f + term8_1;
+  const float term8_1 = KSL_MULF(argument, 2.5052108e-08f), term8_2 = term8_1 + 2.755732e-07f,
+      term8_3 = KSL_MULF(argument, 1.6059044e-10f), term8_4 = term8_3 + 2.0876756e-09f,
+      term8_5 = KSL_MULF(argument, argument), term8_6 = KSL_MULF(term8_5, term8_4),
+      term8_7 = term8_6 + term8_2, term8_8 = KSL_MULF(argument, term8_7),
+      term8 = term8_8 + 2.7557319e-06f;
   const float term7_z = KSL_MULF(argument, term8);
   const float term7 = 2.4801588e-05f + term7_z;
   const float term7_error_1 = term7 - 2.4801588e-05f, term7_error = term7_z - term7_error_1;

@@ -2633,7 +2633,7 @@ static inline void ksl_quaternion_from_mat3x3_accurate(const ksl_mat3x3_t *R,
 /* qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
      rotation is by another angle.
    axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
-   86 mul, 134 add, 14 product error, 1 div, 3 abs, 1 less, 4 equal, 5 select.
+   90 mul, 134 add, 14 product error, 1 div, 3 abs, 1 less, 4 equal, 5 select.
    Error <= qo: 1 u of its largest component for |axis| = 1; searched, not proved.  Each
      component is within 1 ulp as long as its condition is below 1e13; in single precision it is
      the nearest number, except near ties, as long as that is below 1e5; searched, not proved. */
@@ -2666,7 +2666,7 @@ static inline void ksl_quaternion_from_axis_angle_accurate(const ksl_vec3_t *axi
 /* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
      angle is 0; any multiple of a quaternion.
    q: quaternion (x, y, z, w), the scalar last; axis: vector.
-   147 mul, 268 add, 25 product error, 3 product rest, 13 div, 1 sqrt, 5 neg, 17 abs, 4 copysign,
+   149 mul, 268 add, 25 product error, 3 product rest, 13 div, 1 sqrt, 5 neg, 17 abs, 4 copysign,
      27 less, 10 equal, 51 select.
    Error <= angle: 1 u, axis: 1 u of its largest component; searched, not proved.  Each component
      is within 1 ulp as long as its condition is below 1e13; in single precision it is the
@@ -2788,7 +2788,7 @@ static inline double ksl_axis_angle_from_quaternion_accurate(const ksl_quaternio
 
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
    v: vector; qo: quaternion (x, y, z, w), the scalar last.
-   135 mul, 222 add, 16 product error, 3 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 6 equal, 14
+   139 mul, 222 add, 16 product error, 3 product rest, 5 div, 1 sqrt, 7 abs, 5 less, 6 equal, 14
      select.
    Error <= qo: 1 u of its largest component for |v| <= 1e13, in single precision 1e5; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in
@@ -2929,7 +2929,7 @@ static inline void ksl_quaternion_exp_accurate(const ksl_vec3_t *v, ksl_quaterni
 
 /* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it.
    q: quaternion (x, y, z, w), the scalar last; vo: vector.
-   149 mul, 271 add, 26 product error, 3 product rest, 9 div, 1 sqrt, 5 neg, 17 abs, 4 copysign,
+   151 mul, 271 add, 26 product error, 3 product rest, 9 div, 1 sqrt, 5 neg, 17 abs, 4 copysign,
      27 less, 9 equal, 48 select.
    Error <= vo: 1 u of its largest component; searched, not proved.  Each component is within 1
      ulp as long as its condition is below 1e13; in single precision it is the nearest number,
@@ -3040,7 +3040,7 @@ static inline void ksl_quaternion_log_accurate(const ksl_quaternion_t *q, ksl_ve
 
 /* qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
    q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
-   359 mul, 765 add, 45 product error, 38 product rest, 16 div, 2 sqrt, 14 neg, 21 abs, 4
+   365 mul, 765 add, 45 product error, 38 product rest, 16 div, 2 sqrt, 14 neg, 21 abs, 4
      copysign, 35 less, 12 equal, 68 select.
    Error <= qo: 1 u of its largest component for |q1| = 1 and |q2| = 1 and 0 <= k <= 1; searched,
      not proved.  Each component is within 1 ulp as long as its condition is below 1e13; in

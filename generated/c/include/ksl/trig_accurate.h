@@ -12,7 +12,7 @@
 
 /* dc = (sin θ, cos θ), θ in rad.
    theta: number; dc: (sin θ, cos θ).
-   79 mul, 129 add, 11 product error, 1 div, 3 abs, 1 less, 2 equal, 3 select.
+   83 mul, 129 add, 11 product error, 1 div, 3 abs, 1 less, 2 equal, 3 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline void ksl_dc_accurate(const double theta, double dc[2]) {
   double dc_1; const double dc_0 = ksl_sincos(theta, &dc_1);

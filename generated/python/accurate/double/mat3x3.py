@@ -1600,7 +1600,7 @@ def mat3x3_from_euler_xyz(angles):
     """R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
 
     (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
-    279 mul, 434 add, 39 product error, 8 product rest, 3 div, 9 neg, 9 abs, 3 less, 9 equal, 12
+    291 mul, 434 add, 39 product error, 8 product rest, 3 div, 9 neg, 9 abs, 3 less, 9 equal, 12
     select.  Each component is within 1 ulp as long as its condition is below 1e13; in single
     precision it is the nearest number, except near ties, as long as that is below 1e5;
     searched, not proved.
@@ -1684,7 +1684,7 @@ def euler_xyz_from_mat3x3(R):
     [-π/2, π/2]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    385 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
+    391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 4 neg, 28 abs, 12
     copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its
     condition is below 1e13; in single precision it is the nearest number, except near ties, as
     long as that is below 1e5; searched, not proved.
@@ -1788,7 +1788,7 @@ def mat3x3_from_euler_xyx(angles):
     """R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
 
     (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
-    279 mul, 434 add, 39 product error, 8 product rest, 3 div, 5 neg, 9 abs, 3 less, 9 equal, 12
+    291 mul, 434 add, 39 product error, 8 product rest, 3 div, 5 neg, 9 abs, 3 less, 9 equal, 12
     select.  Each component is within 1 ulp as long as its condition is below 1e13; in single
     precision it is the nearest number, except near ties, as long as that is below 1e5;
     searched, not proved.
@@ -1873,7 +1873,7 @@ def euler_xyx_from_mat3x3(R):
     [0, π]; c = 0 in gimbal lock.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    385 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
+    391 mul, 701 add, 66 product error, 6 product rest, 17 div, 1 sqrt, 3 neg, 28 abs, 12
     copysign, 41 less, 16 equal, 85 select.  Each component is within 1 ulp as long as its
     condition is below 1e13; in single precision it is the nearest number, except near ties, as
     long as that is below 1e5; searched, not proved.
@@ -2141,7 +2141,7 @@ def mat3x3_from_axis_angle(axis, angle):
     not a rotation.
 
     (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
-    188 mul, 351 add, 26 product error, 18 product rest, 2 div, 6 abs, 3 less, 9 equal, 13
+    196 mul, 351 add, 26 product error, 18 product rest, 2 div, 6 abs, 3 less, 9 equal, 13
     select.  Error <= R: 1 u of its largest component for |axis| = 1; searched, not proved.
     Each component is within 1 ulp as long as its condition is below 1e13; in single precision
     it is the nearest number, except near ties, as long as that is below 1e5; searched, not
@@ -2256,7 +2256,7 @@ def axis_angle_from_mat3x3(R):
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
-    155 mul, 448 add, 25 product error, 3 product rest, 14 div, 1 sqrt, 13 neg, 13 abs, 4
+    157 mul, 448 add, 25 product error, 3 product rest, 14 div, 1 sqrt, 13 neg, 13 abs, 4
     copysign, 29 less, 10 equal, 80 select.  Error <= angle: 1 u, axis: 1 u of its largest
     component for R a rotation; searched, not proved.  Each component is within 1 ulp as long as
     its condition is below 1e13; in single precision it is the nearest number, except near ties,

@@ -435,7 +435,7 @@ def angle_vv(v1, v2):
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
-    162 mul, 333 add, 22 product error, 12 product rest, 8 div, 1 sqrt, 4 neg, 19 abs, 4
+    164 mul, 333 add, 22 product error, 12 product rest, 8 div, 1 sqrt, 4 neg, 19 abs, 4
     copysign, 35 less, 6 equal, 51 select.  Each component is within 1 ulp as long as its
     condition is below 1e13; in single precision it is the nearest number, except near ties, as
     long as that is below 1e5; searched, not proved.
