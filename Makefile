@@ -57,7 +57,7 @@ example: build
 scene: build
 	@mkdir -p build
 	$(PYTHON) -m coscrew_codegen generate examples/scenes/arm6.toml -o build/arm6
-	@$(PYTHON) -m coscrew_codegen simulate examples/scenes/arm6.toml --view build/arm6.html \
+	$(PYTHON) -m coscrew_codegen simulate examples/scenes/arm6.toml --view build/arm6.html \
 	    --output build/arm6.csv >build/arm6.txt
 	$(PYTHON) -m coscrew_codegen check examples/scenes/arm6.toml
 

@@ -56,8 +56,9 @@ def in_tier(scene: SceneFunctions, tier: Tier) -> SceneTier:
                                "alone are selected, have no tier")
     precisions = [p for p in named(scene.precisions) if p in tier.precisions]
     if not precisions:
-        raise NoFunctionsError(f"{scene.name}: the {tier.name} tier is of {tier.precisions[0].name}"
-                               f" precision, the scene of {scene.precisions[0]}")
+        raise NoFunctionsError(
+            f"{scene.name}: the {tier.name} tier is of {tier.precisions[0].name} precision, the "
+            f"scene of {scene.precisions[0]}: write precision = \"both\", or leave out the tier")
     return SceneTier(tier, replace(scene, precisions=tuple(p.name for p in precisions)), tuple(
         (p, replace(scene, functions=tuple(_function(f, tier, p) for f in public), steps=(),
                     precisions=(p.name,), tiers=(), mark=tier.mark)) for p in precisions))

@@ -17,6 +17,7 @@ from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.scene.selected import names
 from coscrew_codegen.scene_functions import SceneInterface, Signature
 from coscrew_codegen.targets.scene_text import c_name, signs
+from coscrew_codegen.tiers import tier_named
 
 if TYPE_CHECKING:
     from coscrew._steps import Steps
@@ -79,8 +80,11 @@ class Functions(Steps[Real]):
 
     def __getattr__(self, name: str) -> Function[Real]:
         if not dir(self):
-            raise AttributeError(f"{self._about} is not there: the scene is of double precision "
-                                 "alone, as it says", name=name, obj=self)
+            has = [p.name for p in tier_named(self._tier).precisions] if self._tier else []
+            why = "the scene is of double precision alone, as it says"
+            if has and self._precision not in has:
+                why = f"the {self._tier} tier is of {has[0]} precision"
+            raise AttributeError(f"{self._about} is not there: {why}", name=name, obj=self)
         scene = self._kernels.scene if self._kernels else None
         possible = names(scene) if scene else ()
         hint = or_mean(name, (*dir(self), *possible))

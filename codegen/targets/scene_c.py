@@ -60,8 +60,9 @@ def _about(scene: SceneFunctions) -> list[str]:
     return [
         f"{scene.name}: dynamics of a scene, in {IN_WORDS[scene.precisions]}.",
         "SI units.  Arrays are plain, matrices row by row.  Pointers must be valid and "
-        "quaternions of norm 1; inputs that are not finite give results that are not.  Outputs "
-        "may overlap inputs.  No heap, no state: all functions are thread-safe.",
+        "quaternions of norm 1; inputs must be finite, and are not checked: a NaN need not show, "
+        "since not every result depends on every input.  Outputs may overlap inputs.  No heap, no "
+        "state: all functions are thread-safe.",
         *scene_text.order_in_words(scene),
         *_named_places(scene)]
 

@@ -134,9 +134,15 @@ def _sections(made: SceneTier) -> Iterator[Section]:
         yield Section(precision, scene, plain)
 
 
+_COUNTS = ("In the counts of operations, a product error or rest is a product less a number, "
+           "rounded once, as fma does it; a sine error is a sine less a number.")
+
+
 def _about(made: SceneTier) -> list[str]:
     return [f"{made.plain.name}: dynamics of a scene, in {IN_WORDS[made.plain.precisions]}.",
             made.tier.title,
+            *filter(None, [" ".join(made.tier.promise.split())]),
+            *([_COUNTS] if made.tier.exact else []),
             f"Coordinates, units, parameters and macros are those of {made.plain.name}.h, which "
             "has the steps: they have no tier."]
 

@@ -169,7 +169,12 @@ def _of_scene(program: Program, precision: Precision) -> Program:
 TIER = Tier(
     "certified", 3, "Certified tier: plain results, and bounds on their errors that always hold.",
     ("#00805d", "#3ccf9f"), certified,
-    operation=certified_operation, scene=_of_scene, in_words="""\
+    operation=certified_operation, scene=_of_scene,
+    promise="""\
+|tau - exact| <= tau_bound for each component of a result tau: exact is what exact arithmetic makes
+of the arguments as they are and of the model's decimals.  Where a bound is infinite or NaN, no
+statement is made.""",
+    in_words="""\
 The certified tier: every operation returns (result, bound), the plain result, bit for bit, and a
 bound on each component's error.  It holds for all numbers, underflow included.  Where something
 overflowed, the bound is infinite or NaN: no statement is made.""")

@@ -51,6 +51,7 @@ class Tier:
     asked: bool = False  # whether, of scenes, only functions of an asked accuracy have it
     precisions: tuple[Precision, ...] = PRECISIONS  # that it has in scenes
     header: str = "ksl_types"  # that its C functions need; ksl_exact computes rounding errors
+    promise: str = ""  # what results of scenes' functions are, and when, in words
     in_words: str = ""  # docstring of its Python package; "" if only C has the tier
     marked: bool = True  # whether names of its functions end in the tier's name
 

@@ -1,11 +1,13 @@
 """A scene's accurate C in which a run-time switch flips any one sign, compiled once.
 
 `x - y` reads `x - sign_of[k] * y`, with sign_of[k] 1 or -1: the product is exact, so that all other
-bits stay.
+bits stay.  What the last sum hi + lo of each result rounds off is kept in `rest_of`: together they
+show errors of second order, which the rounded result hides.
 """
 
 import ctypes
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,19 +21,26 @@ STATEMENT = re.compile(r"^  .*=\s[^;]*;", re.M)
 
 LOOP = """
 #include <math.h>
-/* The worst error of each mutant, in units of the last digit: states until one exceeds `most`. */
+static double larger(double worst, double error) {
+  return error <= worst ? worst : error == error ? error : INFINITY;
+}
+
+/* The worst error of each mutant, in units of the last digit, and that of hi + lo in others: states
+   until one exceeds `most`. */
 void worst_of_mutants(const int *mutants, int count, int n, const double *given[3],
-    const double *high, const double *low, const double *unit, double most, double *worst) {
+    const double *truth[4], const double most[2], double *worst) {
   for (int m = 0; m < count; m++) {
+    double *rounded = worst + 2 * m, *whole = rounded + 1;
     if (mutants[m] >= 0) { sign_of[mutants[m]] = -1.0; }
-    worst[m] = 0;
-    for (int row = 0; row < n && worst[m] <= most; row++) {
+    *rounded = *whole = 0;
+    for (int row = 0; row < n && *rounded <= most[0] && *whole <= most[1]; row++) {
       double found[SIZE];
       FUNCTION(given[0] + SIZE * row, given[1] + SIZE * row, given[2] + SIZE * row, found);
       for (int k = 0; k < SIZE; k++) {
         const int place = SIZE * row + k;
-        const double error = fabs((found[k] - high[place]) - low[place]) / unit[place];
-        if (!(error <= worst[m])) { worst[m] = error == error ? error : INFINITY; }
+        const double error = found[k] - truth[0][place], low = truth[1][place];
+        *rounded = larger(*rounded, fabs(error - low) / truth[2][place]);
+        *whole = larger(*whole, fabs(error + rest_of[k] - low) / truth[3][place]);
       }
     }
     if (mutants[m] >= 0) { sign_of[mutants[m]] = 1.0; }
@@ -46,21 +55,26 @@ class Mutants:
 
     lines: tuple[str, ...]  # the text around each sign
     library: ctypes.CDLL
-    size: int
 
-    def worst(self, mutants: list[int], given: list[np.ndarray], high: np.ndarray, low: np.ndarray,
-              unit: np.ndarray, most: float) -> np.ndarray:
-        """The largest error found of each mutant (-1: of none), at most a little beyond `most`; NaN
-        in `high` leaves a result out."""
-        worst = np.zeros(len(mutants))
-        chosen = np.array(mutants, np.intc)
-        rows = [np.ascontiguousarray(x, float) for x in (*given, high, low, unit)]
+    def worst(self, mutants: Sequence[int], given: Sequence[np.ndarray],
+              truth: Sequence[np.ndarray], most: tuple[float, float]) -> np.ndarray:
+        """The largest errors of each mutant (-1: of none) of the rounded results and of hi + lo, at
+        most a little beyond `most`.
+
+        `truth` is its upper and its lower part, and the units of both errors."""
+        worst = np.zeros((len(mutants), 2))
+        rows = [np.ascontiguousarray(x, float) for x in (*given, *truth, most, worst)]
         at = [x.ctypes.data_as(ctypes.c_void_p) for x in rows]
+        chosen = np.array(mutants, np.intc)
         self.library.worst_of_mutants(
-            chosen.ctypes.data_as(ctypes.c_void_p), len(mutants), len(high),
-            (ctypes.c_void_p * 3)(*at[:3]), *at[3:], ctypes.c_double(most),
-            worst.ctypes.data_as(ctypes.c_void_p))
-        return worst
+            chosen.ctypes.data_as(ctypes.c_void_p), len(mutants), len(truth[0]),
+            (ctypes.c_void_p * 3)(*at[:3]), (ctypes.c_void_p * 4)(*at[3:7]), *at[7:])
+        return rows[-1]
+
+
+def less_their_errors(text: str) -> list[str]:
+    """Where a value's error is subtracted from it: x_lo is what x lacks (x_1 and x_lo_2 of x)."""
+    return [found[0] for found in re.finditer(r"([\w>.-]*?\w)(?:_\d+)? - \1_lo\w*", text)]
 
 
 def mutants(folder: Path, files: dict[str, str], stem: str, function: str, size: int) -> Mutants:
@@ -73,8 +87,10 @@ def mutants(folder: Path, files: dict[str, str], stem: str, function: str, size:
         left, equals, right = found[0].partition("=")
 
         def sign(one: re.Match[str]) -> str:
-            before, after = right[:one.start()][-50:], right[one.end():][:30]
-            lines.append(" ".join(f"{before} [{one[0].strip()}] {after}".split()))
+            before, after = right[:one.start()], right[one.end():]
+            if less_their_errors(f"{before} - {after}") != less_their_errors(right):
+                return one[0]  # noticed in the text
+            lines.append(" ".join(f"{before[-50:]} [{one[0].strip()}] {after[:30]}".split()))
             return f"{one[0].rstrip()} sign_of[{len(lines) - 1}] * "
 
         return left + equals + SIGN.sub(sign, right)
@@ -84,11 +100,32 @@ def mutants(folder: Path, files: dict[str, str], stem: str, function: str, size:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(other)
     (folder / "mutants.c").write_text("\n".join((
-        f"static double sign_of[{len(lines)}];", text[:first], changed, "#endif",
+        f"static double sign_of[{len(lines)}], rest_of[{size}];", text[:first],
+        _with_rests(changed), "#endif",
         LOOP.replace("SIZE", str(size)).replace("FUNCTION", function),
         f"void start(void) {{ for (int k = 0; k < {len(lines)}; k++) {{ sign_of[k] = 1.0; }} }}")))
     run(("gcc", "-std=gnu11", "-O1", *FMA, EXACT, "-fPIC", "-shared", "-I", folder,
          folder / "mutants.c", "-o", folder / "mutants.so", "-lm"))
     library = ctypes.CDLL(str(folder / "mutants.so"))
     library.start()
-    return Mutants(tuple(lines), library, size)
+    return Mutants(tuple(lines), library)
+
+
+def _with_rests(text: str) -> str:
+    """After each result its rest, by the sum of two numbers whatever their sizes.
+
+    A result's sum may have its sign flipped: its operands are read off the text, that not."""
+    results = iter(range(text.count("_final;")))
+
+    def rest(found: re.Match[str]) -> str:
+        values, result = found[1], found[2]
+        total = re.search(rf"\b{result} = (\S+) == \1", text)[1]
+        name = total.rpartition(">")[2]
+        a, b = re.search(rf"\b{name} = (\S+) \+(?: sign_of\[\d+\] \*)? ([^\s,;]+)", text).groups()
+        if total != name:
+            a, b = (x if ">" in x else f"{values}->{x}" for x in (a, b))
+        right = f"({total} - {a})"
+        return f"{found[0]}\n  rest_of[{next(results)}] = " \
+               f"{a} - ({total} - {right}) + ({b} - {right});"
+
+    return re.sub(r"^  (\w+)->(\w+_final) = \2;", rest, text, flags=re.M)
