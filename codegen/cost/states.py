@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coscrew_codegen.scene.model import Joint, Kind
+from coscrew_codegen.mechanics.accuracy import positions
+from coscrew_codegen.scene.model import Kind
 from coscrew_codegen.simulate.plan import Trajectory
 from coscrew_codegen.simulate.system import System
 
@@ -88,7 +89,8 @@ def box_of(system: System, until: float, step: float) -> Box:
         half_v[c.v] = float(joint.velocity or (np.pi if joint.kind is Kind.REVOLUTE else 1))
         effort[c.v] = float(joint.effort) if joint.effort else np.nan
         if joint.kind in (Kind.REVOLUTE, Kind.PRISMATIC):
-            q[c.q], half_q[c.q] = _range(joint)
+            lower, upper = positions(joint)
+            q[c.q], half_q[c.q] = (lower + upper) / 2, (upper - lower) / 2
     half = {"t": np.array(until / 2), "q": half_q, "v": half_v, "a": half_v / _REACHED_IN,
             "tau": effort}
     centre = {"t": np.array(until / 2), "q": q, **{name: np.zeros_like(half_v)
@@ -97,13 +99,6 @@ def box_of(system: System, until: float, step: float) -> Box:
         np.random.default_rng(0), 64)
     needed = np.abs(system.call("inverse_dynamics", **some)).max(axis=0, initial=0)
     return Box(system, step, centre, {**half, "tau": np.where(np.isnan(effort), needed, effort)})
-
-
-def _range(joint: Joint) -> tuple[float, float]:
-    """Centre and half width of a joint's positions."""
-    if joint.lower is None or joint.upper is None:
-        return 0.0, np.pi if joint.kind is Kind.REVOLUTE else 1.0
-    return float(joint.lower + joint.upper) / 2, float(joint.upper - joint.lower) / 2
 
 
 def searched(box: Box, score: Callable[[Values], Reals], count: int, batch: int = BATCH

@@ -51,18 +51,21 @@ def _ranges(name: str, program: Program, scene: Scene, tree: Tree) -> Ranges:
     for c in tree.coordinates:
         joint = joints[c.joint]
         if name == "q":
-            found += [_positions(joint)] * len(c.q)
+            found += [positions(joint)] * len(c.q)
             continue
         half = _half(name, joint, scene, program)
         found += [(-half, half)] * len(c.v)
     return tuple(found)
 
 
-def _positions(joint: Joint) -> tuple[float, float]:
-    """Without limits a turn, or 1 m."""
-    if joint.lower is None or joint.upper is None:
-        return (-pi, pi) if joint.kind is Kind.REVOLUTE else (-1.0, 1.0)
-    return float(joint.lower), float(joint.upper)
+def positions(joint: Joint) -> tuple[float, float]:
+    """A joint's positions: where a limit is missing, as if a turn, or 2 m, led from the other one,
+    or half of that from zero."""
+    half = pi if joint.kind is Kind.REVOLUTE else 1.0
+    lower, upper = (None if x is None else float(x) for x in (joint.lower, joint.upper))
+    if lower is None:
+        lower = -half if upper is None else upper - 2 * half
+    return lower, lower + 2 * half if upper is None else upper
 
 
 def _half(name: str, joint: Joint, scene: Scene, program: Program) -> float:

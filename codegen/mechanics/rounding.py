@@ -2,10 +2,10 @@
 the joints are within their limits: nothing is stated where that would say nothing."""
 
 from collections.abc import Iterator, Sequence
-from decimal import ROUND_UP, Context
 from fractions import Fraction
 from math import inf, isfinite, nextafter
 
+from coscrew_codegen.digits import two_digits_up
 from coscrew_codegen.elementary.sincos import FUNCTION as SINCOS
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.mechanics.rounding_rules import Rounded, moved
@@ -14,7 +14,6 @@ from coscrew_codegen.scene.model import Joint, Kind
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.tree import Tree
 
-_TWO_DIGITS = Context(prec=2, rounding=ROUND_UP)
 USEFUL = 1000
 """Units u of an output's largest component, as far as sizes tell, up to which a bound is stated."""
 
@@ -28,7 +27,7 @@ def statement(program: Program, scene: Scene, tree: Tree) -> str:
         components = moved(program, precision, sizes,
                            _above(SINCOS.error(precision)))
         for name, bound in _bounds(program, components or (), precision):
-            found.setdefault(name, []).append(f"{_up(bound)} in {precision.name}")
+            found.setdefault(name, []).append(f"{two_digits_up(bound)} in {precision.name}")
     if not found:
         return ""
     bounds = "; ".join(f"{name} by at most {' and '.join(texts)}" for name, texts in found.items())
@@ -83,9 +82,3 @@ def _domain(program: Program, tree: Tree) -> str:
     if "p" in taken:
         words.append("parameters up to the scene's in size")
     return " and ".join(words)
-
-
-def _up(bound: float) -> str:
-    """Two digits, rounded up: 2.1e-15."""
-    mantissa, exponent = f"{_TWO_DIGITS.create_decimal(bound):.1e}".split("e")
-    return f"{mantissa}e{int(exponent)}"

@@ -5,6 +5,7 @@ no value here.
 """
 
 from collections.abc import Callable, Sequence
+from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
 
@@ -113,13 +114,18 @@ def _in_double(a: Array, b: Array, c: Array) -> Array:
 
 
 def _by_halves(a: Array, b: Array, c: Array) -> Array:
-    """a b - c where that is exact; NaN where halves may not be.  Source: Dekker, TwoProduct."""
+    """a b - c where that is exact; rounded once where halves may not be, by fractions.  Source:
+    Dekker, TwoProduct."""
     p = a * b
     rest, (a_high, a_low), (b_high, b_low) = p - c, _halves(a), _halves(b)
     error = ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
     size = np.absolute(p)
     exact = (size > 2.0**-960) & (size < 2.0**960) | (a == 0) | (b == 0)
-    return np.where(exact, np.where(error == 0, rest, rest + error), np.nan)
+    found = np.where(error == 0, rest, rest + error)
+    other = ~exact & np.isfinite(p) & np.isfinite(c)
+    found[other] = [float(Fraction(x) * Fraction(y) - Fraction(z)) for x, y, z in zip(
+        *(np.broadcast_to(each, other.shape)[other].tolist() for each in (a, b, c)), strict=True)]
+    return np.where(exact | other, found, np.nan)
 
 
 def _halves(a: Array) -> tuple[Array, Array]:

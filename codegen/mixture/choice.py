@@ -17,6 +17,7 @@ from math import isfinite, prod, sqrt
 
 import numpy as np
 
+from coscrew_codegen.digits import two_digits_up
 from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.formats import SINGLE
 from coscrew_codegen.mixture.arrays import Array
@@ -141,7 +142,7 @@ class _Search:
         for (name, number), bound, asked in zip(
                 self.accuracy.components, bounds, self.accuracy.tolerances, strict=True):
             if bound > asked:
-                found = f"err by up to {bound:.2g}" if np.isfinite(bound) else \
+                found = f"err by up to {two_digits_up(bound)}" if np.isfinite(bound) else \
                     "have no certified bound at some states"
                 raise AccuracyError(
                     f"accuracy of {self.program.name}: {asked:g} is asked of {name}; even pairs of "
@@ -154,9 +155,9 @@ def in_words(choice: Choice, function: Function) -> str:
     asked, components = function.accuracy.tolerances, function.accuracy.components
     outputs = {name: [k for k, (x, _) in enumerate(components) if x == name]
                for name, _ in components}
-    found = "; ".join(f"{name} by at most {max(choice.worst[k] for k in places):.2g} (asked: "
-                      f"{asked[places[0]]:g})" for name, places in outputs.items()
-                      if isfinite(asked[places[0]]))
+    found = "; ".join(f"{name} by at most {two_digits_up(max(choice.worst[k] for k in places))} "
+                      f"(asked: {asked[places[0]]:g})".replace("e-0", "e-")
+                      for name, places in outputs.items() if isfinite(asked[places[0]]))
     plain, mixture, pairs = map(operations, (function.program, choice.program, choice.pairs))
     count = len(function.program.instructions)
     return (f"Certified at {choice.states:,} states drawn between the joints' limits, not proved "

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 
+from coscrew_codegen.digits import two_digits_up
 from coscrew_codegen.scene.recorded import UNITS
 from coscrew_codegen.scene_functions import SceneFunctions
 
@@ -20,10 +21,11 @@ def units(functions: SceneFunctions, name: str) -> Units:
 
 
 def in_unit(x: float, unit: str) -> str:
-    """Two digits, and a prefix of the unit or a power of ten: 3 µN m, 7.1e-13 N m, 2e-7 kg."""
+    """Two digits, rounded up, and a prefix of the unit or a power of ten: 3 µN m, 7.1e-13 N m, 2e-7
+    kg."""
     if math.isinf(x):
         return "unbounded"
-    shown = float(f"{x:.1e}")
+    shown = float(two_digits_up(x * (1 - 1e-12)))  # so that 3e-6, which is no double, stays
     power = math.floor(math.log10(shown) / 3) if shown and math.isfinite(shown) else 0
     if power in _PREFIXES and not unit.startswith(("k", "1")):
         return f"{shown / 1000.0**power:.3g} {_PREFIXES[power]}{written(unit)}"

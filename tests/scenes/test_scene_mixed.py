@@ -19,13 +19,16 @@ import numpy as np
 import pytest
 
 from coscrew_codegen import emit
-from coscrew_codegen.formats import SINGLE
+from coscrew_codegen.digits import two_digits_up
+from coscrew_codegen.formats import DOUBLE, SINGLE
 from coscrew_codegen.layout import scene_files
 from coscrew_codegen.mechanics import derive
-from coscrew_codegen.mechanics.accuracy import AskedError
-from coscrew_codegen.mixture.arrays import evaluated
+from coscrew_codegen.mechanics.accuracy import AskedError, positions
+from coscrew_codegen.mixture.arrays import arrays, evaluated
 from coscrew_codegen.mixture.choice import AccuracyError, chosen, operations
 from coscrew_codegen.mixture.sample import States
+from coscrew_codegen.program import Instruction, Op
+from coscrew_codegen.scene.model import Joint, Kind
 from coscrew_codegen.scene.scene import Scene, Tolerance
 from coscrew_codegen.scene_files.errors import SceneError
 from coscrew_codegen.scene_files.toml_scene import read_scene
@@ -212,3 +215,30 @@ def test_a_file_selects_the_tier_by_its_accuracy(tmp_path: Path):
     assert scene.tiers == ("mixed",)
     assert scene.accuracy == (Tolerance("inverse_dynamics", "", float(Fraction(1, 8000))),
                               Tolerance("energy", "e", 1e-5))
+
+
+@pytest.mark.parametrize("lower, upper, found", (
+    (None, None, (-1, 1)), (5, None, (5, 7)), (None, -5, (-7, -5)), (2, 3, (2, 3)), (2, 2, (2, 2))))
+def test_states_are_between_limits(lower: int | None, upper: int | None, found: tuple[int, int]):
+    slide = Joint("j", Kind.PRISMATIC, "", "b", m.at(0, 0, 0),
+                  lower=None if lower is None else Fraction(lower),
+                  upper=None if upper is None else Fraction(upper))
+    assert positions(slide) == found
+
+
+def test_products_far_below_one_are_rounded_once():
+    """As exponentials of large squares are."""
+    draw = np.random.default_rng(8)
+    a, b = np.ldexp(draw.uniform(1, 2, (2, 300)), draw.integers(-537, -400, (2, 300)))
+    c = np.where(draw.random(300) < 0.5, a * b, 0)
+    found = arrays(DOUBLE).arithmetic.function(
+        Instruction("x", Op.PRODUCT_ERROR, (), ""), 0)(a, b, c)
+    true = [float(Fraction(x) * Fraction(y) - Fraction(z)) for x, y, z in zip(a, b, c, strict=True)]
+    assert np.array_equal(found, true)
+    assert sum(abs(a * b) < 2.0**-960) > 100
+
+
+def test_bounds_are_not_rounded_down():
+    assert two_digits_up(9.5245e-7) == "9.6e-7"
+    assert two_digits_up(0.25) == "2.5e-1"
+    assert two_digits_up(0.0) == "0"
