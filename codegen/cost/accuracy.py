@@ -67,6 +67,7 @@ class Accuracy:
     time: Interval  # ns per call
     errors: tuple[Errors, ...]  # the unit of most components first
     worst_at: dict[str, tuple[float, ...]]  # inputs of the first unit's worst error, by name
+    emitted: bool = True  # whether the scene is generated in this precision
 
     @property
     def name(self) -> str:
@@ -80,7 +81,7 @@ class Accuracy:
 
     def better(self, other: "Accuracy") -> bool:
         """Whether it is faster, with disjoint intervals, and at least as accurate in every unit,
-        and says as much of its errors."""
+        and says as much of its errors: plain is not better than certified."""
         return (self.time.below(other.time) and (self.tier == CERTIFIED) >= (
             other.tier == CERTIFIED) and all(
                 a.worst <= b.worst for a, b in zip(self.errors, other.errors, strict=True)))

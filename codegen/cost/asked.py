@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from coscrew_codegen.cost import CostError
 from coscrew_codegen.cost.leaving_out import SHOWN, Part, whole
 from coscrew_codegen.cost.measured import Counts
+from coscrew_codegen.formats import BY_NAME
 from coscrew_codegen.integrators import EMITTED
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.selected import (
@@ -31,6 +32,7 @@ class Asked:
     functions: tuple[str, ...] = ()  # those given, else the scene's
     counts: Counts = Counts()
     digits: int | None = None  # of the reference for runs
+    emitted: tuple[str, ...] = tuple(BY_NAME)  # precisions that the scene is generated in
 
     @property
     def alone(self) -> bool:

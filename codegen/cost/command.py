@@ -1,6 +1,7 @@
 """`coscrew cost`: options, measurements, tables, JSON, a figure, a page."""
 
 import argparse
+from dataclasses import replace
 from pathlib import Path
 
 from coscrew_codegen.simulate.command import add_scene, scene_of
@@ -20,7 +21,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                         dest="functions", help="measure only what the accuracy of this function "
                         "costs; may be repeated; \"all\" stands for all functions")
     parser.add_argument("--states", metavar="N", type=_states, default=64,
-                        help="compare with 50 digits at about N states (default: 64)")
+                        help="compare with 50 digits at about N states: a quarter of the run, half "
+                        "between the limits, a quarter that a search finds, of these at least one "
+                        "for each tier, precision and unit (default: 64)")
     parser.add_argument("--json", metavar="FILE", type=Path, help="write all figures: .json")
     parser.add_argument("--page", metavar="FILE", type=Path,
                         help="write a page with plots and tables: .html")
@@ -50,6 +53,7 @@ def run(options: argparse.Namespace) -> int:
     from coscrew_codegen.cost import measure, page, plot, schema, table
     from coscrew_codegen.cost.asked import Asked
     from coscrew_codegen.cost.measured import Counts
+    from coscrew_codegen.formats import BY_NAME
     from coscrew_codegen.simulate.load import kernels_for
     from coscrew_codegen.simulate.outcome import RunOverrides
     from coscrew_codegen.simulate.write import FIGURES, check_target
@@ -58,8 +62,10 @@ def run(options: argparse.Namespace) -> int:
                           (options.plot, FIGURES)):
         if path:
             check_target(path, endings)
-    scene = scene_of(options, "both")
-    asked = Asked(tuple(options.functions), Counts.of(options.states), options.digits)
+    read = scene_of(options, None)
+    emitted = ("single",) if read.precision == "single" else read.precisions
+    scene = replace(read, precision="both", precisions=tuple(BY_NAME))
+    asked = Asked(tuple(options.functions), Counts.of(options.states), options.digits, emitted)
     costs = measure.measure(
         kernels_for(scene, asked.needed(scene, options.integrator)),
         RunOverrides(options.until, options.step, options.integrator, "both",

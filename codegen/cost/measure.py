@@ -137,7 +137,8 @@ def _accuracies(kernels: Kernels, overrides: RunOverrides, run: Trajectory, buil
 
     _, planned = _planned(kernels, overrides)
     box = box_of(its, float(run.t[-1]), planned.step)
-    return measured(built, names, box, run, asked.counts, timed)
+    for rows in measured(built, names, box, run, asked.counts, timed):
+        yield tuple(replace(x, emitted=x.precision in asked.emitted) for x in rows)
 
 
 def _functions(of: Part) -> tuple[Function, ...]:

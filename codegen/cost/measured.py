@@ -11,11 +11,11 @@ from gmpy2 import mpfr
 
 from coscrew_codegen.cost.loops import Compiled
 from coscrew_codegen.cost.states import BATCH, Box, Reals, Values, joined, searched
-from coscrew_codegen.cost.units import units
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, Precision
 from coscrew_codegen.program.in_python import in_python
 from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
 from coscrew_codegen.simulate.plan import Trajectory
+from coscrew_codegen.simulate.units import units
 from coscrew_codegen.tiers import PLAIN, tier_named
 
 DIGITS = 50

@@ -12,8 +12,8 @@ from matplotlib.transforms import Transform
 from coscrew_codegen.cost.accuracy import Accuracy
 from coscrew_codegen.cost.advice import recommended, undominated
 from coscrew_codegen.cost.labels import Label, label
-from coscrew_codegen.cost.units import in_unit, written
 from coscrew_codegen.formats import BY_NAME, PRECISIONS
+from coscrew_codegen.simulate.units import in_unit, written
 from coscrew_codegen.tiers import OF_SCENES
 
 _COLOURS = {tier.name: tier.colours[0] for tier in OF_SCENES}
@@ -79,8 +79,8 @@ def legend(figure: FigureBase, rows: Sequence[Accuracy]) -> None:
     tiers = dict.fromkeys(x.tier for x in rows)
     handles = [Line2D([], [], marker="o", linestyle="", color=_COLOURS[name], label=name)
                for name in tiers]
-    handles += [Line2D([], [], marker=p.marker, linestyle="", color=_QUIET, label=p.name,
-                       markerfacecolor="white") for p in PRECISIONS]
+    handles += [Line2D([], [], marker=p.marker, linestyle="", color=_QUIET, label=p.name)
+                for p in PRECISIONS]
     handles.append(Line2D([], [], marker="o", linestyle="", color=_QUIET, markersize=_RING,
                           markerfacecolor="none", label="recommended"))
     figure.legend(handles=handles, loc="outside upper left", ncols=len(handles), frameon=False,

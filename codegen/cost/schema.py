@@ -57,7 +57,7 @@ def _function(rows: Sequence[Accuracy]) -> dict[str, Json]:
         "sentences": sentences(rows),
         "choices": [{
             "tier": x.tier, "precision": x.precision, "time": _time(x.time),
-            "best": x in undefeated, "errors": [_errors(e) for e in x.errors],
+            "emitted": x.emitted, "best": x in undefeated, "errors": [_errors(e) for e in x.errors],
             "worst_at": x.worst_at} for x in rows]}
 
 

@@ -8,15 +8,15 @@ from dataclasses import dataclass
 from tabulate import tabulate
 
 from coscrew_codegen.cost.accuracy import Accuracy, Errors
-from coscrew_codegen.cost.advice import sentences, undominated
+from coscrew_codegen.cost.advice import AFFORDABLE, better, recommended, sentences
 from coscrew_codegen.cost.leaving_out import SHOWN, WHOLE
 from coscrew_codegen.cost.measure import Costs
 from coscrew_codegen.cost.measured import DIGITS
 from coscrew_codegen.cost.run_errors import DIGITS as RUN_DIGITS
 from coscrew_codegen.cost.run_errors import RunErrors
-from coscrew_codegen.cost.units import in_unit, three_digits, written
 from coscrew_codegen.cost.work_precision import Point
 from coscrew_codegen.native.intervals import Interval
+from coscrew_codegen.simulate.units import in_unit, three_digits, written
 from coscrew_codegen.tiers import PLAIN
 
 ABOUT = (f"Errors against {DIGITS} digits, the model's decimals being exact: at states of the run, "
@@ -24,13 +24,20 @@ ABOUT = (f"Errors against {DIGITS} digits, the model's decimals being exact: at 
          "component with the largest error. Digits are those that are right of the largest "
          "component, typical and worst. The certified tier returns plain's results and bounds: the "
          "largest, and the least, median and largest ratio of bound to error.")
-_HEADERS = ("typical error", "worst", "digits", "found in", "bound", "bound / error", "ns", "best")
+_HEADERS = ("typical error", "worst", "digits", "found in", "bound", "bound / error", "ns",
+            "choice")
 _PARTS = (8, 4, 2, 1)  # errors of runs are shown after one in 8, 4, 2 and 1 of the times
 _CAUSES = ("Rounding: in this precision, all functions of the steps being in this tier. Step: "
            "steps a quarter as long. Model: without an effect. Digits are gone from when on an "
            "error is more than a tenth of the largest coordinate with its unit, or of half a turn.")
 _LIMITS = ("shorter steps would be more accurate", "shorter steps would gain nothing")
-_BEST = "* no choice is faster, the intervals apart, and as accurate"
+RULE = (f"Recommended is, of all choices that take at most {AFFORDABLE:g} times as long as the "
+        "fastest, the most accurate; not certified, whose results are plain's. A choice is better "
+        "than another if it is faster, the intervals apart, and as accurate in every unit; than a "
+        "certified one, if it is certified, too.")
+FUSED = ("Times hold for this compiler with these flags. Without FMA (gcc -O2 has none on x86-64, "
+         "-march=native or -mfma gives it) accurate and certified functions in double precision "
+         "take two to three times as long, certified ones in single precision 1.3 times.")
 _MARKS = ("* no run is faster, the intervals apart, and as accurate",
           "< as accurate as the reference: it cannot tell more")
 
@@ -58,21 +65,41 @@ def table(costs: Costs) -> str:
     """All tables, and what the figures recommend."""
     head = (f"{costs.scene}: {costs.compiler}\nns per call in C: median (95 % interval) of rounds "
             "in which all that is compared takes turns")
-    parts = [head, *([_wrapped(ABOUT)] if costs.accuracy else [])]
+    parts = [head, *map(_wrapped, about(costs))]
     for rows in costs.accuracy:
         parts += [x.text() for x in accuracies(rows)] + ["\n".join(sentences(rows))]
-    if costs.accuracy:
-        parts.append(_BEST)
     return "\n\n".join((*parts, *(x.text() for x in others(costs))))
 
 
+def about(costs: Costs) -> Iterator[str]:
+    """What the tables of errors mean."""
+    if costs.accuracy:
+        yield from (ABOUT, RULE, FUSED)
+        left = {x.precision for x in costs.accuracy[0] if not x.emitted}
+        if left:
+            kept = {x.precision for x in costs.accuracy[0] if x.emitted}
+            yield (f"The scene is generated in {', '.join(kept)} precision alone: "
+                   f"{', '.join(left)} is measured for comparison, not recommended.")
+
+
 def accuracies(rows: Sequence[Accuracy]) -> Iterator[Table]:
-    """A function's errors and times in each tier and precision, unit by unit."""
-    best = undominated(rows)
-    for n, errors in enumerate(rows[0].errors):
-        yield Table((f"{rows[0].function}, {written(errors.unit)}", *_HEADERS), tuple(
-            (x.name, *_errors(x.errors[n]), _in_words(x.time), "*" if x in best else "")
-            for x in rows))
+    """A function's errors and times in each tier and precision, unit by unit; without units in
+    which all are exact, unless there are no others."""
+    known = [n for n, _ in enumerate(rows[0].errors) if any(x.errors[n].worst for x in rows)] or [0]
+    exact = ", ".join(written(e.unit) for n, e in enumerate(rows[0].errors) if n not in known)
+    for n in known:
+        yield Table(
+            (f"{rows[0].function}, {written(rows[0].errors[n].unit)}", *_HEADERS),
+            tuple((x.name, *_errors(x.errors[n]), _in_words(x.time), _choice(x, rows))
+                  for x in rows),
+            below=(f"Exact in all choices: {exact}.",) if exact and n == known[-1] else ())
+
+
+def _choice(x: Accuracy, rows: Sequence[Accuracy]) -> str:
+    if x is recommended(rows):
+        return "recommended"
+    other = better(x, rows)
+    return f"{other.name} is better" if other else ""
 
 
 def others(costs: Costs) -> Iterator[Table]:
@@ -89,11 +116,16 @@ def others(costs: Costs) -> Iterator[Table]:
 def _errors(x: Errors) -> tuple[str, ...]:
     bounds = ("", "") if x.bounds is None else (
         in_unit(x.bounds.worst, x.unit),
-        ", ".join(map(three_digits, (x.bounds.least_ratio, x.bounds.typical_ratio,
+        ", ".join(map(_ratio, (x.bounds.least_ratio, x.bounds.typical_ratio,
                                      x.bounds.worst_ratio))) if x.worst else "")
     digits = f"{_digits(x.typical_digits)}, {_digits(x.worst_digits)}"
     return (in_unit(x.typical, x.unit), in_unit(x.worst, x.unit), digits,
             x.place if x.worst else "", *bounds)
+
+
+def _ratio(x: float) -> str:
+    """Three digits, of 1, too: 1.00."""
+    return f"{x:.2f}" if float(f"{x:.2e}") < 10 else three_digits(x)
 
 
 def _digits(x: float) -> str:
@@ -107,9 +139,11 @@ def _functions(costs: Costs) -> Table:
 
 
 def _effects(costs: Costs) -> Iterator[Table]:
-    """A table for each of the SHOWN functions: its cost in each part, and the savings."""
+    """A table for each of the SHOWN functions: its cost in each part that has other operations, and
+    the savings."""
     for name in SHOWN:
         rows = [x for x in costs.rows if x.function == name]
+        rows = [x for x in rows if x is rows[0] or x.words != rows[0].words]
         if len(rows) > 1:
             yield Table((name, "flops", "saved", "double, ns", "single, ns"), tuple(
                 (x.part, str(x.flops), str(rows[0].flops - x.flops or ""),

@@ -1,8 +1,8 @@
-"""What rounding takes at states of a run: errors of plain functions against 50 digits, and the
-bounds of the certified tier held against them."""
+"""What rounding takes at states of a run: errors of plain functions against 50 digits, by unit, and
+the bounds of the certified tier held against them."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -19,6 +19,7 @@ from coscrew_codegen.simulate.load_tier import in_tier_of
 from coscrew_codegen.simulate.plan import Trajectory
 from coscrew_codegen.simulate.record import accelerations
 from coscrew_codegen.simulate.system import System
+from coscrew_codegen.simulate.units import units
 from coscrew_codegen.tiers import tier_named
 
 JUDGED = ("inverse_dynamics", "forward_dynamics")
@@ -56,13 +57,15 @@ class Certified:
 
 @dataclass(frozen=True)
 class Rounded:
-    """The rounding errors of a plain function at states of a run in a precision."""
+    """The rounding errors of a plain function's components with one unit, at states of a run in a
+    precision."""
 
     function: str
+    unit: str
     precision: str
     states: int
-    error: float  # the largest of a component, in SI units
-    digits: float  # that are right of the largest component, at the worst state
+    error: float  # the largest of a component
+    digits: float  # that are right of the largest of these components, at the worst state
     lost: float  # of those that the precision has
     at: float  # time of the worst state, in s
     certified: Certified | None  # None if the certified function was too large to compile
@@ -76,8 +79,9 @@ def rounding(kernels: Kernels, runs: Sequence[tuple[System, Trajectory]]) -> tup
     for system, trajectory in runs:
         values = _states(system, trajectory)
         if len(values["t"]):
-            found += [_rounded(system, name, program, values, certified)
-                      for name, program in programs.items()]
+            found += [x for name, program in programs.items()
+                      for x in _rounded(system, name, program, values, certified,
+                                         units(kernels.functions, name))]
     return tuple(found)
 
 
@@ -110,23 +114,26 @@ def _states(system: System, trajectory: Trajectory) -> Values:
 
 
 def _rounded(system: System, name: str, program: Program, values: Values,
-             certified: Kernels | None) -> Rounded:
+             certified: Kernels | None, of: Sequence[str]) -> Iterator[Rounded]:
+    """Of each unit, that of the first component first."""
     count, precision = len(values["t"]), system.precision
     found = _rows(system.call(name, **values), count)
     truth = _exact(program, values, precision)
     with precise(DIGITS):
         errors = [[abs(mpfr(float(x)) - y) for x, y in zip(*rows, strict=True)]
                   for rows in zip(found, truth, strict=True)]
-        largest = np.array([float(max(row, default=0)) for row in errors])
-        at = int(np.argmax(np.nan_to_num(largest, nan=np.inf)))
-        size = float(max((abs(x) for x in truth[at]), default=0))
     own = -math.log10(precision.u)
-    right = math.log10(size / largest[at]) if size and largest[at] else own
-    bounds = None
-    if certified and name in getattr(certified, precision.name):
-        bounds = _held(system, certified, name, values, truth)
-    return Rounded(name, precision.name, count, float(largest[at]), right, max(0.0, own - right),
-                   float(values["t"][at]), bounds)
+    for unit in dict.fromkeys(of):
+        places = [n for n, x in enumerate(of) if x == unit]
+        largest = np.array([max(float(row[n]) for n in places) for row in errors])
+        at = int(np.argmax(np.nan_to_num(largest, nan=np.inf)))
+        size = max(abs(float(truth[at][n])) for n in places)
+        right = math.log10(size / largest[at]) if size and largest[at] else own
+        bounds = None
+        if certified and name in getattr(certified, precision.name):
+            bounds = _held(system, certified, name, values, truth, places)
+        yield Rounded(name, unit, precision.name, count, float(largest[at]), right,
+                      max(0.0, own - right), float(values["t"][at]), bounds)
 
 
 def _exact(program: Program, values: Values, precision: Precision) -> Exact:
@@ -138,12 +145,14 @@ def _exact(program: Program, values: Values, precision: Precision) -> Exact:
                           for a in program.inputs]) for row in range(numbers)]
 
 
-def _held(system: System, certified: Kernels, name: str, values: Values, truth: Exact) -> Certified:
-    """The certified function's bounds, against the errors of its own results."""
+def _held(system: System, certified: Kernels, name: str, values: Values, truth: Exact,
+          of: Sequence[int]) -> Certified:
+    """Its bounds of these components, against the errors of its own results."""
     count, kernels = len(truth), getattr(certified, system.precision.name)
     results, bounds = (_rows(x, count) for x in getattr(kernels, name)(
         *(values[x] for x in system.inputs[name])))
-    places = np.argwhere(np.isfinite(results) & np.isfinite(bounds))
+    known = np.isfinite(results) & np.isfinite(bounds)
+    places = [(row, place) for row in range(count) for place in of if known[row, place]]
     ratios, worst, exceeded = [], None, mpfr(1)
     for row, place in places:
         bound = mpfr(float(bounds[row, place]))
@@ -155,7 +164,7 @@ def _held(system: System, certified: Kernels, name: str, values: Values, truth: 
                 exceeded = error / bound if bound else mpfr("inf")
                 worst = Broken(int(place), float(values["t"][row]), float(error), float(bound))
     ratio = float(np.median(ratios)) if ratios else 1.0
-    return Certified(len(places), results.size, ratio, worst)
+    return Certified(len(places), count * len(of), ratio, worst)
 
 
 def _rows(found: np.ndarray, count: int) -> NDArray[np.float64]:

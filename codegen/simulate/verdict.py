@@ -17,6 +17,7 @@ from coscrew_codegen.simulate.findings import (
     Met,
 )
 from coscrew_codegen.simulate.outcome import gaps
+from coscrew_codegen.simulate.units import in_unit
 
 
 def table(findings: Findings, strict: bool = False) -> str:
@@ -72,8 +73,8 @@ def _checks(along: tuple[Along, ...]) -> str:
 
 
 def _rounding(found: tuple[Rounded, ...]) -> str:
-    rows = [(f"{x.function}, {x.precision}", f"{x.error:.2g}", f"{x.at:g}", f"{x.digits:.1f}",
-             f"{x.lost:.1f}", _bounds(x.certified)) for x in found]
+    rows = [(f"{x.function}, {x.precision}", in_unit(x.error, x.unit), f"{x.at:g}",
+             f"{x.digits:.1f}", f"{x.lost:.1f}", _bounds(x.certified)) for x in found]
     columns = (f"at states of the run, against {DIGITS} digits", "largest error",
                "at t, s", "digits right", "digits lost", "certified bounds")
     return str(tabulate(rows, columns, disable_numparse=True,

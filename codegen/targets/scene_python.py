@@ -58,8 +58,8 @@ def tier_files(made: SceneTier, banner: str) -> Files:
                      for p, scene in made.in_precisions})
     modules = {
         "__init__": render("scene/tier.py", banner=banner, name=made.plain.name,
-                           tier=made.tier.name, title=made.tier.title,
-                           promise=made.tier.promise,
+                           tier=made.tier.name,
+                           about="\n\n".join(filter(None, (made.tier.title, made.tier.promise))),
                            precisions=made.plain.precisions),
         **{p.name: _module(scene, scene_text.plans(scene), banner, p)
            for p, scene in made.in_precisions},

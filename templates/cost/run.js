@@ -29,10 +29,11 @@ function runPlot({ integrator, step, times, rows }) {
   const errors = rows.flatMap(row => row.errors.map(number)).filter(y => y > 0 && y < Infinity);
   const vertical = logAxis(errors, bottom - 4, top + 4), end = times.at(-1);
   const at = (x, y) => [left + (right - left) * x / end, vertical.at(y)];
-  for (const value of vertical.ticks) {
+  const texts = written(vertical.ticks);
+  for (const [n, value] of vertical.ticks.entries()) {
     const y = vertical.at(value);
     root.append(svg("line", { class: "grid", x1: left, x2: right, y1: y, y2: y }),
-                svg("text", { x: left - 7, y: y + 4, "text-anchor": "end" }, formatted(value)));
+                svg("text", { x: left - 7, y: y + 4, "text-anchor": "end" }, texts[n]));
   }
   for (let part = 0; part <= 4; part++) {
     const [x] = at(end * part / 4, 1), anchor = part === 4 ? "end" : "middle";

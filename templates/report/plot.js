@@ -21,6 +21,13 @@ function formatted(x) {
   return String(Number(x.toPrecision(3)));
 }
 
+// Numbers of an axis: all with powers of ten if one needs it.
+function written(ticks) {
+  const powers = ticks.some(x => formatted(x).includes("e"));
+  return ticks.map(x => powers && x !== 0 && Number.isFinite(x)
+    ? x.toExponential(2).replace(/\.?0*e\+?/, "e") : formatted(x));
+}
+
 // A logarithmic axis from and to round numbers; zeros and infinities have places of their own at
 // its ends.
 function logAxis(values, from, to) {
@@ -86,15 +93,16 @@ function scatter({ label, xLabel, yLabel, points, curves = [], fronts = [], smal
   const across = shown.flatMap(p => [p.x, p.low ?? p.x, p.high ?? p.x]);
   const horizontal = logAxis(across, left + 12, right - 12);
   const vertical = logAxis([...shown.map(p => p.y), ...ends], bottom - 8, top + 8);
-  for (const value of horizontal.ticks) {
+  const xTexts = written(horizontal.ticks), yTexts = written(vertical.ticks);
+  for (const [n, value] of horizontal.ticks.entries()) {
     const x = horizontal.at(value);
     root.append(svg("line", { class: "grid", x1: x, x2: x, y1: top, y2: bottom }),
-                svg("text", { x, y: bottom + 17, "text-anchor": "middle" }, formatted(value)));
+                svg("text", { x, y: bottom + 17, "text-anchor": "middle" }, xTexts[n]));
   }
-  for (const value of vertical.ticks) {
+  for (const [n, value] of vertical.ticks.entries()) {
     const y = vertical.at(value);
     root.append(svg("line", { class: "grid", x1: left, x2: right, y1: y, y2: y }),
-                svg("text", { x: left - 7, y: y + 4, "text-anchor": "end" }, formatted(value)));
+                svg("text", { x: left - 7, y: y + 4, "text-anchor": "end" }, yTexts[n]));
   }
   root.append(svg("text", { x: (left + right) / 2, y: height - 8, "text-anchor": "middle" },
                   xLabel),

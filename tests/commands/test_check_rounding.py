@@ -40,6 +40,27 @@ step = 0.01
 """
 
 
+CART = """name = "cart"
+[bodies.cart]
+mass = 1000.3
+inertia = [1, 1, 1]
+[bodies.bob]
+mass = 0.1
+com = [0, 0, -0.3]
+inertia = [0.02, 0.03, 0.04]
+[joints.rail]
+type = "prismatic"
+child = "cart"
+axis = [1, 0, 0]
+[joints.hinge]
+type = "revolute"
+parent = "cart"
+child = "bob"
+axis = [0, 1, 0]
+[effects.gravity]
+"""
+
+
 @pytest.fixture(scope="module")
 def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
     made = tmp_path_factory.mktemp("swing") / "swing.toml"
@@ -85,6 +106,21 @@ def test_errors_are_those_against_the_closed_form(kernels: Kernels):
     for x in found.values():
         own = -math.log10(BY_NAME[x.precision].u)
         assert x.lost == max(0, own - x.digits) < 2
+
+
+def test_units_are_told_apart(tmp_path: Path):
+    """A cart of a tonne on a rail, and a pendulum of 0.1 kg on it."""
+    path = tmp_path / "cart.toml"
+    path.write_text(CART)
+    kernels = checked(path)
+    its, ones = system(kernels, "double"), np.ones((2, 2))
+    rows = rounding(kernels, [(its, Trajectory(np.arange(2) / 8, 0.3 * ones, 0.7 * ones, 0, 0))])
+    assert [(x.function, x.unit) for x in rows] == [
+        ("inverse_dynamics", "N"), ("inverse_dynamics", "N m"),
+        ("forward_dynamics", "m/s^2"), ("forward_dynamics", "rad/s^2")]
+    assert all(x.certified and x.certified.of == 2 and not x.certified.broken for x in rows)
+    force, torque, *_ = rows
+    assert force.error > 100 * torque.error > 0
 
 
 def test_the_command_says_so(path: Path, capsys: pytest.CaptureFixture[str]):

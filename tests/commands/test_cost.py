@@ -22,7 +22,6 @@ from coscrew_codegen.cost.loops import ELEMENTS, compiled, text
 from coscrew_codegen.cost.measure import measure
 from coscrew_codegen.cost.plot import _accuracy, _bars, plot
 from coscrew_codegen.cost.table import table
-from coscrew_codegen.cost.units import three_digits
 from coscrew_codegen.cost.work_precision import Point, Reference, error, reference
 from coscrew_codegen.formats import DOUBLE, PRECISIONS, SINGLE
 from coscrew_codegen.integrators import EMITTED
@@ -34,6 +33,7 @@ from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate import native
 from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.system import system
+from coscrew_codegen.simulate.units import three_digits
 from coscrew_codegen.targets import scene_c
 from coscrew_codegen.targets.scene_text import banner_of
 from tests.support.each import each_precision
@@ -225,6 +225,7 @@ def test_the_table_holds_what_was_measured(costs):
     for point in costs.points:
         assert three_digits(point.error) in text
     assert text.count("*") >= 2
+    assert "without viscous" not in text.partition("mass_matrix")[2].partition("\n\n")[0]
     for row in costs.run_errors.rows:
         assert f"{row.cause}: {row.of} " in text
 

@@ -26,8 +26,7 @@ from coscrew_codegen.cost.measured import choices as choices_of
 from coscrew_codegen.cost.panels import panel
 from coscrew_codegen.cost.plot import figure, plot
 from coscrew_codegen.cost.states import Box, Values, box_of, searched
-from coscrew_codegen.cost.table import accuracies
-from coscrew_codegen.cost.units import in_unit, units
+from coscrew_codegen.cost.table import about, accuracies
 from coscrew_codegen.formats import DOUBLE
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.native.intervals import Interval
@@ -35,6 +34,7 @@ from coscrew_codegen.plots import STYLE
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.system import system
+from coscrew_codegen.simulate.units import in_unit, units
 from tests.support.scenes import scene_texts as texts
 
 MASS, STIFFNESS, DAMPING = Fraction("0.7"), Fraction("13.3"), Fraction("0.9")
@@ -313,7 +313,7 @@ def test_the_advice_follows_from_the_figures():
         "1.11× single plain (100 ns).",
         "Double accurate is within 1e-15 N m: 10 times less error than double plain, at 5× double "
         "plain.",
-        "In single precision single accurate is within 1 µN m, at 1.22× single plain.",
+        "In single precision accurate is within 1 µN m, at 1.22× plain.",
         "Double certified returns the plain results and bounds of their errors, here at most 2e-14 "
         "N m, at 5.2× double plain.")
 
@@ -334,11 +334,47 @@ def test_what_is_slow_is_not_recommended():
     assert sentences(alone)[0].endswith("(64 states), the fastest choice (90 ns).")
 
 
-def test_the_table_marks_what_nothing_beats():
+def test_what_the_scene_is_not_generated_in_is_not_recommended(costs):
+    single = [replace(x, emitted=x.precision == "single") for x in choices()]
+    assert recommended(single).name == "single accurate"
+    assert not any("ouble" in x for x in sentences(single))
+    assert not any("comparison" in x for x in about(costs))
+    *_, last = about(replace(costs, accuracy=(tuple(single),)))
+    assert last == ("The scene is generated in single precision alone: double is measured for "
+                    "comparison, not recommended.")
+
+
+def test_the_table_says_what_is_recommended_and_what_is_better():
+    """Plain is not called better than certified, which says more."""
     (table,) = accuracies(choices())
     marks = {row[0]: row[-1] for row in table.rows}
-    assert marks == {"double plain": "*", "single plain": "*", "double accurate": "*",
-                     "single accurate": "", "double certified": "*", "single certified": "*"}
+    assert marks == {"double plain": "recommended", "single plain": "", "double accurate": "",
+                     "single accurate": "double plain is better", "double certified": "",
+                     "single certified": ""}
+
+
+def with_units(*worst: tuple[str, float]) -> list[Accuracy]:
+    """Choices with these errors in these units."""
+    return [replace(x, errors=tuple(replace(x.errors[0], unit=unit, worst=error)
+                                    for unit, error in worst)) for x in choices()]
+
+
+def test_units_without_errors_have_no_table():
+    tables = [*accuracies(with_units(("N m", 1e-6), ("kg", 0), ("N", 2e-6), ("kg m^2", 0)))]
+    assert [x.headers[0] for x in tables] == ["inverse_dynamics, N m", "inverse_dynamics, N"]
+    assert [x.below for x in tables] == [(), ("Exact in all choices: kg, kg m².",)]
+    assert "within 1 µN m and 2 µN everywhere" in sentences(
+        with_units(("N m", 1e-6), ("kg", 0), ("N", 2e-6)))[0]
+    (alone,) = accuracies(with_units(("kg", 0), ("kg m^2", 0)))
+    assert alone.headers[0] == "inverse_dynamics, kg" and len(alone.rows) == 6
+    assert "is exact everywhere" in sentences(with_units(("kg", 0), ("kg m^2", 0)))[0]
+
+
+def test_ratios_have_three_digits():
+    one = made("certified", "double", 1e-14, 500, 2e-14)
+    errors = replace(one.errors[0], bounds=Bounds(2e-14, 1, 9.996, 150))
+    (table,) = accuracies([replace(one, errors=(errors,)), *choices()])
+    assert table.rows[0][6] == "1.00, 10, 150"
 
 
 def texts_of(axes) -> list[Bbox]:

@@ -166,6 +166,12 @@ def test_the_page_shows_the_figures_in_a_browser(whole, tmp_path):
               curve.getAttribute("class")]);""")
         key = browser.execute_script("""
             return [...document.querySelectorAll(".key li")].map(x => x.textContent);""")
+        page.write(of_units(whole, ("N", 1e-3), ("kg", 0), ("N m", 1e-5)), tmp_path / "units.html",
+                   "")
+        browser.get((tmp_path / "units.html").as_uri())
+        texts = browser.execute_script("""
+            return [...document.querySelectorAll("#plots figure")].map(figure =>
+              [...figure.querySelectorAll("text")].map(x => x.textContent));""")
     wanted = [(f"{x.function} {x.name}", x.time.median, shown(x))
               for rows in whole.accuracy for x in rows]
     assert [(name, float(x), float(y)) for name, x, y in marks] == wanted
@@ -181,6 +187,19 @@ def test_the_page_shows_the_figures_in_a_browser(whole, tmp_path):
     assert heights == sorted(set(heights), reverse=True)  # 1e-9, 1e-8, 1e-7, 1e-6: upwards
     assert key == ["plain", "accurate", "certified", "double", "single",
                    "rounding: single plain", "model: bare", "step: 0.001 s"]
+    assert [[x for x in of if x.startswith("error")] for of in texts] == [
+        ["error, N"], ["error, N m"]]
+    for of in texts:  # of an axis, all numbers are with a power of ten or none
+        ticks = [x for x in of if x[0] == "1" and x[-1].isdecimal() and float(x) < 1]
+        assert len(ticks) > 2 and all("e-" in x for x in ticks)
+
+
+def of_units(costs: Costs, *worst: tuple[str, float]) -> Costs:
+    """The first function's choices with errors up to a thousand times as large in these units."""
+    rows = [replace(x, errors=tuple(
+        replace(x.errors[0], unit=unit, worst=error / 10**(n % 4), bounds=None)
+        for unit, error in worst)) for n, x in enumerate(costs.accuracy[0])]
+    return replace(costs, accuracy=(tuple(rows),), run_errors=None)
 
 
 def test_what_cannot_be_written_leaves_the_old_file_whole(whole, tmp_path, monkeypatch):

@@ -117,11 +117,16 @@ def _with_rests(text: str) -> str:
     A result's sum may have its sign flipped: its operands are read off the text, that not."""
     results = iter(range(text.count("_final;")))
 
+    def matched(pattern: str) -> tuple[str, ...]:
+        found = re.search(pattern, text)
+        assert found, pattern
+        return found.groups()
+
     def rest(found: re.Match[str]) -> str:
         values, result = found[1], found[2]
-        total = re.search(rf"\b{result} = (\S+) == \1", text)[1]
+        total, = matched(rf"\b{result} = (\S+) == \1")
         name = total.rpartition(">")[2]
-        a, b = re.search(rf"\b{name} = (\S+) \+(?: sign_of\[\d+\] \*)? ([^\s,;]+)", text).groups()
+        a, b = matched(rf"\b{name} = (\S+) \+(?: sign_of\[\d+\] \*)? ([^\s,;]+)")
         if total != name:
             a, b = (x if ">" in x else f"{values}->{x}" for x in (a, b))
         right = f"({total} - {a})"
