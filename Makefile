@@ -97,6 +97,11 @@ figure: build
 	$(PYTHON) -m coscrew_codegen cost examples/cost/panda.toml --function inverse_dynamics \
 	    --function forward_dynamics --function mass_matrix --plot examples/cost/panda.svg
 
+# The figure of docs/bounds.md, of bounds beside errors.
+calibration: $(VENV)/test-ready build
+	$(PYTHON) -m tests.benchmarks.certified_scenes --robot ur5 panda --calibration \
+	    --plot examples/bounds/calibration.svg
+
 # README, docs/ and generated/docs/ as pages in build/docs, without network access; warnings, such as
 # for broken links, are errors.
 $(VENV)/docs-ready: $(VENV)/ready

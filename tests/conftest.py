@@ -17,8 +17,8 @@ if TYPE_CHECKING:  # imports SymPy and the operations: only the tests that need 
     from tests.support.truth.exact import Exact, Sample
 
 LONG = frozenset("""
-    test_absence test_accurate_functions test_cache test_certified_scenes test_check
-    test_check_advice test_check_alarms test_check_bounces test_checkers test_climb
+    test_absence test_accurate_functions test_cache test_calibration test_certified_scenes
+    test_check test_check_advice test_check_alarms test_check_bounces test_checkers test_climb
     test_command_line test_cost test_cost_accuracy test_cost_files test_cross test_documents
     test_elementary_attack test_encodings test_examples test_family_cache test_flags
     test_found test_generate test_generate_scene test_gufuncs test_hard_cases

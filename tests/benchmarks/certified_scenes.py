@@ -4,12 +4,12 @@
 the 90th percentile and the largest of bound / error, over all components with an error at random
 states.  The truth is the plain program in 60 digits with the model's exact decimals.  With
 --calibration it prints instead how many of 1e5 outputs of each function have a bound of at most so
-many times the error, judged in 113 bits.
+many times the error, judged in 113 bits; --plot draws them.
 """
 
 import argparse
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -23,6 +23,8 @@ from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.simulate.load import Kernels, kernels_of
+from coscrew_codegen.simulate.write import check_target
+from tests.benchmarks.calibration import FACTORS, Calibration, plot
 from tests.support.scenes.robots import scene_of
 from tests.support.scenes.tiers import DIGITS, flat, states, truths
 from tests.support.truth import quad
@@ -37,7 +39,6 @@ FUNCTIONS = ("inverse_dynamics", "mass_matrix", "forward_dynamics")
 OUTPUTS = 1000
 """Of each function and precision, at least."""
 CALIBRATED = 100_000
-FACTORS = (1.00001, 1.001, 1.01, 1.1, 2)
 
 
 def chain(joints: int) -> Scene:
@@ -95,9 +96,8 @@ def rows(name: str, outputs: int) -> Iterator[tuple[object, ...]]:
                 int(np.isinf(found).sum()), broken)
 
 
-def calibration(name: str, outputs: int, folder: Path) -> Iterator[tuple[object, ...]]:
-    """A line for each function and precision: the parts of the outputs with an error whose bound is
-    at most each of FACTORS times it."""
+def calibrations(name: str, outputs: int, folder: Path) -> Iterator[Calibration]:
+    """For each function and precision, at random states."""
     plain = kernels(name)
     for function in plain.functions.functions:
         count, judge = -(-outputs // len(function.program.results)), quad.judge(
@@ -106,27 +106,37 @@ def calibration(name: str, outputs: int, folder: Path) -> Iterator[tuple[object,
             given = states(plain.functions, function, count, p)
             certified = getattr(getattr(plain.certified, p.name), function.name)(*given)
             found = judge(flat(tuple(given), count), *(flat(x, count) for x in certified))
-            bounds = 1 / found[found > 0]
-            yield (name, function.name, p.name, bounds.size, *(
-                f"{100 * np.mean(bounds <= x):.3f}" for x in FACTORS), f"{bounds.max():.4g}")
+            yield Calibration(name, function.name, p, 1 / found[found > 0])
+
+
+def calibrate(robots: Sequence[str], outputs: int, drawn: Path | None) -> None:
+    """Print the table of --calibration, and draw it."""
+    if drawn:
+        check_target(drawn, (".svg",))
+    with tempfile.TemporaryDirectory() as folder:
+        found = [x for name in robots for x in calibrations(name, outputs, Path(folder))]
+    print(tabulate([x.row for x in found], (
+        "robot", "function", "precision", "outputs with an error", *(f"<= {x}" for x in FACTORS),
+        "largest"), disable_numparse=True))
+    if drawn:
+        plot(found, drawn)
 
 
 def main() -> None:
-    """Print the table."""
+    """Print a table."""
     parser = argparse.ArgumentParser(description="Certified bounds beside true errors.")
     parser.add_argument("--robot", nargs="+", default=[*ROBOTS],
                         choices=[*ROBOTS, *CHAINS])
-    parser.add_argument("--outputs", type=int, default=OUTPUTS)
+    parser.add_argument("--outputs", type=int, help=f"{OUTPUTS}, or {CALIBRATED} to calibrate")
     parser.add_argument("--calibration", action="store_true")
+    parser.add_argument("--plot", type=Path, metavar="FILE.svg")
     options = parser.parse_args()
+    if options.plot and not options.calibration:
+        parser.error("--plot draws what --calibration measures")
     if options.calibration:
-        with tempfile.TemporaryDirectory() as folder:
-            shares = [row for name in options.robot
-                      for row in calibration(name, CALIBRATED, Path(folder))]
-        print(tabulate(shares, ("robot", "function", "precision", "outputs with an error", *(
-            f"<= {x}" for x in FACTORS), "largest"), disable_numparse=True))
+        calibrate(options.robot, options.outputs or CALIBRATED, options.plot)
         return
-    table = [row for name in options.robot for row in rows(name, options.outputs)]
+    table = [row for name in options.robot for row in rows(name, options.outputs or OUTPUTS)]
     print(tabulate(table, ("robot", "function", "precision", "states", "outputs with an error",
                            "bound / error: median", "90 %", "largest", "no statement", "broken"),
                    disable_numparse=True))
