@@ -283,9 +283,9 @@ axis = [0, 1, 0]
 
 
 @pytest.mark.parametrize("x, unit, words", (
-    (3e-6, "N m", "3 µN m"), (7.13e-13, "N m", "7.1e-13 N m"), (0.9996, "J", "1 J"),
+    (3e-6, "N m", "3 µN m"), (7.13e-13, "N m", "7.2e-13 N m"), (0.9996, "J", "1 J"),
     (2e-7, "kg m^2", "2e-7 kg m²"), (1e-17, "1", "1e-17"), (0, "N", "0 N"),
-    (123456, "N", "120 kN"), (math.inf, "N", "unbounded")))
+    (123456, "N", "130 kN"), (math.inf, "N", "unbounded")))
 def test_numbers_with_units_are_short(x, unit, words):
     assert in_unit(x, unit) == words
 
