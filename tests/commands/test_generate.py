@@ -199,8 +199,9 @@ def imported_modules(node: ast.AST) -> list[str]:
 
 def test_imports_run_one_way():
     """version < … < algebra < … < kernel < passes < schedule < tiers < targets < … < emit."""
-    order = ["version", "errors", "digits", "collection", "parameter", "found", "integrator", "integrators",
-             "identifiers", "algebra", "quantity", "program", "formats", "elementary", "whole_cost",
+    order = ["version", "errors", "digits", "collection", "parameter", "found", "integrator",
+             "integrators", "identifiers", "algebra", "quantity", "program", "formats",
+             "elementary", "whole_cost",
              "domains", "operations", "kernel", "passes", "scene_functions", "scene_symbols",
              "schedule", "programs", "recording", "tiers", "mixture", "scene_tiers", "library",
              "render",
