@@ -2,7 +2,7 @@
 these."""
 
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
 from math import ceil, log10
@@ -73,6 +73,12 @@ class Precision(Format):
     colour: str = ""  # in plots whose colours do not stand for tiers or integrators
     dash: str = ""  # of lines in plots
     marker: str = ""
+    lanes: str = ""  # "_lanes" if C's values are vectors with a number of each of several states
+
+    @property
+    def called(self) -> str:
+        """What ends the names of C functions on its values: "f", "_lanesf"."""
+        return f"{self.lanes}{self.suffix}"
 
     @property
     def encoding(self) -> str:
@@ -129,6 +135,13 @@ def _literal(precision: Precision, value: Fraction) -> str:
 DOUBLE = Precision(53, -1022, "double", "double", "", "float64", "d", 8, "#0072b2", "-", "o")
 SINGLE = Precision(24, -126, "single", "float", "f", "float32", "f", 4, "#f5a04d", "--", "s")
 PRECISIONS = (DOUBLE, SINGLE)
+
+
+def in_lanes(precision: Precision) -> Precision:
+    """The precision, with vectors as C's values."""
+    return replace(precision, c_type=f"ksl_states{precision.suffix}", lanes="_lanes")
+
+
 BY_NAME = {precision.name: precision for precision in PRECISIONS}
 CHOICES = (*BY_NAME, "both")
 """What options and scene files may say of the precision."""

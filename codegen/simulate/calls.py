@@ -16,7 +16,7 @@ from coscrew_codegen.native import cache
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.scene.selected import names
 from coscrew_codegen.scene_functions import SceneInterface, Signature
-from coscrew_codegen.targets.scene_text import c_name, signs
+from coscrew_codegen.targets.scene_text import c_name, many, signs
 from coscrew_codegen.tiers import tier_named
 
 if TYPE_CHECKING:
@@ -156,7 +156,9 @@ def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
     call.argtypes = [ctypes.py_object if shape or n >= len(described.read) else ctypes.c_double
                      for n, shape in enumerate(shapes)]
     call.restype = ctypes.c_int
-    names = {"call": call, "many": _many(library, name, described, kind, call, signs(scene)),
+    several = c_name(many(scene), described.name, precision)
+    names = {"call": call, "many": _many(library, name, several, described, kind, call,
+                                         signs(scene)),
              "empty": np.empty, "plain": _PLAIN, "kind": kind, "Refused": ctypes.ArgumentError}
     exec(_text(described), names)
     function = _described(names[described.name], described)
@@ -216,12 +218,13 @@ def _text(described: Signature) -> str:
         f"            return {found}",
         "    except (Refused, AttributeError, TypeError):",
         "        pass  # an argument without copy(), or not a number: the checks below say so",
-        f"    return many({{{', '.join(f'{x!r}: {x}' for x in given)}}}, out)", ""))
+        f"    return many(self, {{{', '.join(f'{x!r}: {x}' for x in given)}}}, out)", ""))
 
 
-def _many(library: ctypes.PyDLL, name: str, described: Signature, kind: np.dtype,
+def _many(library: ctypes.PyDLL, name: str, several: str, described: Signature, kind: np.dtype,
           call: Made, signs: tuple[tuple[int, str, bool], ...]) -> Made:
-    """The function for any arguments, which it checks, casts and broadcasts."""
+    """The function for any arguments, which it checks, casts and broadcasts; `several` is the name
+    of that in lanes."""
     loop = getattr(_unlocked(library._name), f"many_{name}")
     loop.restype = None
     pointer, stride = ctypes.c_void_p, ctypes.c_ssize_t
@@ -229,7 +232,7 @@ def _many(library: ctypes.PyDLL, name: str, described: Signature, kind: np.dtype
                      *[pointer] * len(described.outputs)]
     checks = _checks()
 
-    def function(arguments: Mapping[str, ArrayLike], out: object) -> object:
+    def function(of: _Callable, arguments: Mapping[str, ArrayLike], out: object) -> object:
         lead, arrays = checks.arrays(kind, **{
             x: (arguments[x], shape, *([signs] if x == "p" else []))
             for x, shape in described.inputs})
@@ -242,7 +245,9 @@ def _many(library: ctypes.PyDLL, name: str, described: Signature, kind: np.dtype
                 result[...] = given[x]
         if lead or not call(*(np.array(given[x]) if shape else float(given[x])
                               for x, shape in described.read), *results):
-            _over(loop, lead, given, described, results)
+            kernels = of._of._kernels
+            lanes = kernels._lanes.function(several, prod(lead)) if kernels else None
+            _over(loop, lanes, lead, given, described, results)
         return checks.delivered(out, *(x[()] for x in results))
 
     return function
@@ -254,9 +259,9 @@ def _is_place(x: np.ndarray | None, kind: np.dtype, arrays: list[np.ndarray]) ->
             and not any(np.may_share_memory(x, array) for array in arrays))
 
 
-def _over(loop: Made, lead: tuple[int, ...], given: dict[str, np.ndarray],
+def _over(loop: Made, lanes: Made | None, lead: tuple[int, ...], given: dict[str, np.ndarray],
           described: Signature, results: list[np.ndarray]) -> None:
-    """Call the loop over all states."""
+    """Call the loop over all states, or the function in lanes."""
     words: list[int] = [prod(lead)]
     kept = []
     for x, shape in described.read:
@@ -265,7 +270,12 @@ def _over(loop: Made, lead: tuple[int, ...], given: dict[str, np.ndarray],
             array, step = np.broadcast_to(array, (*lead, *shape)), prod(shape)
         kept.append(np.require(array, None, ("C", "A")))
         words += [kept[-1].ctypes.data, step]
-    loop(*words, *(x.ctypes.data for x in results))
+    if lanes is None:
+        loop(*words, *(x.ctypes.data for x in results))
+        return
+    for x, (_, shape) in zip(results, described.outputs, strict=True):
+        words += [x.ctypes.data, prod(shape)]
+    lanes(*map(ctypes.c_ssize_t, words))
 
 
 @functools.cache

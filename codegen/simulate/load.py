@@ -27,6 +27,9 @@ from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene_functions import SceneFunctions, SceneInterface, Signature
 from coscrew_codegen.simulate import calls, native
 
+if TYPE_CHECKING:
+    from coscrew_codegen.simulate.lanes import Lanes
+
 BOTH = tuple(p.name for p in PRECISIONS)
 
 
@@ -136,6 +139,13 @@ class Kernels:
             return getattr, (self.plain, self.interface.mark)
         return restored, (self._pickled,)
 
+    @functools.cached_property
+    def _lanes(self) -> Lanes:
+        """The functions of many states, compiled when they pay."""
+        from coscrew_codegen.simulate.lanes import Lanes
+
+        return Lanes(self)
+
     def __copy__(self) -> Kernels:
         return self
 
@@ -225,9 +235,9 @@ def _compiler(name: str) -> native.Compiler | None:
         return None
 
 
-def warn(name: str, error: native.CompilationError) -> None:
+def warn(name: str, error: native.CompilationError, runs: str = "runs in pure NumPy") -> None:
     level = next((n for n, frame in enumerate(_frames()) if frame != __file__), 0)
-    warnings.warn(f"{name} runs in pure NumPy: {error}", RuntimeWarning, stacklevel=level + 1)
+    warnings.warn(f"{name} {runs}: {error}", RuntimeWarning, stacklevel=level + 1)
 
 
 def _frames() -> Iterator[str]:
@@ -320,14 +330,15 @@ def _library(functions: SceneFunctions, compiler: native.Compiler, precisions: t
     with doing(f"writing {functions.name}"):
         banner = banner_of(functions.name)
         files = scene_c.files(functions, banner) | scene_calls.files(functions, banner)
-    return library_of(files, functions, functions.name, compiler, precisions)
+    return library_of(files, functions, f"{functions.name}_calls.c", compiler, precisions)
 
 
-def library_of(files: Mapping[str, str], functions: SceneFunctions, stem: str,
-               compiler: native.Compiler, precisions: tuple[str, ...]) -> native.Library:
-    """The library of stem_calls.c in these precisions."""
-    units = {p.name: (f"{stem}_calls.c", *(f"-D{functions.name.upper()}_NO_{other.name.upper()}"
-                                           for other in PRECISIONS if other != p))
+def library_of(files: Mapping[str, str], functions: SceneFunctions, source: str,
+               compiler: native.Compiler, precisions: tuple[str, ...], *flags: str
+               ) -> native.Library:
+    """The library of a source in these precisions."""
+    units = {p.name: (source, *(f"-D{functions.name.upper()}_NO_{other.name.upper()}"
+                                for other in PRECISIONS if other != p), *flags)
              for p in named(functions.precisions) if p.name in precisions}
     return native.library(units, files, compiler)
 

@@ -58,4 +58,4 @@ def _library(tier: SceneTier, compiler: native.Compiler, precisions: tuple[str, 
     with doing(f"writing {tier.stem}"):
         banner = banner_of(tier.plain.name)
         files = scene_c_tier.files(tier, banner) | scene_calls.tier_files(tier, banner)
-    return load.library_of(files, tier.plain, tier.stem, compiler, precisions)
+    return load.library_of(files, tier.plain, f"{tier.stem}_calls.c", compiler, precisions)

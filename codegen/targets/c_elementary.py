@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from coscrew_codegen.elementary import ELEMENTARY, ERRORS, Elementary
-from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.formats import BY_NAME, DOUBLE, Precision
 from coscrew_codegen.program import Constant, Input, Op, Program, counts_in_words, renamed
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.targets import c_lanes, two_over_pi
@@ -30,7 +30,7 @@ CALLABLE = {group: (*(name for name, of in ALONE.items() if of in {x.name for x 
             for group, functions in ((HEADER, ELEMENTARY), (ERROR_HEADER, ERRORS))}
 """The names of what each header defines."""
 _NAMES = [name for names in (*SEVERAL.values(), *CALLABLE.values()) for name in names]
-_CALL = re.compile(rf"\bksl_({'|'.join(_NAMES)})f?\(")
+_CALL = re.compile(rf"\bksl_({'|'.join(_NAMES)})(?:_lanes)?f?\(")
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ def written(precision: Precision, names: Collection[str], nested: bool = False) 
     """What defines these names."""
     needed = {_OWNER.get(name, name) for name in names}
     wanted = [x for x in (*ELEMENTARY, *ERRORS) if x.name in needed]
-    powers = [x for x in wanted if Op.POWER in x.kernel(precision).counts]
+    powers = [x for x in wanted if Op.POWER in x.kernel(BY_NAME[precision.name]).counts]
     return [replace(_written(x, precision, nested), power=x in powers[:1],
                     alone=[name for name in ALONE if name in names and _OWNER[name] == x.name],
                     several=_several(x, precision, names)) for x in wanted]
@@ -80,22 +80,23 @@ def _several(function: Elementary, precision: Precision, names: Collection[str])
 
 
 def _written(function: Elementary, precision: Precision, nested: bool) -> Written:
-    kernel = function.kernel(precision)
-    comment = comment_of([f"{function.statement}.", function.comment(precision),
+    numbers = BY_NAME[precision.name]  # the precision, without vectors
+    kernel = function.kernel(numbers)
+    comment = comment_of([f"{function.statement}.", function.comment(numbers),
                           f"{counts_in_words(kernel).capitalize()}."])
     head, body = _function(f"ksl_{function.name}", function.inputs, function.outputs, kernel,
                            precision, nested)
     if not (function.near and function.far and function.limit):
         return Written(function.name, comment, head, body)
-    limit = function.limit(precision)
-    near, far = function.near(precision), function.far(precision)
+    limit = function.limit(numbers)
+    near, far = function.near(numbers), function.far(numbers)
     reductions = {place: _function(f"ksl_{function.name}_{place}", program.inputs, program.outputs,
                                    program, precision, nested)
                   for place, program in (("near", near), ("far", far))}
     return Written(function.name, comment, head, body, reductions["near"], reductions["far"],
                    [a.name for a in near.outputs],
                    precision.literal(Constant(limit, limit)) + precision.suffix,
-                   two_over_pi.in_c(precision), function in ELEMENTARY)
+                   two_over_pi.in_c(numbers), function in ELEMENTARY)
 
 
 def _function(name: str, inputs: Sequence[Argument], outputs: Sequence[Argument], program: Program,
@@ -105,7 +106,7 @@ def _function(name: str, inputs: Sequence[Argument], outputs: Sequence[Argument]
     taken = {a.name for a in outputs}
     program = renamed(program, {step.name: f"{step.name}_value" if step.name in taken
                                 else step.name for step in program.instructions})
-    head = listed(f"{precision.c_type} {name}{precision.suffix}(",
+    head = listed(f"{precision.c_type} {name}{precision.called}(",
                   [*(f"const {precision.c_type} {a.name}" for a in inputs),
                    *(f"{precision.c_type} *{a.name}" for a in others)], ")", WIDTH - 16)
 

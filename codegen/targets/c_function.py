@@ -8,8 +8,8 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 from coscrew_codegen.formats import DOUBLE, Precision
-from coscrew_codegen.program import Input, Operand, Program, by_component
-from coscrew_codegen.targets.c_nested import declarations, language, together
+from coscrew_codegen.program import Input, Operand, Program, Ref, by_component
+from coscrew_codegen.targets.c_nested import EACH, declarations, language, together
 from coscrew_codegen.targets.c_statements import WIDTH, Statements, broken, comment_of
 from coscrew_codegen.targets.nesting import Plan
 
@@ -79,7 +79,7 @@ class Body:
         results = [self._narrowed(x, text)
                    for x, text in zip(program.results, nesting.results, strict=True)]
         working = DOUBLE if program.wide else self.precision
-        return declarations(together(nesting.assigned), working, WIDTH - 2), results
+        return declarations(together(nesting.assigned, working), working, WIDTH - 2), results
 
     def _stores(self, results: Sequence[str]) -> Iterator[str]:
         pairs = list(zip(self.stored.targets, results, strict=True))
@@ -103,6 +103,8 @@ class Body:
         """A result in the precision of the arguments.  A result that is an input is not cast."""
         if isinstance(operand, Input):
             return self.stored.access(operand)
+        if self.precision.lanes and not isinstance(operand, Ref):
+            return EACH.format(text, f=self.precision.called)
         return f"({self.precision.c_type}){text}" if self.program.wide else text
 
     def _saved(self, pairs: Sequence[tuple[str, str]]) -> dict[str, str]:

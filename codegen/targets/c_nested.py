@@ -9,8 +9,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby, pairwise
 
-from coscrew_codegen.formats import DOUBLE, Precision
-from coscrew_codegen.program import Constant, Input, Instruction, Op, Program, Ref
+from coscrew_codegen.formats import BY_NAME, DOUBLE, Precision
+from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.ops import COMPARISONS
 from coscrew_codegen.targets.c_statements import (
     ELEMENTARY,
@@ -22,6 +22,7 @@ from coscrew_codegen.targets.nesting import (
     CALL,
     CHOICE,
     COMPARISON,
+    CONSTANTS,
     PRODUCT,
     SIGN,
     SUM,
@@ -43,6 +44,12 @@ _SPELLING = {
     **{op: (pattern.replace("{f}", "%s"), CALL) for op, pattern in ELEMENTARY.items()},
 }
 _ROUNDED = "RN({} * {})", CALL
+EACH = "ksl_each{f}({})"
+"""A vector with this number for each state."""
+_ON_LANES = {
+    **_SPELLING, Op.ABS: ("ksl_abs%s({})", CALL), Op.SQRT: ("ksl_sqrt%s({})", CALL),
+    Op.COPYSIGN: ("ksl_copysign%s({}, {})", CALL), Op.SELECT: ("ksl_choice%s({}, {}, {})", CALL),
+    Op.LESS: ("ksl_less%s({}, {})", CALL), Op.EQUAL: ("ksl_equal%s({}, {})", CALL)}
 LANES = 4  # angles whose sines and cosines are computed at once
 TOGETHER = {Op.SIN: "sincos", Op.SIN_ERROR: "sincos_error"}
 """What is computed for several angles at once."""
@@ -55,19 +62,27 @@ def language(program: Program, precision: Precision) -> Language:
     """C in a precision, of this program."""
     precision = DOUBLE if program.wide else precision
     rounded, suffix = summed_products(program), precision.suffix
+    spellings = _ON_LANES if precision.lanes else _SPELLING
 
     def spelling(step: Instruction) -> tuple[str, int]:
         if step.name in rounded:
             return _ROUNDED
         if step.op is Op.TWO_OVER_PI:
             return chunk_of_two_over_pi(step).replace("{f}", suffix), CALL
-        pattern, binding = _SPELLING[step.op]
-        return pattern.replace("%s", suffix), binding
+        pattern, binding = spellings[step.op]
+        if precision.lanes and (binding == CALL or not any(map(_varies, step.operands))):
+            pattern = pattern.format(*("{}" if _varies(x) else EACH for x in step.operands))
+        return pattern.replace("%s", precision.called).replace("{f}", precision.called), binding
 
     def constant(x: Constant) -> str:
         return precision.literal(x) + suffix
 
-    return Language(spelling, constant, f"({precision.c_type})NAN", "", "{arguments}")
+    return Language(spelling, constant, f"({BY_NAME[precision.name].c_type})NAN", "", "{arguments}")
+
+
+def _varies(x: Operand) -> bool:
+    """Whether it differs from state to state."""
+    return isinstance(x, (Input, Ref))
 
 
 def summed_products(program: Program) -> frozenset[str]:
@@ -124,9 +139,12 @@ class Together:
                 self.names, values, strict=True)], ";", width)))
 
 
-def together(assigned: Sequence[Assignment | str]) -> list[Assignment | Together | str]:
+def together(assigned: Sequence[Assignment | str], precision: Precision
+             ) -> Sequence[Assignment | Together | str]:
     """With the sines and cosines of inputs first, several together, and their errors; headings
-    below which nothing is left are left out."""
+    below which nothing is left are left out.  Vectors compute together already."""
+    if precision.lanes:
+        return assigned
     pairs = [x for x in assigned if isinstance(x, Assignment) and x.cosine]
     errors = {x.step.operands[1]: x for x in pairs if x.step.op is Op.SIN_ERROR}
     sines = [x for x in pairs if x.step.op is Op.SIN and isinstance(x.step.operands[0], Input)]
@@ -153,7 +171,7 @@ def declarations(assigned: Sequence[Assignment | Together | str], precision: Pre
             return "", x.statements(precision, width)
         if x.cosine:
             return "", sine_and_cosine(x.step, x.cosine, x.expression, precision)
-        return ("int" if x.step.op in COMPARISONS else precision.c_type), x.step.component
+        return _c_type(x.step, precision), x.step.component
 
     for (c_type, words), group in groupby(assigned, kind):
         if not c_type:
@@ -161,6 +179,15 @@ def declarations(assigned: Sequence[Assignment | Together | str], precision: Pre
         else:
             items = [f"{x.step.name} = {x.expression}" for x in group if isinstance(x, Assignment)]
             yield _declared(f"const {c_type} ", items, width)
+
+
+def _c_type(step: Instruction, precision: Precision) -> str:
+    """The type of an instruction's result."""
+    if step.op in COMPARISONS:
+        return f"ksl_tests{precision.suffix}" if precision.lanes else "int"
+    if step.component == CONSTANTS:
+        return BY_NAME[precision.name].c_type
+    return precision.c_type
 
 
 def _declared(head: str, items: Sequence[str], width: int) -> str:

@@ -67,7 +67,7 @@ def chunk_of_two_over_pi(step: Instruction) -> str:
 def sine_and_cosine(sine: Instruction, cosine: Instruction, arguments: str, precision: Precision
                     ) -> str:
     """The statement that declares and computes both, or the errors of both."""
-    real, function = precision.c_type, f"ksl_{FUNCTION_OF[sine.op]}{precision.suffix}"
+    real, function = precision.c_type, f"ksl_{FUNCTION_OF[sine.op]}{precision.called}"
     return (f"{real} {cosine.name}; const {real} {sine.name} = {function}({arguments}, "
             f"&{cosine.name});")
 

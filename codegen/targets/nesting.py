@@ -26,6 +26,8 @@ from coscrew_codegen.program import (
 
 CHOICE, COMPARISON, SUM, PRODUCT, SIGN, CALL = range(6)
 """Precedences; the last: of function calls and names."""
+CONSTANTS = "constants"
+"""The component of constants that are assigned."""
 
 
 @dataclass(frozen=True)
@@ -137,7 +139,7 @@ class Nesting:
         """An assignment; its constants are assigned where its section begins."""
         for word in _WORD.findall(expression) if self._unassigned else ():
             if (constant := self._unassigned.pop(word, None)) is not None:
-                own = Assignment(Instruction(word, Op.ADD, (constant,), "constants"),
+                own = Assignment(Instruction(word, Op.ADD, (constant,), CONSTANTS),
                                  self.language.constant(constant))
                 self.assigned.insert(self._section, own)
                 self._section += 1

@@ -105,8 +105,8 @@ class Parts:
         above = {place: self._words.get(words, printable(words)) for place, words in headings(part)}
         nesting = self._plans[part.name].printed(
             language(part, precision), self._read(part, precision), above)
-        for _, run in groupby(together(nesting.assigned), lambda x: x if isinstance(x, str)
-                              else x.step.component):
+        for _, run in groupby(together(nesting.assigned, self._working(precision)),
+                              lambda x: x if isinstance(x, str) else x.step.component):
             assigned = list(run)
             yield from declarations(assigned, self._working(precision), WIDTH - 2)
             names = [name for x in assigned if not isinstance(x, str) for name in x.names]

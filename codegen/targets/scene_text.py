@@ -6,8 +6,10 @@ Knows functions and words; nothing of how a language writes statements.
 import keyword
 import re
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from math import prod
+from typing import TypeVar
 
 from coscrew_codegen import scene_symbols
 from coscrew_codegen.formats import DOUBLE, Precision
@@ -46,6 +48,19 @@ _NAME = re.compile("[A-Za-z][A-Za-z0-9_]*")
 def c_name(scene: SceneFunctions | SceneInterface, name: str, precision: Precision) -> str:
     """arm_forward_dynamics, arm_forward_dynamicsf, arm_forward_dynamics_accurate."""
     return f"{scene.name}_{name}{scene.mark and f'_{scene.mark}'}{precision.suffix}"
+
+
+Scene = TypeVar("Scene", SceneFunctions, SceneInterface)
+
+
+def many(scene: Scene) -> Scene:
+    """The scene, with the names in C of its functions of many states: arm_energy_many."""
+    return replace(scene, mark=marked(scene.mark, "many"))
+
+
+def marked(*marks: str) -> str:
+    """What ends names in C: all of these that are not empty."""
+    return "_".join(filter(None, marks))
 
 
 def count(shape: tuple[int, ...]) -> int:

@@ -5,7 +5,6 @@ Cortex-M4F, whose double precision is software, single precision calls none of i
 """
 
 import re
-import shutil
 from collections import Counter
 from pathlib import Path
 
@@ -14,28 +13,15 @@ import pytest
 from coscrew_codegen.tiers import TIERS
 from tests.support.compiled.bits_program import Kernel, kernels, text, wanted
 from tests.support.compiled.c_harness import INCLUDE, in_parallel, run
+from tests.support.compiled.cross import COMPILERS, needed
 from tests.support.scenes import scene_bits
 
-# architecture → compiler; Debian's packages are named below.
-COMPILERS = {"aarch64": "aarch64-linux-gnu-gcc", "riscv64": "riscv64-linux-gnu-gcc",
-             "arm": "arm-linux-gnueabihf-gcc", "s390x": "s390x-linux-gnu-gcc"}
-PACKAGES = (
-    "gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-riscv64-linux-gnu libc6-dev-riscv64-cross "
-    "gcc-arm-linux-gnueabihf libc6-dev-armhf-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross "
-    "qemu-user gcc-arm-none-eabi libnewlib-arm-none-eabi")
 CORTEX_M4F = ("arm-none-eabi-gcc", "-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard",
               "-mfpu=fpv4-sp-d16", "-O2", "-DKSL_NO_ALLOC")
 MARKS = tuple(tier.mark for tier in TIERS)
 
 # Functions that compute in double: software's arithmetic and conversions; <math.h> without f.
 DOUBLE = re.compile(r"__aeabi_(d\w+|f2d|[u]?i2d|[u]?l2d)|fma|sqrt|fabs|sin|cos|atan2|pow|exp|tanh")
-
-
-def needed(*commands: str) -> None:
-    """If one of the commands is missing, the test fails and says what to install."""
-    if missing := [name for name in commands if shutil.which(name) is None]:
-        pytest.fail(f"{', '.join(missing)} not installed; on Debian: apt-get install {PACKAGES}",
-                    pytrace=False)
 
 
 def chosen(architecture: str, tier: str) -> tuple[Kernel, ...]:

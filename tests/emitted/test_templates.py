@@ -23,7 +23,7 @@ EXEMPT = {
     "c/product_error.jinja": PRIMITIVES, "c/product_errorf.jinja": PRIMITIVES,
     "c/product_rest.jinja": PRIMITIVES, "c/product_restf.jinja": PRIMITIVES,
     "python/elementary.jinja": PRIMITIVES, "python/exact.jinja": PRIMITIVES,
-    "c/vectors.jinja": PRIMITIVES,
+    "c/vectors.jinja": PRIMITIVES, "c/states.jinja": PRIMITIVES,
     "c/ksl_selfcheck.h.jinja": CHECKS, "python/_selfcheck.py.jinja": CHECKS,
     **{f"c/ksl/{x}.jinja": KSL for x in (
         "array.h", "euler.h", "inertia.h", "next_angles", "quaternion.h", "trig.h")},
@@ -32,7 +32,7 @@ EXEMPT = {
     **{f"{x}.jinja": PLACES for x in (
         "gufunc/module.c", "gufunc/promoter.c", "gufunc/family.c", "python/_arrays.py",
         "python/_kernel.py", "scene/arrays", "scene/arrays.py", "scene/out", "scene/buffers",
-        "scene/calls.c")},
+        "scene/calls.c", "scene/many.c", "c/rows")},
     "native/driver.c.jinja": MEASURES, "report/drift.c.jinja": MEASURES}
 """Templates that compute, and why they may.  Pages are not kernels and are left out."""
 

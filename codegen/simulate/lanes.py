@@ -1,0 +1,64 @@
+"""A scene's functions of many states, compiled when they pay, or found in the cache."""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+import pickle
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from coscrew_codegen.console import doing
+from coscrew_codegen.native import cache
+from coscrew_codegen.simulate import load, native
+
+PAYS = 4096
+"""So many states of a scene, in one call or several, are computed one by one before its functions
+of many states are compiled, which takes seconds."""
+
+
+@dataclass
+class Lanes:
+    """The functions of many states of a scene."""
+
+    kernels: load.Kernels
+    _met: int = field(default=0, init=False)  # states so far
+
+    def function(self, name: str, states: int) -> Callable[..., None] | None:
+        """The function of this name, if it is there and pays for so many more states."""
+        self._met += states
+        return getattr(self._library, name, None) if self._met >= PAYS else None
+
+    @functools.cached_property
+    def _library(self) -> ctypes.CDLL | None:
+        """None where it cannot be compiled."""
+        if self.kernels.plain:
+            return None
+        try:
+            return ctypes.CDLL(_library(self.kernels, native.compiler()).opened._name)
+        except native.CompilationError as error:
+            load.warn(self.kernels.interface.name, error, "computes many states one by one")
+            return None
+
+
+def _library(kernels: load.Kernels, compiler: native.Compiler) -> native.Library:
+    key = kernels.scene and load.key_of(kernels.scene, kernels.selected, kernels.precisions,
+                                        compiler, "lanes")
+    if key and (kept := load.kept_as(key)):
+        return kept[1]
+    library = _made(kernels, compiler)
+    if key:
+        cache.write(key, ".scene", pickle.dumps((kernels.interface, library.key)))
+    return library
+
+
+def _made(kernels: load.Kernels, compiler: native.Compiler) -> native.Library:
+    from coscrew_codegen.targets import scene_c, scene_c_many
+    from coscrew_codegen.targets.scene_text import banner_of
+
+    functions = kernels.functions
+    with doing(f"writing {functions.name} for many states"):
+        banner = banner_of(functions.name)
+        files = scene_c.files(functions, banner) | scene_c_many.files(functions, banner)
+    return load.library_of(files, functions, f"{functions.name}_many.c", compiler,
+                           kernels.precisions, "-DKSL_LANES_ONLY")

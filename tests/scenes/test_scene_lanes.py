@@ -1,0 +1,150 @@
+"""A scene's functions of many states have the bits of one: with every compiler, width and flag, for
+any number of states, strides, shared rows, in place, and for numbers of every kind."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from coscrew_codegen.formats import DOUBLE, Precision
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.scene_functions import SceneFunctions, Signature
+from coscrew_codegen.simulate import lanes, native
+from coscrew_codegen.simulate.load import Kernels, kernels_of
+from coscrew_codegen.targets import scene_c_parts
+from coscrew_codegen.targets.scene_text import c_name, many
+from tests.support.compiled.c_harness import C11, COMPILERS, CXX17, STRICT, run
+from tests.support.compiled.cross import COMPILERS as CROSS
+from tests.support.compiled.cross import needed
+from tests.support.compiled.flags import FMA, HASWELL, SANITIZERS, X86, has_sanitizers
+from tests.support.each import each_precision
+from tests.support.scenes import effect_scenes, lanes_program, scene_bits
+from tests.support.scenes.generated_scenes import pendulum, slider, spinner
+from tests.support.scenes.scene_values import same_bits
+
+FLAGS = {"gcc": ((*C11, "-O0", *STRICT), (*C11, "-O2", "-DKSL_LANE_BYTES=0"),
+                 (*C11, "-O3", "-march=native", *STRICT),
+                 ("-std=gnu11", "-O3", *HASWELL, "-ffp-contract=fast"),
+                 (*CXX17, "-O1", "-march=native", "-DKSL_LANE_BYTES=16")),
+         "clang": ((*C11, "-O0", "-march=native", *STRICT), (*C11, "-O1", *STRICT),
+                   (*C11, "-O2", *HASWELL, "-ffp-contract=fast"),
+                   (*C11, "-O3", "-march=native", "-ffp-contract=fast", "-DKSL_LANE_BYTES=32"),
+                   (*CXX17, "-O2", "-march=native", "-ffp-contract=fast"))}
+BUILDS = (*((x, (*C11, *SANITIZERS, *FMA)) for x in COMPILERS if has_sanitizers(x)),
+          *((x, flags) for x in COMPILERS for flags in FLAGS[x]))
+by_build = pytest.mark.parametrize("compiler, flags", BUILDS if X86 else [
+    (x, (*C11, "-O2")) for x in COMPILERS], ids=lambda x: x if isinstance(x, str) else " ".join(x))
+
+
+def compared(scene: SceneFunctions, folder: Path, compiler: str, *flags: str) -> int:
+    """How many numbers were compared; they are the same."""
+    sources = lanes_program.written(scene, folder)
+    run((compiler, *flags, *sources, "-o", folder / "lanes", "-lm"))
+    return int(run([folder / "lanes"]))
+
+
+@by_build
+def test_bits_are_those_of_one_state(compiler: str, flags: tuple[str, ...], tmp_path: Path):
+    assert compared(pendulum(), tmp_path, compiler, *flags) > 10000
+
+
+@pytest.mark.parametrize("scene", (slider, spinner))
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_bits_of_other_scenes(scene: Callable[[], SceneFunctions], compiler: str, tmp_path: Path):
+    assert compared(scene(), tmp_path, compiler, *FLAGS[compiler][2]) > 10000
+
+
+@pytest.mark.parametrize("compiler, flags", [(x, FLAGS[x][3]) for x in COMPILERS] if X86 else ())
+def test_scenes_with_every_effect(compiler: str, flags: tuple[str, ...], tmp_path: Path):
+    scene = derive(effect_scenes.all_but(()), ("forward_dynamics", "energy"))
+    assert compared(scene, tmp_path, compiler, *flags) > 10000
+
+
+def test_functions_that_are_cut(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(scene_c_parts, "LONG", 0)
+    monkeypatch.setattr(scene_c_parts, "LONGEST", 60)
+    made = scene_bits.functions()
+    assert compared(made, tmp_path, COMPILERS[0], *C11, "-O1", *FMA) > 10000
+    assert "CARRIER_PART" in (tmp_path / "carrier_many.c").read_text()
+
+
+def test_bits_on_aarch64(tmp_path: Path):
+    compiler = CROSS["aarch64"]
+    needed(compiler, "qemu-aarch64")
+    sources = lanes_program.written(pendulum(), tmp_path)
+    run((compiler, "-O2", "-static", *sources, "-o", tmp_path / "lanes", "-lm"))
+    assert int(run(("qemu-aarch64", tmp_path / "lanes"))) > 10000
+
+
+def test_wider_than_registers_is_refused(tmp_path: Path):
+    with pytest.raises(pytest.fail.Exception, match="KSL_LANE_BYTES: this processor's registers"):
+        compared(slider(), tmp_path, COMPILERS[0], *C11, "-DKSL_LANE_BYTES=128")
+
+
+# From Python
+
+@pytest.fixture(params=(pendulum, slider))
+def kernels(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+            ) -> Kernels:
+    """Kernels that compute in lanes from 100 states on."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(lanes, "PAYS", 100)
+    return kernels_of(request.param())
+
+
+def states(count: int, described: Signature, precision: Precision) -> list[np.ndarray]:
+    """t and h of all, p of one, rows of the others that are every second in an array."""
+    draw = np.random.default_rng(1)
+    return [draw.uniform(0.1, 2, shape).astype(precision.numpy_type)
+            if x in ("t", "h", "p") else
+            draw.uniform(-2, 2, (2 * count, *shape)).astype(precision.numpy_type)[::2]
+            for x, shape in described.inputs]
+
+
+@each_precision
+def test_leading_axes_use_lanes(kernels: Kernels, precision: Precision):
+    used = 0
+    for described in kernels.interface.signatures:
+        function = getattr(getattr(kernels, precision.name), described.name)
+        kernels._lanes._met = 0
+        given = states(99, described, precision)
+        wanted = function(*given)  # one by one
+        kernels._lanes._met = 100
+        name = c_name(many(kernels.interface), described.name, precision)
+        used += kernels._lanes.function(name, 0) is not None
+        assert same_bits(function(*given), wanted), described.name
+        folded = [x if x.ndim == len(shape) else x.reshape(9, 11, *shape)
+                  for x, (_, shape) in zip(given, described.inputs, strict=True)]
+        found = function(*folded)
+        outputs = found if isinstance(found, tuple) else (found,)
+        plain = wanted if isinstance(wanted, tuple) else (wanted,)
+        assert same_bits(tuple(x.reshape(y.shape) for x, y in zip(outputs, plain, strict=True)),
+                         plain), described.name
+    assert used == len(kernels.interface.signatures)
+
+
+def test_lanes_are_compiled_when_they_pay(kernels: Kernels, tmp_path: Path):
+    def libraries() -> int:
+        return len(list((tmp_path / "coscrew").glob("*.so")))
+
+    described = next(x for x in kernels.interface.signatures if x.name == "forward_dynamics")
+    before = libraries()
+    for count, more in ((60, 0), (39, 0), (1, 1), (500, 1)):
+        kernels.double.forward_dynamics(*states(count, described, DOUBLE))
+        assert libraries() == before + more
+
+
+def test_without_lanes_states_are_computed_one_by_one(kernels: Kernels,
+                                                      monkeypatch: pytest.MonkeyPatch):
+    def fail(*_: object) -> None:
+        raise native.CompilationError("no such vectors")
+
+    monkeypatch.setattr(native, "library", fail)
+    described = next(x for x in kernels.interface.signatures if x.name == "forward_dynamics")
+    given = states(200, described, DOUBLE)
+    with pytest.warns(RuntimeWarning, match="computes many states one by one: no such vectors"):
+        found = kernels.double.forward_dynamics(*given)
+    assert same_bits(found[:50], kernels.double.forward_dynamics(*(
+        x if n in ("t", "p") else x[:50] for x, (n, _) in zip(given, described.inputs,
+                                                            strict=True))))
