@@ -41,6 +41,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("--tier", metavar="NAME", nargs="+", action="extend",
                         help="for a scene, these tiers besides plain: accurate, certified, mixed, "
                              "pairs")
+    parser.add_argument("--many", action="store_true",
+                        help="for a scene, also its functions of many states at once, in C")
     add_implausible(parser)
     parser.set_defaults(run=run)
 
@@ -73,6 +75,8 @@ def _library(options: argparse.Namespace) -> int:
     if options.tier:
         raise SelectionError("--tier selects tiers of a scene, and no scene is given; the library "
                              "has all tiers")
+    if options.many:
+        raise SelectionError("--many selects functions of a scene, and no scene is given")
     selection = select(options.family or [], options.precision or "both", options.language)
     folder, check = Path(options.output or DEFAULT_OUTPUT), options.check
     whole = selection == Selection()
@@ -113,7 +117,8 @@ def _scene(options: argparse.Namespace) -> int:
                    if (word := getattr(options, name)))
     said += f" --functions {' '.join(options.functions)}" if options.functions else ""
     said += f" --tier {' '.join(options.tier)}" if options.tier else ""
-    files = scene_files(derive(scene), f"coscrew generate {options.scene.name}{said}")
+    said += " --many" if options.many else ""
+    files = scene_files(derive(scene), f"coscrew generate {options.scene.name}{said}", options.many)
     folder = Path(options.output)
     if not options.check:
         refuse_others(files, folder)

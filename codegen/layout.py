@@ -17,14 +17,17 @@ def generated_files(library: Library) -> Files:
                      if target.generated and target.library and wanted.issuperset(target.languages))
 
 
-def scene_files(functions: SceneFunctions, command: str = "") -> Files:
-    """Every file of a scene, by its path in the output folder; their first lines name `command` as
-    what makes them.  Raises ValueError for names that cannot be used in C or Python."""
+def scene_files(functions: SceneFunctions, command: str = "", many: bool = False) -> Files:
+    """Every file of a scene, by its path in the output folder, also those of its functions of many
+    states if `many`; their first lines name `command` as what makes them.  Raises ValueError for
+    names that cannot be used in C or Python."""
     banner = banner_of(functions.name, command)
     made = [(target.name, target.scene(functions, banner)) for target in targets()
             if target.generated and target.scene]
     made += [(target.name, target.tier(tier, banner)) for tier in tiers_of(functions)
              for target in targets() if target.generated and target.tier]
+    made += [(target.name, target.many(functions, banner)) for target in targets()
+             if many and target.many]
     return _gathered(made)
 
 

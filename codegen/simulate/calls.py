@@ -232,7 +232,7 @@ def _many(library: ctypes.PyDLL, name: str, several: str, described: Signature, 
                      *[pointer] * len(described.outputs)]
     checks = _checks()
 
-    def function(of: _Callable, arguments: Mapping[str, ArrayLike], out: object) -> object:
+    def function(of: _Callable | None, arguments: Mapping[str, ArrayLike], out: object) -> object:
         lead, arrays = checks.arrays(kind, **{
             x: (arguments[x], shape, *([signs] if x == "p" else []))
             for x, shape in described.inputs})
@@ -245,7 +245,7 @@ def _many(library: ctypes.PyDLL, name: str, several: str, described: Signature, 
                 result[...] = given[x]
         if lead or not call(*(np.array(given[x]) if shape else float(given[x])
                               for x, shape in described.read), *results):
-            kernels = of._of._kernels
+            kernels = of._of._kernels if of else None
             lanes = kernels._lanes.function(several, prod(lead)) if kernels else None
             _over(loop, lanes, lead, given, described, results)
         return checks.delivered(out, *(x[()] for x in results))

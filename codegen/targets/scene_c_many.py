@@ -23,7 +23,7 @@ from coscrew_codegen.targets.scene_c import IN_WORDS, functions_of
 from coscrew_codegen.targets.scene_c_parts import Parts
 from coscrew_codegen.targets.scene_calls import callables
 from coscrew_codegen.targets.scene_text import c_name, count, many, marked
-from coscrew_codegen.targets.target import Files
+from coscrew_codegen.targets.target import Files, Target
 
 
 @dataclass(frozen=True)
@@ -203,3 +203,6 @@ def _about(sections: Sequence[Section], of: str) -> Iterator[str]:
            "all functions are thread-safe.")
     yield ("As many states as a register holds are computed at a time: compile for your processor "
            f"(-march=native, or the oldest one that must run it).  Link with {of}.c.")
+
+
+TARGET = Target("many states of a scene in C", ("c",), many=files)

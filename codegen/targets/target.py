@@ -25,4 +25,5 @@ class Target:
     library: Callable[[Library], Files] | None = None  # its files of the library
     scene: Callable[[SceneFunctions, str], Files] | None = None  # of a scene, with this banner
     tier: Callable[[SceneTier, str], Files] | None = None  # of a scene in a tier besides plain
+    many: Callable[[SceneFunctions, str], Files] | None = None  # of its functions of many states
     generated: bool = True  # whether `coscrew generate` makes them; else only `load_scene` does

@@ -114,6 +114,7 @@ def test_files_name_no_folder(folder: Path):
     (["arm.toml", "-o", "out", "--functions", "jacobian_hnd"],
      "'jacobian_hnd' is no function of the scene; did you mean 'jacobian_hand'?"),
     (["--functions", "energy"], "--functions selects functions of a scene, and no scene is given"),
+    (["--many"], "--many selects functions of a scene, and no scene is given"),
 ))
 def test_errors_are_one_line(folder: Path, capsys: pytest.CaptureFixture[str], arguments: list[str],
                              message: str):
@@ -121,6 +122,16 @@ def test_errors_are_one_line(folder: Path, capsys: pytest.CaptureFixture[str], a
     last = capsys.readouterr().err.splitlines()[-1]
     assert last.startswith(f"coscrew: {message}")
     assert generated(folder) == ("arm.toml",)
+
+
+def test_functions_of_many_states_are_generated_when_selected(folder: Path):
+    assert main(["generate", "arm.toml", "-o", "out", "--many"]) == 0
+    assert main(["generate", "arm.toml", "-o", "out", "--many", "--check"]) == 0
+    for compiler in COMPILERS:
+        run([compiler, "-std=c11", *STRICT, "-O1", "-c", folder / "out" / "arm_many.c", "-o",
+             folder / "arm.o"])
+    header = (folder / "out" / "arm_many.h").read_text()
+    assert "\nvoid arm_energy_manyf(ptrdiff_t n, const float *p, ptrdiff_t p_stride," in header
 
 
 def test_generated_c_compiles_and_loads_from_the_file(folder: Path):

@@ -109,7 +109,7 @@ def test_bits_are_the_same_in_c_in_numpy_and_in_the_choice(made, compiler: str, 
     run([compiler, *C11, *STRICT, *flags, "-c", path / f"{tier.stem}.c", "-o", tmp_path / "x.o"])
     using = native.Compiler((compiler,), compiler, ("-fPIC", *flags))
     files = scene_c_tier.files(tier, BANNER) | scene_calls.tier_files(tier, BANNER)
-    library = library_of(files, tier.plain, tier.stem, using, ("single",))
+    library = library_of(files, tier.plain, f"{tier.stem}_calls.c", using, ("single",))
     found = scene_calls.tier_interface(tier)
     twin = importlib.import_module(f"{functions.name}.mixed.single")
     given = drawn(functions, 500)

@@ -80,7 +80,7 @@ def test_bits_are_the_same_in_c_and_numpy(folder, compiler: str, flags: tuple[st
     run([compiler, *C11, *STRICT, *flags, "-c", path / f"{made.stem}.c", "-o", tmp_path / "x.o"])
     using = native.Compiler((compiler,), compiler, ("-fPIC", *flags))
     files = scene_c_tier.files(made, BANNER) | scene_calls.tier_files(made, BANNER)
-    library = library_of(files, made.plain, made.stem, using, ("single",))
+    library = library_of(files, made.plain, f"{made.stem}_calls.c", using, ("single",))
     found = scene_calls.tier_interface(made)
     twins = importlib.import_module(f"{scene.name}.pairs.single")
     for described in found.signatures:

@@ -255,7 +255,8 @@ def test_bits_are_the_same_in_c_and_numpy(package: Path, tier, compiler: str,
     made, files = texts(tier, *(() if {*flags} & {*WHOLE} else SOME))
     using = native.Compiler((compiler,), compiler, ("-fPIC", *flags))
     of_all = scene_bits.functions()
-    library = library_of(files, of_all, made.stem, using, tuple(p.name for p in PRECISIONS))
+    library = library_of(files, of_all, f"{made.stem}_calls.c", using,
+                         tuple(p.name for p in PRECISIONS))
     found = scene_calls.tier_interface(made)
     assert {x.name for x in found.signatures} >= {*SOME}
     for p in PRECISIONS:
