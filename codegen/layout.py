@@ -28,6 +28,8 @@ def scene_files(functions: SceneFunctions, command: str = "", many: bool = False
              for target in targets() if target.generated and target.tier]
     made += [(target.name, target.many(functions, banner)) for target in targets()
              if many and target.many]
+    made += [(target.name, target.many_tier(tier, banner)) for tier in tiers_of(functions)
+             for target in targets() if many and target.many_tier]
     return _gathered(made)
 
 

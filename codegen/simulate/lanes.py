@@ -10,7 +10,9 @@ from dataclasses import dataclass, field
 
 from coscrew_codegen.console import doing
 from coscrew_codegen.native import cache
+from coscrew_codegen.scene_tiers import in_tier
 from coscrew_codegen.simulate import load, native
+from coscrew_codegen.tiers import tier_named
 
 PAYS = 4096
 """So many states of a scene, in one call or several, are computed one by one before its functions
@@ -32,8 +34,6 @@ class Lanes:
     @functools.cached_property
     def _library(self) -> ctypes.CDLL | None:
         """None where it cannot be compiled."""
-        if self.kernels.plain:
-            return None
         try:
             return ctypes.CDLL(_library(self.kernels, native.compiler()).opened._name)
         except native.CompilationError as error:
@@ -43,7 +43,7 @@ class Lanes:
 
 def _library(kernels: load.Kernels, compiler: native.Compiler) -> native.Library:
     key = kernels.scene and load.key_of(kernels.scene, kernels.selected, kernels.precisions,
-                                        compiler, "lanes")
+                                        compiler, "lanes", kernels.interface.mark)
     if key and (kept := load.kept_as(key)):
         return kept[1]
     library = _made(kernels, compiler)
@@ -53,12 +53,18 @@ def _library(kernels: load.Kernels, compiler: native.Compiler) -> native.Library
 
 
 def _made(kernels: load.Kernels, compiler: native.Compiler) -> native.Library:
-    from coscrew_codegen.targets import scene_c, scene_c_many
+    from coscrew_codegen.targets import scene_c, scene_c_many, scene_c_tier
     from coscrew_codegen.targets.scene_text import banner_of
 
-    functions = kernels.functions
-    with doing(f"writing {functions.name} for many states"):
-        banner = banner_of(functions.name)
-        files = scene_c.files(functions, banner) | scene_c_many.files(functions, banner)
-    return load.library_of(files, functions, f"{functions.name}_many.c", compiler,
-                           kernels.precisions, "-DKSL_LANES_ONLY")
+    functions, stem = (kernels.plain or kernels).functions, kernels.interface.name
+    banner = banner_of(stem)
+    with doing(f"writing {stem} for many states"):
+        if kernels.plain:
+            tier = in_tier(functions, tier_named(kernels.interface.mark))
+            functions, stem = tier.plain, tier.stem
+            files = scene_c.files(functions, banner) | scene_c_tier.files(tier, banner)
+            files |= scene_c_many.tier_files(tier, banner)
+        else:
+            files = scene_c.files(functions, banner) | scene_c_many.files(functions, banner)
+    return load.library_of(files, functions, f"{stem}_many.c", compiler, kernels.precisions,
+                           "-DKSL_LANES_ONLY")

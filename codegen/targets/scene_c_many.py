@@ -5,22 +5,21 @@ register holds: the bits are those of one state.  Loops over arm.c's functions w
 the processor has no such vectors, and of steps that divide themselves as a state needs.
 """
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 from coscrew_codegen.collection import uncollected
 from coscrew_codegen.formats import Precision, in_lanes, named
-from coscrew_codegen.program import Program
 from coscrew_codegen.render import render
-from coscrew_codegen.scene_functions import Function, SceneFunctions, Signature, Split, Step
-from coscrew_codegen.targets import c_elementary, scene_text
+from coscrew_codegen.scene_functions import SceneFunctions, Signature, Split
+from coscrew_codegen.scene_tiers import SceneTier
+from coscrew_codegen.targets import c_elementary, scene_c_tier, scene_text
 from coscrew_codegen.targets import scene_c_arguments as arguments
 from coscrew_codegen.targets.c_function import CFunction
 from coscrew_codegen.targets.c_statements import comment_of
-from coscrew_codegen.targets.nesting import Plan
-from coscrew_codegen.targets.scene_c import IN_WORDS, functions_of
-from coscrew_codegen.targets.scene_c_parts import Parts
+from coscrew_codegen.targets.scene_c import IN_WORDS
 from coscrew_codegen.targets.scene_calls import callables
 from coscrew_codegen.targets.scene_text import c_name, count, many, marked
 from coscrew_codegen.targets.target import Files, Target
@@ -28,11 +27,11 @@ from coscrew_codegen.targets.target import Files, Target
 
 @dataclass(frozen=True)
 class Section:
-    """The functions of one precision."""
+    """The functions of one precision; `plain` has those whose results they take."""
 
     precision: Precision
     scene: SceneFunctions
-    plans: Sequence[Plan]
+    plain: SceneFunctions | None = None
 
     @cached_property
     def working(self) -> Precision:
@@ -47,24 +46,33 @@ class Section:
     @cached_property
     def on_lanes(self) -> SceneFunctions:
         """The functions on vectors, under names of their own."""
-        mark = marked(self.scene.mark, "wide" if self.wide else "", "lanes")
-        return replace(self.scene, mark=mark, steps=tuple(x for x in self.scene.steps if _whole(x)),
-                       functions=tuple(map(_internal, self.scene.functions)))
+        # Single-precision results would be vectors of other lengths than the double they go into.
+        functions = (f for f in self.scene.functions if not (self.wide and f.plain))
+        return _on_lanes(replace(self.scene, functions=tuple(functions)),
+                         "wide" if self.wide else "")
 
     @cached_property
-    def parts(self) -> Parts:
-        """The functions that are cut."""
-        return Parts(self.on_lanes, self._plans)
+    def _made(self) -> list[scene_c_tier.Section]:
+        """What writes them on vectors, behind the plain ones that they call."""
+        precision = in_lanes(self.working)
+        plain = _on_lanes(self.plain) if self.plain and not self.wide else None
+        return [*([scene_c_tier.Section(precision, plain)] if plain else []),
+                scene_c_tier.Section(precision, self.on_lanes, plain)]
 
-    @cached_property
-    def _plans(self) -> list[Plan]:
-        return [replace(plan, program=_narrow(plan.program)) for plan in self.plans]
+    @property
+    def parts(self) -> bool:
+        """Whether functions are cut."""
+        return any(x.parts.cuts for x in self._made)
 
     @cached_property
     def kernels(self) -> list[CFunction]:
         """The functions on vectors, each after those that it calls."""
-        made = functions_of(self.on_lanes, self._plans, self.parts, in_lanes(self.working))
-        return [_static(x) for x in made]
+        return [_static(x) for made in self._made for x in made.functions]
+
+    @property
+    def exact(self) -> bool:
+        """Whether they compute rounding errors of products."""
+        return bool(_exact([self]))
 
     @property
     def called(self) -> frozenset[str]:
@@ -155,18 +163,13 @@ def _array(x: tuple[str, tuple[int, ...]]) -> dict[str, object]:
     return {"name": x[0], "size": count(x[1])}
 
 
-def _whole(step: Step) -> bool:
-    """Whether it takes the same calls for every state."""
-    return not any(isinstance(x, Split) for x in step.body)
-
-
-def _internal(function: Function) -> Function:
-    """The function with arguments in the precision in which it computes, for this file alone."""
-    return replace(function, internal=True, program=_narrow(function.program))
-
-
-def _narrow(program: Program) -> Program:
-    return replace(program, wide=False)
+def _on_lanes(scene: SceneFunctions, *marks: str) -> SceneFunctions:
+    """The functions that have the same calls for every state, with arguments in the precision in
+    which they compute, for this file alone, under names of their own."""
+    return replace(scene, mark=marked(scene.mark, *marks, "lanes"), steps=tuple(
+        x for x in scene.steps if not any(isinstance(call, Split) for call in x.body)),
+        functions=tuple(replace(f, internal=True, program=replace(f.program, wide=False))
+                        for f in scene.functions))
 
 
 def _static(function: CFunction) -> CFunction:
@@ -177,8 +180,17 @@ def _static(function: CFunction) -> CFunction:
 @uncollected()
 def files(scene: SceneFunctions, banner: str) -> Files:
     """arm_many.h and arm_many.c."""
-    plans = scene_text.plans(scene)
-    return _files([Section(p, scene, plans) for p in named(scene.precisions)], scene.name, banner)
+    return _files([Section(p, scene) for p in named(scene.precisions)], scene.name, banner)
+
+
+@uncollected()
+def tier_files(made: SceneTier, banner: str) -> Files:
+    """arm_accurate_many.h and arm_accurate_many.c."""
+    sections = []
+    for precision, scene in made.in_precisions:
+        plain = made.called(scene)
+        sections.append(Section(precision, scene, plain if plain.functions else None))
+    return _files(sections, made.stem, banner)
 
 
 def _files(sections: Sequence[Section], of: str, banner: str) -> Files:
@@ -190,7 +202,23 @@ def _files(sections: Sequence[Section], of: str, banner: str) -> Files:
         f"{name}.h": render("scene/many.h", about=comment_of(_about(sections, of)), **shared),
         f"{name}.c": render(
             "scene/many.c", products=named({x.working.name for x in sections if x.reductions}),
-            parts=any(x.parts.cuts for x in sections), **shared)}
+            parts=any(x.parts for x in sections), exact=_exact(sections), **shared)}
+
+
+def _exact(sections: Sequence[Section]) -> list[str]:
+    """The rounding errors of products that are computed, by the names of their functions for one
+    number."""
+    found = set()
+    for x in sections:
+        elementary = (*x.elementary, *x.reductions)
+        texts = (*(f.body for f in x.kernels), *(f.body for f in elementary),
+                 *(text for f in elementary for text in (*f.near, *f.far)))
+        if any(_PRODUCTS.search(text) for text in texts):
+            found.add(x.working.suffix)
+    return [f"ksl_product_{what}{f}" for f in sorted(found) for what in ("error", "rest")]
+
+
+_PRODUCTS = re.compile(r"\bksl_product_(error|rest)(_lanes)?f?\(")
 
 
 def _about(sections: Sequence[Section], of: str) -> Iterator[str]:
@@ -205,4 +233,4 @@ def _about(sections: Sequence[Section], of: str) -> Iterator[str]:
            f"(-march=native, or the oldest one that must run it).  Link with {of}.c.")
 
 
-TARGET = Target("many states of a scene in C", ("c",), many=files)
+TARGET = Target("many states of a scene in C", ("c",), many=files, many_tier=tier_files)

@@ -2,6 +2,7 @@
 any number of states, strides, shared rows, in place, and for numbers of every kind."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,10 +11,12 @@ import pytest
 from coscrew_codegen.formats import DOUBLE, Precision
 from coscrew_codegen.mechanics import derive
 from coscrew_codegen.scene_functions import SceneFunctions, Signature
+from coscrew_codegen.scene_tiers import SceneTier, in_tier
 from coscrew_codegen.simulate import lanes, native
 from coscrew_codegen.simulate.load import Kernels, kernels_of
 from coscrew_codegen.targets import scene_c_parts
 from coscrew_codegen.targets.scene_text import c_name, many
+from coscrew_codegen.tiers import tier_named
 from tests.support.compiled.c_harness import C11, COMPILERS, CXX17, STRICT, run
 from tests.support.compiled.cross import COMPILERS as CROSS
 from tests.support.compiled.cross import needed
@@ -59,6 +62,30 @@ def test_bits_of_other_scenes(scene: Callable[[], SceneFunctions], compiler: str
 def test_scenes_with_every_effect(compiler: str, flags: tuple[str, ...], tmp_path: Path):
     scene = derive(effect_scenes.all_but(()), ("forward_dynamics", "energy"))
     assert compared(scene, tmp_path, compiler, *flags) > 10000
+
+
+@pytest.mark.parametrize("tier, compiler, flags", (
+    ("accurate", "gcc", ("-O1",)), ("pairs", "gcc", ("-O2", "-march=native")),
+    ("certified", "clang", ("-O1", *HASWELL))), ids=lambda x: "")
+def test_tiers(tier: str, compiler: str, flags: tuple[str, ...], tmp_path: Path):
+    of_all = scene_bits.functions()
+    made = in_tier(replace(of_all, functions=(of_all.named("forward_dynamics"),)), tier_named(tier))
+    assert tier_compared(made, tmp_path, compiler, *C11, *flags, *STRICT) > 5000
+
+
+@pytest.mark.parametrize("compiler, flags", (
+    ("gcc", (*SANITIZERS, "-O1")), ("gcc", ("-O3", "-march=native", "-ffp-contract=fast")),
+    ("clang", ("-O2", *HASWELL, "-ffp-contract=fast")), ("clang", ("-O1",))), ids=str)
+def test_tiers_have_elementary_functions(compiler: str, flags: tuple[str, ...], tmp_path: Path):
+    for tier in ("accurate", "pairs"):
+        made = in_tier(pendulum(), tier_named(tier))
+        assert tier_compared(made, tmp_path, compiler, *flags) > 5000
+
+
+def tier_compared(made: SceneTier, folder: Path, compiler: str, *flags: str) -> int:
+    sources = lanes_program.tier_written(made, folder)
+    run((compiler, *flags, *sources, "-o", folder / "lanes", "-lm"))
+    return int(run([folder / "lanes"]))
 
 
 def test_functions_that_are_cut(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
@@ -148,3 +175,17 @@ def test_without_lanes_states_are_computed_one_by_one(kernels: Kernels,
     assert same_bits(found[:50], kernels.double.forward_dynamics(*(
         x if n in ("t", "p") else x[:50] for x, (n, _) in zip(given, described.inputs,
                                                             strict=True))))
+
+
+@each_precision
+def test_tiers_use_lanes(precision: Precision, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(lanes, "PAYS", 100)
+    kernels = kernels_of(replace(pendulum(), tiers=("accurate",))).accurate
+    described = next(x for x in kernels.interface.signatures if x.name == "forward_dynamics")
+    function = getattr(kernels, precision.name).forward_dynamics
+    given = states(99, described, precision)
+    wanted = function(*given)
+    name = c_name(many(kernels.interface), "forward_dynamics", precision)
+    assert kernels._lanes.function(name, 0) is None and kernels._lanes.function(name, 1)
+    assert same_bits(function(*given), wanted)

@@ -5,11 +5,13 @@ is read or written beyond them.  A NaN equals any other.
 """
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.scene_functions import SceneFunctions, Signature
-from coscrew_codegen.targets import scene_c, scene_c_many, scene_calls
+from coscrew_codegen.scene_tiers import SceneTier
+from coscrew_codegen.targets import scene_c, scene_c_many, scene_c_tier, scene_calls
 from coscrew_codegen.targets.scene_text import c_name, count, many
 from tests.support.scenes.generated_scenes import BANNER
 
@@ -22,7 +24,7 @@ _HEAD = """\
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "{name}_many.h"
+#include "{stem}_many.h"
 
 static int compared, wrong;
 static uint64_t seed = 1;
@@ -75,17 +77,27 @@ def written(scene: SceneFunctions, folder: Path) -> tuple[Path, ...]:
     files = scene_c.files(scene, BANNER) | scene_c_many.files(scene, BANNER)
     for path, content in files.items():
         (folder / path).write_text(content)
-    (folder / "lanes.c").write_text(text(scene))
+    (folder / "lanes.c").write_text(text(scene, scene.name))
     return tuple(folder / x for x in ("lanes.c", f"{scene.name}.c", f"{scene.name}_many.c"))
 
 
-def text(scene: SceneFunctions) -> str:
+def tier_written(made: SceneTier, folder: Path) -> tuple[Path, ...]:
+    """The same of a tier."""
+    files = scene_c_tier.files(made, BANNER) | scene_c_many.tier_files(made, BANNER)
+    for path, content in files.items():
+        (folder / path).write_text(content)
+    scene = replace(made.first, precisions=tuple(p.name for p, _ in made.in_precisions))
+    (folder / "lanes.c").write_text(text(scene, made.stem))
+    return tuple(folder / x for x in ("lanes.c", f"{made.stem}.c", f"{made.stem}_many.c"))
+
+
+def text(scene: SceneFunctions, stem: str) -> str:
     """The program; it prints how many numbers were compared, and the first that differ."""
     precisions = named(scene.precisions)
     functions = scene_calls.callables(scene)
     counts = ", ".join(map(str, COUNTS))
     return "\n".join((
-        _HEAD.format(name=scene.name),
+        _HEAD.format(stem=stem),
         *(_OF_PRECISION.format(real=p.c_type, name=p.name, f=p.suffix, tiny=310 if not p.suffix
                                else 40, least="5e-324" if not p.suffix else "1e-45f")
           for p in precisions),
