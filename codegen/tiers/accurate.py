@@ -35,7 +35,7 @@ def accurate(program: Program) -> Program:
     if bounds is None or all(bound.c2 <= LARGEST_C2 for bound in bounds):
         return quick
     sums = {step.name for step in program.instructions if step.op in (Op.ADD, Op.SUB)}
-    return compensated(program, Accurate(frozenset(sums)))
+    return compensated(program, Accurate(sums))
 
 
 def widened(program: Program) -> Program:
