@@ -14,6 +14,7 @@ from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program.ops import ERROR_OF
 from coscrew_codegen.tiers import tier_named
+from tests.functions_attack import FUNCTIONS, attacked
 from tests.search import joined, split
 from tests.support.cases import for_all
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
@@ -25,7 +26,6 @@ from tests.support.truth.judge import in_bounds
 
 CERTIFIED = tier_named("certified")
 CALLING = tuple(op for op in OPERATIONS if ERROR_OF.keys() & plain_program(op).counts.keys())
-FUNCTIONS = tuple(op for op in CALLING if CERTIFIED.has(plain_program(op)))
 TIGHT = {"double": 1.0001, "single": 1.9}
 """Half of the bounds are at most so many times the error."""
 BUILDS = ("gcc", "-O1"), ("clang", "-O1", "-march=native")
@@ -52,6 +52,12 @@ def test_every_bound_holds(operation: Operation, precision: Precision):
     assert max(found, default=0) <= 1
     assert stated > 0.4 * results[:, :half].size
     assert np.median(found) > 1 / TIGHT[precision.name]
+
+
+@for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))
+def test_bounds_hold_at_all_sizes_and_where_series_end(operation: Operation, precision: Precision):
+    found = attacked(operation, precision, 200, seed=1)
+    assert not found.broken and found.outputs > 2 * found.silent
 
 
 @for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))
