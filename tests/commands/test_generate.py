@@ -105,7 +105,7 @@ def test_one_family_in_one_precision_and_language(tmp_path):
     made = contents(tmp_path)
     headers = ("coscrew", "coscrew_accurate", "coscrew_certified", "coscrew_fused", "elementary",
                "ksl", "ksl_accurate", "ksl_certified", "ksl_elementary_error", "ksl_exact",
-               "ksl_fused", "ksl_rounding",
+               "ksl_exactf", "ksl_fused", "ksl_rounding",
                "ksl_selfcheck", "ksl_types")
     assert sorted(made) == ["c/coscrew.h", "c/coscrew_accurate.h", "c/coscrew_certified.h",
                             "c/coscrew_fused.h",
