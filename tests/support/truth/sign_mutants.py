@@ -18,6 +18,7 @@ from tests.support.compiled.flags import FMA
 
 SIGN = re.compile(r" [-+] |(?<=[=(]) ?-(?=[A-Za-z(])")
 STATEMENT = re.compile(r"^  .*=\s[^;]*;", re.M)
+LONGEST = 200  # letters of a name
 
 LOOP = """
 #include <math.h>
@@ -77,6 +78,16 @@ def less_their_errors(text: str) -> list[str]:
     return [found[0] for found in re.finditer(r"([\w>.-]*?\w)(?:_\d+)? - \1_lo\w*", text)]
 
 
+def _last(text: str) -> str:
+    """The name that ends a text."""
+    return re.split(r"[^\w>.-]", text[-LONGEST:])[-1]
+
+
+def _first(text: str) -> str:
+    """The name that begins a text."""
+    return re.split(r"[^\w>.-]", text[:LONGEST], maxsplit=1)[0]
+
+
 def mutants(folder: Path, files: dict[str, str], stem: str, function: str, size: int) -> Mutants:
     """Of a function from three rows of `size` numbers to one, `function` in `stem`.c."""
     text, lines = files[f"{stem}.c"], list[str]()
@@ -88,7 +99,7 @@ def mutants(folder: Path, files: dict[str, str], stem: str, function: str, size:
 
         def sign(one: re.Match[str]) -> str:
             before, after = right[:one.start()], right[one.end():]
-            if less_their_errors(f"{before} - {after}") != less_their_errors(right):
+            if one[0] == " + " and less_their_errors(f"{_last(before)} - {_first(after)}"):
                 return one[0]  # noticed in the text
             lines.append(" ".join(f"{before[-50:]} [{one[0].strip()}] {after[:30]}".split()))
             return f"{one[0].rstrip()} sign_of[{len(lines) - 1}] * "
