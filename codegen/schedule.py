@@ -12,14 +12,14 @@ The order is decided here, never by a printer or by SymPy:
 
 import string
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
 
 import sympy as sp
 
 from coscrew_codegen.kernel import Kernel
-from coscrew_codegen.operations import PER_PRECISION, scaled
+from coscrew_codegen.operations import PER_PRECISION, scaled, truncated
 from coscrew_codegen.program import (
     Constant,
     Input,
@@ -133,6 +133,8 @@ class _Scheduler:
             return self._piecewise(expression, name)
         if isinstance(expression, (sp.StrictLessThan, sp.StrictGreaterThan)):
             return self._issue(Op.LESS, map(self._lower, (expression.lts, expression.gts)), name)
+        if isinstance(expression, truncated):
+            return replace(_constant(expression.args[0]), tail=_constant(expression.args[1]).double)
         if type(expression) in _FUNCTIONS:
             return self._issue(_FUNCTIONS[type(expression)], map(self._lower, expression.args),
                                name)
@@ -198,7 +200,8 @@ class _Scheduler:
             operands = (self._lower(expression * denominator), self._lower(denominator))
             return self._issue(Op.DIV, operands, name)
         term = self._term(expression)
-        factors = [self._lower(factor) for factor in term.factors]
+        factors = [self._lower(factor) for factor in sorted(
+            term.factors, key=lambda x: not isinstance(x, truncated))]  # coefficients lead
         if term.coefficient != 1:
             factors.insert(0, _constant(term.coefficient))
         total = factors.pop(0)

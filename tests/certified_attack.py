@@ -1,8 +1,9 @@
 """Attacks the certified bounds of scenes' functions in double and single precision.
 
 `python -m tests.certified_attack [--outputs N] [--scene NAME …]`, or `make attack`, judges compiled
-functions at random and hard states in numbers of 113 bits (quad.py), and prints the largest error /
-bound, which is just below 1, since bounds are errors to several digits.
+functions at random and hard states in numbers of 113 bits (quad.py), moved free joints in MPFR
+(free_motion.py), and prints the largest error / bound, which is just below 1, since bounds are
+errors to several digits.
 """
 
 import argparse
@@ -24,7 +25,7 @@ from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.scene_functions import Function, SceneFunctions
 from coscrew_codegen.simulate.load import Kernels, kernels_of
 from tests.support.scenes.tiers import flat
-from tests.support.truth import quad
+from tests.support.truth import free_motion, quad
 
 FUNCTIONS = ("inverse_dynamics", "forward_dynamics", "mass_matrix", "energy", "body_poses",
              "body_twists")
@@ -139,6 +140,23 @@ def of_scene(plain: Kernels, outputs: int, folder: Path, processes: int
                 yield function.name, p.name, sum(parts, Found())
 
 
+def of_free_joint(outputs: int, seed: int = 0) -> Iterator[tuple[str, str, Found]]:
+    """What is found of moved free joints, on about so many outputs of each precision."""
+    plain = kernels("wingnut", ("integrated",))
+    for p in PRECISIONS:
+        kernel, found = getattr(plain.certified, p.name).integrated, Found()
+        rng = np.random.default_rng([seed, p.bytes])
+        for start in range(0, outputs, 7 * BATCH):
+            count = min(BATCH, -(-(outputs - start) // 7))
+            given = free_motion.drawn(rng, count, np.dtype(p.numpy_type).type)
+            with np.errstate(all="ignore"):
+                results, bounds = kernel(*given)
+            ratios = free_motion.ratios(given, results, bounds)
+            found += Found(ratios.size, results.size - ratios.size, int((~(ratios <= 1)).sum()),
+                           float(np.max(ratios, initial=0)))
+        yield "integrated", p.name, found
+
+
 def main() -> None:
     """Print the table and its sum."""
     parser = argparse.ArgumentParser(description="Attack certified bounds of scenes' functions.")
@@ -148,10 +166,11 @@ def main() -> None:
     parser.add_argument("--processes", type=int, default=os.cpu_count())
     options = parser.parse_args()
     table, total = [], Found()
-    for name in options.scene:
+    for name in (*options.scene, "free joint"):
         with tempfile.TemporaryDirectory() as folder:
-            for function, precision, x in of_scene(kernels(name), options.outputs, Path(folder),
-                                                   options.processes):
+            found = of_free_joint(5 * options.outputs) if name == "free joint" else of_scene(
+                kernels(name), options.outputs, Path(folder), options.processes)
+            for function, precision, x in found:
                 table.append((name, function, precision, x.outputs, x.silent, x.in_words,
                               x.broken))
                 total += x

@@ -135,7 +135,7 @@ class Measured:
     def _exactly(self) -> Callable[[Sequence[Sequence[mpfr]]], list[mpfr]]:
         program = self.built.part.functions.named(self.name).program
         with precise(DIGITS):
-            return in_python(program, MULTIPRECISE)
+            return in_python(program.fine or program, MULTIPRECISE)
 
 
 _NEAREST = Choice(ACCURATE, DOUBLE)

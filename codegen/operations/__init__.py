@@ -8,6 +8,7 @@ from coscrew_codegen.operations.operation import (
     Operation,
     components,
     scaled,
+    truncated,
 )
 
 _TABLE = {family.name: family for family in sorted(
@@ -35,4 +36,5 @@ def contributors(name: str) -> tuple[str, ...]:
 
 
 __all__ = ["FAMILIES", "NORM_THRESHOLD", "OPERATIONS", "PER_PRECISION", "Family", "Operation",
-           "components", "contributors", "family_named", "scaled"]
+           "components", "contributors", "family_named", "scaled",
+           "truncated"]

@@ -17,7 +17,7 @@ import sympy as sp
 
 from coscrew_codegen.operations.norm import Let, l2, largest_size, nonzero
 from coscrew_codegen.operations.operation import LARGE, REDUCING, scaled
-from coscrew_codegen.operations.series import Angle, beyond, far, horner, taylor
+from coscrew_codegen.operations.series import Angle, alternating, beyond, far, taylor
 
 _TERMS = 14  # the first that is left out is below 2^-105 of g(4), g(5) and f
 
@@ -114,8 +114,10 @@ class HalfAngle:
 
     @cached_property
     def _series_phi(self) -> sp.Expr:
-        terms = [(-1)**j * (j + 1) * (2 * j + 4) / sp.factorial(2 * j + 5) for j in range(_TERMS)]
-        return self.let("series_phi", horner(terms, self.y))
+        series = alternating(
+            lambda j: (-1)**j * (j + 1) * (2 * j + 4) / sp.factorial(2 * j + 5), self.y, _TERMS,
+            sp.Integer(1))
+        return self.let("series_phi", series)
 
     @cached_property
     def _f(self) -> sp.Expr:

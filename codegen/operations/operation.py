@@ -63,6 +63,13 @@ class scaled(sp.Function):
     nargs = 2
 
 
+class truncated(sp.Function):
+    """truncated(c, tail) = c, the last coefficient of a series: with c + δ for some |δ| <= tail in
+    its place nothing is left out."""
+
+    nargs = 2
+
+
 WITHIN = ("Each component is within 1 ulp as long as its condition is below 1e13; in single "
           "precision it is the nearest number, except near ties, as long as that is below 1e5; "
           "searched, not proved.")

@@ -8,12 +8,13 @@ cos θ, which are evaluated only there.  If ω has the rate v, then g(k, ω·ω)
 2 g'(k) v·ω; likewise b.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import sympy as sp
 
 from coscrew_codegen.operations.norm import Let
-from coscrew_codegen.operations.operation import GRID
+from coscrew_codegen.operations.operation import GRID, truncated
 
 _NEAR = sp.Integer(1)  # θ² up to which g(1), g(2) are series; beyond, closed forms lose no digits
 _MIDDLE = sp.Integer(4)  # θ² up to which the other functions are series
@@ -130,28 +131,43 @@ def beyond(x: sp.Expr, value: sp.Expr, near: sp.Expr) -> sp.Piecewise:
 
 def taylor(k: int, x: sp.Expr, terms: int = _TAYLOR_TERMS) -> sp.Expr:
     """The series of g(k, x)."""
-    return horner([sp.Rational((-1)**j, sp.factorial(2 * j + k)) for j in range(terms)], x)
+    return alternating(lambda j: sp.Rational((-1)**j, sp.factorial(2 * j + k)), x, terms, _MIDDLE)
 
 
 def _taylor_rate(k: int, x: sp.Expr) -> sp.Expr:
     """The series of 2 g'(k, x)."""
-    return horner([2 * (j + 1) * sp.Rational((-1)**(j + 1), sp.factorial(2 * j + 2 + k))
-                   for j in range(_TAYLOR_TERMS)], x)
+    return alternating(
+        lambda j: 2 * (j + 1) * sp.Rational((-1)**(j + 1), sp.factorial(2 * j + 2 + k)), x,
+        _TAYLOR_TERMS, _LATE)
 
 
 def _bernoulli_rate(x: sp.Expr) -> sp.Expr:
-    return horner([2 * (j - 1) * abs(sp.bernoulli(2 * j)) / sp.factorial(2 * j)
-                   for j in range(2, _BERNOULLI_TERMS + 3)], x)
+    return _bernoulli_sum(lambda j: 2 * (j - 1), range(2, _BERNOULLI_TERMS + 3), x)
 
 
 def _bernoulli(x: sp.Expr) -> sp.Expr:
-    return horner([abs(sp.bernoulli(2 * j)) / sp.factorial(2 * j)
-                   for j in range(1, _BERNOULLI_TERMS + 1)], x)
+    return _bernoulli_sum(lambda j: 1, range(1, _BERNOULLI_TERMS + 1), x)
 
 
-def horner(coefficients: list[sp.Rational], x: sp.Expr) -> sp.Expr:
-    """c0 + x (c1 + x (c2 + …))."""
-    *rest, total = coefficients
+def _bernoulli_sum(weight: Callable[[int], int], terms: range, x: sp.Expr) -> sp.Expr:
+    """Σ w(j) β_j x^(j - first), β_j = |B_2j| / (2j)!: since β_(j+1) < β_j / 39, those that are left
+    out are less than a geometric series with the ratio of the first two."""
+    coefficients = [weight(j) * abs(sp.bernoulli(2 * j)) / sp.factorial(2 * j) for j in terms]
+    ratio = sp.Rational(weight(terms[-1] + 1), 39 * weight(terms[-1])) * _MIDDLE
+    return horner(coefficients, x, coefficients[-1] * ratio / (1 - ratio))
+
+
+def alternating(c: Callable[[int], sp.Rational], x: sp.Expr, terms: int,
+                most: sp.Rational) -> sp.Expr:
+    """Σ c(j) x^j for x from 0 to `most`, where signs alternate and sizes decrease: what is left out
+    is less than its first term."""
+    return horner(list(map(c, range(terms))), x, abs(c(terms)) * most)
+
+
+def horner(coefficients: list[sp.Rational], x: sp.Expr, tail: sp.Rational) -> sp.Expr:
+    """c0 + x (c1 + x (c2 + …)); those that are left out move the last by at most `tail`."""
+    *rest, final = coefficients
+    total = sp.sign(final) * truncated(abs(final), tail)
     for coefficient in reversed(rest):
         total = coefficient + x * total
     return total

@@ -30,6 +30,7 @@ class Constant:
     double: Fraction
     single: Fraction
     name: str = field(default="", compare=False)  # what a text may call it
+    tail: Fraction = Fraction(0)  # a series' last: how far those that are left out may move it
 
     def __hash__(self) -> int:
         return self._hash
@@ -79,8 +80,14 @@ def is_rounded(x: Operand) -> bool:
 def scales(step: Instruction) -> bool:
     """Whether this is a product with a constant power of two: exact barring over- and underflow."""
     return step.op is Op.MUL and any(
-        isinstance(x, Constant) and x.double == x.single and x.double > 0
-        and all(n & (n - 1) == 0 for n in x.double.as_integer_ratio()) for x in step.operands)
+        isinstance(x, Constant) and x.double == x.single and is_power_of_two(x)
+        for x in step.operands)
+
+
+def is_power_of_two(x: Constant) -> bool:
+    """Whether the constant is one in both precisions."""
+    return all(value > 0 and all(n & (n - 1) == 0 for n in value.as_integer_ratio())
+               for value in (x.double, x.single))
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,6 @@
 """The C headers: one per family and tier, and those that they share."""
 
+import re
 from collections.abc import Mapping, Sequence
 from functools import cache
 
@@ -13,6 +14,7 @@ from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.tiers import MARKED, PLAIN, TIERS, Tier
 from coscrew_codegen.version import VERSION, numbers
 
+_PRODUCT_ERROR = re.compile(r"\bksl_product_(?:error|rest|sum)(f?)\(")
 Headers = Mapping[str, str]  # name → text, each after those it includes
 
 
@@ -110,24 +112,29 @@ def _reached(header: str) -> frozenset[str]:
 
 
 def _marked_headers(library: Library, tier: Tier) -> Headers:
-    """ksl_exact if the tier needs it, one header per family, and one that includes all."""
-    families = {}
+    """Those of exact errors that the tier needs, one per family, and one that includes all."""
+    families, exact = {}, set()
     for family in library.families:
         kernels = library.made(_functions)[family]
         functions = [function for precision in library.precisions
                      for function in kernels[tier.name, precision.name]]
         if functions:
+            called = _exact_included(functions)
+            exact |= {*called}
             families[f"{family}_{tier.mark}"] = render(
                 "c/family.h", banner=library.banner,
                 title=f"{family_named(family).title}\n   {tier.title}",
                 guard=f"KSL_{family.upper()}_{tier.mark.upper()}_H", functions=functions,
-                includes=(tier.header, *_elementary_included(
-                    functions if DOUBLE in library.precisions else ())),
+                includes=tuple(dict.fromkeys((tier.header, *called, *_elementary_included(
+                    functions if DOUBLE in library.precisions or not tier.exact else ())))),
                 system=(), by_hand="", allocations=[])
     umbrella = render(
         "c/ksl.h", banner=library.banner, includes=tuple(families),
         title=f"All kernels of the {tier.name} tier.", guard=f"{tier.umbrella.upper()}_H")
-    return (_exact(library) if tier.exact else {}) | families | {tier.umbrella: umbrella}
+    if any(f'"{c_elementary.ERROR_HEADER}.h"' in text for text in families.values()):
+        exact |= {c_elementary.ERROR_HEADER, *(f"ksl_exact{p.suffix}" for p in library.precisions)}
+    shared = {name: text for name, text in _exact(library).items() if tier.exact or name in exact}
+    return shared | families | {tier.umbrella: umbrella}
 
 
 def _elementary(library: Library, title: str) -> str:
@@ -147,14 +154,22 @@ def _elementary_included(functions: Sequence[CFunction]) -> tuple[str, ...]:
     return tuple(header for header, names in c_elementary.CALLABLE.items() if called & {*names})
 
 
+def _exact_included(functions: Sequence[CFunction]) -> tuple[str, ...]:
+    """The headers of the products' errors that these call."""
+    called = {f for x in functions for f in _PRODUCT_ERROR.findall(x.body)}
+    return tuple(name for name, f in (("ksl_exact", ""), ("ksl_exactf", "f")) if f in called)
+
+
 def _exact(library: Library) -> dict[str, str]:
     """With what kernels that compute in double need if only single precision is selected; and what
     elementary functions err by."""
     missing = [DOUBLE] if DOUBLE not in library.precisions else []
     return {"ksl_exact": render("c/ksl_exact.h", banner=library.banner, products=missing,
                                 precisions=missing, elementary=_elementary_of(missing)),
+            "ksl_exactf": render("c/ksl_exactf.h", banner=library.banner),
             c_elementary.ERROR_HEADER: render(
                 "c/ksl_elementary_error.h", banner=library.banner,
+                exact=[f"ksl_exact{p.suffix}" for p in library.precisions],
                 elementary=_elementary_of(library.precisions, c_elementary.ERROR_HEADER))}
 
 

@@ -47,7 +47,7 @@ _SPELLING = {
     Op.FMA: "fma{f}({}, {}, {})", Op.FMS: "fma{f}({}, {}, -{})", Op.FNMA: "fma{f}(-{}, {}, {})",
     Op.EXACT_ADD: "{} + {}", Op.EXACT_SUB: "{} - {}",
     Op.PRODUCT_ERROR: "ksl_product_error{f}({}, {}, {})",
-    Op.PRODUCT_REST: "ksl_product_rest({}, {}, {}, {})",
+    Op.PRODUCT_REST: "ksl_product_rest{f}({}, {}, {}, {})",
     Op.ABS: "fabs{f}({})", Op.SQRT: "sqrt{f}({})", Op.COPYSIGN: "copysign{f}({}, {})",
     Op.LESS: "{} < {}", Op.EQUAL: "{} == {}", Op.SELECT: "{} ? {} : {}", **ELEMENTARY,
 }

@@ -7,7 +7,7 @@ from functools import cache
 from coscrew_codegen.library import Library
 from coscrew_codegen.quantity import QUANTITIES
 from coscrew_codegen.render import render
-from coscrew_codegen.targets import c_amalgamated, gufunc, numpy
+from coscrew_codegen.targets import c_amalgamated, c_headers, gufunc, numpy
 from coscrew_codegen.targets.c_statements import listed
 from coscrew_codegen.targets.target import Files, Target
 from coscrew_codegen.tiers import TIERS, Tier
@@ -64,7 +64,7 @@ def _loops(library: Library, tier: Tier) -> Files:
     docstrings = numpy.docstrings(library, tier, library.precisions[0])
     accesses = [gufunc.access(quantity, precision)
                 for quantity in QUANTITIES for precision in library.precisions]
-    best = _best(tier)
+    best = _best(library, tier)
     up = "../../" if tier.mark else "../"
     sources = {"_gufunc.h": render("gufunc/_gufunc.h", banner=library.banner, accesses=accesses,
                                    families=families, **asdict(best),
@@ -87,12 +87,12 @@ def _families(library: Library, tier: Tier) -> tuple[str, ...]:
     return tuple(family for family in library.families if family in held)
 
 
-def _best(tier: Tier) -> _Best:
-    return _FMA if tier.exact else _AVX2
+def _best(library: Library, tier: Tier) -> _Best:
+    return _FMA if "ksl_exact" in c_headers.headers(library, tier) else _AVX2
 
 
 def _module(library: Library, tier: Tier) -> str:
-    families, best = _families(library, tier), _best(tier)
+    families, best = _families(library, tier), _best(library, tier)
     most = max(len(op.inputs) + len(op.outputs) for op in library.having(tier))
     return render("gufunc/module.c", banner=library.banner, families=families,
                   package=tier.package, supported=best.supported, best=best.best,

@@ -142,7 +142,7 @@ def imports(programs: tuple[Program, ...], precision: Precision) -> tuple[tuple[
     found: list[tuple[str, Mapping[Any, str]]] = [
         ("coscrew", dict.fromkeys(ELEMENTARY, module)),
         ("numpy", NUMPY_NAMES | {kind: kind for kind in ("float32", "float64", "nan")}),
-        ("coscrew._exact", EXACT)]
+        ("coscrew._exact", exactly_in(working))]
     return tuple((place, ", ".join(sorted({names[op] for op in called & set(names)})))
                  for place, names in found if called & set(names))
 

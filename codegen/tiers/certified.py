@@ -34,13 +34,17 @@ from typing import TYPE_CHECKING
 
 from coscrew_codegen.formats import SINGLE, Format, Precision
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
+from coscrew_codegen.program.ops import ERROR_OF
 from coscrew_codegen.program.program import name_of
 from coscrew_codegen.tiers import certified_scene, certified_wide
-from coscrew_codegen.tiers.tier import Tier, bounds_of_outputs
+from coscrew_codegen.tiers.tier import Tier, bounds_of_outputs, is_polynomial, rounds_by
 
 if TYPE_CHECKING:
     from coscrew_codegen.operations import Operation
 
+LARGEST = 210
+"""Of operations beyond polynomials the tier has those that call elementary functions, up to so many
+instructions, SE3_exp being the largest: bounds take up to eleven for one, and must be compiled."""
 _ZERO = Constant(Fraction(0), Fraction(0))
 
 
@@ -53,6 +57,20 @@ def certified_operation(operation: "Operation") -> "Operation":
     order = (*operation.order, *(b.name for b in bounds)) if operation.order else ()
     return replace(operation, statement=f"{operation.statement}; {promise} unless inf or NaN",
                    outputs=(*operation.outputs, *bounds), order=order)
+
+
+def _made(program: Program, precision: Precision) -> Program:
+    """The tier's program of an operation."""
+    if is_polynomial(program):
+        return certified(program, precision)
+    return certified_scene.of_scene(program, precision)
+
+
+def _has(program: Program) -> bool:
+    held = program.counts.keys()
+    return is_polynomial(program) or (rounds_by(certified_scene.BOUNDED, program)
+                                      and bool(held & ERROR_OF.keys())
+                                      and len(program.instructions) <= LARGEST)
 
 
 def certified(program: Program, precision: Format) -> Program:
@@ -168,7 +186,7 @@ def _of_scene(program: Program, precision: Precision) -> Program:
 
 TIER = Tier(
     "certified", 3, "Certified tier: plain results, and bounds on their errors that always hold.",
-    ("#00805d", "#3ccf9f"), certified,
+    ("#00805d", "#3ccf9f"), _made, has=_has,
     operation=certified_operation, scene=_of_scene,
     promise="""\
 |tau - exact| <= tau_bound for each component of a result tau: exact is what exact arithmetic makes

@@ -45,10 +45,10 @@ from coscrew_codegen.program import (
     without_dead_steps,
 )
 from coscrew_codegen.program.ops import COMPARISONS
-from coscrew_codegen.program.program import name_of
+from coscrew_codegen.program.program import name_of, renamed
 from coscrew_codegen.tiers.errors import ONE, ZERO, constant
 from coscrew_codegen.tiers.sizes import Size, Sizes
-from coscrew_codegen.tiers.splits import splits
+from coscrew_codegen.tiers.splits import scalings, splits
 from coscrew_codegen.tiers.tier import bounds_of_outputs
 
 MANY = 16
@@ -58,30 +58,41 @@ REST = 256
 """What is computed as an elementary function's error is right to REST u² of its result."""
 
 
+BOUNDED = frozenset({*COMPARISONS, Op.ADD, Op.SUB, Op.MUL, Op.NEG, Op.ABS, Op.DIV, Op.SQRT,
+                     Op.SELECT, Op.SIN, Op.COS, Op.TANH, Op.EXP, Op.ATAN2, Op.SCALE})
+"""The operations whose errors have bounds."""
+
+
 class NoRuleError(ReportedError, ValueError):
     """A function has an operation whose error the tier cannot bound."""
 
 
 def of_scene(program: Program, precision: Precision) -> Program:
-    """The plain program of a scene's function, extended by bounds of its results' errors.  Raises
-    NoRuleError."""
-    return extended(program, Certifier(program, precision))
+    """The plain program of a scene's function or an operation, extended by bounds of its results'
+    errors.  Raises NoRuleError."""
+    if program.fine is None:
+        return extended(program, Certifier(program, precision))
+    apart = {step.name: f"fine_{step.name}" for step in program.fine.instructions}
+    fine = renamed(program.fine, apart)
+    return extended(fine, Certifier(fine, precision), program)
 
 
-def extended(program: Program, certifier: "Certifier") -> Program:
-    """The program and the bounds that this certifier issues."""
+def extended(program: Program, certifier: "Certifier", plain: Program | None = None) -> Program:
+    """The program and the bounds that this certifier issues; of another program's results for the
+    same, if `plain` is given."""
+    first, given = ((), program.results) if plain is None else (plain.instructions, plain.results)
     for step in program.instructions:
         certifier.compensate(step)
-    bounds = tuple(map(certifier.of_result, program.results))
+    bounds = tuple(map(certifier.of_result, program.results, given))
 
     def near(x: Operand) -> Operand:
         return certifier.nearest(x) if isinstance(x, Constant) else x
 
     steps = tuple(replace(step, operands=tuple(map(near, step.operands)))
-                  for step in certifier.steps)
+                  for step in (*first, *certifier.steps))
     return without_dead_steps(replace(
         program, outputs=(*program.outputs, *bounds_of_outputs(program.outputs)),
-        instructions=steps, results=(*map(near, program.results), *bounds), fine=None))
+        instructions=steps, results=(*map(near, given), *bounds), fine=None))
 
 
 class Certifier(Sizes):
@@ -91,15 +102,16 @@ class Certifier(Sizes):
         super().__init__(program, precision)
         self._tests: dict[str, Instruction] = {}
         self._many = len(self.circular) > MANY
-        self._splits = splits(program)
+        self._may_be_exact = {step.name for step in program.instructions if step.op is Op.SCALE}
+        self._splits, self._scalings = splits(program), scalings(program)
         self._size_of: dict[Op, Callable[[Instruction], Size]] = {
             Op.ADD: self.of_sum, Op.SUB: self.of_sum, Op.MUL: self.of_product,
             Op.NEG: lambda step: self.size(step.operands[0]), Op.ABS: self._of_absolute,
             Op.DIV: self._of_quotient, Op.SQRT: self._of_root, Op.SELECT: self._of_choice,
             Op.SIN: self._of_angle, Op.COS: self._of_angle, Op.TANH: self._of_tangent,
-            Op.EXP: self._of_exponential}
-        unknown = sorted(op.value for op in program.counts
-                         if op not in self._size_of and op not in COMPARISONS)
+            Op.EXP: self._of_exponential, Op.ATAN2: self._of_arctangent,
+            Op.SCALE: self._of_scaled}
+        unknown = sorted(op.value for op in program.counts if op not in BOUNDED)
         if unknown:
             raise NoRuleError(f"{program.name}: the certified tier has no rule for "
                               f"{' and '.join(unknown)}")
@@ -116,10 +128,12 @@ class Certifier(Sizes):
         else:
             self.follow(step, self._size_of[step.op](step))
 
-    def of_result(self, x: Operand) -> Operand:
-        """The bound of a result's error."""
-        self._at = Instruction(name_of(x) or "result", Op.ADD, (), self.last)
-        return x if isinstance(x, NotANumber) else self.bound(x) or ZERO
+    def of_result(self, x: Operand, plain: Operand) -> Operand:
+        """The bound of a result's error, or of what `plain` errs by if that is another number."""
+        self._at = Instruction(name_of(plain) or "result", Op.ADD, (), self.last)
+        if isinstance(x, NotANumber):
+            return x
+        return self.bound(x) or ZERO if x == plain else self.bound_beside(x, plain)
 
     def _of_quotient(self, step: Instruction) -> Size:
         (x, y), q, u = step.operands, Ref(step.name), self.u
@@ -189,10 +203,13 @@ class Certifier(Sizes):
         chosen = Size(s, max(a.k, b.k), max(a.m, b.m), max(a.h, b.h), a.widened or b.widened)
         compared = self._tests[name_of(test)].operands
         bounds = self._bounds_of(compared)
-        if not bounds:
+        if not bounds or step.name in self._scalings:
             return chosen
         close = bounds[0] if len(bounds) == 1 else self.do(Op.ADD, *bounds)
-        certain = self.do(Op.LESS, close, self._distance(*compared))
+        distance = self._distance(*compared)
+        if any(name_of(x) in self._may_be_exact for x in compared):  # 0 may be right
+            distance = self.do(Op.ADD, distance, constant(2 * self.precision.eta))
+        certain = self.do(Op.LESS, close, distance)
         if NotANumber() in options:
             return replace(chosen, s=self.do(Op.SELECT, certain, s, NotANumber()))
         other = self._distance_up(*options)
@@ -218,6 +235,50 @@ class Certifier(Sizes):
             return self._curved(step, self.do(Op.ABS, Ref(step.name)))
         s = ONE if a.exact else self.do(Op.ADD, ONE, a.s)
         return replace(self._right_to_rest(a, s), h=Fraction(0))
+
+    def _of_arctangent(self, step: Instruction) -> Size:
+        y, x = step.operands
+        size, (a, b) = self.do(Op.ABS, Ref(step.name)), (self.padded(z, True) for z in (y, x))
+        if a.exact and b.exact:
+            return self._right_to_rest(a, size)
+        largest = self._larger(self.magnitude(y), self.magnitude(x))
+        apart: Operand = constant(self._padding)
+        for bound in self._bounds_of((y, x)):
+            apart = self.do(Op.ADD, apart, bound)
+        s = self.do(Op.ADD, size, self.do(Op.DIV, self.do(Op.ADD, a.s, b.s), largest))
+        both = Size(s, max(a.k, b.k), max(a.m, b.m))
+        part = self.do(Op.DIV, apart, largest)
+        return self._widened(self._right_to_rest(both, s), self._if_the_angle_is_certain(
+            step, self.do(Op.LESS, part, constant(Fraction(1, 4))), self.do(Op.MUL, part, part)))
+
+    def _larger(self, a: Operand, b: Operand) -> Operand:
+        return self.do(Op.SELECT, self.do(Op.LESS, a, b), b, a)
+
+    def _if_the_angle_is_certain(self, step: Instruction, near: Operand, small: Operand) -> Operand:
+        """`small` if the point is certainly not next to the origin nor to the negative x axis; else
+        more than a turn."""
+        y, x = step.operands
+        any_other: Operand = constant(Fraction(7))
+        low = self.first_order(Ref(step.name))
+        if low is not None:
+            any_other = self.do(Op.ADD, any_other, self.do(Op.ABS, low))
+        if (bound := self.bound(y)) is not None:
+            right = self.do(Op.LESS, self.bound(x) or ZERO, x)
+            small = self.do(Op.SELECT, self.do(Op.LESS, bound, self.magnitude(y)), small,
+                            self.do(Op.SELECT, right, small, any_other))
+        return self.do(Op.SELECT, near, small, any_other)
+
+    def _of_scaled(self, step: Instruction) -> Size:
+        """A product with an exact factor, but that of an exact number is exact unless digits are
+        lost by underflow."""
+        (x, s), p = step.operands, Ref(step.name)
+        if not (self.size(x).exact and self.size(s).exact):
+            return self.of_product(step)
+        if s not in self._inverses:
+            self._inverses[s] = self.issue(step, Op.DIV, (ONE, s), "inverse")
+        kept = self.do(Op.EQUAL, self.do(Op.MUL, p, self._inverses[s]), x)
+        self._bounds[p] = self.do(Op.SELECT, kept, ZERO, constant(2 * self.precision.eta))
+        return Size(self.do(Op.ABS, p), Fraction(1), Fraction(1), self.slack)
 
     def _of_tangent(self, step: Instruction) -> Size:
         return self._curved(step, self.do(Op.ABS, Ref(step.name)))

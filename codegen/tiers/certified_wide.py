@@ -48,9 +48,9 @@ def of_scene(program: Program) -> Program:
 def in_double(program: Program) -> Program:
     """w and B: the certified program in double, with the values of single's constants.  Raises
     NoRuleError."""
-    exact = _of_single(program)
+    exact = _of_single(program.fine or program)
     divides = any(step.op in (Op.DIV, Op.SQRT) and isinstance(step.operands[-1], Ref)
-                  for step in program.instructions)
+                  for step in exact.instructions)
     return extended(exact, (Certifier if divides else WithoutErrors)(exact, DOUBLE))
 
 
@@ -87,7 +87,7 @@ def _with_plain_results(plain: Program, certified: Program) -> Program:
 def _of_single(program: Program) -> Program:
     """The program whose constants in double have the values of single precision."""
     def single(x: Operand) -> Operand:
-        return Constant(x.single, x.single, x.name) if isinstance(x, Constant) else x
+        return replace(x, double=x.single) if isinstance(x, Constant) else x
 
     return replace(program, results=tuple(map(single, program.results)), instructions=tuple(
         replace(step, operands=tuple(map(single, step.operands))) for step in program.instructions))

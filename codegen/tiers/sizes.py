@@ -11,6 +11,8 @@ u is the unit roundoff, η half the least subnormal number, |fl(z) - z| <= u |fl
 
     exact x           s = |x|, k = m = h = 0
     constant          s = |x̂|, k = m = 1: d is the rest, rounded
+    a series' last    s = |x̂| + t / m u², k = 1, m = TAIL: t, the most that the terms left out move
+                      it by, is a part of S, and shrinks with the powers that it is multiplied by
     c = a ± b         s = fl(s_a + s_b), k = max(k_a, k_b) + 1, m = max(m_a, m_b) + 6 k + 54:
                       d is the sum of the two parts of the rounding error, each at most
                       4 u S + u² S, of d_a and d_b, in at most 6 roundings: of parts that contain
@@ -56,6 +58,7 @@ from coscrew_codegen.tiers.errors import ONE, ZERO, Errors, constant
 
 CLOSE = 4
 SPREAD = 64
+TAIL = 2**16  # more than m of a series grows by from its last coefficient to its first
 _BRIEF = Format(24, 0)  # k, m and h are rounded up to so many digits
 
 
@@ -108,6 +111,9 @@ class Sizes(Errors):
 
     def _of_constant(self, x: Constant) -> Size:
         value, near = self.precision.value(x), self.nearest(x).double
+        if x.tail:
+            s = abs(near) + x.tail / (TAIL * self.u**2)
+            return Size(self.rounded_up(s), Fraction(1), Fraction(TAIL))
         if value == near:
             return Size(constant(abs(near)))
         tiny = abs(value) * self.u**2 < self.precision.smallest_normal  # lo may be subnormal
@@ -187,14 +193,28 @@ class Sizes(Errors):
 
     def _bound(self, x: Operand, size: Size) -> Operand:
         if isinstance(x, Constant):
-            error = abs(self.precision.value(x) - self.nearest(x).double)
+            error = abs(self.precision.value(x) - self.nearest(x).double) + x.tail
             return self.rounded_up((1 + 4 * self.u) * error)
-        low, size = self.first_order(x), self.padded(x)
+        low = self.first_order(x)
+        return self._with_rest(low and self.do(Op.ABS, low, name="error"), self.padded(x))
+
+    def bound_beside(self, x: Operand, other: Operand) -> Operand:
+        """B >= |x - ŷ| for another approximation ŷ of x: with (1 + 8 u) |(x̂ - ŷ) + d| for |d|, as
+        that need not be a part of S."""
+        low = self.first_order(x)
+        error = self.do(Op.SUB, x, other, name="apart")
+        if low is not None:
+            error = self.do(Op.ADD, error, low, name="apart")
+        grown = self.do(Op.MUL, self.do(Op.ABS, error, name="error"),
+                        self.rounded_up(1 + 8 * self.u), name="error")
+        return self._with_rest(grown, self.padded(x, even_exact=True))
+
+    def _with_rest(self, error: Operand | None, size: Size) -> Operand:
+        """The error and the rest of a bound."""
         rounding = 8 * size.k * self.u**2
         factor = self.rounded_up((1 + 32 * self.u) * (self.covered(size.k, size.m) + rounding))
         rest = self.do(Op.MUL, factor, size.s, name="rest")
-        return rest if low is None else self.do(
-            Op.ADD, self.do(Op.ABS, low, name="error"), rest, name="bound")
+        return rest if error is None else self.do(Op.ADD, error, rest, name="bound")
 
     def first_order(self, x: Operand) -> Operand | None:
         """d."""

@@ -1,40 +1,26 @@
 """What coscrew cost says of accuracy: errors and bounds against rational arithmetic, states inside
-the limits, a search that finds more than chance, advice that follows from the figures."""
+the limits, a search that finds more than chance."""
 
 import math
-from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import combinations
 from statistics import median
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from matplotlib import rc_context
-from matplotlib.figure import Figure
-from matplotlib.transforms import Bbox
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.cost import measure
-from coscrew_codegen.cost.accuracy import Accuracy, Bounds, Errors
-from coscrew_codegen.cost.advice import recommended, sentences
 from coscrew_codegen.cost.asked import Asked
 from coscrew_codegen.cost.measure import Costs
 from coscrew_codegen.cost.measured import ACCURATE, CERTIFIED, Choice, Counts, Measured
 from coscrew_codegen.cost.measured import choices as choices_of
-from coscrew_codegen.cost.panels import panel
 from coscrew_codegen.cost.plot import figure, plot
 from coscrew_codegen.cost.states import Box, Values, box_of, searched
-from coscrew_codegen.cost.table import about, accuracies
 from coscrew_codegen.formats import DOUBLE
-from coscrew_codegen.mechanics import derive
-from coscrew_codegen.native.intervals import Interval
-from coscrew_codegen.plots import STYLE
-from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.simulate.outcome import RunOverrides
 from coscrew_codegen.simulate.system import system
-from coscrew_codegen.simulate.units import in_unit, units
 from tests.support.scenes import scene_texts as texts
 
 MASS, STIFFNESS, DAMPING = Fraction("0.7"), Fraction("13.3"), Fraction("0.9")
@@ -254,150 +240,7 @@ def test_parameters_and_settings_are_rounded_to_single(tmp_path):
         assert row.errors[0].worst == 0 and row.worst_at["p"] == (float(np.float32(0.1)),)
 
 
-# units
-
-def test_every_component_has_its_unit(tmp_path):
-    path = tmp_path / "scene.toml"
-    path.write_text(TEXT + """
-[bodies.arm]
-mass = 1
-inertia = [0.1, 0.1, 0.1]
-[joints.hinge]
-type = "revolute"
-child = "arm"
-parent = "block"
-axis = [0, 1, 0]
-""")
-    functions = derive(read_scene(path), (*FUNCTIONS, "jacobian_arm", "reaction_hinge", "energy",
-                                          "body_poses", "body_twists", "momentum", "integrated"))
-    found = {f.name: units(functions, f.name) for f in functions.functions}
-    for f in functions.functions:
-        assert len(found[f.name]) == sum(a.quantity.size for a in f.program.outputs)
-    assert found["inverse_dynamics"] == ("N", "N m")
-    assert found["forward_dynamics"] == ("m/s^2", "rad/s^2")
-    assert found["mass_matrix"] == ("kg", "kg m", "kg m", "kg m^2")
-    assert found["jacobian_arm"] == 3 * ("1", "m") + 3 * ("1/m", "1")
-    assert found["reaction_hinge"] == ("N", "N", "N", "N m", "N m", "N m")
-    assert found["body_poses"] == 2 * 3 * ("1", "1", "1", "m")
-    assert found["energy"] == ("J", "J") and found["integrated"] == ("m", "rad")
-
-
-@pytest.mark.parametrize("x, unit, words", (
-    (3e-6, "N m", "3 µN m"), (7.13e-13, "N m", "7.2e-13 N m"), (0.9996, "J", "1 J"),
-    (2e-7, "kg m^2", "2e-7 kg m²"), (1e-17, "1", "1e-17"), (0, "N", "0 N"),
-    (123456, "N", "130 kN"), (math.inf, "N", "unbounded")))
-def test_numbers_with_units_are_short(x, unit, words):
-    assert in_unit(x, unit) == words
-
-
-# advice
-
-def made(tier: str, precision: str, worst: float, ns: float, bound: float = 0) -> Accuracy:
-    bounds = Bounds(bound, 1, 2, 3) if bound else None
-    return Accuracy("inverse_dynamics", tier, precision, 64, Interval(ns, 0.99 * ns, 1.01 * ns),
-                    (Errors("N m", worst / 3, worst, 8, 7, 100, "run", bounds),), {})
-
-
-def choices(single_accurate_ns: float = 110) -> Sequence[Accuracy]:
-    return (made("plain", "double", 1e-14, 100), made("plain", "single", 1e-5, 90),
-            made("accurate", "double", 1e-15, 500),
-            made("accurate", "single", 1e-6, single_accurate_ns),
-            made("certified", "double", 1e-14, 520, 2e-14),
-            made("certified", "single", 1e-5, 480, math.inf))
-
-
-def test_the_advice_follows_from_the_figures():
-    assert recommended(choices()).name == "double plain"
-    assert sentences(choices()) == (
-        "inverse_dynamics: double plain is within 1e-14 N m everywhere we looked (64 states), at "
-        "1.11× single plain (100 ns).",
-        "Double accurate is within 1e-15 N m: 10 times less error than double plain, at 5× double "
-        "plain.",
-        "In single precision accurate is within 1 µN m, at 1.22× plain.",
-        "Double certified returns the plain results and bounds of their errors, here at most 2e-14 "
-        "N m, at 5.2× double plain.")
-
-
-def test_what_is_slow_is_not_recommended():
-    """As where double precision is computed by software."""
-    slow = [replace(x, time=Interval(9000, 8990, 9010)) if x.precision == "double" else x
-            for x in choices()]
-    assert recommended(slow).name == "single accurate"
-    assert sentences(slow)[0] == (
-        "inverse_dynamics: single accurate is within 1 µN m everywhere we looked (64 states), at "
-        "1.22× single plain (110 ns).")
-    assert sentences(slow)[-1] == (
-        "Single certified returns the plain results, but no bounds of their errors at some of "
-        "these states, at 5.33× single plain.")
-    alone = [x for x in choices(400) if x.precision == "single"]
-    assert recommended(alone).name == "single plain"
-    assert sentences(alone)[0].endswith("(64 states), the fastest choice (90 ns).")
-
-
-def test_what_the_scene_is_not_generated_in_is_not_recommended(costs):
-    single = [replace(x, emitted=x.precision == "single") for x in choices()]
-    assert recommended(single).name == "single accurate"
-    assert not any("ouble" in x for x in sentences(single))
-    assert not any("comparison" in x for x in about(costs))
-    *_, last = about(replace(costs, accuracy=(tuple(single),)))
-    assert last == ("The scene is generated in single precision alone: double is measured for "
-                    "comparison, not recommended.")
-
-
-def test_the_table_says_what_is_recommended_and_what_is_better():
-    """Plain is not called better than certified, which says more."""
-    (table,) = accuracies(choices())
-    marks = {row[0]: row[-1] for row in table.rows}
-    assert marks == {"double plain": "recommended", "single plain": "", "double accurate": "",
-                     "single accurate": "double plain is better", "double certified": "",
-                     "single certified": ""}
-
-
-def with_units(*worst: tuple[str, float]) -> list[Accuracy]:
-    """Choices with these errors in these units."""
-    return [replace(x, errors=tuple(replace(x.errors[0], unit=unit, worst=error)
-                                    for unit, error in worst)) for x in choices()]
-
-
-def test_units_without_errors_have_no_table():
-    tables = [*accuracies(with_units(("N m", 1e-6), ("kg", 0), ("N", 2e-6), ("kg m^2", 0)))]
-    assert [x.headers[0] for x in tables] == ["inverse_dynamics, N m", "inverse_dynamics, N"]
-    assert [x.below for x in tables] == [(), ("Exact in all choices: kg, kg m².",)]
-    assert "within 1 µN m and 2 µN everywhere" in sentences(
-        with_units(("N m", 1e-6), ("kg", 0), ("N", 2e-6)))[0]
-    (alone,) = accuracies(with_units(("kg", 0), ("kg m^2", 0)))
-    assert alone.headers[0] == "inverse_dynamics, kg" and len(alone.rows) == 6
-    assert "is exact everywhere" in sentences(with_units(("kg", 0), ("kg m^2", 0)))[0]
-
-
-def test_ratios_have_three_digits():
-    one = made("certified", "double", 1e-14, 500, 2e-14)
-    errors = replace(one.errors[0], bounds=Bounds(2e-14, 1, 9.996, 150))
-    (table,) = accuracies([replace(one, errors=(errors,)), *choices()])
-    assert table.rows[0][6] == "1.00, 10, 150"
-
-
-def texts_of(axes) -> list[Bbox]:
-    """The extents of the texts beside marks."""
-    axes.figure.figure.draw_without_rendering()
-    return [x.get_window_extent() for x in axes.texts]
-
-
-@pytest.mark.parametrize("single_certified, accurate", ((193, 434), (72, 434), (64, 900), (66, 69)))
-def test_numbers_beside_marks_do_not_meet(single_certified, accurate):
-    """As in a Panda's mass matrix, whose certified and plain single have the same error."""
-    rows = [made("plain", "double", 1.6e-15, 68.9), made("plain", "single", 9.2e-7, 62.9),
-            made("accurate", "double", 2.2e-16, accurate), made("accurate", "single", 1.2e-7, 68.5),
-            made("certified", "double", 1.6e-15, accurate + 8, 1.6e-15),
-            made("certified", "single", 9.2e-7, single_certified, 9.2e-7)]
-    drawn = Figure(figsize=(12.6, 4.6), layout="constrained")
-    with rc_context(STYLE):
-        panel(drawn.subplots(1, 3)[0], rows)
-        boxes = texts_of(drawn.axes[0])
-    assert len(boxes) == 6
-    for a, b in combinations(boxes, 2):
-        assert not a.overlaps(b), (a, b)
-
+# figure
 
 def test_the_figure_has_a_mark_for_each_function_tier_and_precision(costs, tmp_path):
     plot(costs, tmp_path / "costs.svg")

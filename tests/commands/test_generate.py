@@ -60,7 +60,9 @@ def strewn(folder: Path) -> Path:
 
 def test_regenerating_restores_what_is_committed(copy):
     """The bytes do not depend on hash seed or locale, and are all there is."""
-    assert contents(copy) == committed()
+    made, kept = contents(copy), committed()
+    differ = [path for path in sorted({*made, *kept}) if made.get(path) != kept.get(path)]
+    assert not differ, "generated/ is out of date: run `make generate`"
 
 
 def test_check_shows_each_difference_and_the_command_that_mends_it(copy, tmp_path, capsys):
@@ -103,7 +105,7 @@ def test_one_family_in_one_precision_and_language(tmp_path):
     made = contents(tmp_path)
     headers = ("coscrew", "coscrew_accurate", "coscrew_certified", "coscrew_fused", "elementary",
                "ksl", "ksl_accurate", "ksl_certified", "ksl_elementary_error", "ksl_exact",
-               "ksl_fused", "ksl_rounding",
+               "ksl_exactf", "ksl_fused", "ksl_rounding",
                "ksl_selfcheck", "ksl_types")
     assert sorted(made) == ["c/coscrew.h", "c/coscrew_accurate.h", "c/coscrew_certified.h",
                             "c/coscrew_fused.h",

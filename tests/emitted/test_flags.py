@@ -27,9 +27,9 @@ IN_C = tuple(k for tier in TIERS if not tier.in_python
              for k in kernels(tier.mark, BEHIND + NEGATED))
 
 
+# gcc fuses by default, unless told -std=c11.
 FLAGS = {
     "gcc": (("-O2",), ("-O3", *FMA), ("-O2", *TUNED), ("-std=c11", "-O3", "-march=native"),
-            ("-O3", *FMA, "-ffp-contract=fast"),
             ("-std=c11", "-O2", *FMA, "-ffp-contract=fast", UNHEEDED),
             ("-x", "c++", "-std=gnu++17", "-O3", "-march=native", "-ffp-contract=fast", UNHEEDED)),
     "clang": (("-O2",), ("-O3", *FMA), ("-O3", *FMA, "-ffp-contract=fast"),

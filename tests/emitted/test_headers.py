@@ -95,7 +95,7 @@ def test_any_header_may_come_first_and_alone(compiler, language, tmp_path):
 
 def test_headers_are_found_without_their_folder(tmp_path):
     sources = [_source(tmp_path, name, _included(name)) for name in HEADERS]
-    run((COMPILERS[0], *C11, "-fsyntax-only", "-I", KSL, *sources))
+    run((COMPILERS[0], *C11, "-M", "-I", KSL, *sources))
 
 
 @dialects
@@ -206,7 +206,7 @@ def test_single_precision_says_no_double(single_only):
 def _code(folder: Path) -> str:
     """All headers in this folder, without comments and messages."""
     text = "".join(path.read_text(encoding="utf-8") for path in sorted(folder.rglob("*.h"))
-                   if not re.search("accurate|exact", path.name))  # single computed in double
+                   if not re.search(r"accurate|exact\b", path.name))  # single computed in double
     return re.sub(r'/\*.*?\*/|#error "[^"]*"', "", text, flags=re.DOTALL)
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import coscrew
+from coscrew_codegen.__main__ import main
 
 ROOT = Path(__file__).parents[2]
 
@@ -65,12 +66,23 @@ def test_a_stale_extension_is_not_used(without_compiler):
         stale.unlink()
 
 
-def test_an_installed_generator_makes_the_same_files(without_compiler, tmp_path):
-    run("import sys; from coscrew_codegen.__main__ import main; "
-        f"sys.exit(main(['generate', '--output', {str(tmp_path)!r}]))", without_compiler)
-    for path in tmp_path.rglob("*.h"):
-        committed = ROOT / "generated" / path.relative_to(tmp_path)
-        assert path.read_bytes() == committed.read_bytes(), path.name
+def test_an_installed_generator_makes_the_same_files(without_compiler, tmp_path, monkeypatch):
+    """It has all modules and templates, and finds them."""
+    for name, package in (("codegen", ""), ("templates", "templates")):
+        installed = contents(without_compiler / "coscrew_codegen" / package)
+        assert contents(ROOT / name).items() <= installed.items()
+    words = ["generate", "--family", "vec3", "--output", "made"]
+    run(f"import sys; from coscrew_codegen.__main__ import main; sys.exit(main({words}))",
+        without_compiler)
+    monkeypatch.chdir(tmp_path)
+    assert main(words) == 0
+    assert contents(tmp_path / "made") == contents(without_compiler / "made")
+    assert any(x.name == "vec3.h" for x in contents(tmp_path))
+
+
+def contents(folder: Path) -> dict[Path, bytes]:
+    return {x.relative_to(folder): x.read_bytes() for x in folder.rglob("*")
+            if x.is_file() and x.parent.name != "__pycache__"}
 
 
 def test_the_wheel_holds_the_headers(without_compiler, tmp_path):

@@ -7,7 +7,6 @@ digits in 60 digits; that formula is held against power series, on rotations in 
 """
 
 import ctypes
-from functools import cache
 
 import mpmath
 import numpy as np
@@ -17,61 +16,29 @@ import coscrew.accurate
 from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
 from coscrew_codegen.operations import OPERATIONS, Operation
 from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
-from coscrew_codegen.program.interpreter import interpreter
 from coscrew_codegen.program.ops import ERROR_OF
-from coscrew_codegen.quantity import (
-    DISPLACEMENT,
-    ROTATION,
-    SCALAR,
-    UNIT_QUATERNION,
-    Argument,
-)
+from coscrew_codegen.quantity import SCALAR, Argument
 from coscrew_codegen.tiers.accurate import accurate
-from tests.hard_cases.corpus import load
 from tests.search import split
 from tests.support.cases import for_all
 from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
 from tests.support.compiled.implementations import gufuncs, same_bits, twin
-from tests.support.domains import domains
 from tests.support.each import each_precision
+from tests.support.hard_rows import EXTREMES, hard_rows
 from tests.support.sampling import inputs_of
-from tests.support.scenes.evaluation import MULTIPRECISE
 from tests.support.scenes.tiers import DIGITS, Result, flat
 from tests.support.truth.attack import plain_program
 from tests.support.truth.condition import conditions
 from tests.support.truth.motions import exponential_series, hstack, norm, quaternion_exp, skew
-from tests.support.truth.truths import Components, truth
+from tests.support.truth.truths import by_formula, fine, of_given, truth
 
 FUNCTIONS = tuple(op for op in OPERATIONS if ERROR_OF.keys() & plain_program(op).counts.keys())
 ANGLES = ("1e-20", "0.999", "1.001", "1.999", "2.001", "3.1415")
-DRAWN = 12
 LARGEST = {"double": 1e13, "single": 1e5}
 MOST = {"double": 0.501, "single": 0.5001}
 """Found: 0.5000; promised in double is 1."""
-EXTREMES = 100
 BUILDS = ("gcc", "-O1"), ("clang", "-O1", "-march=native")
-_ROUNDED = (ROTATION, DISPLACEMENT, UNIT_QUATERNION)
 _SMALL = {"double": 1e-280, "single": 1e-36}  # smaller results may be subnormal on the way
-
-
-def fine(operation: Operation) -> Program:
-    """The formula from which the accurate tier is made in double."""
-    plain = plain_program(operation)
-    return plain.fine or plain
-
-
-@cache
-def _formula(operation: Operation):
-    return interpreter(fine(operation), MULTIPRECISE.arithmetic)
-
-
-def by_formula(operation: Operation, given: list[mpmath.mpf]) -> Components:
-    """The components of the formula's results, in 60 digits."""
-    parts, start = [], 0
-    for a in operation.inputs:
-        parts.append(list(given[start:start + a.quantity.size]))
-        start += a.quantity.size
-    return [mpmath.mpf(x) for x in _formula(operation)(parts)]
 
 
 def _exactly(a: Argument, number: int, theta: mpmath.mpf) -> list[mpmath.mpf]:
@@ -107,19 +74,6 @@ def test_formulas_have_twice_the_digits(operation: Operation):
                 assert abs(x - true) <= largest * mpmath.mpf(2)**-97, (angle, float(x))
 
 
-def rows(operation: Operation, precision: Precision) -> np.ndarray:
-    """The committed cases and some that are drawn, a call's components a row."""
-    kind = np.dtype(precision.numpy_type)
-    rng = np.random.default_rng([len(operation.name), precision.bytes])
-    drawn = np.hstack([d.inputs(d.draw(rng, DRAWN, kind).astype(kind).astype(float))
-                       for d in domains(operation)])
-    kept = [c.inputs for c in _CASES if c.operation == operation and c.precision == precision]
-    return np.vstack([drawn, *(np.array([x]) for x in kept)]).astype(kind)
-
-
-_CASES = load()
-
-
 def judged(operation: Operation, precision: Precision, given: np.ndarray) -> list[Result]:
     """Every component of these calls, with its truth and condition."""
     inputs = split(operation, given)
@@ -127,12 +81,10 @@ def judged(operation: Operation, precision: Precision, given: np.ndarray) -> lis
                for a, x in zip(operation.inputs, inputs, strict=True)]
     size = [np.broadcast_to(x, len(given)) for x in conditions(fine(operation), columns)]
     found = flat(gufuncs(coscrew.accurate)(operation, precision, inputs), len(given))
-    rounded = any(a.domain in _ROUNDED for a in operation.inputs)
     results = []
     with mpmath.workdps(DIGITS):
         for row, got, k in zip(given.tolist(), found, range(len(given)), strict=True):
-            true = by_formula(operation, list(map(mpmath.mpf, row))) if rounded else \
-                truth(operation, precision, tuple(row))
+            true = of_given(operation, precision, tuple(row))
             results += [Result(place, got[place], x, float(size[place][k]))
                         for place, x in enumerate(true)]
     return results
@@ -141,7 +93,7 @@ def judged(operation: Operation, precision: Precision, given: np.ndarray) -> lis
 @for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))
 def test_components_are_right_as_long_as_their_condition_is_good(operation: Operation,
                                                                  precision: Precision):
-    found = judged(operation, precision, rows(operation, precision))
+    found = judged(operation, precision, hard_rows(operation, precision))
     kept = [x for x in found if x.condition < LARGEST[precision.name]
             and _SMALL[precision.name] < abs(x.true) < np.finfo(precision.numpy_type).max]
     assert len(kept) > len(found) / 3
@@ -158,7 +110,7 @@ def _is_half_turn(x: Result) -> bool:
 def test_c_gufunc_and_numpy_agree_in_bits(operation: Operation, precision: Precision,
                                           libraries: list[ctypes.CDLL]):
     """For numbers of all kinds: the twins, gufuncs, C without and with an fma instruction."""
-    drawn = split(operation, rows(operation, precision))
+    drawn = split(operation, hard_rows(operation, precision))
     inputs = tuple(map(np.concatenate, zip(drawn, inputs_of(operation, precision, EXTREMES),
                                            strict=True)))
     want = twin(coscrew.accurate)(operation, precision, inputs)

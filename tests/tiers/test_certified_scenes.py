@@ -3,6 +3,8 @@ what is neglected matters; and each part of the proof is needed."""
 
 import sys
 from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
 from functools import cache
 from importlib.util import module_from_spec, spec_from_loader
 from pathlib import Path
@@ -13,11 +15,11 @@ import pytest
 from coscrew_codegen.elementary import ERRORS, Elementary
 from coscrew_codegen.formats import DOUBLE, PRECISIONS
 from coscrew_codegen.mechanics import derive
-from coscrew_codegen.program import Op, Operand, Program, Ref
+from coscrew_codegen.program import Constant, Op, Operand, Program, Ref
 from coscrew_codegen.scene_files.toml_scene import read_scene
 from coscrew_codegen.tiers import certified_scene, sizes
 from coscrew_codegen.tiers.certified_wide import WithoutErrors
-from coscrew_codegen.tiers.splits import splits
+from coscrew_codegen.tiers.splits import scalings, splits
 from tests.support.scenes.generated_scenes import Writer, argument
 from tests.support.truth.toys import Toy, climbs, judge
 
@@ -62,6 +64,28 @@ def _quotient(w: Writer, a: Operand, b: Operand, c: Operand, d: Operand) -> Oper
     return w.do("r", Op.DIV, _close(w, a, b, "x"), _close(w, c, d, "y"))
 
 
+def _scale(w: Writer, x: Operand) -> Operand:
+    """2^-9 or 2^5."""
+    return w.do("s", Op.SELECT, w.do("large", Op.LESS, "2", x), "1/512", "32")
+
+
+def _norm(w: Writer, x: Operand, y: Operand) -> Operand:
+    """sqrt(x² + y²), scaled by a power of two that may be wrong."""
+    s = _scale(w, w.do("size", Op.ABS, x))
+    back = w.do("back", Op.SELECT, w.do("down", Op.LESS, s, "1"), "512", "1/32")
+    x, y = (w.do(f"s{n}", Op.SCALE, z, s) for n, z in enumerate((x, y)))
+    square = w.do("square", Op.ADD, w.do("xx", Op.MUL, x, x), w.do("yy", Op.MUL, y, y))
+    return w.do("r", Op.SCALE, w.do("root", Op.SQRT, square), back)
+
+
+def _series(w: Writer, x: Operand) -> Operand:
+    """1 + x (1 + x (1 + x/4)); what is left out is taken for x³/12 in the truth."""
+    total: Operand = Constant(Fraction(1, 4), Fraction(1, 4), tail=Fraction(1, 12))
+    for n in range(3):
+        total = w.do(f"h{n}", Op.ADD, "1", w.do(f"m{n}", Op.MUL, x, total))
+    return total
+
+
 FORMULAS: dict[str, Build] = {
     "sum": lambda w, a, b, c, d: w.do("r", Op.ADD, _close(w, a, b, "x"), _close(w, c, d, "y")),
     "product": lambda w, a, b, c, d: w.do("r", Op.MUL, _close(w, a, b, "x"), _close(w, c, d, "y")),
@@ -95,6 +119,15 @@ FORMULAS: dict[str, Build] = {
         "c", Op.COS, c)), w.do("bs", Op.MUL, b, w.do("s", Op.SIN, c))),
     "tanh": lambda w, a, b, c, d: w.do("r", Op.MUL, d, w.do("t", Op.TANH, _close(w, a, b, "x"))),
     "exp": lambda w, a, b, c, d: w.do("r", Op.EXP, _close(w, a, b, "x")),
+    "exact arctangent": lambda w, a, b, c, d: w.do("r", Op.ATAN2, a, b),
+    "arctangent": lambda w, a, b, c, d: w.do("r", Op.ATAN2, _close(w, a, b, "x"), _close(
+        w, c, d, "y")),
+    "bearing": lambda w, a, b, c, d: w.do("r", Op.ATAN2, _difference(w, a, b, c), d),
+    "scaled": lambda w, a, b, c, d: w.do("r", Op.SCALE, _close(w, a, b, "x"), _scale(w, c)),
+    "sign of a scaled number": lambda w, a, b, c, d: w.do("r", Op.SELECT, w.do(
+        "t", Op.LESS, w.do("p", Op.SCALE, a, _scale(w, c)), "0"), d, w.do("n", Op.NEG, d)),
+    "norm": lambda w, a, b, c, d: _norm(w, _close(w, a, b, "x"), _close(w, c, d, "y")),
+    "series": lambda w, a, b, c, d: _series(w, w.do("s", Op.SCALE, a, "1/4")),
 }
 
 
@@ -185,6 +218,15 @@ MUTATIONS = {
     "distance of options": ("certified_scene", "other = self._distance_up(*options)",
                             "other = ZERO", "step"),
     "functions": ("certified_scene", " + REST", "", "circle"),
+    "arctangent near zero": ("certified_scene", "self.do(Op.SELECT, near, small, any_other)",
+                             "small", "bearing"),
+    "bend of the arctangent": ("certified_scene", "self.do(Op.MUL, part, part)", "ZERO",
+                               "bearing"),
+    "cut of the arctangent": ("certified_scene", "if (bound := self.bound(y)) is not None:",
+                              "if bound := None:", "bearing"),
+    "lost by scaling": ("certified_scene", "kept, ZERO, constant(2 * self.precision.eta)",
+                        "kept, ZERO, ZERO", "sign of a scaled number"),
+    "series": ("sizes", "abs(near) + x.tail / (TAIL * self.u**2)", "abs(near)", "series"),
 }
 
 
@@ -215,7 +257,14 @@ def test_split_numbers_are_found_where_results_do_not_depend_on_them():
     assert [splits(program) for program in found] == [{"h"}, frozenset()]
 
 
-@pytest.mark.parametrize("op", (Op.ATAN2, Op.SCALE))
+def test_choices_of_scales_are_found_where_results_do_not_depend_on_them():
+    plain = program_of("norm")
+    root = next(step for step in plain.instructions if step.op is Op.SQRT)
+    unscaled = replace(plain, results=(Ref(root.name),))
+    assert [scalings(program) for program in (plain, unscaled)] == [{"s"}, frozenset()]
+
+
+@pytest.mark.parametrize("op", (Op.COPYSIGN, Op.POWER))
 def test_an_operation_without_a_rule_is_named(op: Op):
     w = Writer(*map(argument, NAMES))
     plain = w.function("bearing", "", (argument("r"),), [w.do("r", op, *map(w.at, "ab"))]).program

@@ -15,7 +15,7 @@
 #include <numpy/dtype_api.h>
 #include <numpy/ufuncobject.h>
 
-/* On x86-64 every loop is compiled twice, the second time for AVX2, and chosen at run time; both
+/* On x86-64 every loop is compiled twice, the second time for AVX2 with FMA, and chosen at run time; both
    give the same bits. */
 #if defined(__x86_64__) && defined(__GNUC__)
 #define COSCREW_HAS_AVX2 1
@@ -24,9 +24,10 @@
 #endif
 
 #if defined(COSCREW_FOR_AVX2) && defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
+#define KSL_HAS_FMA 1 /* clang's attribute defines no __FMA__ */
 #elif defined(COSCREW_FOR_AVX2)
-#pragma GCC target("avx2,no-fma,no-avx512f")
+#pragma GCC target("avx2,fma,no-avx512f")
 #elif COSCREW_HAS_AVX2 && !defined(__clang__)
 #pragma GCC target("no-fma,no-avx512f")
 #endif
@@ -61,12 +62,14 @@ typedef struct {
 
 int coscrew_add_promoter(PyObject *ufunc);
 
+extern const coscrew_gufunc coscrew_elementary_gufuncs[], coscrew_elementary_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_vec3_gufuncs[], coscrew_vec3_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_vec4_gufuncs[], coscrew_vec4_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_mat3x3_gufuncs[], coscrew_mat3x3_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_SE3_gufuncs[], coscrew_SE3_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_mat6x6_gufuncs[], coscrew_mat6x6_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_matrix_gufuncs[], coscrew_matrix_gufuncs_avx2[];
+extern const coscrew_gufunc coscrew_trig_gufuncs[], coscrew_trig_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_screw_gufuncs[], coscrew_screw_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_coscrew_gufuncs[], coscrew_coscrew_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_quaternion_gufuncs[], coscrew_quaternion_gufuncs_avx2[];

@@ -4,15 +4,17 @@
 /* The extension module coscrew.certified._gufunc: registers every gufunc. */
 #include "_gufunc.h"
 
-static const coscrew_gufunc *const baseline[] = {coscrew_vec3_gufuncs, coscrew_vec4_gufuncs,
-    coscrew_mat3x3_gufuncs, coscrew_SE3_gufuncs, coscrew_mat6x6_gufuncs, coscrew_matrix_gufuncs,
-    coscrew_screw_gufuncs, coscrew_coscrew_gufuncs, coscrew_quaternion_gufuncs,
-    coscrew_exponential_gufuncs, coscrew_inertia_gufuncs, coscrew_spatial_inertia_gufuncs};
+static const coscrew_gufunc *const baseline[] = {coscrew_elementary_gufuncs, coscrew_vec3_gufuncs,
+    coscrew_vec4_gufuncs, coscrew_mat3x3_gufuncs, coscrew_SE3_gufuncs, coscrew_mat6x6_gufuncs,
+    coscrew_matrix_gufuncs, coscrew_trig_gufuncs, coscrew_screw_gufuncs, coscrew_coscrew_gufuncs,
+    coscrew_quaternion_gufuncs, coscrew_exponential_gufuncs, coscrew_inertia_gufuncs,
+    coscrew_spatial_inertia_gufuncs};
 
 #if COSCREW_HAS_AVX2
-static const coscrew_gufunc *const avx2[] = {coscrew_vec3_gufuncs_avx2, coscrew_vec4_gufuncs_avx2,
-    coscrew_mat3x3_gufuncs_avx2, coscrew_SE3_gufuncs_avx2, coscrew_mat6x6_gufuncs_avx2,
-    coscrew_matrix_gufuncs_avx2, coscrew_screw_gufuncs_avx2, coscrew_coscrew_gufuncs_avx2,
+static const coscrew_gufunc *const avx2[] = {coscrew_elementary_gufuncs_avx2,
+    coscrew_vec3_gufuncs_avx2, coscrew_vec4_gufuncs_avx2, coscrew_mat3x3_gufuncs_avx2,
+    coscrew_SE3_gufuncs_avx2, coscrew_mat6x6_gufuncs_avx2, coscrew_matrix_gufuncs_avx2,
+    coscrew_trig_gufuncs_avx2, coscrew_screw_gufuncs_avx2, coscrew_coscrew_gufuncs_avx2,
     coscrew_quaternion_gufuncs_avx2, coscrew_exponential_gufuncs_avx2, coscrew_inertia_gufuncs_avx2,
     coscrew_spatial_inertia_gufuncs_avx2};
 #endif
@@ -21,7 +23,7 @@ static const coscrew_gufunc *const avx2[] = {coscrew_vec3_gufuncs_avx2, coscrew_
 static const coscrew_gufunc *const *best_families(void) {
 #if COSCREW_HAS_AVX2
   __builtin_cpu_init();
-  const int supported = __builtin_cpu_supports("avx2");
+  const int supported = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   if (supported && getenv("COSCREW_BASELINE") == NULL) {
     return avx2;
   }
@@ -77,9 +79,9 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
       return NULL;
     }
   }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "6d1ebf971f6037b2") < 0
+  if (PyModule_AddStringConstant(module, "PROVENANCE", "0c2929c76a1a9976") < 0
       || PyModule_AddStringConstant(
-          module, "LOOPS", families == baseline ? "baseline" : "AVX2") < 0) {
+          module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
     Py_DECREF(module);
     return NULL;
   }

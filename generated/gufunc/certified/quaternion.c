@@ -3701,6 +3701,372 @@ static void omega_to_dquaternion_single(
 static PyUFuncGenericFunction omega_to_dquaternion_loops[] = {
     omega_to_dquaternion_double, omega_to_dquaternion_single};
 
+/* (3),()->(4),(4) */
+INLINED void quaternion_from_axis_angle_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t axis;
+  load_vec3_double(&axis, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    double angle;
+    ksl_quaternion_t qo;
+    ksl_quaternion_t qo_bound;
+    if (step[0] != 0) {
+      load_vec3_double(&axis, p0 + i * step[0], core + 0);
+    }
+    load_scalar_double(&angle, p1 + i * step[1], core + 1);
+    ksl_quaternion_from_axis_angle_certified(&axis, angle, &qo, &qo_bound);
+    store_quaternion_double(&qo, p2 + i * step[2], core + 1);
+    store_quaternion_double(&qo_bound, p3 + i * step[3], core + 2);
+  }
+}
+
+static void quaternion_from_axis_angle_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 8, 32, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    quaternion_from_axis_angle_double_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 32, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    quaternion_from_axis_angle_double_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  quaternion_from_axis_angle_double_over(data, n[0], step, step + 4);
+}
+
+/* (3),()->(4),(4) */
+INLINED void quaternion_from_axis_angle_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t axis;
+  load_vec3_single(&axis, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    float angle;
+    ksl_quaternionf_t qo;
+    ksl_quaternionf_t qo_bound;
+    if (step[0] != 0) {
+      load_vec3_single(&axis, p0 + i * step[0], core + 0);
+    }
+    load_scalar_single(&angle, p1 + i * step[1], core + 1);
+    ksl_quaternionf_from_axis_angle_certified(&axis, angle, &qo, &qo_bound);
+    store_quaternion_single(&qo, p2 + i * step[2], core + 1);
+    store_quaternion_single(&qo_bound, p3 + i * step[3], core + 2);
+  }
+}
+
+static void quaternion_from_axis_angle_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 4, 16, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    quaternion_from_axis_angle_single_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 16, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    quaternion_from_axis_angle_single_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  quaternion_from_axis_angle_single_over(data, n[0], step, step + 4);
+}
+
+static PyUFuncGenericFunction quaternion_from_axis_angle_loops[] = {
+    quaternion_from_axis_angle_double, quaternion_from_axis_angle_single};
+
+/* (4)->(),(3),(),(3) */
+INLINED void axis_angle_from_quaternion_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  char *const p4 = data[4];
+  if (n <= 0) {
+    return;
+  }
+  ksl_quaternion_t q;
+  load_quaternion_double(&q, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    double angle;
+    ksl_vec3_t axis;
+    double angle_bound;
+    ksl_vec3_t axis_bound;
+    if (step[0] != 0) {
+      load_quaternion_double(&q, p0 + i * step[0], core + 0);
+    }
+    angle = ksl_axis_angle_from_quaternion_certified(&q, &axis, &angle_bound, &axis_bound);
+    store_scalar_double(&angle, p1 + i * step[1], core + 1);
+    store_vec3_double(&axis, p2 + i * step[2], core + 1);
+    store_scalar_double(&angle_bound, p3 + i * step[3], core + 2);
+    store_vec3_double(&axis_bound, p4 + i * step[4], core + 2);
+  }
+}
+
+static void axis_angle_from_quaternion_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 32, 8, 24, 8, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    axis_angle_from_quaternion_double_over(
+        data, n[0], dense_1, dense_1 + 5);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 8, 24, 8, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    axis_angle_from_quaternion_double_over(
+        data, n[0], dense_2, dense_2 + 5);
+    return;
+  }
+  axis_angle_from_quaternion_double_over(data, n[0], step, step + 5);
+}
+
+/* (4)->(),(3),(),(3) */
+INLINED void axis_angle_from_quaternion_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  char *const p4 = data[4];
+  if (n <= 0) {
+    return;
+  }
+  ksl_quaternionf_t q;
+  load_quaternion_single(&q, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    float angle;
+    ksl_vec3f_t axis;
+    float angle_bound;
+    ksl_vec3f_t axis_bound;
+    if (step[0] != 0) {
+      load_quaternion_single(&q, p0 + i * step[0], core + 0);
+    }
+    angle = ksl_axis_angle_from_quaternionf_certified(&q, &axis, &angle_bound, &axis_bound);
+    store_scalar_single(&angle, p1 + i * step[1], core + 1);
+    store_vec3_single(&axis, p2 + i * step[2], core + 1);
+    store_scalar_single(&angle_bound, p3 + i * step[3], core + 2);
+    store_vec3_single(&axis_bound, p4 + i * step[4], core + 2);
+  }
+}
+
+static void axis_angle_from_quaternion_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 16, 4, 12, 4, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    axis_angle_from_quaternion_single_over(
+        data, n[0], dense_1, dense_1 + 5);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 4, 12, 4, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    axis_angle_from_quaternion_single_over(
+        data, n[0], dense_2, dense_2 + 5);
+    return;
+  }
+  axis_angle_from_quaternion_single_over(data, n[0], step, step + 5);
+}
+
+static PyUFuncGenericFunction axis_angle_from_quaternion_loops[] = {
+    axis_angle_from_quaternion_double, axis_angle_from_quaternion_single};
+
+/* (3)->(4),(4) */
+INLINED void quaternion_exp_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v;
+  load_vec3_double(&v, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_quaternion_t qo;
+    ksl_quaternion_t qo_bound;
+    if (step[0] != 0) {
+      load_vec3_double(&v, p0 + i * step[0], core + 0);
+    }
+    ksl_quaternion_exp_certified(&v, &qo, &qo_bound);
+    store_quaternion_double(&qo, p1 + i * step[1], core + 1);
+    store_quaternion_double(&qo_bound, p2 + i * step[2], core + 2);
+  }
+}
+
+static void quaternion_exp_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 32, 32, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    quaternion_exp_double_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 32, 32, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    quaternion_exp_double_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  quaternion_exp_double_over(data, n[0], step, step + 3);
+}
+
+/* (3)->(4),(4) */
+INLINED void quaternion_exp_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v;
+  load_vec3_single(&v, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_quaternionf_t qo;
+    ksl_quaternionf_t qo_bound;
+    if (step[0] != 0) {
+      load_vec3_single(&v, p0 + i * step[0], core + 0);
+    }
+    ksl_quaternionf_exp_certified(&v, &qo, &qo_bound);
+    store_quaternion_single(&qo, p1 + i * step[1], core + 1);
+    store_quaternion_single(&qo_bound, p2 + i * step[2], core + 2);
+  }
+}
+
+static void quaternion_exp_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 16, 16, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    quaternion_exp_single_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 16, 16, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    quaternion_exp_single_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  quaternion_exp_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction quaternion_exp_loops[] = {
+    quaternion_exp_double, quaternion_exp_single};
+
+/* (4)->(3),(3) */
+INLINED void quaternion_log_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_quaternion_t q;
+  load_quaternion_double(&q, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t vo;
+    ksl_vec3_t vo_bound;
+    if (step[0] != 0) {
+      load_quaternion_double(&q, p0 + i * step[0], core + 0);
+    }
+    ksl_quaternion_log_certified(&q, &vo, &vo_bound);
+    store_vec3_double(&vo, p1 + i * step[1], core + 1);
+    store_vec3_double(&vo_bound, p2 + i * step[2], core + 2);
+  }
+}
+
+static void quaternion_log_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 32, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    quaternion_log_double_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 24, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    quaternion_log_double_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  quaternion_log_double_over(data, n[0], step, step + 3);
+}
+
+/* (4)->(3),(3) */
+INLINED void quaternion_log_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  if (n <= 0) {
+    return;
+  }
+  ksl_quaternionf_t q;
+  load_quaternion_single(&q, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t vo;
+    ksl_vec3f_t vo_bound;
+    if (step[0] != 0) {
+      load_quaternion_single(&q, p0 + i * step[0], core + 0);
+    }
+    ksl_quaternionf_log_certified(&q, &vo, &vo_bound);
+    store_vec3_single(&vo, p1 + i * step[1], core + 1);
+    store_vec3_single(&vo_bound, p2 + i * step[2], core + 2);
+  }
+}
+
+static void quaternion_log_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 16, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    quaternion_log_single_over(
+        data, n[0], dense_1, dense_1 + 3);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 12, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    quaternion_log_single_over(
+        data, n[0], dense_2, dense_2 + 3);
+    return;
+  }
+  quaternion_log_single_over(data, n[0], step, step + 3);
+}
+
+static PyUFuncGenericFunction quaternion_log_loops[] = {
+    quaternion_log_double, quaternion_log_single};
+
 const coscrew_gufunc TABLE(quaternion)[] = {
   {"quaternion_scale", "(4),()->(4),(4)",
     "self = a self; |error of self| <= self_bound unless inf or NaN.\n"
@@ -3994,6 +4360,44 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "(3),(4)->(4),(4).  w: vector; qi, dqo, dqo_bound: quaternion (x, y, z, w), the scalar last.\n"
     "43 mul, 40 add, 11 abs.\n",
    2, 2, omega_to_dquaternion_loops},
+  {"quaternion_from_axis_angle", "(3),()->(4),(4)",
+    "qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its\n"
+    "rotation is by another angle; |error of qo| <= qo_bound unless inf or NaN.\n"
+    "\n"
+    "(3),()->(4),(4).  axis: vector; angle: number; qo, qo_bound: quaternion (x, y, z, w), the\n"
+    "scalar last.\n"
+    "98 mul, 139 add, 14 product error, 1 div, 11 abs, 1 less, 1 select.  Error <= qo: 3 u of its\n"
+    "largest component for |axis| = 1; searched, not proved.\n",
+   2, 2, quaternion_from_axis_angle_loops},
+  {"axis_angle_from_quaternion", "(4)->(),(3),(),(3)",
+    "angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the\n"
+    "angle is 0; any multiple of a quaternion; |error of angle| <= angle_bound, |error of axis|\n"
+    "<= axis_bound unless inf or NaN.\n"
+    "\n"
+    "(4)->(),(3),(),(3).  q: quaternion (x, y, z, w), the scalar last; angle, angle_bound:\n"
+    "number; axis, axis_bound: vector.\n"
+    "201 mul, 318 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4\n"
+    "copysign, 35 less, 10 equal, 69 select.  Error <= angle: 6 u, axis: 4 u of its largest\n"
+    "component; searched, not proved.\n",
+   1, 4, axis_angle_from_quaternion_loops},
+  {"quaternion_exp", "(3)->(4),(4)",
+    "qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v; |error\n"
+    "of qo| <= qo_bound unless inf or NaN.\n"
+    "\n"
+    "(3)->(4),(4).  v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.\n"
+    "256 mul, 331 add, 16 product error, 3 product rest, 11 div, 3 sqrt, 35 abs, 10 less, 2\n"
+    "equal, 24 select.  Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in\n"
+    "single precision 1e5; searched, not proved.\n",
+   1, 2, quaternion_exp_loops},
+  {"quaternion_log", "(4)->(3),(3)",
+    "vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of\n"
+    "it; |error of vo| <= vo_bound unless inf or NaN.\n"
+    "\n"
+    "(4)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.\n"
+    "209 mul, 315 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4\n"
+    "copysign, 35 less, 10 equal, 65 select.  Error <= vo: 6 u of its largest component;\n"
+    "searched, not proved.\n",
+   1, 2, quaternion_log_loops},
   {NULL, NULL, NULL, 0, 0, NULL},
 };
 

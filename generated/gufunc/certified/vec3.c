@@ -726,6 +726,99 @@ static PyUFuncGenericFunction vec3_scaled_loops[] = {
     vec3_scaled_double, vec3_scaled_single};
 
 /* (3),(3)->(),() */
+INLINED void angle_vv_double_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3_t v1;
+  load_vec3_double(&v1, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3_t v2;
+    double angle;
+    double angle_bound;
+    if (step[0] != 0) {
+      load_vec3_double(&v1, p0 + i * step[0], core + 0);
+    }
+    load_vec3_double(&v2, p1 + i * step[1], core + 1);
+    angle = ksl_angle_vv_certified(&v1, &v2, &angle_bound);
+    store_scalar_double(&angle, p2 + i * step[2], core + 2);
+    store_scalar_double(&angle_bound, p3 + i * step[3], core + 2);
+  }
+}
+
+static void angle_vv_double(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 24, 24, 8, 8, 8, 8 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    angle_vv_double_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 24, 8, 8, 8, 8 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    angle_vv_double_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  angle_vv_double_over(data, n[0], step, step + 4);
+}
+
+/* (3),(3)->(),() */
+INLINED void angle_vv_single_over(
+    char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
+  char *const p0 = data[0];
+  char *const p1 = data[1];
+  char *const p2 = data[2];
+  char *const p3 = data[3];
+  if (n <= 0) {
+    return;
+  }
+  ksl_vec3f_t v1;
+  load_vec3_single(&v1, p0, core + 0);
+  INDEPENDENT
+  for (npy_intp i = 0; i < n; i++) {
+    ksl_vec3f_t v2;
+    float angle;
+    float angle_bound;
+    if (step[0] != 0) {
+      load_vec3_single(&v1, p0 + i * step[0], core + 0);
+    }
+    load_vec3_single(&v2, p1 + i * step[1], core + 1);
+    angle = ksl_angle_vvf_certified(&v1, &v2, &angle_bound);
+    store_scalar_single(&angle, p2 + i * step[2], core + 2);
+    store_scalar_single(&angle_bound, p3 + i * step[3], core + 2);
+  }
+}
+
+static void angle_vv_single(
+    char **data, const npy_intp *n, const npy_intp *step, void *unused) {
+  (void)unused;
+  static const npy_intp dense_1[] = { 12, 12, 4, 4, 4, 4 };
+  if (memcmp(step, dense_1, sizeof dense_1) == 0) {
+    angle_vv_single_over(
+        data, n[0], dense_1, dense_1 + 4);
+    return;
+  }
+  static const npy_intp dense_2[] = { 0, 12, 4, 4, 4, 4 };
+  if (memcmp(step, dense_2, sizeof dense_2) == 0) {
+    angle_vv_single_over(
+        data, n[0], dense_2, dense_2 + 4);
+    return;
+  }
+  angle_vv_single_over(data, n[0], step, step + 4);
+}
+
+static PyUFuncGenericFunction angle_vv_loops[] = {
+    angle_vv_double, angle_vv_single};
+
+/* (3),(3)->(),() */
 INLINED void dot_vv_double_over(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
   char *const p0 = data[0];
@@ -1704,6 +1797,14 @@ const coscrew_gufunc TABLE(vec3)[] = {
     "(3),()->(3),(3).  v, vo, vo_bound: vector; k: number.\n"
     "6 mul, 3 add, 3 abs.\n",
    2, 2, vec3_scaled_loops},
+  {"angle_vv", "(3),(3)->(),()",
+    "angle = atan2(|v1 × v2|, v1·v2), in [0, π]; |error of angle| <= angle_bound unless inf or\n"
+    "NaN.\n"
+    "\n"
+    "(3),(3)->(),().  v1, v2: vector; angle, angle_bound: number.\n"
+    "196 mul, 311 add, 22 product error, 12 product rest, 12 div, 2 sqrt, 1 neg, 40 abs, 4\n"
+    "copysign, 37 less, 5 equal, 56 select.\n",
+   2, 2, angle_vv_loops},
   {"dot_vv", "(3),(3)->(),()",
     "v1·v2; |error of dot| <= dot_bound unless inf or NaN.\n"
     "\n"

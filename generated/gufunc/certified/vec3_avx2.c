@@ -1,7 +1,7 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
-/* The loops of the vec3 operations, compiled for AVX2 on x86-64. */
+/* The loops of the vec3 operations, compiled for AVX2 with FMA on x86-64. */
 #if defined(__x86_64__) && defined(__GNUC__)
 #define COSCREW_FOR_AVX2
 #include "vec3.c"

@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "2c5c06a9837bfdc8")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "9dda0179bda26dd1")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

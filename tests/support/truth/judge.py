@@ -22,7 +22,14 @@ from coscrew_codegen.tiers import tier_named
 from tests.support.domains import angle, defect
 from tests.support.truth import backward
 from tests.support.truth.attack import TIERED, bounds, plain_program
-from tests.support.truth.truths import Components, other_way, truth
+from tests.support.truth.motions import DIGITS
+from tests.support.truth.truths import (
+    ROUNDED,
+    Components,
+    of_given,
+    other_way,
+    truth,
+)
 
 # k of |x̂ - x| <= k u |x| in the plain tier: n squares and their sum have an error of n u, the root
 # half of that and its own rounding, a quotient one rounding more.
@@ -83,8 +90,8 @@ def ratio(operation: Operation, precision: Precision, tier: str, given: Sequence
     then their bounds."""
     if tier == "certified":
         half = len(got) // 2
-        return max(_polynomial(operation, precision, "plain", given, got[:half]),
-                   _certified(operation, given, got[:half], got[half:]))
+        return max(ratio(operation, precision, "plain", given, got[:half]),
+                   _certified(operation, precision, given, got[:half], got[half:]))
     if operation in TIERED:
         return _polynomial(operation, precision, tier, given, got)
     if operation.name in backward.BACKWARD:
@@ -123,15 +130,36 @@ def _polynomial(operation: Operation, precision: Precision, tier: str, given: Se
     return worst
 
 
-def _certified(operation: Operation, given: Sequence[float], got: Sequence[float],
-               bounds: Sequence[float]) -> float:
+def _certified(operation: Operation, precision: Precision, given: Sequence[float],
+               got: Sequence[float], bounds: Sequence[float]) -> float:
     """A bound that is not finite makes no statement."""
     values, worst = [mpq(x) for x in given], 0.0
+    if operation not in TIERED:
+        return max(in_bounds(operation, precision, given, got, bounds), default=0.0)
     for (exact, _), result, bound in zip(exact_functions(operation), got, bounds, strict=True):
         if math.isfinite(bound):
             error = abs(mpq(result) - exact(*values))
             worst = max(worst, float(error / mpq(bound)) if bound else math.inf if error else 0.0)
     return worst
+
+
+def in_bounds(operation: Operation, precision: Precision, given: Sequence[float],
+              got: Sequence[float], bounds: Sequence[float]) -> list[float]:
+    """The errors of components with a finite bound, as parts of it."""
+    with mp.workdps(DIGITS):
+        true = of_given(operation, precision, tuple(given))
+        if any(map(mp.isnan, true)):
+            return []
+        own = mp.mpf(2)**-96 * max(map(abs, (*true, *given))) if any(
+            a.domain in ROUNDED for a in operation.inputs) else 0  # the truth's, of series
+        return [float(error / bound) if bound else math.inf if error else 0.0
+                for x, y, bound in zip(true, got, bounds, strict=True) if math.isfinite(bound)
+                and not _is_other_sign(x, y) for error in [max(abs(x - y) - own, mp.mpf(0))]]
+
+
+def _is_other_sign(x: mp.mpf, y: float) -> bool:
+    """Whether these are π and -π: the sign of a zero says which, and exact zeros have none."""
+    return bool(abs(abs(x) - mp.pi) < 1e-6 and abs(x + y) < 1e-6)
 
 
 def _limit(precision: Precision) -> mpq:

@@ -44,18 +44,26 @@ def exponential_series(A: Matrix, first: int = 0) -> Matrix:
 def _series(A: Matrix, first: int) -> Matrix:
     cancelling = 400  # bits: more than the largest term has for angles up to 200
     with gmpy2.context(precision=mp.mp.prec + cancelling):
-        a = np.array([[_mpfr(x) for x in row] for row in A.tolist()])
+        a = np.array([[to_mpfr(x) for x in row] for row in A.tolist()])
         total = term = np.array(np.eye(A.rows), dtype=object) / gmpy2.mpfr(gmpy2.fac(first))
         k, small = 0, gmpy2.exp2(-mp.mp.prec - 8)
         while k < 3 or k % 8 or np.abs(term).max() > small * np.abs(total).max():
             k += 1
             term = term @ a / (k + first)
             total = total + term
-    return mp.matrix([[mp.mpf(x.as_mantissa_exp()[0]) * mp.mpf(2)**int(x.as_mantissa_exp()[1])
-                       for x in row] for row in total])
+    return mp.matrix([list(map(to_mpf, row)) for row in total])
 
 
-def _mpfr(x: mp.mpf) -> gmpy2.mpfr:
+def to_mpf(x: gmpy2.mpfr) -> mp.mpf:
+    """The number, in mpmath's precision."""
+    if not gmpy2.is_finite(x):
+        return mp.mpf(float(x))
+    mantissa, exponent = x.as_mantissa_exp()
+    return mp.mpf(int(mantissa)) * mp.mpf(2)**int(exponent)
+
+
+def to_mpfr(x: mp.mpf) -> gmpy2.mpfr:
+    """The number, in the context's precision."""
     sign, mantissa, exponent, _ = mp.mpf(x)._mpf_
     return gmpy2.mul_2exp(gmpy2.mpfr((-1)**sign * mantissa), exponent) if exponent >= 0 else \
         gmpy2.div_2exp(gmpy2.mpfr((-1)**sign * mantissa), -exponent)

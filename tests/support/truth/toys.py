@@ -49,7 +49,7 @@ def arithmetic(toy: Toy) -> Arithmetic[Any]:
 
     def error(function: Callable[..., Any]) -> Callable[..., Any]:
         wrong = 1 + WRONG * float(toy.u)**2
-        return once(lambda x, y: function(x) * wrong - y)
+        return once(lambda *x: function(*x[:-1]) * wrong - x[-1])
 
     table = {op: once(function) for op, function in exactly(np).items()}
     return by_operation(lambda x: np.float64(toy.rounded(x.double)), {
@@ -57,12 +57,17 @@ def arithmetic(toy: Toy) -> Arithmetic[Any]:
         Op.PRODUCT_ERROR: once(lambda a, b, p: a * b - p),
         Op.PRODUCT_REST: once(lambda a, b, p, h: a * b - h),
         Op.SIN_ERROR: error(np.sin), Op.COS_ERROR: error(np.cos), Op.EXP_ERROR: error(np.exp),
-        Op.TANH_ERROR: error(np.tanh)}, np.nan)
+        Op.TANH_ERROR: error(np.tanh), Op.ATAN2: once(np.arctan2),
+        Op.ATAN2_ERROR: error(np.arctan2)}, np.nan)
+
+
+def _longdouble(x: Fraction) -> np.longdouble:
+    return np.longdouble(x.numerator) / np.longdouble(x.denominator)
 
 
 TRUE: Arithmetic[Any] = by_operation(
-    lambda x: np.longdouble(x.double.numerator) / np.longdouble(x.double.denominator),
-    {**exactly(np), Op.SELECT: np.where}, np.longdouble(np.nan))
+    lambda x: _longdouble(x.double + x.tail),
+    {**exactly(np), Op.SELECT: np.where, Op.ATAN2: np.arctan2}, np.longdouble(np.nan))
 
 
 @dataclass(frozen=True)

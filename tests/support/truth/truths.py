@@ -12,10 +12,15 @@ from itertools import accumulate
 import mpmath as mp
 import numpy as np
 import sympy as sp
+from gmpy2 import mpfr
 
 from coscrew_codegen.formats import Precision
 from coscrew_codegen.operations import PER_PRECISION, Operation
-from coscrew_codegen.quantity import Argument
+from coscrew_codegen.program import Program
+from coscrew_codegen.program.interpreter import interpreter
+from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
+from coscrew_codegen.programs import library_program
+from coscrew_codegen.quantity import DISPLACEMENT, ROTATION, UNIT_QUATERNION, Argument
 from tests.support.truth.motions import (
     DIGITS,
     TRUTHS,
@@ -31,6 +36,8 @@ from tests.support.truth.motions import (
     product,
     quaternion_exp,
     skew,
+    to_mpf,
+    to_mpfr,
     vector_of,
 )
 
@@ -55,6 +62,42 @@ def _formula(operation: Operation, precision: Precision) -> Callable[..., Compon
     column = 0 if precision.name == "double" else 1
     constants = {symbol: values[column] for symbol, values in PER_PRECISION.items()}
     return sp.lambdify(symbols, [x.subs(constants) for x in operation.truth()], "mpmath")
+
+
+ROUNDED = (ROTATION, DISPLACEMENT, UNIT_QUATERNION)
+"""Domains that rounded inputs are not quite in."""
+
+
+def fine(operation: Operation) -> Program:
+    """The formula for twice the digits."""
+    plain = library_program(operation.name)
+    return plain.fine or plain
+
+
+@functools.cache
+def _run(operation: Operation) -> Callable[..., list[mpfr]]:
+    return interpreter(fine(operation), MULTIPRECISE)
+
+
+def of_formula(operation: Operation, given: Sequence[mpfr]) -> list[mpfr]:
+    """The components of the formula's results, in the context's precision; of series to 2^-97."""
+    ends = list(accumulate(a.quantity.size for a in operation.inputs))
+    return _run(operation)([list(given[end - a.quantity.size:end])
+                            for a, end in zip(operation.inputs, ends, strict=True)])
+
+
+def by_formula(operation: Operation, given: Sequence[mp.mpf]) -> Components:
+    """The same in 60 digits."""
+    with precise(DIGITS):
+        return list(map(to_mpf, of_formula(operation, list(map(to_mpfr, given)))))
+
+
+def of_given(operation: Operation, precision: Precision, given: tuple[float, ...]) -> Components:
+    """The truth for these very inputs, even if they are not quite rotations."""
+    if not any(a.domain in ROUNDED for a in operation.inputs):
+        return truth(operation, precision, given)
+    with mp.workdps(DIGITS):
+        return by_formula(operation, list(map(mp.mpf, given)))
 
 
 def other_way(operation: Operation, given: Sequence[float],

@@ -7,6 +7,7 @@
 
 #include "elementary.h"
 #include "ksl_exact.h"
+#include "ksl_exactf.h"
 
 #ifndef KSL_ATAN2_ERROR
 #define KSL_ATAN2_ERROR

@@ -85,19 +85,6 @@ static KSL_INLINE double ksl_product_error(const double a, const double b, const
 }
 #endif
 
-#ifndef KSL_PRODUCT_ERRORF
-#define KSL_PRODUCT_ERRORF
-/* a b - p in single precision, p the rounded product; a b is exact in double. */
-static KSL_INLINE float ksl_product_errorf(const float a, const float b, const float p) {
-#if KSL_HAS_FMAF
-  return fmaf(a, b, -p);
-#else
-  const double product = (double)a * (double)b;
-  return (float)(product - (double)p);
-#endif
-}
-#endif
-
 /* a b + c rounded once, where a b is exact; the same bits with fma and without. */
 static inline double ksl_product_sum(const double a, const double b, const double c) {
 #if KSL_HAS_FMA

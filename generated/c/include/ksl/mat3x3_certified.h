@@ -7,6 +7,10 @@
 #define KSL_MAT3X3_CERTIFIED_H
 
 #include "ksl_types.h"
+#include "ksl_exact.h"
+#include "ksl_exactf.h"
+#include "elementary.h"
+#include "ksl_elementary_error.h"
 
 /* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
      acceleration of its point x, less that of its origin, is Ro x; |error of Ro| <= Ro_bound
@@ -191,6 +195,1143 @@ static inline void ksl_mat3x3_setFromAxisDC_certified(ksl_mat3x3_t *R, const ksl
   R_bound->m22 = R_22_error_bound;
 }
 
+/* R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); |error of R| <= R_bound unless inf or NaN.
+   angles: vector; R, R_bound: rotation or other 3×3 matrix.
+   291 mul, 434 add, 39 product error, 8 product rest, 3 div, 9 neg, 18 abs, 3 less, 3 select. */
+static inline void ksl_mat3x3_from_euler_xyz_certified(const ksl_vec3_t *angles, ksl_mat3x3_t *R,
+    ksl_mat3x3_t *R_bound) {
+  double c_0; const double s_0 = ksl_sincos(angles->x, &c_0);
+  double c_own_error_1; const double s_own_error_1 = ksl_sincos_error(angles->x, s_0, c_0,
+      &c_own_error_1);
+  double c_1; const double s_1 = ksl_sincos(angles->y, &c_1);
+  double c_own_error_2; const double s_own_error_2 = ksl_sincos_error(angles->y, s_1, c_1,
+      &c_own_error_2);
+  double c_2; const double s_2 = ksl_sincos(angles->z, &c_2);
+  double c_own_error_3; const double s_own_error_3 = ksl_sincos_error(angles->z, s_2, c_2,
+      &c_own_error_3);
+  const double first_0 = KSL_MUL(c_1, c_2), first_cross1_1 = KSL_MUL(c_own_error_2, c_2),
+      first_cross2_1 = KSL_MUL(c_1, c_own_error_3), first_cross_1 = first_cross1_1 + first_cross2_1;
+  const double first_1a = KSL_MUL(s_2, c_1), first_1a_cross1_1 = KSL_MUL(s_own_error_3, c_1),
+      first_1a_cross2_1 = KSL_MUL(s_2, c_own_error_2),
+      first_1a_cross_1 = first_1a_cross1_1 + first_1a_cross2_1, first_1 = -first_1a,
+      first_cross_2 = -first_1a_cross_1, first_factor_1 = -s_2;
+  const double first_6a = KSL_MUL(s_1, c_2), first_6a_cross1_1 = KSL_MUL(s_own_error_2, c_2),
+      first_6a_cross2_1 = KSL_MUL(s_1, c_own_error_3),
+      first_6a_cross_1 = first_6a_cross1_1 + first_6a_cross2_1, first_6 = -first_6a,
+      first_cross_3 = -first_6a_cross_1, first_factor_2 = -s_1;
+  const double first_7 = KSL_MUL(s_1, s_2), first_cross1_2 = KSL_MUL(s_own_error_2, s_2),
+      first_cross2_2 = KSL_MUL(s_1, s_own_error_3), first_cross_4 = first_cross1_2 + first_cross2_2;
+  const double last_3a = KSL_MUL(s_2, c_0), last_3a_cross1_1 = KSL_MUL(s_own_error_3, c_0),
+      last_3a_cross2_1 = KSL_MUL(s_2, c_own_error_1),
+      last_3a_cross_1 = last_3a_cross1_1 + last_3a_cross2_1,
+      first_error_1 = ksl_product_error(first_factor_2, c_2, first_6),
+      first_lo_1 = first_error_1 + first_cross_3, last_3b = KSL_MUL(s_0, first_6),
+      last_3b_cross1_1 = KSL_MUL(s_own_error_1, first_6),
+      last_3b_cross2_1 = KSL_MUL(s_0, first_lo_1),
+      last_3b_cross_1 = last_3b_cross1_1 + last_3b_cross2_1, last_3 = last_3a - last_3b,
+      last_right_1 = last_3a - last_3, last_left_1 = last_3 + last_right_1,
+      last_left_rest_1 = ksl_product_rest(s_2, c_0, last_3a, last_left_1),
+      last_right_rest_1 = ksl_product_rest(s_0, first_6, last_3b, last_right_1),
+      last_cross_1 = last_3a_cross_1 - last_3b_cross_1,
+      last_lo1_1 = last_left_rest_1 - last_right_rest_1, last_lo_1 = last_lo1_1 + last_cross_1;
+  const double last_4a = KSL_MUL(c_0, c_2), last_4a_cross1_1 = KSL_MUL(c_own_error_1, c_2),
+      last_4a_cross2_1 = KSL_MUL(c_0, c_own_error_3),
+      last_4a_cross_1 = last_4a_cross1_1 + last_4a_cross2_1,
+      first_error_2 = ksl_product_error(s_1, s_2, first_7),
+      first_lo_2 = first_error_2 + first_cross_4, last_4b = KSL_MUL(s_0, first_7),
+      last_4b_cross1_1 = KSL_MUL(s_own_error_1, first_7),
+      last_4b_cross2_1 = KSL_MUL(s_0, first_lo_2),
+      last_4b_cross_1 = last_4b_cross1_1 + last_4b_cross2_1, last_4 = last_4a - last_4b,
+      last_right_2 = last_4a - last_4, last_left_2 = last_4 + last_right_2,
+      last_left_rest_2 = ksl_product_rest(c_0, c_2, last_4a, last_left_2),
+      last_right_rest_2 = ksl_product_rest(s_0, first_7, last_4b, last_right_2),
+      last_cross_2 = last_4a_cross_1 - last_4b_cross_1,
+      last_lo1_2 = last_left_rest_2 - last_right_rest_2, last_lo_2 = last_lo1_2 + last_cross_2;
+  const double last_5a = KSL_MUL(s_0, c_1), last_5a_cross1_1 = KSL_MUL(s_own_error_1, c_1),
+      last_5a_cross2_1 = KSL_MUL(s_0, c_own_error_2),
+      last_5a_cross_1 = last_5a_cross1_1 + last_5a_cross2_1, last_5 = -last_5a,
+      last_cross_3 = -last_5a_cross_1, last_factor_1 = -s_0;
+  const double last_6a = KSL_MUL(s_0, s_2), last_6a_cross1_1 = KSL_MUL(s_own_error_1, s_2),
+      last_6a_cross2_1 = KSL_MUL(s_0, s_own_error_3),
+      last_6a_cross_1 = last_6a_cross1_1 + last_6a_cross2_1, last_6b = KSL_MUL(c_0, first_6),
+      last_6b_cross1_1 = KSL_MUL(c_own_error_1, first_6),
+      last_6b_cross2_1 = KSL_MUL(c_0, first_lo_1),
+      last_6b_cross_1 = last_6b_cross1_1 + last_6b_cross2_1, last_6 = last_6a + last_6b,
+      last_right_3 = last_6 - last_6a, last_left_3 = last_6 - last_right_3,
+      last_left_rest_3 = ksl_product_rest(s_0, s_2, last_6a, last_left_3),
+      last_right_rest_3 = ksl_product_rest(c_0, first_6, last_6b, last_right_3),
+      last_cross_4 = last_6a_cross_1 + last_6b_cross_1,
+      last_lo1_3 = last_left_rest_3 + last_right_rest_3, last_lo_3 = last_lo1_3 + last_cross_4;
+  const double last_7a = KSL_MUL(s_0, c_2), last_7a_cross1_1 = KSL_MUL(s_own_error_1, c_2),
+      last_7a_cross2_1 = KSL_MUL(s_0, c_own_error_3),
+      last_7a_cross_1 = last_7a_cross1_1 + last_7a_cross2_1, last_7b = KSL_MUL(c_0, first_7),
+      last_7b_cross1_1 = KSL_MUL(c_own_error_1, first_7),
+      last_7b_cross2_1 = KSL_MUL(c_0, first_lo_2),
+      last_7b_cross_1 = last_7b_cross1_1 + last_7b_cross2_1, last_7 = last_7a + last_7b,
+      last_right_4 = last_7 - last_7a, last_left_4 = last_7 - last_right_4,
+      last_left_rest_4 = ksl_product_rest(s_0, c_2, last_7a, last_left_4),
+      last_right_rest_4 = ksl_product_rest(c_0, first_7, last_7b, last_right_4),
+      last_cross_5 = last_7a_cross_1 + last_7b_cross_1,
+      last_lo1_4 = last_left_rest_4 + last_right_rest_4, last_lo_4 = last_lo1_4 + last_cross_5;
+  const double last_8 = KSL_MUL(c_0, c_1), last_cross1_1 = KSL_MUL(c_own_error_1, c_1),
+      last_cross2_1 = KSL_MUL(c_0, c_own_error_2), last_cross_6 = last_cross1_1 + last_cross2_1;
+  const double first_error_3 = ksl_product_error(c_1, c_2, first_0),
+      first_lo_3 = first_error_3 + first_cross_1, first_error_4 = fabs(first_lo_3),
+      first_bound_1 = 7.814654941017999e-30 + first_error_4,
+      first_error_5 = ksl_product_error(first_factor_1, c_1, first_1),
+      first_lo_4 = first_error_5 + first_cross_2, first_error_6 = fabs(first_lo_4),
+      first_bound_2 = 7.814654941017999e-30 + first_error_6, s_error_1 = fabs(s_own_error_2),
+      s_bound_1 = 3.7470896994678994e-30 + s_error_1, last_error_1 = fabs(last_lo_1),
+      last_bound_1 = 2.684592926357104e-29 + last_error_1, last_error_2 = fabs(last_lo_2),
+      last_bound_2 = 2.684592926357104e-29 + last_error_2,
+      last_error_3 = ksl_product_error(last_factor_1, c_1, last_5),
+      last_lo_5 = last_error_3 + last_cross_3, last_error_4 = fabs(last_lo_5),
+      last_bound_3 = 7.814654941017999e-30 + last_error_4, last_error_5 = fabs(last_lo_3),
+      last_bound_4 = 2.684592926357104e-29 + last_error_5, last_error_6 = fabs(last_lo_4),
+      last_bound_5 = 2.684592926357104e-29 + last_error_6,
+      last_error_7 = ksl_product_error(c_0, c_1, last_8), last_lo_6 = last_error_7 + last_cross_6,
+      last_error_8 = fabs(last_lo_6), last_bound_6 = 7.814654941017999e-30 + last_error_8;
+  R->m00 = first_0;
+  R->m01 = first_1;
+  R->m02 = s_1;
+  R->m10 = last_3;
+  R->m11 = last_4;
+  R->m12 = last_5;
+  R->m20 = last_6;
+  R->m21 = last_7;
+  R->m22 = last_8;
+  R_bound->m00 = first_bound_1;
+  R_bound->m01 = first_bound_2;
+  R_bound->m02 = s_bound_1;
+  R_bound->m10 = last_bound_1;
+  R_bound->m11 = last_bound_2;
+  R_bound->m12 = last_bound_3;
+  R_bound->m20 = last_bound_4;
+  R_bound->m21 = last_bound_5;
+  R_bound->m22 = last_bound_6;
+}
+
+/* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
+     [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
+   R: rotation or other 3×3 matrix; angles, angles_bound: vector.
+   424 mul, 725 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 59 abs, 12
+     copysign, 50 less, 13 equal, 96 select.
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
+static inline void ksl_euler_xyz_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *angles,
+    ksl_vec3_t *angles_bound) {
+  const double n_a = KSL_MUL(R->m00, R->m00), n_a_size_1 = fabs(R->m00),
+      n_a_size_2 = KSL_MUL(n_a_size_1, n_a_size_1), n_b = KSL_MUL(R->m01, R->m01),
+      n_b_size_1 = fabs(R->m01), n_b_size_2 = KSL_MUL(n_b_size_1, n_b_size_1), n_c = n_a + n_b,
+      n_c_right_1 = n_c - n_a, n_c_left_1 = n_c - n_c_right_1,
+      n_c_left_rest_1 = ksl_product_rest(R->m00, R->m00, n_a, n_c_left_1),
+      n_c_right_rest_1 = ksl_product_rest(R->m01, R->m01, n_b, n_c_right_1),
+      n_c_lo = n_c_left_rest_1 + n_c_right_rest_1, n_c_size_1 = n_a_size_2 + n_b_size_2,
+      n = sqrt(n_c), n_product_1 = KSL_MUL(n, n),
+      n_product_error_1 = ksl_product_error(n, n, n_product_1), n_rest_1 = n_c - n_product_1,
+      n_exact_1 = n_rest_1 - n_product_error_1, n_residual_1 = n_exact_1 + n_c_lo,
+      n_twice_1 = n + n, n_divisor_1 = n == 0.0 ? 1.0 : n_twice_1,
+      n_lo = n_residual_1 / n_divisor_1, n_padded_1 = 1.8051943758648296e-276 + n_c_size_1,
+      n_size_1 = n_padded_1 / n, n_size_2 = n_size_1 / n_c, n_size_3 = fabs(n_c),
+      n_error_1 = fabs(n_c_lo), n_rest_2 = KSL_MUL(9.614242987677729e-31, n_padded_1),
+      n_bound_1 = n_error_1 + n_rest_2, n_units_1 = KSL_MUL(140737488355328.0, n_bound_1),
+      n_reach_1 = n_size_3 + n_units_1, n_size_4 = KSL_MUL(n_reach_1, n_size_2),
+      n_size_5 = sqrt(n_bound_1), n_size_6 = fabs(n_lo), n_size_7 = n_size_5 + n_size_6,
+      n_size_8 = KSL_MUL(4.916947487854274e+29, n_size_7), n_size_9 = KSL_MUL(4.0, n_bound_1),
+      n_size_11 = n_size_9 < n_c ? n_size_4 : n_size_8, n_size_12 = n + n_size_11;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo,
+      divisor_size_1 = n == 0.0 ? 1.0 : n_size_12,
+      divisor_padded_1 = 1.8051943758648296e-276 + n_size_12,
+      divisor_rest_1 = KSL_MUL(2.230997459167166e-30, divisor_padded_1),
+      divisor_bound_1 = divisor_rest_1 + n_size_6, divisor_size_2 = n - 0.0,
+      divisor_size_3 = fabs(divisor_size_2), divisor_size_5 = 1.0 - n,
+      divisor_size_6 = fabs(divisor_size_5), divisor_size_7 = divisor_bound_1 + divisor_size_6,
+      divisor_size_8 = divisor_bound_1 < divisor_size_3 ? 0.0 : divisor_size_7,
+      divisor_size_9 = KSL_MUL(1.5845630613906556e+29, divisor_size_8),
+      divisor_size_10 = divisor_size_1 + divisor_size_9;
+  const double cosine_a = R->m00 / divisor, cosine_a_product_1 = KSL_MUL(cosine_a, divisor),
+      cosine_a_product_error_1 = ksl_product_error(cosine_a, divisor, cosine_a_product_1),
+      cosine_a_rest_1 = R->m00 - cosine_a_product_1,
+      cosine_a_exact_1 = cosine_a_rest_1 - cosine_a_product_error_1,
+      cosine_a_cross_1 = KSL_MUL(cosine_a, divisor_lo),
+      cosine_a_residual_1 = cosine_a_exact_1 - cosine_a_cross_1,
+      cosine_a_lo = cosine_a_residual_1 / divisor,
+      cosine_a_padded_1 = 1.8051943758648296e-276 + n_a_size_1,
+      cosine_a_padded_2 = 1.8051943758648296e-276 + divisor_size_10,
+      cosine_a_size_1 = fabs(cosine_a), cosine_a_size_2 = fabs(divisor),
+      cosine_a_size_3 = KSL_MUL(cosine_a_padded_2, cosine_a_size_1),
+      cosine_a_size_4 = cosine_a_padded_1 + cosine_a_size_3, cosine_a_error_1 = fabs(divisor_lo),
+      cosine_a_rest_2 = KSL_MUL(6.508104019725916e-30, cosine_a_padded_2),
+      cosine_a_bound_1 = cosine_a_error_1 + cosine_a_rest_2,
+      cosine_a_size_5 = KSL_MUL(4.0, cosine_a_bound_1),
+      cosine_a_size_7 = cosine_a_size_5 < cosine_a_size_2 ? cosine_a_size_2 : 0.0,
+      cosine_a_size_8 = cosine_a_size_4 / cosine_a_size_7,
+      cosine_a_units_1 = KSL_MUL(140737488355328.0, cosine_a_bound_1),
+      cosine_a_reach_1 = cosine_a_size_2 + cosine_a_units_1,
+      cosine_a_size_9 = KSL_MUL(cosine_a_reach_1, cosine_a_size_8),
+      cosine_a_size_10 = cosine_a_size_9 / cosine_a_size_2,
+      cosine_a_size_11 = cosine_a_size_1 + cosine_a_size_10, cosine = n == 0.0 ? 1.0 : cosine_a,
+      cosine_lo = n == 0.0 ? 0.0 : cosine_a_lo, cosine_size_1 = n == 0.0 ? 1.0 : cosine_a_size_11,
+      cosine_size_2 = 1.0 - cosine_a, cosine_size_3 = fabs(cosine_size_2),
+      cosine_error_1 = fabs(cosine_a_lo),
+      cosine_padded_1 = 1.8051943758648296e-276 + cosine_a_size_11,
+      cosine_rest_1 = KSL_MUL(9.910067449317813e-30, cosine_padded_1),
+      cosine_bound_1 = cosine_error_1 + cosine_rest_1,
+      cosine_size_4 = cosine_bound_1 + cosine_size_3,
+      cosine_size_5 = divisor_bound_1 < divisor_size_3 ? 0.0 : cosine_size_4,
+      cosine_size_6 = KSL_MUL(1.0401233252484625e+29, cosine_size_5),
+      cosine_size_7 = cosine_size_1 + cosine_size_6;
+  const double sine_a = -R->m01, sine = sine_a / divisor, sine_product_1 = KSL_MUL(sine, divisor),
+      sine_product_error_1 = ksl_product_error(sine, divisor, sine_product_1),
+      sine_rest_1 = sine_a - sine_product_1, sine_exact_1 = sine_rest_1 - sine_product_error_1,
+      sine_cross_1 = KSL_MUL(sine, divisor_lo), sine_residual_1 = sine_exact_1 - sine_cross_1,
+      sine_lo = sine_residual_1 / divisor, sine_padded_1 = 1.8051943758648296e-276 + n_b_size_1,
+      sine_size_1 = fabs(sine), sine_size_2 = KSL_MUL(cosine_a_padded_2, sine_size_1),
+      sine_size_3 = sine_padded_1 + sine_size_2, sine_size_4 = sine_size_3 / cosine_a_size_7,
+      sine_size_5 = KSL_MUL(cosine_a_reach_1, sine_size_4),
+      sine_size_6 = sine_size_5 / cosine_a_size_2, sine_size_7 = sine_size_1 + sine_size_6;
+  const double polar = ksl_atan2(sine_a, R->m00),
+      polar_own_error_1 = ksl_atan2_error(sine_a, R->m00, polar), polar_size_1 = fabs(polar);
+  const double third = n == 0.0 ? 0.0 : polar, third_lo = n == 0.0 ? 0.0 : polar_own_error_1,
+      third_size_1 = n == 0.0 ? 0.0 : polar_size_1, third_size_2 = 0.0 - polar,
+      third_size_3 = fabs(third_size_2), third_error_1 = fabs(polar_own_error_1),
+      third_padded_1 = 1.8051943758648296e-276 + polar_size_1,
+      third_rest_1 = KSL_MUL(3.7470896994679e-30, third_padded_1),
+      third_bound_1 = third_error_1 + third_rest_1, third_size_4 = third_bound_1 + third_size_3,
+      third_size_5 = divisor_bound_1 < divisor_size_3 ? 0.0 : third_size_4,
+      third_size_6 = KSL_MUL(1.5845630613906556e+29, third_size_5),
+      third_size_7 = third_size_1 + third_size_6;
+  const double left_1a = KSL_MUL(R->m10, sine), left_1a_cross2_1 = KSL_MUL(R->m10, sine_lo),
+      left_1a_size_1 = fabs(R->m10), left_1a_padded_1 = 1.8051943758648296e-276 + sine_size_7,
+      left_1a_size_2 = KSL_MUL(left_1a_padded_1, left_1a_size_1), left_1b = KSL_MUL(R->m11, cosine),
+      left_1b_cross2_1 = KSL_MUL(R->m11, cosine_lo), left_1b_size_1 = fabs(R->m11),
+      left_1b_padded_1 = 1.8051943758648296e-276 + cosine_size_7,
+      left_1b_size_2 = KSL_MUL(left_1b_padded_1, left_1b_size_1), left_1 = left_1a + left_1b,
+      left_right_1 = left_1 - left_1a, left_left_1 = left_1 - left_right_1,
+      left_left_rest_1 = ksl_product_rest(R->m10, sine, left_1a, left_left_1),
+      left_right_rest_1 = ksl_product_rest(R->m11, cosine, left_1b, left_right_1),
+      left_cross_1 = left_1a_cross2_1 + left_1b_cross2_1,
+      left_lo1_1 = left_left_rest_1 + left_right_rest_1, left_lo_1 = left_lo1_1 + left_cross_1,
+      left_size_1 = left_1a_size_2 + left_1b_size_2;
+  const double left_2a = KSL_MUL(R->m20, sine), left_2a_cross2_1 = KSL_MUL(R->m20, sine_lo),
+      left_2a_size_1 = fabs(R->m20), left_2a_size_2 = KSL_MUL(left_1a_padded_1, left_2a_size_1),
+      left_2b = KSL_MUL(R->m21, cosine), left_2b_cross2_1 = KSL_MUL(R->m21, cosine_lo),
+      left_2b_size_1 = fabs(R->m21), left_2b_size_2 = KSL_MUL(left_1b_padded_1, left_2b_size_1),
+      left_2 = left_2a + left_2b, left_right_2 = left_2 - left_2a,
+      left_left_2 = left_2 - left_right_2,
+      left_left_rest_2 = ksl_product_rest(R->m20, sine, left_2a, left_left_2),
+      left_right_rest_2 = ksl_product_rest(R->m21, cosine, left_2b, left_right_2),
+      left_cross_2 = left_2a_cross2_1 + left_2b_cross2_1,
+      left_lo1_2 = left_left_rest_2 + left_right_rest_2, left_lo_2 = left_lo1_2 + left_cross_2,
+      left_size_2 = left_2a_size_2 + left_2b_size_2;
+  const double angles_0 = ksl_atan2(left_2, left_1),
+      angles_own_error_1 = ksl_atan2_error(left_2, left_1, angles_0), angles_size0_1 = fabs(left_2),
+      angles_size1_1 = fabs(left_1),
+      angles_most_1 = angles_size0_1 < angles_size1_1 ? angles_size1_1 : angles_size0_1,
+      angles_divisor_1 = angles_most_1 == 0.0 ? 1.0 : angles_most_1,
+      angles_part0_1 = left_2 / angles_divisor_1, angles_part1_1 = left_1 / angles_divisor_1,
+      angles_cross1_1 = KSL_MUL(angles_part1_1, left_lo_2),
+      angles_cross2_1 = KSL_MUL(angles_part0_1, left_lo_1),
+      angles_square1_1 = KSL_MUL(angles_part1_1, angles_part1_1),
+      angles_square2_1 = KSL_MUL(angles_part0_1, angles_part0_1),
+      angles_cross_1 = angles_cross1_1 - angles_cross2_1,
+      angles_square_1 = angles_square1_1 + angles_square2_1,
+      angles_divisor2_1 = KSL_MUL(angles_divisor_1, angles_square_1),
+      angles_safe_1 = angles_most_1 == 0.0 ? 1.0 : angles_divisor2_1,
+      angles_more_1 = angles_cross_1 / angles_safe_1,
+      angles_lo_1 = angles_own_error_1 + angles_more_1, angles_size_1 = fabs(angles_0),
+      angles_padded_1 = 1.8051943758648296e-276 + left_size_2,
+      angles_padded_2 = 1.8051943758648296e-276 + left_size_1, angles_size_2 = fabs(left_2),
+      angles_size_3 = fabs(left_1),
+      angles_size_5 = angles_size_2 < angles_size_3 ? angles_size_3 : angles_size_2,
+      angles_error_1 = fabs(left_lo_2),
+      angles_rest_1 = KSL_MUL(1.120429474644463e-29, angles_padded_1),
+      angles_bound_1 = angles_error_1 + angles_rest_1, angles_error_2 = fabs(left_lo_1),
+      angles_rest_2 = KSL_MUL(1.120429474644463e-29, angles_padded_2),
+      angles_bound_2 = angles_error_2 + angles_rest_2,
+      angles_size_6 = 1.8051943758648296e-276 + angles_bound_1,
+      angles_size_7 = angles_bound_2 + angles_size_6,
+      angles_size_8 = angles_padded_1 + angles_padded_2,
+      angles_size_9 = angles_size_8 / angles_size_5, angles_size_10 = angles_size_1 + angles_size_9,
+      angles_size_11 = angles_size_7 / angles_size_5,
+      angles_size_13 = KSL_MUL(angles_size_11, angles_size_11), angles_size_14 = fabs(angles_lo_1),
+      angles_size_15 = 7.0 + angles_size_14,
+      angles_size_18 = angles_bound_2 < left_1 ? angles_size_13 : angles_size_15,
+      angles_size_19 = angles_bound_1 < angles_size_2 ? angles_size_13 : angles_size_18,
+      angles_size_20 = angles_size_11 < 0.25 ? angles_size_19 : angles_size_15,
+      angles_size_21 = KSL_MUL(4.527322338646221e+28, angles_size_20),
+      angles_size_22 = angles_size_10 + angles_size_21;
+  const double angles_1 = ksl_atan2(R->m02, n),
+      angles_own_error_2 = ksl_atan2_error(R->m02, n, angles_1), angles_size0_2 = fabs(R->m02),
+      angles_size1_2 = fabs(n),
+      angles_most_2 = angles_size0_2 < angles_size1_2 ? angles_size1_2 : angles_size0_2,
+      angles_divisor_2 = angles_most_2 == 0.0 ? 1.0 : angles_most_2,
+      angles_part0_2 = R->m02 / angles_divisor_2, angles_part1_2 = n / angles_divisor_2,
+      angles_cross1_2 = KSL_MUL(angles_part1_2, 0.0),
+      angles_cross2_2 = KSL_MUL(angles_part0_2, n_lo),
+      angles_square1_2 = KSL_MUL(angles_part1_2, angles_part1_2),
+      angles_square2_2 = KSL_MUL(angles_part0_2, angles_part0_2),
+      angles_cross_2 = angles_cross1_2 - angles_cross2_2,
+      angles_square_2 = angles_square1_2 + angles_square2_2,
+      angles_divisor2_2 = KSL_MUL(angles_divisor_2, angles_square_2),
+      angles_safe_2 = angles_most_2 == 0.0 ? 1.0 : angles_divisor2_2,
+      angles_more_2 = angles_cross_2 / angles_safe_2,
+      angles_lo_2 = angles_own_error_2 + angles_more_2, angles_size_23 = fabs(angles_1),
+      angles_size_24 = fabs(R->m02), angles_padded_3 = 1.8051943758648296e-276 + angles_size_24,
+      angles_size_25 = fabs(n),
+      angles_size_27 = angles_size_24 < angles_size_25 ? angles_size_25 : angles_size_24,
+      angles_size_28 = 1.8051943758648296e-276 + divisor_bound_1,
+      angles_size_29 = angles_padded_3 + divisor_padded_1,
+      angles_size_30 = angles_size_29 / angles_size_27,
+      angles_size_31 = angles_size_23 + angles_size_30,
+      angles_size_32 = angles_size_28 / angles_size_27,
+      angles_size_34 = KSL_MUL(angles_size_32, angles_size_32), angles_size_35 = fabs(angles_lo_2),
+      angles_size_36 = 7.0 + angles_size_35,
+      angles_size_37 = angles_size_32 < 0.25 ? angles_size_34 : angles_size_36,
+      angles_size_38 = KSL_MUL(7.9228157791897855e+28, angles_size_37),
+      angles_size_39 = angles_size_31 + angles_size_38;
+  const double angles_padded_4 = 1.8051943758648296e-276 + angles_size_22,
+      angles_rest_3 = KSL_MUL(2.2778366396519518e-29, angles_padded_4),
+      angles_bound_3 = angles_rest_3 + angles_size_14,
+      angles_padded_5 = 1.8051943758648296e-276 + angles_size_39,
+      angles_rest_4 = KSL_MUL(1.3016206487799288e-29, angles_padded_5),
+      angles_bound_4 = angles_rest_4 + angles_size_35, third_error_2 = fabs(third_lo),
+      third_padded_2 = 1.8051943758648296e-276 + third_size_7,
+      third_rest_2 = KSL_MUL(6.508104019725916e-30, third_padded_2),
+      third_bound_2 = third_error_2 + third_rest_2;
+  angles->x = angles_0;
+  angles->y = angles_1;
+  angles->z = third;
+  angles_bound->x = angles_bound_3;
+  angles_bound->y = angles_bound_4;
+  angles_bound->z = third_bound_2;
+}
+
+/* R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); |error of R| <= R_bound unless inf or NaN.
+   angles: vector; R, R_bound: rotation or other 3×3 matrix.
+   291 mul, 434 add, 39 product error, 8 product rest, 3 div, 5 neg, 18 abs, 3 less, 3 select. */
+static inline void ksl_mat3x3_from_euler_xyx_certified(const ksl_vec3_t *angles, ksl_mat3x3_t *R,
+    ksl_mat3x3_t *R_bound) {
+  double c_0; const double s_0 = ksl_sincos(angles->x, &c_0);
+  double c_own_error_1; const double s_own_error_1 = ksl_sincos_error(angles->x, s_0, c_0,
+      &c_own_error_1);
+  double c_1; const double s_1 = ksl_sincos(angles->y, &c_1);
+  double c_own_error_2; const double s_own_error_2 = ksl_sincos_error(angles->y, s_1, c_1,
+      &c_own_error_2);
+  double c_2; const double s_2 = ksl_sincos(angles->z, &c_2);
+  double c_own_error_3; const double s_own_error_3 = ksl_sincos_error(angles->z, s_2, c_2,
+      &c_own_error_3);
+  const double first_1 = KSL_MUL(s_1, s_2), first_cross1_1 = KSL_MUL(s_own_error_2, s_2),
+      first_cross2_1 = KSL_MUL(s_1, s_own_error_3), first_cross_1 = first_cross1_1 + first_cross2_1;
+  const double first_2 = KSL_MUL(s_1, c_2), first_cross1_2 = KSL_MUL(s_own_error_2, c_2),
+      first_cross2_2 = KSL_MUL(s_1, c_own_error_3), first_cross_2 = first_cross1_2 + first_cross2_2;
+  const double first_7 = KSL_MUL(s_2, c_1), first_cross1_3 = KSL_MUL(s_own_error_3, c_1),
+      first_cross2_3 = KSL_MUL(s_2, c_own_error_2), first_cross_3 = first_cross1_3 + first_cross2_3;
+  const double first_8 = KSL_MUL(c_1, c_2), first_cross1_4 = KSL_MUL(c_own_error_2, c_2),
+      first_cross2_4 = KSL_MUL(c_1, c_own_error_3), first_cross_4 = first_cross1_4 + first_cross2_4;
+  const double last_3 = KSL_MUL(s_0, s_1), last_cross1_1 = KSL_MUL(s_own_error_1, s_1),
+      last_cross2_1 = KSL_MUL(s_0, s_own_error_2), last_cross_1 = last_cross1_1 + last_cross2_1;
+  const double last_4a = KSL_MUL(c_0, c_2), last_4a_cross1_1 = KSL_MUL(c_own_error_1, c_2),
+      last_4a_cross2_1 = KSL_MUL(c_0, c_own_error_3),
+      last_4a_cross_1 = last_4a_cross1_1 + last_4a_cross2_1,
+      first_error_1 = ksl_product_error(s_2, c_1, first_7),
+      first_lo_1 = first_error_1 + first_cross_3, last_4b = KSL_MUL(s_0, first_7),
+      last_4b_cross1_1 = KSL_MUL(s_own_error_1, first_7),
+      last_4b_cross2_1 = KSL_MUL(s_0, first_lo_1),
+      last_4b_cross_1 = last_4b_cross1_1 + last_4b_cross2_1, last_4 = last_4a - last_4b,
+      last_right_1 = last_4a - last_4, last_left_1 = last_4 + last_right_1,
+      last_left_rest_1 = ksl_product_rest(c_0, c_2, last_4a, last_left_1),
+      last_right_rest_1 = ksl_product_rest(s_0, first_7, last_4b, last_right_1),
+      last_cross_2 = last_4a_cross_1 - last_4b_cross_1,
+      last_lo1_1 = last_left_rest_1 - last_right_rest_1, last_lo_1 = last_lo1_1 + last_cross_2;
+  const double first_error_2 = ksl_product_error(c_1, c_2, first_8),
+      first_lo_2 = first_error_2 + first_cross_4, last_5a = KSL_MUL(s_0, first_8),
+      last_5a_cross1_1 = KSL_MUL(s_own_error_1, first_8),
+      last_5a_cross2_1 = KSL_MUL(s_0, first_lo_2),
+      last_5a_cross_1 = last_5a_cross1_1 + last_5a_cross2_1, last_5b = KSL_MUL(s_2, c_0),
+      last_5b_cross1_1 = KSL_MUL(s_own_error_3, c_0),
+      last_5b_cross2_1 = KSL_MUL(s_2, c_own_error_1),
+      last_5b_cross_1 = last_5b_cross1_1 + last_5b_cross2_1, last_5c = last_5a + last_5b,
+      last_5c_right_1 = last_5c - last_5a, last_5c_left_1 = last_5c - last_5c_right_1,
+      last_5c_left_rest_1 = ksl_product_rest(s_0, first_8, last_5a, last_5c_left_1),
+      last_5c_right_rest_1 = ksl_product_rest(s_2, c_0, last_5b, last_5c_right_1),
+      last_5c_cross_1 = last_5a_cross_1 + last_5b_cross_1,
+      last_5c_lo1_1 = last_5c_left_rest_1 + last_5c_right_rest_1,
+      last_5c_lo = last_5c_lo1_1 + last_5c_cross_1, last_5 = -last_5c, last_lo_2 = -last_5c_lo;
+  const double last_6a = KSL_MUL(s_1, c_0), last_6a_cross1_1 = KSL_MUL(s_own_error_2, c_0),
+      last_6a_cross2_1 = KSL_MUL(s_1, c_own_error_1),
+      last_6a_cross_1 = last_6a_cross1_1 + last_6a_cross2_1, last_6 = -last_6a,
+      last_cross_3 = -last_6a_cross_1, last_factor_1 = -s_1;
+  const double last_7a = KSL_MUL(s_0, c_2), last_7a_cross1_1 = KSL_MUL(s_own_error_1, c_2),
+      last_7a_cross2_1 = KSL_MUL(s_0, c_own_error_3),
+      last_7a_cross_1 = last_7a_cross1_1 + last_7a_cross2_1, last_7b = KSL_MUL(c_0, first_7),
+      last_7b_cross1_1 = KSL_MUL(c_own_error_1, first_7),
+      last_7b_cross2_1 = KSL_MUL(c_0, first_lo_1),
+      last_7b_cross_1 = last_7b_cross1_1 + last_7b_cross2_1, last_7 = last_7a + last_7b,
+      last_right_2 = last_7 - last_7a, last_left_2 = last_7 - last_right_2,
+      last_left_rest_2 = ksl_product_rest(s_0, c_2, last_7a, last_left_2),
+      last_right_rest_2 = ksl_product_rest(c_0, first_7, last_7b, last_right_2),
+      last_cross_4 = last_7a_cross_1 + last_7b_cross_1,
+      last_lo1_2 = last_left_rest_2 + last_right_rest_2, last_lo_3 = last_lo1_2 + last_cross_4;
+  const double last_8a = KSL_MUL(c_0, first_8), last_8a_cross1_1 = KSL_MUL(c_own_error_1, first_8),
+      last_8a_cross2_1 = KSL_MUL(c_0, first_lo_2),
+      last_8a_cross_1 = last_8a_cross1_1 + last_8a_cross2_1, last_8b = KSL_MUL(s_0, s_2),
+      last_8b_cross1_1 = KSL_MUL(s_own_error_1, s_2),
+      last_8b_cross2_1 = KSL_MUL(s_0, s_own_error_3),
+      last_8b_cross_1 = last_8b_cross1_1 + last_8b_cross2_1, last_8 = last_8a - last_8b,
+      last_right_3 = last_8a - last_8, last_left_3 = last_8 + last_right_3,
+      last_left_rest_3 = ksl_product_rest(c_0, first_8, last_8a, last_left_3),
+      last_right_rest_3 = ksl_product_rest(s_0, s_2, last_8b, last_right_3),
+      last_cross_5 = last_8a_cross_1 - last_8b_cross_1,
+      last_lo1_3 = last_left_rest_3 - last_right_rest_3, last_lo_4 = last_lo1_3 + last_cross_5;
+  const double c_error_1 = fabs(c_own_error_2), c_bound_1 = 3.7470896994678994e-30 + c_error_1,
+      first_error_3 = ksl_product_error(s_1, s_2, first_1),
+      first_lo_3 = first_error_3 + first_cross_1, first_error_4 = fabs(first_lo_3),
+      first_bound_1 = 7.814654941017999e-30 + first_error_4,
+      first_error_5 = ksl_product_error(s_1, c_2, first_2),
+      first_lo_4 = first_error_5 + first_cross_2, first_error_6 = fabs(first_lo_4),
+      first_bound_2 = 7.814654941017999e-30 + first_error_6,
+      last_error_1 = ksl_product_error(s_0, s_1, last_3), last_lo_5 = last_error_1 + last_cross_1,
+      last_error_2 = fabs(last_lo_5), last_bound_1 = 7.814654941017999e-30 + last_error_2,
+      last_error_3 = fabs(last_lo_1), last_bound_2 = 2.684592926357104e-29 + last_error_3,
+      last_error_4 = fabs(last_lo_2), last_bound_3 = 2.684592926357104e-29 + last_error_4,
+      last_error_5 = ksl_product_error(last_factor_1, c_0, last_6),
+      last_lo_6 = last_error_5 + last_cross_3, last_error_6 = fabs(last_lo_6),
+      last_bound_4 = 7.814654941017999e-30 + last_error_6, last_error_7 = fabs(last_lo_3),
+      last_bound_5 = 2.684592926357104e-29 + last_error_7, last_error_8 = fabs(last_lo_4),
+      last_bound_6 = 2.684592926357104e-29 + last_error_8;
+  R->m00 = c_1;
+  R->m01 = first_1;
+  R->m02 = first_2;
+  R->m10 = last_3;
+  R->m11 = last_4;
+  R->m12 = last_5;
+  R->m20 = last_6;
+  R->m21 = last_7;
+  R->m22 = last_8;
+  R_bound->m00 = c_bound_1;
+  R_bound->m01 = first_bound_1;
+  R_bound->m02 = first_bound_2;
+  R_bound->m10 = last_bound_1;
+  R_bound->m11 = last_bound_2;
+  R_bound->m12 = last_bound_3;
+  R_bound->m20 = last_bound_4;
+  R_bound->m21 = last_bound_5;
+  R_bound->m22 = last_bound_6;
+}
+
+/* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
+     π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
+   R: rotation or other 3×3 matrix; angles, angles_bound: vector.
+   424 mul, 725 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 59 abs, 12
+     copysign, 52 less, 13 equal, 98 select.
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
+static inline void ksl_euler_xyx_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *angles,
+    ksl_vec3_t *angles_bound) {
+  const double n_a = KSL_MUL(R->m01, R->m01), n_a_size_1 = fabs(R->m01),
+      n_a_size_2 = KSL_MUL(n_a_size_1, n_a_size_1), n_b = KSL_MUL(R->m02, R->m02),
+      n_b_size_1 = fabs(R->m02), n_b_size_2 = KSL_MUL(n_b_size_1, n_b_size_1), n_c = n_a + n_b,
+      n_c_right_1 = n_c - n_a, n_c_left_1 = n_c - n_c_right_1,
+      n_c_left_rest_1 = ksl_product_rest(R->m01, R->m01, n_a, n_c_left_1),
+      n_c_right_rest_1 = ksl_product_rest(R->m02, R->m02, n_b, n_c_right_1),
+      n_c_lo = n_c_left_rest_1 + n_c_right_rest_1, n_c_size_1 = n_a_size_2 + n_b_size_2,
+      n = sqrt(n_c), n_product_1 = KSL_MUL(n, n),
+      n_product_error_1 = ksl_product_error(n, n, n_product_1), n_rest_1 = n_c - n_product_1,
+      n_exact_1 = n_rest_1 - n_product_error_1, n_residual_1 = n_exact_1 + n_c_lo,
+      n_twice_1 = n + n, n_divisor_1 = n == 0.0 ? 1.0 : n_twice_1,
+      n_lo = n_residual_1 / n_divisor_1, n_padded_1 = 1.8051943758648296e-276 + n_c_size_1,
+      n_size_1 = n_padded_1 / n, n_size_2 = n_size_1 / n_c, n_size_3 = fabs(n_c),
+      n_error_1 = fabs(n_c_lo), n_rest_2 = KSL_MUL(9.614242987677729e-31, n_padded_1),
+      n_bound_1 = n_error_1 + n_rest_2, n_units_1 = KSL_MUL(140737488355328.0, n_bound_1),
+      n_reach_1 = n_size_3 + n_units_1, n_size_4 = KSL_MUL(n_reach_1, n_size_2),
+      n_size_5 = sqrt(n_bound_1), n_size_6 = fabs(n_lo), n_size_7 = n_size_5 + n_size_6,
+      n_size_8 = KSL_MUL(4.916947487854274e+29, n_size_7), n_size_9 = KSL_MUL(4.0, n_bound_1),
+      n_size_11 = n_size_9 < n_c ? n_size_4 : n_size_8, n_size_12 = n + n_size_11;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo,
+      divisor_size_1 = n == 0.0 ? 1.0 : n_size_12,
+      divisor_padded_1 = 1.8051943758648296e-276 + n_size_12,
+      divisor_rest_1 = KSL_MUL(2.230997459167166e-30, divisor_padded_1),
+      divisor_bound_1 = divisor_rest_1 + n_size_6, divisor_size_2 = n - 0.0,
+      divisor_size_3 = fabs(divisor_size_2), divisor_size_5 = 1.0 - n,
+      divisor_size_6 = fabs(divisor_size_5), divisor_size_7 = divisor_bound_1 + divisor_size_6,
+      divisor_size_8 = divisor_bound_1 < divisor_size_3 ? 0.0 : divisor_size_7,
+      divisor_size_9 = KSL_MUL(1.5845630613906556e+29, divisor_size_8),
+      divisor_size_10 = divisor_size_1 + divisor_size_9;
+  const double cosine_a = R->m02 / divisor, cosine_a_product_1 = KSL_MUL(cosine_a, divisor),
+      cosine_a_product_error_1 = ksl_product_error(cosine_a, divisor, cosine_a_product_1),
+      cosine_a_rest_1 = R->m02 - cosine_a_product_1,
+      cosine_a_exact_1 = cosine_a_rest_1 - cosine_a_product_error_1,
+      cosine_a_cross_1 = KSL_MUL(cosine_a, divisor_lo),
+      cosine_a_residual_1 = cosine_a_exact_1 - cosine_a_cross_1,
+      cosine_a_lo = cosine_a_residual_1 / divisor,
+      cosine_a_padded_1 = 1.8051943758648296e-276 + n_b_size_1,
+      cosine_a_padded_2 = 1.8051943758648296e-276 + divisor_size_10,
+      cosine_a_size_1 = fabs(cosine_a), cosine_a_size_2 = fabs(divisor),
+      cosine_a_size_3 = KSL_MUL(cosine_a_padded_2, cosine_a_size_1),
+      cosine_a_size_4 = cosine_a_padded_1 + cosine_a_size_3, cosine_a_error_1 = fabs(divisor_lo),
+      cosine_a_rest_2 = KSL_MUL(6.508104019725916e-30, cosine_a_padded_2),
+      cosine_a_bound_1 = cosine_a_error_1 + cosine_a_rest_2,
+      cosine_a_size_5 = KSL_MUL(4.0, cosine_a_bound_1),
+      cosine_a_size_7 = cosine_a_size_5 < cosine_a_size_2 ? cosine_a_size_2 : 0.0,
+      cosine_a_size_8 = cosine_a_size_4 / cosine_a_size_7,
+      cosine_a_units_1 = KSL_MUL(140737488355328.0, cosine_a_bound_1),
+      cosine_a_reach_1 = cosine_a_size_2 + cosine_a_units_1,
+      cosine_a_size_9 = KSL_MUL(cosine_a_reach_1, cosine_a_size_8),
+      cosine_a_size_10 = cosine_a_size_9 / cosine_a_size_2,
+      cosine_a_size_11 = cosine_a_size_1 + cosine_a_size_10, cosine = n == 0.0 ? 1.0 : cosine_a,
+      cosine_lo = n == 0.0 ? 0.0 : cosine_a_lo, cosine_size_1 = n == 0.0 ? 1.0 : cosine_a_size_11,
+      cosine_size_2 = 1.0 - cosine_a, cosine_size_3 = fabs(cosine_size_2),
+      cosine_error_1 = fabs(cosine_a_lo),
+      cosine_padded_1 = 1.8051943758648296e-276 + cosine_a_size_11,
+      cosine_rest_1 = KSL_MUL(9.910067449317813e-30, cosine_padded_1),
+      cosine_bound_1 = cosine_error_1 + cosine_rest_1,
+      cosine_size_4 = cosine_bound_1 + cosine_size_3,
+      cosine_size_5 = divisor_bound_1 < divisor_size_3 ? 0.0 : cosine_size_4,
+      cosine_size_6 = KSL_MUL(1.0401233252484625e+29, cosine_size_5),
+      cosine_size_7 = cosine_size_1 + cosine_size_6;
+  const double sine = R->m01 / divisor, sine_product_1 = KSL_MUL(sine, divisor),
+      sine_product_error_1 = ksl_product_error(sine, divisor, sine_product_1),
+      sine_rest_1 = R->m01 - sine_product_1, sine_exact_1 = sine_rest_1 - sine_product_error_1,
+      sine_cross_1 = KSL_MUL(sine, divisor_lo), sine_residual_1 = sine_exact_1 - sine_cross_1,
+      sine_lo = sine_residual_1 / divisor, sine_padded_1 = 1.8051943758648296e-276 + n_a_size_1,
+      sine_size_1 = fabs(sine), sine_size_2 = KSL_MUL(cosine_a_padded_2, sine_size_1),
+      sine_size_3 = sine_padded_1 + sine_size_2, sine_size_4 = sine_size_3 / cosine_a_size_7,
+      sine_size_5 = KSL_MUL(cosine_a_reach_1, sine_size_4),
+      sine_size_6 = sine_size_5 / cosine_a_size_2, sine_size_7 = sine_size_1 + sine_size_6;
+  const double polar = ksl_atan2(R->m01, R->m02),
+      polar_own_error_1 = ksl_atan2_error(R->m01, R->m02, polar), polar_size_1 = fabs(polar);
+  const double third = n == 0.0 ? 0.0 : polar, third_lo = n == 0.0 ? 0.0 : polar_own_error_1,
+      third_size_1 = n == 0.0 ? 0.0 : polar_size_1, third_size_2 = 0.0 - polar,
+      third_size_3 = fabs(third_size_2), third_error_1 = fabs(polar_own_error_1),
+      third_padded_1 = 1.8051943758648296e-276 + polar_size_1,
+      third_rest_1 = KSL_MUL(3.7470896994679e-30, third_padded_1),
+      third_bound_1 = third_error_1 + third_rest_1, third_size_4 = third_bound_1 + third_size_3,
+      third_size_5 = divisor_bound_1 < divisor_size_3 ? 0.0 : third_size_4,
+      third_size_6 = KSL_MUL(1.5845630613906556e+29, third_size_5),
+      third_size_7 = third_size_1 + third_size_6;
+  const double left_1a = KSL_MUL(R->m11, cosine), left_1a_cross2_1 = KSL_MUL(R->m11, cosine_lo),
+      left_1a_size_1 = fabs(R->m11), left_1a_padded_1 = 1.8051943758648296e-276 + cosine_size_7,
+      left_1a_size_2 = KSL_MUL(left_1a_padded_1, left_1a_size_1), left_1b = KSL_MUL(R->m12, sine),
+      left_1b_cross2_1 = KSL_MUL(R->m12, sine_lo), left_1b_size_1 = fabs(R->m12),
+      left_1b_padded_1 = 1.8051943758648296e-276 + sine_size_7,
+      left_1b_size_2 = KSL_MUL(left_1b_padded_1, left_1b_size_1), left_1 = left_1a - left_1b,
+      left_right_1 = left_1a - left_1, left_left_1 = left_1 + left_right_1,
+      left_left_rest_1 = ksl_product_rest(R->m11, cosine, left_1a, left_left_1),
+      left_right_rest_1 = ksl_product_rest(R->m12, sine, left_1b, left_right_1),
+      left_cross_1 = left_1a_cross2_1 - left_1b_cross2_1,
+      left_lo1_1 = left_left_rest_1 - left_right_rest_1, left_lo_1 = left_lo1_1 + left_cross_1,
+      left_size_1 = left_1a_size_2 + left_1b_size_2;
+  const double left_2a = KSL_MUL(R->m21, cosine), left_2a_cross2_1 = KSL_MUL(R->m21, cosine_lo),
+      left_2a_size_1 = fabs(R->m21), left_2a_size_2 = KSL_MUL(left_1a_padded_1, left_2a_size_1),
+      left_2b = KSL_MUL(R->m22, sine), left_2b_cross2_1 = KSL_MUL(R->m22, sine_lo),
+      left_2b_size_1 = fabs(R->m22), left_2b_size_2 = KSL_MUL(left_1b_padded_1, left_2b_size_1),
+      left_2 = left_2a - left_2b, left_right_2 = left_2a - left_2,
+      left_left_2 = left_2 + left_right_2,
+      left_left_rest_2 = ksl_product_rest(R->m21, cosine, left_2a, left_left_2),
+      left_right_rest_2 = ksl_product_rest(R->m22, sine, left_2b, left_right_2),
+      left_cross_2 = left_2a_cross2_1 - left_2b_cross2_1,
+      left_lo1_2 = left_left_rest_2 - left_right_rest_2, left_lo_2 = left_lo1_2 + left_cross_2,
+      left_size_2 = left_2a_size_2 + left_2b_size_2;
+  const double angles_0 = ksl_atan2(left_2, left_1),
+      angles_own_error_1 = ksl_atan2_error(left_2, left_1, angles_0), angles_size0_1 = fabs(left_2),
+      angles_size1_1 = fabs(left_1),
+      angles_most_1 = angles_size0_1 < angles_size1_1 ? angles_size1_1 : angles_size0_1,
+      angles_divisor_1 = angles_most_1 == 0.0 ? 1.0 : angles_most_1,
+      angles_part0_1 = left_2 / angles_divisor_1, angles_part1_1 = left_1 / angles_divisor_1,
+      angles_cross1_1 = KSL_MUL(angles_part1_1, left_lo_2),
+      angles_cross2_1 = KSL_MUL(angles_part0_1, left_lo_1),
+      angles_square1_1 = KSL_MUL(angles_part1_1, angles_part1_1),
+      angles_square2_1 = KSL_MUL(angles_part0_1, angles_part0_1),
+      angles_cross_1 = angles_cross1_1 - angles_cross2_1,
+      angles_square_1 = angles_square1_1 + angles_square2_1,
+      angles_divisor2_1 = KSL_MUL(angles_divisor_1, angles_square_1),
+      angles_safe_1 = angles_most_1 == 0.0 ? 1.0 : angles_divisor2_1,
+      angles_more_1 = angles_cross_1 / angles_safe_1,
+      angles_lo_1 = angles_own_error_1 + angles_more_1, angles_size_1 = fabs(angles_0),
+      angles_padded_1 = 1.8051943758648296e-276 + left_size_2,
+      angles_padded_2 = 1.8051943758648296e-276 + left_size_1, angles_size_2 = fabs(left_2),
+      angles_size_3 = fabs(left_1),
+      angles_size_5 = angles_size_2 < angles_size_3 ? angles_size_3 : angles_size_2,
+      angles_error_1 = fabs(left_lo_2),
+      angles_rest_1 = KSL_MUL(1.120429474644463e-29, angles_padded_1),
+      angles_bound_1 = angles_error_1 + angles_rest_1, angles_error_2 = fabs(left_lo_1),
+      angles_rest_2 = KSL_MUL(1.120429474644463e-29, angles_padded_2),
+      angles_bound_2 = angles_error_2 + angles_rest_2,
+      angles_size_6 = 1.8051943758648296e-276 + angles_bound_1,
+      angles_size_7 = angles_bound_2 + angles_size_6,
+      angles_size_8 = angles_padded_1 + angles_padded_2,
+      angles_size_9 = angles_size_8 / angles_size_5, angles_size_10 = angles_size_1 + angles_size_9,
+      angles_size_11 = angles_size_7 / angles_size_5,
+      angles_size_13 = KSL_MUL(angles_size_11, angles_size_11), angles_size_14 = fabs(angles_lo_1),
+      angles_size_15 = 7.0 + angles_size_14,
+      angles_size_18 = angles_bound_2 < left_1 ? angles_size_13 : angles_size_15,
+      angles_size_19 = angles_bound_1 < angles_size_2 ? angles_size_13 : angles_size_18,
+      angles_size_20 = angles_size_11 < 0.25 ? angles_size_19 : angles_size_15,
+      angles_size_21 = KSL_MUL(4.527322338646221e+28, angles_size_20),
+      angles_size_22 = angles_size_10 + angles_size_21;
+  const double angles_1 = ksl_atan2(n, R->m00),
+      angles_own_error_2 = ksl_atan2_error(n, R->m00, angles_1), angles_size0_2 = fabs(n),
+      angles_size1_2 = fabs(R->m00),
+      angles_most_2 = angles_size0_2 < angles_size1_2 ? angles_size1_2 : angles_size0_2,
+      angles_divisor_2 = angles_most_2 == 0.0 ? 1.0 : angles_most_2,
+      angles_part0_2 = n / angles_divisor_2, angles_part1_2 = R->m00 / angles_divisor_2,
+      angles_cross1_2 = KSL_MUL(angles_part1_2, n_lo),
+      angles_cross2_2 = KSL_MUL(angles_part0_2, 0.0),
+      angles_square1_2 = KSL_MUL(angles_part1_2, angles_part1_2),
+      angles_square2_2 = KSL_MUL(angles_part0_2, angles_part0_2),
+      angles_cross_2 = angles_cross1_2 - angles_cross2_2,
+      angles_square_2 = angles_square1_2 + angles_square2_2,
+      angles_divisor2_2 = KSL_MUL(angles_divisor_2, angles_square_2),
+      angles_safe_2 = angles_most_2 == 0.0 ? 1.0 : angles_divisor2_2,
+      angles_more_2 = angles_cross_2 / angles_safe_2,
+      angles_lo_2 = angles_own_error_2 + angles_more_2, angles_size_23 = fabs(angles_1),
+      angles_size_24 = fabs(R->m00), angles_padded_3 = 1.8051943758648296e-276 + angles_size_24,
+      angles_size_25 = fabs(n),
+      angles_size_27 = angles_size_25 < angles_size_24 ? angles_size_24 : angles_size_25,
+      angles_size_28 = 1.8051943758648296e-276 + divisor_bound_1,
+      angles_size_29 = angles_padded_3 + divisor_padded_1,
+      angles_size_30 = angles_size_29 / angles_size_27,
+      angles_size_31 = angles_size_23 + angles_size_30,
+      angles_size_32 = angles_size_28 / angles_size_27,
+      angles_size_34 = KSL_MUL(angles_size_32, angles_size_32), angles_size_35 = fabs(angles_lo_2),
+      angles_size_36 = 7.0 + angles_size_35,
+      angles_size_39 = 0.0 < R->m00 ? angles_size_34 : angles_size_36,
+      angles_size_40 = divisor_bound_1 < angles_size_25 ? angles_size_34 : angles_size_39,
+      angles_size_41 = angles_size_32 < 0.25 ? angles_size_40 : angles_size_36,
+      angles_size_42 = KSL_MUL(7.9228157791897855e+28, angles_size_41),
+      angles_size_43 = angles_size_31 + angles_size_42;
+  const double angles_padded_4 = 1.8051943758648296e-276 + angles_size_22,
+      angles_rest_3 = KSL_MUL(2.2778366396519518e-29, angles_padded_4),
+      angles_bound_3 = angles_rest_3 + angles_size_14,
+      angles_padded_5 = 1.8051943758648296e-276 + angles_size_43,
+      angles_rest_4 = KSL_MUL(1.3016206487799288e-29, angles_padded_5),
+      angles_bound_4 = angles_rest_4 + angles_size_35, third_error_2 = fabs(third_lo),
+      third_padded_2 = 1.8051943758648296e-276 + third_size_7,
+      third_rest_2 = KSL_MUL(6.508104019725916e-30, third_padded_2),
+      third_bound_2 = third_error_2 + third_rest_2;
+  angles->x = angles_0;
+  angles->y = angles_1;
+  angles->z = third;
+  angles_bound->x = angles_bound_3;
+  angles_bound->y = angles_bound_4;
+  angles_bound->z = third_bound_2;
+}
+
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
+     not a rotation; |error of R| <= R_bound unless inf or NaN.
+   axis: vector; angle: number; R, R_bound: rotation or other 3×3 matrix.
+   216 mul, 380 add, 26 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select.
+   Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
+static inline void ksl_mat3x3_from_axis_angle_certified(const ksl_vec3_t *axis,
+    const double angle, ksl_mat3x3_t *R, ksl_mat3x3_t *R_bound) {
+  const double half = KSL_MUL(0.5, angle), half_size_1 = fabs(angle),
+      half_size_2 = KSL_MUL(0.5, half_size_1);
+  const double h = ksl_sin(half), h_own_error_1 = ksl_sin_error(half, h),
+      h_padded_1 = 1.8051943758648296e-276 + half_size_2, h_size_1 = 1.0 + h_padded_1;
+  double cosine; const double sine = ksl_sincos(angle, &cosine);
+  double cosine_own_error_1; const double sine_own_error_1 = ksl_sincos_error(angle, sine, cosine,
+      &cosine_own_error_1);
+  const double versine_a = KSL_MUL(h, h), versine_a_cross1_1 = KSL_MUL(h_own_error_1, h),
+      versine_a_cross2_1 = KSL_MUL(h, h_own_error_1),
+      versine_a_cross_1 = versine_a_cross1_1 + versine_a_cross2_1,
+      versine_a_size_1 = KSL_MUL(h_size_1, h_size_1),
+      versine_a_error_1 = ksl_product_error(h, h, versine_a),
+      versine_a_lo = versine_a_error_1 + versine_a_cross_1, versine_b = KSL_MUL(2.0, versine_a),
+      versine_b_cross2_1 = KSL_MUL(2.0, versine_a_lo),
+      versine_b_size_1 = KSL_MUL(2.0, versine_a_size_1), versine_c = 1.0 - cosine,
+      versine_c_right_1 = 1.0 - versine_c, versine_c_left_1 = versine_c + versine_c_right_1,
+      versine_c_left_rest_1 = 1.0 - versine_c_left_1,
+      versine_c_right_rest_1 = cosine - versine_c_right_1,
+      versine_c_lo1_1 = versine_c_left_rest_1 - versine_c_right_rest_1,
+      versine_c_lo = versine_c_lo1_1 - cosine_own_error_1,
+      versine = cosine < 0.0 ? versine_c : versine_b,
+      versine_lo = cosine < 0.0 ? versine_c_lo : versine_b_cross2_1,
+      versine_size_1 = cosine < 0.0 ? 2.0 : versine_b_size_1,
+      versine_error_1 = fabs(cosine_own_error_1),
+      versine_bound_1 = 3.7470896994678994e-30 + versine_error_1, versine_size_2 = cosine - 0.0,
+      versine_size_3 = fabs(versine_size_2), versine_size_5 = versine_c - versine_b,
+      versine_size_6 = fabs(versine_size_5), versine_error_2 = fabs(versine_c_lo),
+      versine_bound_2 = 9.318421041595558e-30 + versine_error_2,
+      versine_error_3 = fabs(versine_b_cross2_1),
+      versine_padded_1 = 1.8051943758648296e-276 + versine_b_size_1,
+      versine_rest_1 = KSL_MUL(8.973295241917294e-30, versine_padded_1),
+      versine_bound_3 = versine_error_3 + versine_rest_1,
+      versine_size_7 = versine_bound_2 + versine_size_6,
+      versine_size_8 = versine_bound_3 + versine_size_7,
+      versine_size_9 = versine_bound_1 < versine_size_3 ? 0.0 : versine_size_8,
+      versine_size_10 = KSL_MUL(3.9614071812401596e+28, versine_size_9),
+      versine_size_11 = versine_size_1 + versine_size_10;
+  const double beta_v_0 = KSL_MUL(axis->x, versine), beta_v_cross2_1 = KSL_MUL(axis->x, versine_lo),
+      beta_v_size_1 = fabs(axis->x), beta_v_padded_1 = 1.8051943758648296e-276 + versine_size_11,
+      beta_v_size_2 = KSL_MUL(beta_v_padded_1, beta_v_size_1);
+  const double beta_v_1 = KSL_MUL(axis->y, versine), beta_v_cross2_2 = KSL_MUL(axis->y, versine_lo),
+      beta_v_size_3 = fabs(axis->y), beta_v_size_4 = KSL_MUL(beta_v_padded_1, beta_v_size_3);
+  const double beta_v_2 = KSL_MUL(axis->z, versine), beta_v_cross2_3 = KSL_MUL(axis->z, versine_lo),
+      beta_v_size_5 = fabs(axis->z), beta_v_size_6 = KSL_MUL(beta_v_padded_1, beta_v_size_5);
+  const double beta_v_error_1 = ksl_product_error(axis->x, versine, beta_v_0),
+      beta_v_lo_1 = beta_v_error_1 + beta_v_cross2_1, m_0 = KSL_MUL(axis->x, beta_v_0),
+      m_cross2_1 = KSL_MUL(axis->x, beta_v_lo_1),
+      m_padded_1 = 1.8051943758648296e-276 + beta_v_size_2,
+      m_size_1 = KSL_MUL(beta_v_size_1, m_padded_1);
+  const double beta_v_error_2 = ksl_product_error(axis->y, versine, beta_v_1),
+      beta_v_lo_2 = beta_v_error_2 + beta_v_cross2_2, m_1 = KSL_MUL(axis->y, beta_v_1),
+      m_cross2_2 = KSL_MUL(axis->y, beta_v_lo_2),
+      m_padded_2 = 1.8051943758648296e-276 + beta_v_size_4,
+      m_size_2 = KSL_MUL(beta_v_size_3, m_padded_2);
+  const double beta_v_error_3 = ksl_product_error(axis->z, versine, beta_v_2),
+      beta_v_lo_3 = beta_v_error_3 + beta_v_cross2_3, m_2 = KSL_MUL(axis->z, beta_v_2),
+      m_cross2_3 = KSL_MUL(axis->z, beta_v_lo_3),
+      m_padded_3 = 1.8051943758648296e-276 + beta_v_size_6,
+      m_size_3 = KSL_MUL(beta_v_size_5, m_padded_3);
+  const double m_3 = KSL_MUL(axis->y, beta_v_0), m_cross2_4 = KSL_MUL(axis->y, beta_v_lo_1),
+      m_size_4 = KSL_MUL(beta_v_size_3, m_padded_1);
+  const double m_4 = KSL_MUL(axis->z, beta_v_0), m_cross2_5 = KSL_MUL(axis->z, beta_v_lo_1),
+      m_size_5 = KSL_MUL(beta_v_size_5, m_padded_1);
+  const double m_5 = KSL_MUL(axis->z, beta_v_1), m_cross2_6 = KSL_MUL(axis->z, beta_v_lo_2),
+      m_size_6 = KSL_MUL(beta_v_size_5, m_padded_2);
+  const double others_0 = m_1 + m_2, others_right_1 = others_0 - m_1,
+      others_left_1 = others_0 - others_right_1,
+      others_left_rest_1 = ksl_product_rest(axis->y, beta_v_1, m_1, others_left_1),
+      others_right_rest_1 = ksl_product_rest(axis->z, beta_v_2, m_2, others_right_1),
+      others_cross_1 = m_cross2_2 + m_cross2_3,
+      others_lo1_1 = others_left_rest_1 + others_right_rest_1,
+      others_lo_1 = others_lo1_1 + others_cross_1, others_size_1 = m_size_2 + m_size_3;
+  const double others_1 = m_0 + m_2, others_right_2 = others_1 - m_0,
+      others_left_2 = others_1 - others_right_2,
+      others_left_rest_2 = ksl_product_rest(axis->x, beta_v_0, m_0, others_left_2),
+      others_right_rest_2 = ksl_product_rest(axis->z, beta_v_2, m_2, others_right_2),
+      others_cross_2 = m_cross2_1 + m_cross2_3,
+      others_lo1_2 = others_left_rest_2 + others_right_rest_2,
+      others_lo_2 = others_lo1_2 + others_cross_2, others_size_2 = m_size_1 + m_size_3;
+  const double others_2 = m_0 + m_1, others_right_3 = others_2 - m_0,
+      others_left_3 = others_2 - others_right_3,
+      others_left_rest_3 = ksl_product_rest(axis->x, beta_v_0, m_0, others_left_3),
+      others_right_rest_3 = ksl_product_rest(axis->y, beta_v_1, m_1, others_right_3),
+      others_cross_3 = m_cross2_1 + m_cross2_2,
+      others_lo1_3 = others_left_rest_3 + others_right_rest_3,
+      others_lo_3 = others_lo1_3 + others_cross_3, others_size_3 = m_size_1 + m_size_2;
+  const double alpha_v_0 = KSL_MUL(axis->x, sine),
+      alpha_v_cross2_1 = KSL_MUL(axis->x, sine_own_error_1);
+  const double alpha_v_1 = KSL_MUL(axis->y, sine),
+      alpha_v_cross2_2 = KSL_MUL(axis->y, sine_own_error_1);
+  const double alpha_v_2 = KSL_MUL(axis->z, sine),
+      alpha_v_cross2_3 = KSL_MUL(axis->z, sine_own_error_1);
+  const double R_00 = 1.0 - others_0, R_right_1 = 1.0 - R_00, R_left_1 = R_00 + R_right_1,
+      R_left_rest_1 = 1.0 - R_left_1, R_right_rest_1 = others_0 - R_right_1,
+      R_lo1_1 = R_left_rest_1 - R_right_rest_1, R_lo_1 = R_lo1_1 - others_lo_1,
+      R_size_1 = 1.0 + others_size_1;
+  const double R_01 = m_3 - alpha_v_2, R_right_2 = m_3 - R_01, R_left_2 = R_01 + R_right_2,
+      R_left_rest_2 = ksl_product_rest(axis->y, beta_v_0, m_3, R_left_2),
+      R_right_rest_2 = ksl_product_rest(axis->z, sine, alpha_v_2, R_right_2),
+      R_cross_1 = m_cross2_4 - alpha_v_cross2_3, R_lo1_2 = R_left_rest_2 - R_right_rest_2,
+      R_lo_2 = R_lo1_2 + R_cross_1, R_size_2 = beta_v_size_5 + m_size_4;
+  const double R_02 = m_4 + alpha_v_1, R_right_3 = R_02 - m_4, R_left_3 = R_02 - R_right_3,
+      R_left_rest_3 = ksl_product_rest(axis->z, beta_v_0, m_4, R_left_3),
+      R_right_rest_3 = ksl_product_rest(axis->y, sine, alpha_v_1, R_right_3),
+      R_cross_2 = m_cross2_5 + alpha_v_cross2_2, R_lo1_3 = R_left_rest_3 + R_right_rest_3,
+      R_lo_3 = R_lo1_3 + R_cross_2, R_size_3 = beta_v_size_3 + m_size_5;
+  const double R_10 = m_3 + alpha_v_2, R_right_4 = R_10 - m_3, R_left_4 = R_10 - R_right_4,
+      R_left_rest_4 = ksl_product_rest(axis->y, beta_v_0, m_3, R_left_4),
+      R_right_rest_4 = ksl_product_rest(axis->z, sine, alpha_v_2, R_right_4),
+      R_cross_3 = m_cross2_4 + alpha_v_cross2_3, R_lo1_4 = R_left_rest_4 + R_right_rest_4,
+      R_lo_4 = R_lo1_4 + R_cross_3;
+  const double R_11 = 1.0 - others_1, R_right_5 = 1.0 - R_11, R_left_5 = R_11 + R_right_5,
+      R_left_rest_5 = 1.0 - R_left_5, R_right_rest_5 = others_1 - R_right_5,
+      R_lo1_5 = R_left_rest_5 - R_right_rest_5, R_lo_5 = R_lo1_5 - others_lo_2,
+      R_size_4 = 1.0 + others_size_2;
+  const double R_12 = m_5 - alpha_v_0, R_right_6 = m_5 - R_12, R_left_6 = R_12 + R_right_6,
+      R_left_rest_6 = ksl_product_rest(axis->z, beta_v_1, m_5, R_left_6),
+      R_right_rest_6 = ksl_product_rest(axis->x, sine, alpha_v_0, R_right_6),
+      R_cross_4 = m_cross2_6 - alpha_v_cross2_1, R_lo1_6 = R_left_rest_6 - R_right_rest_6,
+      R_lo_6 = R_lo1_6 + R_cross_4, R_size_5 = beta_v_size_1 + m_size_6;
+  const double R_20 = m_4 - alpha_v_1, R_right_7 = m_4 - R_20, R_left_7 = R_20 + R_right_7,
+      R_left_rest_7 = ksl_product_rest(axis->z, beta_v_0, m_4, R_left_7),
+      R_right_rest_7 = ksl_product_rest(axis->y, sine, alpha_v_1, R_right_7),
+      R_cross_5 = m_cross2_5 - alpha_v_cross2_2, R_lo1_7 = R_left_rest_7 - R_right_rest_7,
+      R_lo_7 = R_lo1_7 + R_cross_5;
+  const double R_21 = m_5 + alpha_v_0, R_right_8 = R_21 - m_5, R_left_8 = R_21 - R_right_8,
+      R_left_rest_8 = ksl_product_rest(axis->z, beta_v_1, m_5, R_left_8),
+      R_right_rest_8 = ksl_product_rest(axis->x, sine, alpha_v_0, R_right_8),
+      R_cross_6 = m_cross2_6 + alpha_v_cross2_1, R_lo1_8 = R_left_rest_8 + R_right_rest_8,
+      R_lo_8 = R_lo1_8 + R_cross_6;
+  const double R_22 = 1.0 - others_2, R_right_9 = 1.0 - R_22, R_left_9 = R_22 + R_right_9,
+      R_left_rest_9 = 1.0 - R_left_9, R_right_rest_9 = others_2 - R_right_9,
+      R_lo1_9 = R_left_rest_9 - R_right_rest_9, R_lo_9 = R_lo1_9 - others_lo_3,
+      R_size_6 = 1.0 + others_size_3;
+  const double R_error_1 = fabs(R_lo_1), R_padded_1 = 1.8051943758648296e-276 + R_size_1,
+      R_rest_1 = KSL_MUL(2.998906207317825e-29, R_padded_1), R_bound_1 = R_error_1 + R_rest_1,
+      R_error_2 = fabs(R_lo_2), R_padded_2 = 1.8051943758648296e-276 + R_size_2,
+      R_rest_2 = KSL_MUL(2.841133715943113e-29, R_padded_2), R_bound_2 = R_error_2 + R_rest_2,
+      R_error_3 = fabs(R_lo_3), R_padded_3 = 1.8051943758648296e-276 + R_size_3,
+      R_rest_3 = KSL_MUL(2.841133715943113e-29, R_padded_3), R_bound_3 = R_error_3 + R_rest_3,
+      R_error_4 = fabs(R_lo_4), R_bound_4 = R_error_4 + R_rest_2, R_error_5 = fabs(R_lo_5),
+      R_padded_4 = 1.8051943758648296e-276 + R_size_4,
+      R_rest_4 = KSL_MUL(2.998906207317825e-29, R_padded_4), R_bound_5 = R_error_5 + R_rest_4,
+      R_error_6 = fabs(R_lo_6), R_padded_5 = 1.8051943758648296e-276 + R_size_5,
+      R_rest_5 = KSL_MUL(2.841133715943113e-29, R_padded_5), R_bound_6 = R_error_6 + R_rest_5,
+      R_error_7 = fabs(R_lo_7), R_bound_7 = R_error_7 + R_rest_3, R_error_8 = fabs(R_lo_8),
+      R_bound_8 = R_error_8 + R_rest_5, R_error_9 = fabs(R_lo_9),
+      R_padded_6 = 1.8051943758648296e-276 + R_size_6,
+      R_rest_6 = KSL_MUL(2.998906207317825e-29, R_padded_6), R_bound_9 = R_error_9 + R_rest_6;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+  R_bound->m00 = R_bound_1;
+  R_bound->m01 = R_bound_2;
+  R_bound->m02 = R_bound_3;
+  R_bound->m10 = R_bound_4;
+  R_bound->m11 = R_bound_5;
+  R_bound->m12 = R_bound_6;
+  R_bound->m20 = R_bound_7;
+  R_bound->m21 = R_bound_8;
+  R_bound->m22 = R_bound_9;
+}
+
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0;
+     |error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.
+   R: rotation or other 3×3 matrix; axis, axis_bound: vector; angle_bound: number.
+   205 mul, 442 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 63 abs, 4
+     copysign, 34 less, 6 equal, 103 select.
+   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
+     proved. */
+static inline double ksl_axis_angle_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *axis,
+    double *angle_bound, ksl_vec3_t *axis_bound) {
+  const double p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
+      p_left_rest_1 = R->m21 - p_left_1, p_right_rest_1 = R->m12 - p_right_1,
+      p_lo_1 = p_left_rest_1 - p_right_rest_1, p_size_1 = fabs(R->m21), p_size_2 = fabs(R->m12),
+      p_size_3 = p_size_1 + p_size_2;
+  const double p_1 = R->m02 - R->m20, p_right_2 = R->m02 - p_1, p_left_2 = p_1 + p_right_2,
+      p_left_rest_2 = R->m02 - p_left_2, p_right_rest_2 = R->m20 - p_right_2,
+      p_lo_2 = p_left_rest_2 - p_right_rest_2, p_size_4 = fabs(R->m02), p_size_5 = fabs(R->m20),
+      p_size_6 = p_size_4 + p_size_5;
+  const double p_2 = R->m10 - R->m01, p_right_3 = R->m10 - p_2, p_left_3 = p_2 + p_right_3,
+      p_left_rest_3 = R->m10 - p_left_3, p_right_rest_3 = R->m01 - p_right_3,
+      p_lo_3 = p_left_rest_3 - p_right_rest_3, p_size_7 = fabs(R->m10), p_size_8 = fabs(R->m01),
+      p_size_9 = p_size_7 + p_size_8;
+  const double s_0 = R->m12 + R->m21, s_right_1 = s_0 - R->m12, s_left_1 = s_0 - s_right_1,
+      s_left_rest_1 = R->m12 - s_left_1, s_right_rest_1 = R->m21 - s_right_1,
+      s_lo_1 = s_left_rest_1 + s_right_rest_1;
+  const double s_1 = R->m02 + R->m20, s_right_2 = s_1 - R->m02, s_left_2 = s_1 - s_right_2,
+      s_left_rest_2 = R->m02 - s_left_2, s_right_rest_2 = R->m20 - s_right_2,
+      s_lo_2 = s_left_rest_2 + s_right_rest_2;
+  const double s_2 = R->m01 + R->m10, s_right_3 = s_2 - R->m01, s_left_3 = s_2 - s_right_3,
+      s_left_rest_3 = R->m01 - s_left_3, s_right_rest_3 = R->m10 - s_right_3,
+      s_lo_3 = s_left_rest_3 + s_right_rest_3;
+  const double first_0 = R->m00 + 1.0, first_right_1 = first_0 - R->m00,
+      first_left_1 = first_0 - first_right_1, first_left_rest_1 = R->m00 - first_left_1,
+      first_right_rest_1 = 1.0 - first_right_1, first_lo_1 = first_left_rest_1 + first_right_rest_1,
+      first_size_1 = fabs(R->m00), first_size_2 = 1.0 + first_size_1;
+  const double first_1 = 1.0 - R->m00, first_right_2 = 1.0 - first_1,
+      first_left_2 = first_1 + first_right_2, first_left_rest_2 = 1.0 - first_left_2,
+      first_right_rest_2 = R->m00 - first_right_2,
+      first_lo_2 = first_left_rest_2 - first_right_rest_2;
+  const double others_0 = R->m11 + R->m22, others_right_1 = others_0 - R->m11,
+      others_left_1 = others_0 - others_right_1, others_left_rest_1 = R->m11 - others_left_1,
+      others_right_rest_1 = R->m22 - others_right_1,
+      others_lo_1 = others_left_rest_1 + others_right_rest_1, others_size_1 = fabs(R->m11),
+      others_size_2 = fabs(R->m22), others_size_3 = others_size_1 + others_size_2;
+  const double others_1 = R->m11 - R->m22, others_right_2 = R->m11 - others_1,
+      others_left_2 = others_1 + others_right_2, others_left_rest_2 = R->m11 - others_left_2,
+      others_right_rest_2 = R->m22 - others_right_2,
+      others_lo_2 = others_left_rest_2 - others_right_rest_2;
+  const double d_0 = first_0 + others_0, d_right_1 = d_0 - first_0, d_left_1 = d_0 - d_right_1,
+      d_left_rest_1 = first_0 - d_left_1, d_right_rest_1 = others_0 - d_right_1,
+      d_lo1_1 = d_left_rest_1 + d_right_rest_1, d_lo2_1 = d_lo1_1 + others_lo_1,
+      d_lo_1 = d_lo2_1 + first_lo_1, d_size_1 = first_size_2 + others_size_3;
+  const double d_1 = first_0 - others_0, d_right_2 = first_0 - d_1, d_left_2 = d_1 + d_right_2,
+      d_left_rest_2 = first_0 - d_left_2, d_right_rest_2 = others_0 - d_right_2,
+      d_lo1_2 = d_left_rest_2 - d_right_rest_2, d_lo2_2 = d_lo1_2 - others_lo_1,
+      d_lo_2 = d_lo2_2 + first_lo_1;
+  const double d_2 = first_1 + others_1, d_right_3 = d_2 - first_1, d_left_3 = d_2 - d_right_3,
+      d_left_rest_3 = first_1 - d_left_3, d_right_rest_3 = others_1 - d_right_3,
+      d_lo1_3 = d_left_rest_3 + d_right_rest_3, d_lo2_3 = d_lo1_3 + others_lo_2,
+      d_lo_3 = d_lo2_3 + first_lo_2;
+  const double d_3 = first_1 - others_1, d_right_4 = first_1 - d_3, d_left_4 = d_3 + d_right_4,
+      d_left_rest_4 = first_1 - d_left_4, d_right_rest_4 = others_1 - d_right_4,
+      d_lo1_4 = d_left_rest_4 - d_right_rest_4, d_lo2_4 = d_lo1_4 - others_lo_2,
+      d_lo_4 = d_lo2_4 + first_lo_2;
+  const double low_0 = R->m11 < R->m00 ? d_1 : s_2, low_lo_1 = R->m11 < R->m00 ? d_lo_2 : s_lo_3,
+      low_size_1 = R->m11 < R->m00 ? d_size_1 : p_size_9;
+  const double low_1 = R->m11 < R->m00 ? s_2 : d_2, low_lo_2 = R->m11 < R->m00 ? s_lo_3 : d_lo_3,
+      low_size_2 = R->m11 < R->m00 ? p_size_9 : d_size_1;
+  const double low_2 = R->m11 < R->m00 ? s_1 : s_0, low_lo_3 = R->m11 < R->m00 ? s_lo_2 : s_lo_1,
+      low_size_3 = R->m11 < R->m00 ? p_size_6 : p_size_3;
+  const double low_3 = R->m11 < R->m00 ? p_0 : p_1, low_lo_4 = R->m11 < R->m00 ? p_lo_1 : p_lo_2,
+      low_size_4 = R->m11 < R->m00 ? p_size_3 : p_size_6;
+  const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0,
+      high_lo_1 = R->m00 < high_0a ? s_lo_2 : p_lo_1,
+      high_size_1 = R->m00 < high_0a ? p_size_6 : p_size_3;
+  const double high_1 = R->m00 < high_0a ? s_0 : p_1,
+      high_lo_2 = R->m00 < high_0a ? s_lo_1 : p_lo_2,
+      high_size_2 = R->m00 < high_0a ? p_size_3 : p_size_6;
+  const double high_2 = R->m00 < high_0a ? d_3 : p_2,
+      high_lo_3 = R->m00 < high_0a ? d_lo_4 : p_lo_3,
+      high_size_3 = R->m00 < high_0a ? d_size_1 : p_size_9;
+  const double high_3 = R->m00 < high_0a ? p_2 : d_0,
+      high_lo_4 = R->m00 < high_0a ? p_lo_3 : d_lo_1,
+      high_size_4 = R->m00 < high_0a ? p_size_9 : d_size_1;
+  const double column_0 = R->m22 < 0.0 ? low_0 : high_0,
+      column_lo_1 = R->m22 < 0.0 ? low_lo_1 : high_lo_1,
+      column_size_1 = R->m22 < 0.0 ? low_size_1 : high_size_1;
+  const double column_1 = R->m22 < 0.0 ? low_1 : high_1,
+      column_lo_2 = R->m22 < 0.0 ? low_lo_2 : high_lo_2,
+      column_size_2 = R->m22 < 0.0 ? low_size_2 : high_size_2;
+  const double column_2 = R->m22 < 0.0 ? low_2 : high_2,
+      column_lo_3 = R->m22 < 0.0 ? low_lo_3 : high_lo_3,
+      column_size_3 = R->m22 < 0.0 ? low_size_3 : high_size_3;
+  const double column_3 = R->m22 < 0.0 ? low_3 : high_3,
+      column_lo_4 = R->m22 < 0.0 ? low_lo_4 : high_lo_4,
+      column_size_4 = R->m22 < 0.0 ? low_size_4 : high_size_4;
+  const double upper_0a = -column_0, upper_0a_lo = -column_lo_1,
+      upper_0 = column_3 < 0.0 ? upper_0a : column_0,
+      upper_lo_1 = column_3 < 0.0 ? upper_0a_lo : column_lo_1, upper_error_1 = fabs(column_lo_4),
+      upper_padded_1 = 1.8051943758648296e-276 + column_size_4,
+      upper_rest_1 = KSL_MUL(1.6023738312796216e-30, upper_padded_1),
+      upper_bound_1 = upper_error_1 + upper_rest_1, upper_size_1 = column_3 - 0.0,
+      upper_size_2 = fabs(upper_size_1), upper_size_4 = upper_0a - column_0,
+      upper_size_5 = fabs(upper_size_4), upper_error_2 = fabs(upper_0a_lo),
+      upper_padded_2 = 1.8051943758648296e-276 + column_size_1,
+      upper_rest_2 = KSL_MUL(1.6023738312796216e-30, upper_padded_2),
+      upper_bound_2 = upper_error_2 + upper_rest_2, upper_error_3 = fabs(column_lo_1),
+      upper_bound_3 = upper_error_3 + upper_rest_2, upper_size_6 = upper_bound_2 + upper_size_5,
+      upper_size_7 = upper_bound_3 + upper_size_6,
+      upper_size_8 = upper_bound_1 < upper_size_2 ? 0.0 : upper_size_7,
+      upper_size_9 = KSL_MUL(1.5845630613906556e+29, upper_size_8),
+      upper_size_10 = column_size_1 + upper_size_9;
+  const double upper_1a = -column_1, upper_1a_lo = -column_lo_2,
+      upper_1 = column_3 < 0.0 ? upper_1a : column_1,
+      upper_lo_2 = column_3 < 0.0 ? upper_1a_lo : column_lo_2, upper_size_11 = upper_1a - column_1,
+      upper_size_12 = fabs(upper_size_11), upper_error_4 = fabs(upper_1a_lo),
+      upper_padded_3 = 1.8051943758648296e-276 + column_size_2,
+      upper_rest_3 = KSL_MUL(1.6023738312796216e-30, upper_padded_3),
+      upper_bound_4 = upper_error_4 + upper_rest_3, upper_error_5 = fabs(column_lo_2),
+      upper_bound_5 = upper_error_5 + upper_rest_3, upper_size_13 = upper_bound_4 + upper_size_12,
+      upper_size_14 = upper_bound_5 + upper_size_13,
+      upper_size_15 = upper_bound_1 < upper_size_2 ? 0.0 : upper_size_14,
+      upper_size_16 = KSL_MUL(1.5845630613906556e+29, upper_size_15),
+      upper_size_17 = column_size_2 + upper_size_16;
+  const double upper_2a = -column_2, upper_2a_lo = -column_lo_3,
+      upper_2 = column_3 < 0.0 ? upper_2a : column_2,
+      upper_lo_3 = column_3 < 0.0 ? upper_2a_lo : column_lo_3, upper_size_18 = upper_2a - column_2,
+      upper_size_19 = fabs(upper_size_18), upper_error_6 = fabs(upper_2a_lo),
+      upper_padded_4 = 1.8051943758648296e-276 + column_size_3,
+      upper_rest_4 = KSL_MUL(1.6023738312796216e-30, upper_padded_4),
+      upper_bound_6 = upper_error_6 + upper_rest_4, upper_error_7 = fabs(column_lo_3),
+      upper_bound_7 = upper_error_7 + upper_rest_4, upper_size_20 = upper_bound_6 + upper_size_19,
+      upper_size_21 = upper_bound_7 + upper_size_20,
+      upper_size_22 = upper_bound_1 < upper_size_2 ? 0.0 : upper_size_21,
+      upper_size_23 = KSL_MUL(1.5845630613906556e+29, upper_size_22),
+      upper_size_24 = column_size_3 + upper_size_23;
+  const double upper_3a = -column_3, upper_3a_lo = -column_lo_4,
+      upper_3 = column_3 < 0.0 ? upper_3a : column_3,
+      upper_lo_4 = column_3 < 0.0 ? upper_3a_lo : column_lo_4, upper_size_25 = upper_3a - column_3,
+      upper_size_26 = fabs(upper_size_25), upper_error_8 = fabs(upper_3a_lo),
+      upper_bound_8 = upper_error_8 + upper_rest_1, upper_size_27 = upper_bound_8 + upper_size_26,
+      upper_size_28 = upper_bound_1 + upper_size_27,
+      upper_size_29 = upper_bound_1 < upper_size_2 ? 0.0 : upper_size_28,
+      upper_size_30 = KSL_MUL(1.5845630613906556e+29, upper_size_29),
+      upper_size_31 = column_size_4 + upper_size_30;
+  const double v_s_size_0 = fabs(upper_0),
+      v_s_size_padded_1 = 1.8051943758648296e-276 + upper_size_10;
+  const double v_s_size_1 = fabs(upper_1),
+      v_s_size_padded_2 = 1.8051943758648296e-276 + upper_size_17;
+  const double v_s_size_2 = fabs(upper_2),
+      v_s_size_padded_3 = 1.8051943758648296e-276 + upper_size_24;
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s_b_size_1 = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
+      v_s_d_size_1 = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b_size_1,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d,
+      v_s_size_3 = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d_size_1;
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_inverse_1 = 1.0 / v_s,
+      v_y_back_1 = KSL_MUL(v_y_0, v_y_inverse_1), v_y_lost_1 = upper_0 - v_y_back_1,
+      v_y_rest_1 = v_y_lost_1 + upper_lo_1, v_y_lo_1 = KSL_MUL(v_y_rest_1, v_s),
+      v_y_size_1 = KSL_MUL(v_s_size_3, v_s_size_padded_1);
+  const double v_y_1 = KSL_MUL(upper_1, v_s), v_y_back_2 = KSL_MUL(v_y_1, v_y_inverse_1),
+      v_y_lost_2 = upper_1 - v_y_back_2, v_y_rest_2 = v_y_lost_2 + upper_lo_2,
+      v_y_lo_2 = KSL_MUL(v_y_rest_2, v_s), v_y_size_2 = KSL_MUL(v_s_size_3, v_s_size_padded_2);
+  const double v_y_2 = KSL_MUL(upper_2, v_s), v_y_back_3 = KSL_MUL(v_y_2, v_y_inverse_1),
+      v_y_lost_3 = upper_2 - v_y_back_3, v_y_rest_3 = v_y_lost_3 + upper_lo_3,
+      v_y_lo_3 = KSL_MUL(v_y_rest_3, v_s), v_y_size_3 = KSL_MUL(v_s_size_3, v_s_size_padded_3);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_a_cross1_1 = KSL_MUL(v_y_lo_1, v_y_0),
+      v_n_a_cross2_1 = KSL_MUL(v_y_0, v_y_lo_1), v_n_a_cross_1 = v_n_a_cross1_1 + v_n_a_cross2_1,
+      v_n_a_padded_1 = 1.8051943758648296e-276 + v_y_size_1, v_n_a_size_1 = fabs(v_y_0),
+      v_n_a_error_1 = fabs(v_y_lo_1), v_n_a_rest_1 = KSL_MUL(6.705320021857442e-30, v_n_a_padded_1),
+      v_n_a_bound_1 = v_n_a_error_1 + v_n_a_rest_1,
+      v_n_a_units_1 = KSL_MUL(140737488355328.0, v_n_a_bound_1),
+      v_n_a_reach_1 = v_n_a_size_1 + v_n_a_units_1,
+      v_n_a_size_2 = KSL_MUL(v_n_a_padded_1, v_n_a_reach_1),
+      v_n_a_size_3 = v_n_a_size_2 + v_n_a_size_2, v_n_b = KSL_MUL(v_y_1, v_y_1),
+      v_n_b_cross1_1 = KSL_MUL(v_y_lo_2, v_y_1), v_n_b_cross2_1 = KSL_MUL(v_y_1, v_y_lo_2),
+      v_n_b_cross_1 = v_n_b_cross1_1 + v_n_b_cross2_1,
+      v_n_b_padded_1 = 1.8051943758648296e-276 + v_y_size_2, v_n_b_size_1 = fabs(v_y_1),
+      v_n_b_error_1 = fabs(v_y_lo_2), v_n_b_rest_1 = KSL_MUL(6.705320021857442e-30, v_n_b_padded_1),
+      v_n_b_bound_1 = v_n_b_error_1 + v_n_b_rest_1,
+      v_n_b_units_1 = KSL_MUL(140737488355328.0, v_n_b_bound_1),
+      v_n_b_reach_1 = v_n_b_size_1 + v_n_b_units_1,
+      v_n_b_size_2 = KSL_MUL(v_n_b_padded_1, v_n_b_reach_1),
+      v_n_b_size_3 = v_n_b_size_2 + v_n_b_size_2, v_n_c = v_n_a + v_n_b,
+      v_n_c_right_1 = v_n_c - v_n_a, v_n_c_left_1 = v_n_c - v_n_c_right_1,
+      v_n_c_left_rest_1 = ksl_product_rest(v_y_0, v_y_0, v_n_a, v_n_c_left_1),
+      v_n_c_right_rest_1 = ksl_product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1),
+      v_n_c_cross_1 = v_n_a_cross_1 + v_n_b_cross_1,
+      v_n_c_lo1_1 = v_n_c_left_rest_1 + v_n_c_right_rest_1, v_n_c_lo = v_n_c_lo1_1 + v_n_c_cross_1,
+      v_n_c_size_1 = v_n_a_size_3 + v_n_b_size_3, v_n_d = KSL_MUL(v_y_2, v_y_2),
+      v_n_d_cross1_1 = KSL_MUL(v_y_lo_3, v_y_2), v_n_d_cross2_1 = KSL_MUL(v_y_2, v_y_lo_3),
+      v_n_d_cross_1 = v_n_d_cross1_1 + v_n_d_cross2_1,
+      v_n_d_padded_1 = 1.8051943758648296e-276 + v_y_size_3, v_n_d_size_1 = fabs(v_y_2),
+      v_n_d_error_1 = fabs(v_y_lo_3), v_n_d_rest_1 = KSL_MUL(6.705320021857442e-30, v_n_d_padded_1),
+      v_n_d_bound_1 = v_n_d_error_1 + v_n_d_rest_1,
+      v_n_d_units_1 = KSL_MUL(140737488355328.0, v_n_d_bound_1),
+      v_n_d_reach_1 = v_n_d_size_1 + v_n_d_units_1,
+      v_n_d_size_2 = KSL_MUL(v_n_d_padded_1, v_n_d_reach_1),
+      v_n_d_size_3 = v_n_d_size_2 + v_n_d_size_2, v_n_e = v_n_c + v_n_d,
+      v_n_e_right_1 = v_n_e - v_n_c, v_n_e_left_1 = v_n_e - v_n_e_right_1,
+      v_n_e_left_rest_1 = v_n_c - v_n_e_left_1,
+      v_n_e_right_rest_1 = ksl_product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1),
+      v_n_e_lo1_1 = v_n_e_left_rest_1 + v_n_e_right_rest_1,
+      v_n_e_lo2_1 = v_n_e_lo1_1 + v_n_d_cross_1, v_n_e_lo = v_n_e_lo2_1 + v_n_c_lo,
+      v_n_e_size_1 = v_n_c_size_1 + v_n_d_size_3, v_n = sqrt(v_n_e),
+      v_n_product_1 = KSL_MUL(v_n, v_n),
+      v_n_product_error_1 = ksl_product_error(v_n, v_n, v_n_product_1),
+      v_n_rest_1 = v_n_e - v_n_product_1, v_n_exact_1 = v_n_rest_1 - v_n_product_error_1,
+      v_n_residual_1 = v_n_exact_1 + v_n_e_lo, v_n_twice_1 = v_n + v_n,
+      v_n_divisor_1 = v_n == 0.0 ? 1.0 : v_n_twice_1, v_n_lo = v_n_residual_1 / v_n_divisor_1,
+      v_n_padded_1 = 1.8051943758648296e-276 + v_n_e_size_1, v_n_size_1 = v_n_padded_1 / v_n,
+      v_n_size_2 = v_n_size_1 / v_n_e, v_n_size_3 = fabs(v_n_e), v_n_error_1 = fabs(v_n_e_lo),
+      v_n_rest_2 = KSL_MUL(1.150011758590251e-29, v_n_padded_1),
+      v_n_bound_1 = v_n_error_1 + v_n_rest_2, v_n_units_1 = KSL_MUL(140737488355328.0, v_n_bound_1),
+      v_n_reach_1 = v_n_size_3 + v_n_units_1, v_n_size_4 = KSL_MUL(v_n_reach_1, v_n_size_2),
+      v_n_size_5 = sqrt(v_n_bound_1), v_n_size_6 = fabs(v_n_lo),
+      v_n_size_7 = v_n_size_5 + v_n_size_6,
+      v_n_size_8 = KSL_MUL(1.1418664350501995e+29, v_n_size_7),
+      v_n_size_9 = KSL_MUL(4.0, v_n_bound_1),
+      v_n_size_11 = v_n_size_9 < v_n_e ? v_n_size_4 : v_n_size_8, v_n_size_12 = v_n + v_n_size_11;
+  const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      v_r_b_size_1 = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
+      v_r_d_size_1 = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b_size_1,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d,
+      v_r_size_1 = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d_size_1;
+  const double n = KSL_MUL(v_n, v_r), n_inverse_1 = 1.0 / v_r, n_back_1 = KSL_MUL(n, n_inverse_1),
+      n_lost_1 = v_n - n_back_1, n_rest_1 = n_lost_1 + v_n_lo, n_lo = KSL_MUL(n_rest_1, v_r),
+      n_padded_1 = 1.8051943758648296e-276 + v_n_size_12,
+      n_size_1 = KSL_MUL(n_padded_1, v_r_size_1);
+  const double half = ksl_atan2(n, upper_3), half_own_error_1 = ksl_atan2_error(n, upper_3, half),
+      half_size0_1 = fabs(n), half_size1_1 = fabs(upper_3),
+      half_most_1 = half_size0_1 < half_size1_1 ? half_size1_1 : half_size0_1,
+      half_divisor_1 = half_most_1 == 0.0 ? 1.0 : half_most_1, half_part0_1 = n / half_divisor_1,
+      half_part1_1 = upper_3 / half_divisor_1, half_cross1_1 = KSL_MUL(half_part1_1, n_lo),
+      half_cross2_1 = KSL_MUL(half_part0_1, upper_lo_4),
+      half_square1_1 = KSL_MUL(half_part1_1, half_part1_1),
+      half_square2_1 = KSL_MUL(half_part0_1, half_part0_1),
+      half_cross_1 = half_cross1_1 - half_cross2_1, half_square_1 = half_square1_1 + half_square2_1,
+      half_divisor2_1 = KSL_MUL(half_divisor_1, half_square_1),
+      half_safe_1 = half_most_1 == 0.0 ? 1.0 : half_divisor2_1,
+      half_more_1 = half_cross_1 / half_safe_1, half_lo = half_own_error_1 + half_more_1,
+      half_size_1 = fabs(half), half_padded_1 = 1.8051943758648296e-276 + n_size_1,
+      half_padded_2 = 1.8051943758648296e-276 + upper_size_31, half_size_2 = fabs(n),
+      half_size_3 = fabs(upper_3),
+      half_size_5 = half_size_2 < half_size_3 ? half_size_3 : half_size_2,
+      half_error_1 = fabs(n_lo), half_rest_1 = KSL_MUL(9.423194733875307e-30, half_padded_1),
+      half_bound_1 = half_error_1 + half_rest_1, half_error_2 = fabs(upper_lo_4),
+      half_rest_2 = KSL_MUL(6.508104019725916e-30, half_padded_2),
+      half_bound_2 = half_error_2 + half_rest_2,
+      half_size_6 = 1.8051943758648296e-276 + half_bound_1,
+      half_size_7 = half_bound_2 + half_size_6, half_size_8 = half_padded_1 + half_padded_2,
+      half_size_9 = half_size_8 / half_size_5, half_size_10 = half_size_1 + half_size_9,
+      half_size_11 = half_size_7 / half_size_5, half_size_13 = KSL_MUL(half_size_11, half_size_11),
+      half_size_14 = fabs(half_lo), half_size_15 = 7.0 + half_size_14,
+      half_size_18 = half_bound_2 < upper_3 ? half_size_13 : half_size_15,
+      half_size_19 = half_bound_1 < half_size_2 ? half_size_13 : half_size_18,
+      half_size_20 = half_size_11 < 0.25 ? half_size_19 : half_size_15,
+      half_size_21 = KSL_MUL(4.527322338646221e+28, half_size_20),
+      half_size_22 = half_size_10 + half_size_21;
+  const double divisor = v_n == 0.0 ? 1.0 : v_n, divisor_lo = v_n == 0.0 ? 0.0 : v_n_lo,
+      divisor_size_1 = v_n == 0.0 ? 1.0 : v_n_size_12,
+      divisor_rest_1 = KSL_MUL(9.152022998369425e-30, n_padded_1),
+      divisor_bound_1 = divisor_rest_1 + v_n_size_6, divisor_size_2 = v_n - 0.0,
+      divisor_size_3 = fabs(divisor_size_2), divisor_size_5 = 1.0 - v_n,
+      divisor_size_6 = fabs(divisor_size_5), divisor_size_7 = divisor_bound_1 + divisor_size_6,
+      divisor_size_8 = divisor_bound_1 < divisor_size_3 ? 0.0 : divisor_size_7,
+      divisor_size_9 = KSL_MUL(7.9228134180075855e+28, divisor_size_8),
+      divisor_size_10 = divisor_size_1 + divisor_size_9;
+  const double unit_0 = v_y_0 / divisor, unit_product_1 = KSL_MUL(unit_0, divisor),
+      unit_product_error_1 = ksl_product_error(unit_0, divisor, unit_product_1),
+      unit_rest_1 = v_y_0 - unit_product_1, unit_exact_1 = unit_rest_1 - unit_product_error_1,
+      unit_numerator_1 = unit_exact_1 + v_y_lo_1, unit_cross_1 = KSL_MUL(unit_0, divisor_lo),
+      unit_residual_1 = unit_numerator_1 - unit_cross_1, unit_lo_1 = unit_residual_1 / divisor,
+      unit_padded_1 = 1.8051943758648296e-276 + divisor_size_10, unit_size_1 = fabs(unit_0),
+      unit_size_2 = fabs(divisor), unit_size_3 = KSL_MUL(unit_padded_1, unit_size_1),
+      unit_size_4 = unit_size_3 + v_n_a_padded_1, unit_error_1 = fabs(divisor_lo),
+      unit_rest_2 = KSL_MUL(1.3016211142756918e-29, unit_padded_1),
+      unit_bound_1 = unit_error_1 + unit_rest_2, unit_size_5 = KSL_MUL(4.0, unit_bound_1),
+      unit_size_7 = unit_size_5 < unit_size_2 ? unit_size_2 : 0.0,
+      unit_size_8 = unit_size_4 / unit_size_7,
+      unit_units_1 = KSL_MUL(140737488355328.0, unit_bound_1),
+      unit_reach_1 = unit_size_2 + unit_units_1, unit_size_9 = KSL_MUL(unit_reach_1, unit_size_8),
+      unit_size_10 = unit_size_9 / unit_size_2, unit_size_11 = unit_size_1 + unit_size_10;
+  const double unit_1 = v_y_1 / divisor, unit_product_2 = KSL_MUL(unit_1, divisor),
+      unit_product_error_2 = ksl_product_error(unit_1, divisor, unit_product_2),
+      unit_rest_3 = v_y_1 - unit_product_2, unit_exact_2 = unit_rest_3 - unit_product_error_2,
+      unit_numerator_2 = unit_exact_2 + v_y_lo_2, unit_cross_2 = KSL_MUL(unit_1, divisor_lo),
+      unit_residual_2 = unit_numerator_2 - unit_cross_2, unit_lo_2 = unit_residual_2 / divisor,
+      unit_size_12 = fabs(unit_1), unit_size_13 = KSL_MUL(unit_padded_1, unit_size_12),
+      unit_size_14 = unit_size_13 + v_n_b_padded_1, unit_size_15 = unit_size_14 / unit_size_7,
+      unit_size_16 = KSL_MUL(unit_reach_1, unit_size_15), unit_size_17 = unit_size_16 / unit_size_2,
+      unit_size_18 = unit_size_12 + unit_size_17;
+  const double unit_2 = v_y_2 / divisor, unit_product_3 = KSL_MUL(unit_2, divisor),
+      unit_product_error_3 = ksl_product_error(unit_2, divisor, unit_product_3),
+      unit_rest_4 = v_y_2 - unit_product_3, unit_exact_3 = unit_rest_4 - unit_product_error_3,
+      unit_numerator_3 = unit_exact_3 + v_y_lo_3, unit_cross_3 = KSL_MUL(unit_2, divisor_lo),
+      unit_residual_3 = unit_numerator_3 - unit_cross_3, unit_lo_3 = unit_residual_3 / divisor,
+      unit_size_19 = fabs(unit_2), unit_size_20 = KSL_MUL(unit_padded_1, unit_size_19),
+      unit_size_21 = unit_size_20 + v_n_d_padded_1, unit_size_22 = unit_size_21 / unit_size_7,
+      unit_size_23 = KSL_MUL(unit_reach_1, unit_size_22), unit_size_24 = unit_size_23 / unit_size_2,
+      unit_size_25 = unit_size_19 + unit_size_24;
+  const double angle = KSL_MUL(2.0, half), angle_cross2_1 = KSL_MUL(2.0, half_lo),
+      angle_size_1 = KSL_MUL(2.0, half_size_22);
+  const double axis_0 = v_n == 0.0 ? 1.0 : unit_0, axis_lo_1 = v_n == 0.0 ? 0.0 : unit_lo_1,
+      axis_size_1 = v_n == 0.0 ? 1.0 : unit_size_11, axis_size_2 = 1.0 - unit_0,
+      axis_size_3 = fabs(axis_size_2), axis_error_1 = fabs(unit_lo_1),
+      axis_padded_1 = 1.8051943758648296e-276 + unit_size_11,
+      axis_rest_1 = KSL_MUL(1.86204130450056e-29, axis_padded_1),
+      axis_bound_1 = axis_error_1 + axis_rest_1, axis_size_4 = axis_bound_1 + axis_size_3,
+      axis_size_5 = divisor_bound_1 < divisor_size_3 ? 0.0 : axis_size_4,
+      axis_size_6 = KSL_MUL(5.516518603020976e+28, axis_size_5),
+      axis_size_7 = axis_size_1 + axis_size_6;
+  const double angle_error_1 = fabs(angle_cross2_1),
+      angle_padded_1 = 1.8051943758648296e-276 + angle_size_1,
+      angle_rest_1 = KSL_MUL(2.3160472449138492e-29, angle_padded_1),
+      angle_bound_1 = angle_error_1 + angle_rest_1, axis_error_2 = fabs(axis_lo_1),
+      axis_padded_2 = 1.8051943758648296e-276 + axis_size_7,
+      axis_rest_2 = KSL_MUL(1.8620414596658144e-29, axis_padded_2),
+      axis_bound_2 = axis_error_2 + axis_rest_2, unit_error_2 = fabs(unit_lo_2),
+      unit_padded_2 = 1.8051943758648296e-276 + unit_size_18,
+      unit_rest_5 = KSL_MUL(1.86204130450056e-29, unit_padded_2),
+      unit_bound_2 = unit_error_2 + unit_rest_5, unit_error_3 = fabs(unit_lo_3),
+      unit_padded_3 = 1.8051943758648296e-276 + unit_size_25,
+      unit_rest_6 = KSL_MUL(1.86204130450056e-29, unit_padded_3),
+      unit_bound_3 = unit_error_3 + unit_rest_6;
+  axis->x = axis_0;
+  axis->y = unit_1;
+  axis->z = unit_2;
+  *angle_bound = angle_bound_1;
+  axis_bound->x = axis_bound_2;
+  axis_bound->y = unit_bound_2;
+  axis_bound->z = unit_bound_3;
+  return angle;
+}
+
 /* Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
      acceleration of its point x, less that of its origin, is Ro x; |error of Ro| <= Ro_bound
      unless inf or NaN.
@@ -372,6 +1513,1129 @@ static inline void ksl_mat3x3f_setFromAxisDC_certified(ksl_mat3x3f_t *R, const k
   R_bound->m20 = R_20_error_bound;
   R_bound->m21 = R_21_error_bound;
   R_bound->m22 = R_22_error_bound;
+}
+
+/* R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); |error of R| <= R_bound unless inf or NaN.
+   angles: vector; R, R_bound: rotation or other 3×3 matrix.
+   237 mul, 347 add, 30 product error, 8 product rest, 3 div, 9 neg, 18 abs, 3 less, 3 select. */
+static inline void ksl_mat3x3f_from_euler_xyz_certified(const ksl_vec3f_t *angles,
+    ksl_mat3x3f_t *R, ksl_mat3x3f_t *R_bound) {
+  float c_0; const float s_0 = ksl_sincosf(angles->x, &c_0);
+  float c_own_error_1; const float s_own_error_1 = ksl_sincos_errorf(angles->x, s_0, c_0,
+      &c_own_error_1);
+  float c_1; const float s_1 = ksl_sincosf(angles->y, &c_1);
+  float c_own_error_2; const float s_own_error_2 = ksl_sincos_errorf(angles->y, s_1, c_1,
+      &c_own_error_2);
+  float c_2; const float s_2 = ksl_sincosf(angles->z, &c_2);
+  float c_own_error_3; const float s_own_error_3 = ksl_sincos_errorf(angles->z, s_2, c_2,
+      &c_own_error_3);
+  const float first_0 = KSL_MULF(c_1, c_2), first_cross1_1 = KSL_MULF(c_own_error_2, c_2),
+      first_cross2_1 = KSL_MULF(c_1, c_own_error_3),
+      first_cross_1 = first_cross1_1 + first_cross2_1;
+  const float first_1a = KSL_MULF(s_2, c_1), first_1a_cross1_1 = KSL_MULF(s_own_error_3, c_1),
+      first_1a_cross2_1 = KSL_MULF(s_2, c_own_error_2),
+      first_1a_cross_1 = first_1a_cross1_1 + first_1a_cross2_1, first_1 = -first_1a,
+      first_cross_2 = -first_1a_cross_1, first_factor_1 = -s_2;
+  const float first_6a = KSL_MULF(s_1, c_2), first_6a_cross1_1 = KSL_MULF(s_own_error_2, c_2),
+      first_6a_cross2_1 = KSL_MULF(s_1, c_own_error_3),
+      first_6a_cross_1 = first_6a_cross1_1 + first_6a_cross2_1, first_6 = -first_6a,
+      first_cross_3 = -first_6a_cross_1, first_factor_2 = -s_1;
+  const float first_7 = KSL_MULF(s_1, s_2), first_cross1_2 = KSL_MULF(s_own_error_2, s_2),
+      first_cross2_2 = KSL_MULF(s_1, s_own_error_3),
+      first_cross_4 = first_cross1_2 + first_cross2_2;
+  const float last_3a = KSL_MULF(s_2, c_0), last_3a_cross1_1 = KSL_MULF(s_own_error_3, c_0),
+      last_3a_cross2_1 = KSL_MULF(s_2, c_own_error_1),
+      last_3a_cross_1 = last_3a_cross1_1 + last_3a_cross2_1,
+      first_error_1 = ksl_product_errorf(first_factor_2, c_2, first_6),
+      first_lo_1 = first_error_1 + first_cross_3, last_3b = KSL_MULF(s_0, first_6),
+      last_3b_cross1_1 = KSL_MULF(s_own_error_1, first_6),
+      last_3b_cross2_1 = KSL_MULF(s_0, first_lo_1),
+      last_3b_cross_1 = last_3b_cross1_1 + last_3b_cross2_1, last_3 = last_3a - last_3b,
+      last_right_1 = last_3a - last_3, last_left_1 = last_3 + last_right_1,
+      last_left_rest_1 = ksl_product_restf(s_2, c_0, last_3a, last_left_1),
+      last_right_rest_1 = ksl_product_restf(s_0, first_6, last_3b, last_right_1),
+      last_cross_1 = last_3a_cross_1 - last_3b_cross_1,
+      last_lo1_1 = last_left_rest_1 - last_right_rest_1, last_lo_1 = last_lo1_1 + last_cross_1;
+  const float last_4a = KSL_MULF(c_0, c_2), last_4a_cross1_1 = KSL_MULF(c_own_error_1, c_2),
+      last_4a_cross2_1 = KSL_MULF(c_0, c_own_error_3),
+      last_4a_cross_1 = last_4a_cross1_1 + last_4a_cross2_1,
+      first_error_2 = ksl_product_errorf(s_1, s_2, first_7),
+      first_lo_2 = first_error_2 + first_cross_4, last_4b = KSL_MULF(s_0, first_7),
+      last_4b_cross1_1 = KSL_MULF(s_own_error_1, first_7),
+      last_4b_cross2_1 = KSL_MULF(s_0, first_lo_2),
+      last_4b_cross_1 = last_4b_cross1_1 + last_4b_cross2_1, last_4 = last_4a - last_4b,
+      last_right_2 = last_4a - last_4, last_left_2 = last_4 + last_right_2,
+      last_left_rest_2 = ksl_product_restf(c_0, c_2, last_4a, last_left_2),
+      last_right_rest_2 = ksl_product_restf(s_0, first_7, last_4b, last_right_2),
+      last_cross_2 = last_4a_cross_1 - last_4b_cross_1,
+      last_lo1_2 = last_left_rest_2 - last_right_rest_2, last_lo_2 = last_lo1_2 + last_cross_2;
+  const float last_5a = KSL_MULF(s_0, c_1), last_5a_cross1_1 = KSL_MULF(s_own_error_1, c_1),
+      last_5a_cross2_1 = KSL_MULF(s_0, c_own_error_2),
+      last_5a_cross_1 = last_5a_cross1_1 + last_5a_cross2_1, last_5 = -last_5a,
+      last_cross_3 = -last_5a_cross_1, last_factor_1 = -s_0;
+  const float last_6a = KSL_MULF(s_0, s_2), last_6a_cross1_1 = KSL_MULF(s_own_error_1, s_2),
+      last_6a_cross2_1 = KSL_MULF(s_0, s_own_error_3),
+      last_6a_cross_1 = last_6a_cross1_1 + last_6a_cross2_1, last_6b = KSL_MULF(c_0, first_6),
+      last_6b_cross1_1 = KSL_MULF(c_own_error_1, first_6),
+      last_6b_cross2_1 = KSL_MULF(c_0, first_lo_1),
+      last_6b_cross_1 = last_6b_cross1_1 + last_6b_cross2_1, last_6 = last_6a + last_6b,
+      last_right_3 = last_6 - last_6a, last_left_3 = last_6 - last_right_3,
+      last_left_rest_3 = ksl_product_restf(s_0, s_2, last_6a, last_left_3),
+      last_right_rest_3 = ksl_product_restf(c_0, first_6, last_6b, last_right_3),
+      last_cross_4 = last_6a_cross_1 + last_6b_cross_1,
+      last_lo1_3 = last_left_rest_3 + last_right_rest_3, last_lo_3 = last_lo1_3 + last_cross_4;
+  const float last_7a = KSL_MULF(s_0, c_2), last_7a_cross1_1 = KSL_MULF(s_own_error_1, c_2),
+      last_7a_cross2_1 = KSL_MULF(s_0, c_own_error_3),
+      last_7a_cross_1 = last_7a_cross1_1 + last_7a_cross2_1, last_7b = KSL_MULF(c_0, first_7),
+      last_7b_cross1_1 = KSL_MULF(c_own_error_1, first_7),
+      last_7b_cross2_1 = KSL_MULF(c_0, first_lo_2),
+      last_7b_cross_1 = last_7b_cross1_1 + last_7b_cross2_1, last_7 = last_7a + last_7b,
+      last_right_4 = last_7 - last_7a, last_left_4 = last_7 - last_right_4,
+      last_left_rest_4 = ksl_product_restf(s_0, c_2, last_7a, last_left_4),
+      last_right_rest_4 = ksl_product_restf(c_0, first_7, last_7b, last_right_4),
+      last_cross_5 = last_7a_cross_1 + last_7b_cross_1,
+      last_lo1_4 = last_left_rest_4 + last_right_rest_4, last_lo_4 = last_lo1_4 + last_cross_5;
+  const float last_8 = KSL_MULF(c_0, c_1), last_cross1_1 = KSL_MULF(c_own_error_1, c_1),
+      last_cross2_1 = KSL_MULF(c_0, c_own_error_2), last_cross_6 = last_cross1_1 + last_cross2_1;
+  const float first_error_3 = ksl_product_errorf(c_1, c_2, first_0),
+      first_lo_3 = first_error_3 + first_cross_1, first_error_4 = fabsf(first_lo_3),
+      first_bound_1 = 2.252443e-12f + first_error_4,
+      first_error_5 = ksl_product_errorf(first_factor_1, c_1, first_1),
+      first_lo_4 = first_error_5 + first_cross_2, first_error_6 = fabsf(first_lo_4),
+      first_bound_2 = 2.252443e-12f + first_error_6, s_error_1 = fabsf(s_own_error_2),
+      s_bound_1 = 1.0800312e-12f + s_error_1, last_error_1 = fabsf(last_lo_1),
+      last_bound_1 = 7.7379336e-12f + last_error_1, last_error_2 = fabsf(last_lo_2),
+      last_bound_2 = 7.7379336e-12f + last_error_2,
+      last_error_3 = ksl_product_errorf(last_factor_1, c_1, last_5),
+      last_lo_5 = last_error_3 + last_cross_3, last_error_4 = fabsf(last_lo_5),
+      last_bound_3 = 2.252443e-12f + last_error_4, last_error_5 = fabsf(last_lo_3),
+      last_bound_4 = 7.7379336e-12f + last_error_5, last_error_6 = fabsf(last_lo_4),
+      last_bound_5 = 7.7379336e-12f + last_error_6,
+      last_error_7 = ksl_product_errorf(c_0, c_1, last_8), last_lo_6 = last_error_7 + last_cross_6,
+      last_error_8 = fabsf(last_lo_6), last_bound_6 = 2.252443e-12f + last_error_8;
+  R->m00 = first_0;
+  R->m01 = first_1;
+  R->m02 = s_1;
+  R->m10 = last_3;
+  R->m11 = last_4;
+  R->m12 = last_5;
+  R->m20 = last_6;
+  R->m21 = last_7;
+  R->m22 = last_8;
+  R_bound->m00 = first_bound_1;
+  R_bound->m01 = first_bound_2;
+  R_bound->m02 = s_bound_1;
+  R_bound->m10 = last_bound_1;
+  R_bound->m11 = last_bound_2;
+  R_bound->m12 = last_bound_3;
+  R_bound->m20 = last_bound_4;
+  R_bound->m21 = last_bound_5;
+  R_bound->m22 = last_bound_6;
+}
+
+/* angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
+     [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
+   R: rotation or other 3×3 matrix; angles, angles_bound: vector.
+   322 mul, 548 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 59 abs, 12
+     copysign, 50 less, 13 equal, 96 select.
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
+static inline void ksl_euler_xyz_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
+    ksl_vec3f_t *angles, ksl_vec3f_t *angles_bound) {
+  const float n_a = KSL_MULF(R->m00, R->m00), n_a_size_1 = fabsf(R->m00),
+      n_a_size_2 = KSL_MULF(n_a_size_1, n_a_size_1), n_b = KSL_MULF(R->m01, R->m01),
+      n_b_size_1 = fabsf(R->m01), n_b_size_2 = KSL_MULF(n_b_size_1, n_b_size_1), n_c = n_a + n_b,
+      n_c_right_1 = n_c - n_a, n_c_left_1 = n_c - n_c_right_1,
+      n_c_left_rest_1 = ksl_product_restf(R->m00, R->m00, n_a, n_c_left_1),
+      n_c_right_rest_1 = ksl_product_restf(R->m01, R->m01, n_b, n_c_right_1),
+      n_c_lo = n_c_left_rest_1 + n_c_right_rest_1, n_c_size_1 = n_a_size_2 + n_b_size_2,
+      n = sqrtf(n_c), n_product_1 = KSL_MULF(n, n),
+      n_product_error_1 = ksl_product_errorf(n, n, n_product_1), n_rest_1 = n_c - n_product_1,
+      n_exact_1 = n_rest_1 - n_product_error_1, n_residual_1 = n_exact_1 + n_c_lo,
+      n_twice_1 = n + n, n_divisor_1 = n == 0.0f ? 1.0f : n_twice_1,
+      n_lo = n_residual_1 / n_divisor_1, n_padded_1 = 3.3087225e-24f + n_c_size_1,
+      n_size_1 = n_padded_1 / n, n_size_2 = n_size_1 / n_c, n_size_3 = fabsf(n_c),
+      n_error_1 = fabsf(n_c_lo), n_rest_2 = KSL_MULF(2.7711354e-13f, n_padded_1),
+      n_bound_1 = n_error_1 + n_rest_2, n_units_1 = KSL_MULF(262144.0f, n_bound_1),
+      n_reach_1 = n_size_3 + n_units_1, n_size_4 = KSL_MULF(n_reach_1, n_size_2),
+      n_size_5 = sqrtf(n_bound_1), n_size_6 = fabsf(n_lo), n_size_7 = n_size_5 + n_size_6,
+      n_size_8 = KSL_MULF(1.7058937e+12f, n_size_7), n_size_9 = KSL_MULF(4.0f, n_bound_1),
+      n_size_11 = n_size_9 < n_c ? n_size_4 : n_size_8, n_size_12 = n + n_size_11;
+  const float divisor = n == 0.0f ? 1.0f : n, divisor_lo = n == 0.0f ? 0.0f : n_lo,
+      divisor_size_1 = n == 0.0f ? 1.0f : n_size_12, divisor_padded_1 = 3.3087225e-24f + n_size_12,
+      divisor_rest_1 = KSL_MULF(6.430494e-13f, divisor_padded_1),
+      divisor_bound_1 = divisor_rest_1 + n_size_6, divisor_size_2 = n - 0.0f,
+      divisor_size_3 = fabsf(divisor_size_2), divisor_size_5 = 1.0f - n,
+      divisor_size_6 = fabsf(divisor_size_5), divisor_size_7 = divisor_bound_1 + divisor_size_6,
+      divisor_size_8 = divisor_bound_1 < divisor_size_3 ? 0.0f : divisor_size_7,
+      divisor_size_9 = KSL_MULF(5.4975264e+11f, divisor_size_8),
+      divisor_size_10 = divisor_size_1 + divisor_size_9;
+  const float cosine_a = R->m00 / divisor, cosine_a_product_1 = KSL_MULF(cosine_a, divisor),
+      cosine_a_product_error_1 = ksl_product_errorf(cosine_a, divisor, cosine_a_product_1),
+      cosine_a_rest_1 = R->m00 - cosine_a_product_1,
+      cosine_a_exact_1 = cosine_a_rest_1 - cosine_a_product_error_1,
+      cosine_a_cross_1 = KSL_MULF(cosine_a, divisor_lo),
+      cosine_a_residual_1 = cosine_a_exact_1 - cosine_a_cross_1,
+      cosine_a_lo = cosine_a_residual_1 / divisor, cosine_a_padded_1 = 3.3087225e-24f + n_a_size_1,
+      cosine_a_padded_2 = 3.3087225e-24f + divisor_size_10, cosine_a_size_1 = fabsf(cosine_a),
+      cosine_a_size_2 = fabsf(divisor),
+      cosine_a_size_3 = KSL_MULF(cosine_a_padded_2, cosine_a_size_1),
+      cosine_a_size_4 = cosine_a_padded_1 + cosine_a_size_3, cosine_a_error_1 = fabsf(divisor_lo),
+      cosine_a_rest_2 = KSL_MULF(1.875852e-12f, cosine_a_padded_2),
+      cosine_a_bound_1 = cosine_a_error_1 + cosine_a_rest_2,
+      cosine_a_size_5 = KSL_MULF(4.0f, cosine_a_bound_1),
+      cosine_a_size_7 = cosine_a_size_5 < cosine_a_size_2 ? cosine_a_size_2 : 0.0f,
+      cosine_a_size_8 = cosine_a_size_4 / cosine_a_size_7,
+      cosine_a_units_1 = KSL_MULF(262144.0f, cosine_a_bound_1),
+      cosine_a_reach_1 = cosine_a_size_2 + cosine_a_units_1,
+      cosine_a_size_9 = KSL_MULF(cosine_a_reach_1, cosine_a_size_8),
+      cosine_a_size_10 = cosine_a_size_9 / cosine_a_size_2,
+      cosine_a_size_11 = cosine_a_size_1 + cosine_a_size_10, cosine = n == 0.0f ? 1.0f : cosine_a,
+      cosine_lo = n == 0.0f ? 0.0f : cosine_a_lo,
+      cosine_size_1 = n == 0.0f ? 1.0f : cosine_a_size_11, cosine_size_2 = 1.0f - cosine_a,
+      cosine_size_3 = fabsf(cosine_size_2), cosine_error_1 = fabsf(cosine_a_lo),
+      cosine_padded_1 = 3.3087225e-24f + cosine_a_size_11,
+      cosine_rest_1 = KSL_MULF(2.8564286e-12f, cosine_padded_1),
+      cosine_bound_1 = cosine_error_1 + cosine_rest_1,
+      cosine_size_4 = cosine_bound_1 + cosine_size_3,
+      cosine_size_5 = divisor_bound_1 < divisor_size_3 ? 0.0f : cosine_size_4,
+      cosine_size_6 = KSL_MULF(3.6086084e+11f, cosine_size_5),
+      cosine_size_7 = cosine_size_1 + cosine_size_6;
+  const float sine_a = -R->m01, sine = sine_a / divisor, sine_product_1 = KSL_MULF(sine, divisor),
+      sine_product_error_1 = ksl_product_errorf(sine, divisor, sine_product_1),
+      sine_rest_1 = sine_a - sine_product_1, sine_exact_1 = sine_rest_1 - sine_product_error_1,
+      sine_cross_1 = KSL_MULF(sine, divisor_lo), sine_residual_1 = sine_exact_1 - sine_cross_1,
+      sine_lo = sine_residual_1 / divisor, sine_padded_1 = 3.3087225e-24f + n_b_size_1,
+      sine_size_1 = fabsf(sine), sine_size_2 = KSL_MULF(cosine_a_padded_2, sine_size_1),
+      sine_size_3 = sine_padded_1 + sine_size_2, sine_size_4 = sine_size_3 / cosine_a_size_7,
+      sine_size_5 = KSL_MULF(cosine_a_reach_1, sine_size_4),
+      sine_size_6 = sine_size_5 / cosine_a_size_2, sine_size_7 = sine_size_1 + sine_size_6;
+  const float polar = ksl_atan2f(sine_a, R->m00),
+      polar_own_error_1 = ksl_atan2_errorf(sine_a, R->m00, polar), polar_size_1 = fabsf(polar);
+  const float third = n == 0.0f ? 0.0f : polar, third_lo = n == 0.0f ? 0.0f : polar_own_error_1,
+      third_size_1 = n == 0.0f ? 0.0f : polar_size_1, third_size_2 = 0.0f - polar,
+      third_size_3 = fabsf(third_size_2), third_error_1 = fabsf(polar_own_error_1),
+      third_padded_1 = 3.3087225e-24f + polar_size_1,
+      third_rest_1 = KSL_MULF(1.0800314e-12f, third_padded_1),
+      third_bound_1 = third_error_1 + third_rest_1, third_size_4 = third_bound_1 + third_size_3,
+      third_size_5 = divisor_bound_1 < divisor_size_3 ? 0.0f : third_size_4,
+      third_size_6 = KSL_MULF(5.497548e+11f, third_size_5),
+      third_size_7 = third_size_1 + third_size_6;
+  const float left_1a = KSL_MULF(R->m10, sine), left_1a_cross2_1 = KSL_MULF(R->m10, sine_lo),
+      left_1a_size_1 = fabsf(R->m10), left_1a_padded_1 = 3.3087225e-24f + sine_size_7,
+      left_1a_size_2 = KSL_MULF(left_1a_padded_1, left_1a_size_1),
+      left_1b = KSL_MULF(R->m11, cosine), left_1b_cross2_1 = KSL_MULF(R->m11, cosine_lo),
+      left_1b_size_1 = fabsf(R->m11), left_1b_padded_1 = 3.3087225e-24f + cosine_size_7,
+      left_1b_size_2 = KSL_MULF(left_1b_padded_1, left_1b_size_1), left_1 = left_1a + left_1b,
+      left_right_1 = left_1 - left_1a, left_left_1 = left_1 - left_right_1,
+      left_left_rest_1 = ksl_product_restf(R->m10, sine, left_1a, left_left_1),
+      left_right_rest_1 = ksl_product_restf(R->m11, cosine, left_1b, left_right_1),
+      left_cross_1 = left_1a_cross2_1 + left_1b_cross2_1,
+      left_lo1_1 = left_left_rest_1 + left_right_rest_1, left_lo_1 = left_lo1_1 + left_cross_1,
+      left_size_1 = left_1a_size_2 + left_1b_size_2;
+  const float left_2a = KSL_MULF(R->m20, sine), left_2a_cross2_1 = KSL_MULF(R->m20, sine_lo),
+      left_2a_size_1 = fabsf(R->m20), left_2a_size_2 = KSL_MULF(left_1a_padded_1, left_2a_size_1),
+      left_2b = KSL_MULF(R->m21, cosine), left_2b_cross2_1 = KSL_MULF(R->m21, cosine_lo),
+      left_2b_size_1 = fabsf(R->m21), left_2b_size_2 = KSL_MULF(left_1b_padded_1, left_2b_size_1),
+      left_2 = left_2a + left_2b, left_right_2 = left_2 - left_2a,
+      left_left_2 = left_2 - left_right_2,
+      left_left_rest_2 = ksl_product_restf(R->m20, sine, left_2a, left_left_2),
+      left_right_rest_2 = ksl_product_restf(R->m21, cosine, left_2b, left_right_2),
+      left_cross_2 = left_2a_cross2_1 + left_2b_cross2_1,
+      left_lo1_2 = left_left_rest_2 + left_right_rest_2, left_lo_2 = left_lo1_2 + left_cross_2,
+      left_size_2 = left_2a_size_2 + left_2b_size_2;
+  const float angles_0 = ksl_atan2f(left_2, left_1),
+      angles_own_error_1 = ksl_atan2_errorf(left_2, left_1, angles_0),
+      angles_size0_1 = fabsf(left_2), angles_size1_1 = fabsf(left_1),
+      angles_most_1 = angles_size0_1 < angles_size1_1 ? angles_size1_1 : angles_size0_1,
+      angles_divisor_1 = angles_most_1 == 0.0f ? 1.0f : angles_most_1,
+      angles_part0_1 = left_2 / angles_divisor_1, angles_part1_1 = left_1 / angles_divisor_1,
+      angles_cross1_1 = KSL_MULF(angles_part1_1, left_lo_2),
+      angles_cross2_1 = KSL_MULF(angles_part0_1, left_lo_1),
+      angles_square1_1 = KSL_MULF(angles_part1_1, angles_part1_1),
+      angles_square2_1 = KSL_MULF(angles_part0_1, angles_part0_1),
+      angles_cross_1 = angles_cross1_1 - angles_cross2_1,
+      angles_square_1 = angles_square1_1 + angles_square2_1,
+      angles_divisor2_1 = KSL_MULF(angles_divisor_1, angles_square_1),
+      angles_safe_1 = angles_most_1 == 0.0f ? 1.0f : angles_divisor2_1,
+      angles_more_1 = angles_cross_1 / angles_safe_1,
+      angles_lo_1 = angles_own_error_1 + angles_more_1, angles_size_1 = fabsf(angles_0),
+      angles_padded_1 = 3.3087225e-24f + left_size_2,
+      angles_padded_2 = 3.3087225e-24f + left_size_1, angles_size_2 = fabsf(left_2),
+      angles_size_3 = fabsf(left_1),
+      angles_size_5 = angles_size_2 < angles_size_3 ? angles_size_3 : angles_size_2,
+      angles_error_1 = fabsf(left_lo_2), angles_rest_1 = KSL_MULF(3.2294905e-12f, angles_padded_1),
+      angles_bound_1 = angles_error_1 + angles_rest_1, angles_error_2 = fabsf(left_lo_1),
+      angles_rest_2 = KSL_MULF(3.2294905e-12f, angles_padded_2),
+      angles_bound_2 = angles_error_2 + angles_rest_2,
+      angles_size_6 = 3.3087225e-24f + angles_bound_1,
+      angles_size_7 = angles_bound_2 + angles_size_6,
+      angles_size_8 = angles_padded_1 + angles_padded_2,
+      angles_size_9 = angles_size_8 / angles_size_5, angles_size_10 = angles_size_1 + angles_size_9,
+      angles_size_11 = angles_size_7 / angles_size_5,
+      angles_size_13 = KSL_MULF(angles_size_11, angles_size_11),
+      angles_size_14 = fabsf(angles_lo_1), angles_size_15 = 7.0f + angles_size_14,
+      angles_size_18 = angles_bound_2 < left_1 ? angles_size_13 : angles_size_15,
+      angles_size_19 = angles_bound_1 < angles_size_2 ? angles_size_13 : angles_size_18,
+      angles_size_20 = angles_size_11 < 0.25f ? angles_size_19 : angles_size_15,
+      angles_size_21 = KSL_MULF(1.5707134e+11f, angles_size_20),
+      angles_size_22 = angles_size_10 + angles_size_21;
+  const float angles_1 = ksl_atan2f(R->m02, n),
+      angles_own_error_2 = ksl_atan2_errorf(R->m02, n, angles_1), angles_size0_2 = fabsf(R->m02),
+      angles_size1_2 = fabsf(n),
+      angles_most_2 = angles_size0_2 < angles_size1_2 ? angles_size1_2 : angles_size0_2,
+      angles_divisor_2 = angles_most_2 == 0.0f ? 1.0f : angles_most_2,
+      angles_part0_2 = R->m02 / angles_divisor_2, angles_part1_2 = n / angles_divisor_2,
+      angles_cross1_2 = KSL_MULF(angles_part1_2, 0.0f),
+      angles_cross2_2 = KSL_MULF(angles_part0_2, n_lo),
+      angles_square1_2 = KSL_MULF(angles_part1_2, angles_part1_2),
+      angles_square2_2 = KSL_MULF(angles_part0_2, angles_part0_2),
+      angles_cross_2 = angles_cross1_2 - angles_cross2_2,
+      angles_square_2 = angles_square1_2 + angles_square2_2,
+      angles_divisor2_2 = KSL_MULF(angles_divisor_2, angles_square_2),
+      angles_safe_2 = angles_most_2 == 0.0f ? 1.0f : angles_divisor2_2,
+      angles_more_2 = angles_cross_2 / angles_safe_2,
+      angles_lo_2 = angles_own_error_2 + angles_more_2, angles_size_23 = fabsf(angles_1),
+      angles_size_24 = fabsf(R->m02), angles_padded_3 = 3.3087225e-24f + angles_size_24,
+      angles_size_25 = fabsf(n),
+      angles_size_27 = angles_size_24 < angles_size_25 ? angles_size_25 : angles_size_24,
+      angles_size_28 = 3.3087225e-24f + divisor_bound_1,
+      angles_size_29 = angles_padded_3 + divisor_padded_1,
+      angles_size_30 = angles_size_29 / angles_size_27,
+      angles_size_31 = angles_size_23 + angles_size_30,
+      angles_size_32 = angles_size_28 / angles_size_27,
+      angles_size_34 = KSL_MULF(angles_size_32, angles_size_32),
+      angles_size_35 = fabsf(angles_lo_2), angles_size_36 = 7.0f + angles_size_35,
+      angles_size_37 = angles_size_32 < 0.25f ? angles_size_34 : angles_size_36,
+      angles_size_38 = KSL_MULF(2.7487632e+11f, angles_size_37),
+      angles_size_39 = angles_size_31 + angles_size_38;
+  const float angles_padded_4 = 3.3087225e-24f + angles_size_22,
+      angles_rest_3 = KSL_MULF(6.565516e-12f, angles_padded_4),
+      angles_bound_3 = angles_rest_3 + angles_size_14,
+      angles_padded_5 = 3.3087225e-24f + angles_size_39,
+      angles_rest_4 = KSL_MULF(3.751704e-12f, angles_padded_5),
+      angles_bound_4 = angles_rest_4 + angles_size_35, third_error_2 = fabsf(third_lo),
+      third_padded_2 = 3.3087225e-24f + third_size_7,
+      third_rest_2 = KSL_MULF(1.8758445e-12f, third_padded_2),
+      third_bound_2 = third_error_2 + third_rest_2;
+  angles->x = angles_0;
+  angles->y = angles_1;
+  angles->z = third;
+  angles_bound->x = angles_bound_3;
+  angles_bound->y = angles_bound_4;
+  angles_bound->z = third_bound_2;
+}
+
+/* R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); |error of R| <= R_bound unless inf or NaN.
+   angles: vector; R, R_bound: rotation or other 3×3 matrix.
+   237 mul, 347 add, 30 product error, 8 product rest, 3 div, 5 neg, 18 abs, 3 less, 3 select. */
+static inline void ksl_mat3x3f_from_euler_xyx_certified(const ksl_vec3f_t *angles,
+    ksl_mat3x3f_t *R, ksl_mat3x3f_t *R_bound) {
+  float c_0; const float s_0 = ksl_sincosf(angles->x, &c_0);
+  float c_own_error_1; const float s_own_error_1 = ksl_sincos_errorf(angles->x, s_0, c_0,
+      &c_own_error_1);
+  float c_1; const float s_1 = ksl_sincosf(angles->y, &c_1);
+  float c_own_error_2; const float s_own_error_2 = ksl_sincos_errorf(angles->y, s_1, c_1,
+      &c_own_error_2);
+  float c_2; const float s_2 = ksl_sincosf(angles->z, &c_2);
+  float c_own_error_3; const float s_own_error_3 = ksl_sincos_errorf(angles->z, s_2, c_2,
+      &c_own_error_3);
+  const float first_1 = KSL_MULF(s_1, s_2), first_cross1_1 = KSL_MULF(s_own_error_2, s_2),
+      first_cross2_1 = KSL_MULF(s_1, s_own_error_3),
+      first_cross_1 = first_cross1_1 + first_cross2_1;
+  const float first_2 = KSL_MULF(s_1, c_2), first_cross1_2 = KSL_MULF(s_own_error_2, c_2),
+      first_cross2_2 = KSL_MULF(s_1, c_own_error_3),
+      first_cross_2 = first_cross1_2 + first_cross2_2;
+  const float first_7 = KSL_MULF(s_2, c_1), first_cross1_3 = KSL_MULF(s_own_error_3, c_1),
+      first_cross2_3 = KSL_MULF(s_2, c_own_error_2),
+      first_cross_3 = first_cross1_3 + first_cross2_3;
+  const float first_8 = KSL_MULF(c_1, c_2), first_cross1_4 = KSL_MULF(c_own_error_2, c_2),
+      first_cross2_4 = KSL_MULF(c_1, c_own_error_3),
+      first_cross_4 = first_cross1_4 + first_cross2_4;
+  const float last_3 = KSL_MULF(s_0, s_1), last_cross1_1 = KSL_MULF(s_own_error_1, s_1),
+      last_cross2_1 = KSL_MULF(s_0, s_own_error_2), last_cross_1 = last_cross1_1 + last_cross2_1;
+  const float last_4a = KSL_MULF(c_0, c_2), last_4a_cross1_1 = KSL_MULF(c_own_error_1, c_2),
+      last_4a_cross2_1 = KSL_MULF(c_0, c_own_error_3),
+      last_4a_cross_1 = last_4a_cross1_1 + last_4a_cross2_1,
+      first_error_1 = ksl_product_errorf(s_2, c_1, first_7),
+      first_lo_1 = first_error_1 + first_cross_3, last_4b = KSL_MULF(s_0, first_7),
+      last_4b_cross1_1 = KSL_MULF(s_own_error_1, first_7),
+      last_4b_cross2_1 = KSL_MULF(s_0, first_lo_1),
+      last_4b_cross_1 = last_4b_cross1_1 + last_4b_cross2_1, last_4 = last_4a - last_4b,
+      last_right_1 = last_4a - last_4, last_left_1 = last_4 + last_right_1,
+      last_left_rest_1 = ksl_product_restf(c_0, c_2, last_4a, last_left_1),
+      last_right_rest_1 = ksl_product_restf(s_0, first_7, last_4b, last_right_1),
+      last_cross_2 = last_4a_cross_1 - last_4b_cross_1,
+      last_lo1_1 = last_left_rest_1 - last_right_rest_1, last_lo_1 = last_lo1_1 + last_cross_2;
+  const float first_error_2 = ksl_product_errorf(c_1, c_2, first_8),
+      first_lo_2 = first_error_2 + first_cross_4, last_5a = KSL_MULF(s_0, first_8),
+      last_5a_cross1_1 = KSL_MULF(s_own_error_1, first_8),
+      last_5a_cross2_1 = KSL_MULF(s_0, first_lo_2),
+      last_5a_cross_1 = last_5a_cross1_1 + last_5a_cross2_1, last_5b = KSL_MULF(s_2, c_0),
+      last_5b_cross1_1 = KSL_MULF(s_own_error_3, c_0),
+      last_5b_cross2_1 = KSL_MULF(s_2, c_own_error_1),
+      last_5b_cross_1 = last_5b_cross1_1 + last_5b_cross2_1, last_5c = last_5a + last_5b,
+      last_5c_right_1 = last_5c - last_5a, last_5c_left_1 = last_5c - last_5c_right_1,
+      last_5c_left_rest_1 = ksl_product_restf(s_0, first_8, last_5a, last_5c_left_1),
+      last_5c_right_rest_1 = ksl_product_restf(s_2, c_0, last_5b, last_5c_right_1),
+      last_5c_cross_1 = last_5a_cross_1 + last_5b_cross_1,
+      last_5c_lo1_1 = last_5c_left_rest_1 + last_5c_right_rest_1,
+      last_5c_lo = last_5c_lo1_1 + last_5c_cross_1, last_5 = -last_5c, last_lo_2 = -last_5c_lo;
+  const float last_6a = KSL_MULF(s_1, c_0), last_6a_cross1_1 = KSL_MULF(s_own_error_2, c_0),
+      last_6a_cross2_1 = KSL_MULF(s_1, c_own_error_1),
+      last_6a_cross_1 = last_6a_cross1_1 + last_6a_cross2_1, last_6 = -last_6a,
+      last_cross_3 = -last_6a_cross_1, last_factor_1 = -s_1;
+  const float last_7a = KSL_MULF(s_0, c_2), last_7a_cross1_1 = KSL_MULF(s_own_error_1, c_2),
+      last_7a_cross2_1 = KSL_MULF(s_0, c_own_error_3),
+      last_7a_cross_1 = last_7a_cross1_1 + last_7a_cross2_1, last_7b = KSL_MULF(c_0, first_7),
+      last_7b_cross1_1 = KSL_MULF(c_own_error_1, first_7),
+      last_7b_cross2_1 = KSL_MULF(c_0, first_lo_1),
+      last_7b_cross_1 = last_7b_cross1_1 + last_7b_cross2_1, last_7 = last_7a + last_7b,
+      last_right_2 = last_7 - last_7a, last_left_2 = last_7 - last_right_2,
+      last_left_rest_2 = ksl_product_restf(s_0, c_2, last_7a, last_left_2),
+      last_right_rest_2 = ksl_product_restf(c_0, first_7, last_7b, last_right_2),
+      last_cross_4 = last_7a_cross_1 + last_7b_cross_1,
+      last_lo1_2 = last_left_rest_2 + last_right_rest_2, last_lo_3 = last_lo1_2 + last_cross_4;
+  const float last_8a = KSL_MULF(c_0, first_8), last_8a_cross1_1 = KSL_MULF(c_own_error_1, first_8),
+      last_8a_cross2_1 = KSL_MULF(c_0, first_lo_2),
+      last_8a_cross_1 = last_8a_cross1_1 + last_8a_cross2_1, last_8b = KSL_MULF(s_0, s_2),
+      last_8b_cross1_1 = KSL_MULF(s_own_error_1, s_2),
+      last_8b_cross2_1 = KSL_MULF(s_0, s_own_error_3),
+      last_8b_cross_1 = last_8b_cross1_1 + last_8b_cross2_1, last_8 = last_8a - last_8b,
+      last_right_3 = last_8a - last_8, last_left_3 = last_8 + last_right_3,
+      last_left_rest_3 = ksl_product_restf(c_0, first_8, last_8a, last_left_3),
+      last_right_rest_3 = ksl_product_restf(s_0, s_2, last_8b, last_right_3),
+      last_cross_5 = last_8a_cross_1 - last_8b_cross_1,
+      last_lo1_3 = last_left_rest_3 - last_right_rest_3, last_lo_4 = last_lo1_3 + last_cross_5;
+  const float c_error_1 = fabsf(c_own_error_2), c_bound_1 = 1.0800312e-12f + c_error_1,
+      first_error_3 = ksl_product_errorf(s_1, s_2, first_1),
+      first_lo_3 = first_error_3 + first_cross_1, first_error_4 = fabsf(first_lo_3),
+      first_bound_1 = 2.252443e-12f + first_error_4,
+      first_error_5 = ksl_product_errorf(s_1, c_2, first_2),
+      first_lo_4 = first_error_5 + first_cross_2, first_error_6 = fabsf(first_lo_4),
+      first_bound_2 = 2.252443e-12f + first_error_6,
+      last_error_1 = ksl_product_errorf(s_0, s_1, last_3), last_lo_5 = last_error_1 + last_cross_1,
+      last_error_2 = fabsf(last_lo_5), last_bound_1 = 2.252443e-12f + last_error_2,
+      last_error_3 = fabsf(last_lo_1), last_bound_2 = 7.7379336e-12f + last_error_3,
+      last_error_4 = fabsf(last_lo_2), last_bound_3 = 7.7379336e-12f + last_error_4,
+      last_error_5 = ksl_product_errorf(last_factor_1, c_0, last_6),
+      last_lo_6 = last_error_5 + last_cross_3, last_error_6 = fabsf(last_lo_6),
+      last_bound_4 = 2.252443e-12f + last_error_6, last_error_7 = fabsf(last_lo_3),
+      last_bound_5 = 7.7379336e-12f + last_error_7, last_error_8 = fabsf(last_lo_4),
+      last_bound_6 = 7.7379336e-12f + last_error_8;
+  R->m00 = c_1;
+  R->m01 = first_1;
+  R->m02 = first_2;
+  R->m10 = last_3;
+  R->m11 = last_4;
+  R->m12 = last_5;
+  R->m20 = last_6;
+  R->m21 = last_7;
+  R->m22 = last_8;
+  R_bound->m00 = c_bound_1;
+  R_bound->m01 = first_bound_1;
+  R_bound->m02 = first_bound_2;
+  R_bound->m10 = last_bound_1;
+  R_bound->m11 = last_bound_2;
+  R_bound->m12 = last_bound_3;
+  R_bound->m20 = last_bound_4;
+  R_bound->m21 = last_bound_5;
+  R_bound->m22 = last_bound_6;
+}
+
+/* angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in [0,
+     π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
+   R: rotation or other 3×3 matrix; angles, angles_bound: vector.
+   322 mul, 548 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 59 abs, 12
+     copysign, 52 less, 13 equal, 98 select.
+   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
+     too; searched, not proved. */
+static inline void ksl_euler_xyx_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
+    ksl_vec3f_t *angles, ksl_vec3f_t *angles_bound) {
+  const float n_a = KSL_MULF(R->m01, R->m01), n_a_size_1 = fabsf(R->m01),
+      n_a_size_2 = KSL_MULF(n_a_size_1, n_a_size_1), n_b = KSL_MULF(R->m02, R->m02),
+      n_b_size_1 = fabsf(R->m02), n_b_size_2 = KSL_MULF(n_b_size_1, n_b_size_1), n_c = n_a + n_b,
+      n_c_right_1 = n_c - n_a, n_c_left_1 = n_c - n_c_right_1,
+      n_c_left_rest_1 = ksl_product_restf(R->m01, R->m01, n_a, n_c_left_1),
+      n_c_right_rest_1 = ksl_product_restf(R->m02, R->m02, n_b, n_c_right_1),
+      n_c_lo = n_c_left_rest_1 + n_c_right_rest_1, n_c_size_1 = n_a_size_2 + n_b_size_2,
+      n = sqrtf(n_c), n_product_1 = KSL_MULF(n, n),
+      n_product_error_1 = ksl_product_errorf(n, n, n_product_1), n_rest_1 = n_c - n_product_1,
+      n_exact_1 = n_rest_1 - n_product_error_1, n_residual_1 = n_exact_1 + n_c_lo,
+      n_twice_1 = n + n, n_divisor_1 = n == 0.0f ? 1.0f : n_twice_1,
+      n_lo = n_residual_1 / n_divisor_1, n_padded_1 = 3.3087225e-24f + n_c_size_1,
+      n_size_1 = n_padded_1 / n, n_size_2 = n_size_1 / n_c, n_size_3 = fabsf(n_c),
+      n_error_1 = fabsf(n_c_lo), n_rest_2 = KSL_MULF(2.7711354e-13f, n_padded_1),
+      n_bound_1 = n_error_1 + n_rest_2, n_units_1 = KSL_MULF(262144.0f, n_bound_1),
+      n_reach_1 = n_size_3 + n_units_1, n_size_4 = KSL_MULF(n_reach_1, n_size_2),
+      n_size_5 = sqrtf(n_bound_1), n_size_6 = fabsf(n_lo), n_size_7 = n_size_5 + n_size_6,
+      n_size_8 = KSL_MULF(1.7058937e+12f, n_size_7), n_size_9 = KSL_MULF(4.0f, n_bound_1),
+      n_size_11 = n_size_9 < n_c ? n_size_4 : n_size_8, n_size_12 = n + n_size_11;
+  const float divisor = n == 0.0f ? 1.0f : n, divisor_lo = n == 0.0f ? 0.0f : n_lo,
+      divisor_size_1 = n == 0.0f ? 1.0f : n_size_12, divisor_padded_1 = 3.3087225e-24f + n_size_12,
+      divisor_rest_1 = KSL_MULF(6.430494e-13f, divisor_padded_1),
+      divisor_bound_1 = divisor_rest_1 + n_size_6, divisor_size_2 = n - 0.0f,
+      divisor_size_3 = fabsf(divisor_size_2), divisor_size_5 = 1.0f - n,
+      divisor_size_6 = fabsf(divisor_size_5), divisor_size_7 = divisor_bound_1 + divisor_size_6,
+      divisor_size_8 = divisor_bound_1 < divisor_size_3 ? 0.0f : divisor_size_7,
+      divisor_size_9 = KSL_MULF(5.4975264e+11f, divisor_size_8),
+      divisor_size_10 = divisor_size_1 + divisor_size_9;
+  const float cosine_a = R->m02 / divisor, cosine_a_product_1 = KSL_MULF(cosine_a, divisor),
+      cosine_a_product_error_1 = ksl_product_errorf(cosine_a, divisor, cosine_a_product_1),
+      cosine_a_rest_1 = R->m02 - cosine_a_product_1,
+      cosine_a_exact_1 = cosine_a_rest_1 - cosine_a_product_error_1,
+      cosine_a_cross_1 = KSL_MULF(cosine_a, divisor_lo),
+      cosine_a_residual_1 = cosine_a_exact_1 - cosine_a_cross_1,
+      cosine_a_lo = cosine_a_residual_1 / divisor, cosine_a_padded_1 = 3.3087225e-24f + n_b_size_1,
+      cosine_a_padded_2 = 3.3087225e-24f + divisor_size_10, cosine_a_size_1 = fabsf(cosine_a),
+      cosine_a_size_2 = fabsf(divisor),
+      cosine_a_size_3 = KSL_MULF(cosine_a_padded_2, cosine_a_size_1),
+      cosine_a_size_4 = cosine_a_padded_1 + cosine_a_size_3, cosine_a_error_1 = fabsf(divisor_lo),
+      cosine_a_rest_2 = KSL_MULF(1.875852e-12f, cosine_a_padded_2),
+      cosine_a_bound_1 = cosine_a_error_1 + cosine_a_rest_2,
+      cosine_a_size_5 = KSL_MULF(4.0f, cosine_a_bound_1),
+      cosine_a_size_7 = cosine_a_size_5 < cosine_a_size_2 ? cosine_a_size_2 : 0.0f,
+      cosine_a_size_8 = cosine_a_size_4 / cosine_a_size_7,
+      cosine_a_units_1 = KSL_MULF(262144.0f, cosine_a_bound_1),
+      cosine_a_reach_1 = cosine_a_size_2 + cosine_a_units_1,
+      cosine_a_size_9 = KSL_MULF(cosine_a_reach_1, cosine_a_size_8),
+      cosine_a_size_10 = cosine_a_size_9 / cosine_a_size_2,
+      cosine_a_size_11 = cosine_a_size_1 + cosine_a_size_10, cosine = n == 0.0f ? 1.0f : cosine_a,
+      cosine_lo = n == 0.0f ? 0.0f : cosine_a_lo,
+      cosine_size_1 = n == 0.0f ? 1.0f : cosine_a_size_11, cosine_size_2 = 1.0f - cosine_a,
+      cosine_size_3 = fabsf(cosine_size_2), cosine_error_1 = fabsf(cosine_a_lo),
+      cosine_padded_1 = 3.3087225e-24f + cosine_a_size_11,
+      cosine_rest_1 = KSL_MULF(2.8564286e-12f, cosine_padded_1),
+      cosine_bound_1 = cosine_error_1 + cosine_rest_1,
+      cosine_size_4 = cosine_bound_1 + cosine_size_3,
+      cosine_size_5 = divisor_bound_1 < divisor_size_3 ? 0.0f : cosine_size_4,
+      cosine_size_6 = KSL_MULF(3.6086084e+11f, cosine_size_5),
+      cosine_size_7 = cosine_size_1 + cosine_size_6;
+  const float sine = R->m01 / divisor, sine_product_1 = KSL_MULF(sine, divisor),
+      sine_product_error_1 = ksl_product_errorf(sine, divisor, sine_product_1),
+      sine_rest_1 = R->m01 - sine_product_1, sine_exact_1 = sine_rest_1 - sine_product_error_1,
+      sine_cross_1 = KSL_MULF(sine, divisor_lo), sine_residual_1 = sine_exact_1 - sine_cross_1,
+      sine_lo = sine_residual_1 / divisor, sine_padded_1 = 3.3087225e-24f + n_a_size_1,
+      sine_size_1 = fabsf(sine), sine_size_2 = KSL_MULF(cosine_a_padded_2, sine_size_1),
+      sine_size_3 = sine_padded_1 + sine_size_2, sine_size_4 = sine_size_3 / cosine_a_size_7,
+      sine_size_5 = KSL_MULF(cosine_a_reach_1, sine_size_4),
+      sine_size_6 = sine_size_5 / cosine_a_size_2, sine_size_7 = sine_size_1 + sine_size_6;
+  const float polar = ksl_atan2f(R->m01, R->m02),
+      polar_own_error_1 = ksl_atan2_errorf(R->m01, R->m02, polar), polar_size_1 = fabsf(polar);
+  const float third = n == 0.0f ? 0.0f : polar, third_lo = n == 0.0f ? 0.0f : polar_own_error_1,
+      third_size_1 = n == 0.0f ? 0.0f : polar_size_1, third_size_2 = 0.0f - polar,
+      third_size_3 = fabsf(third_size_2), third_error_1 = fabsf(polar_own_error_1),
+      third_padded_1 = 3.3087225e-24f + polar_size_1,
+      third_rest_1 = KSL_MULF(1.0800314e-12f, third_padded_1),
+      third_bound_1 = third_error_1 + third_rest_1, third_size_4 = third_bound_1 + third_size_3,
+      third_size_5 = divisor_bound_1 < divisor_size_3 ? 0.0f : third_size_4,
+      third_size_6 = KSL_MULF(5.497548e+11f, third_size_5),
+      third_size_7 = third_size_1 + third_size_6;
+  const float left_1a = KSL_MULF(R->m11, cosine), left_1a_cross2_1 = KSL_MULF(R->m11, cosine_lo),
+      left_1a_size_1 = fabsf(R->m11), left_1a_padded_1 = 3.3087225e-24f + cosine_size_7,
+      left_1a_size_2 = KSL_MULF(left_1a_padded_1, left_1a_size_1), left_1b = KSL_MULF(R->m12, sine),
+      left_1b_cross2_1 = KSL_MULF(R->m12, sine_lo), left_1b_size_1 = fabsf(R->m12),
+      left_1b_padded_1 = 3.3087225e-24f + sine_size_7,
+      left_1b_size_2 = KSL_MULF(left_1b_padded_1, left_1b_size_1), left_1 = left_1a - left_1b,
+      left_right_1 = left_1a - left_1, left_left_1 = left_1 + left_right_1,
+      left_left_rest_1 = ksl_product_restf(R->m11, cosine, left_1a, left_left_1),
+      left_right_rest_1 = ksl_product_restf(R->m12, sine, left_1b, left_right_1),
+      left_cross_1 = left_1a_cross2_1 - left_1b_cross2_1,
+      left_lo1_1 = left_left_rest_1 - left_right_rest_1, left_lo_1 = left_lo1_1 + left_cross_1,
+      left_size_1 = left_1a_size_2 + left_1b_size_2;
+  const float left_2a = KSL_MULF(R->m21, cosine), left_2a_cross2_1 = KSL_MULF(R->m21, cosine_lo),
+      left_2a_size_1 = fabsf(R->m21), left_2a_size_2 = KSL_MULF(left_1a_padded_1, left_2a_size_1),
+      left_2b = KSL_MULF(R->m22, sine), left_2b_cross2_1 = KSL_MULF(R->m22, sine_lo),
+      left_2b_size_1 = fabsf(R->m22), left_2b_size_2 = KSL_MULF(left_1b_padded_1, left_2b_size_1),
+      left_2 = left_2a - left_2b, left_right_2 = left_2a - left_2,
+      left_left_2 = left_2 + left_right_2,
+      left_left_rest_2 = ksl_product_restf(R->m21, cosine, left_2a, left_left_2),
+      left_right_rest_2 = ksl_product_restf(R->m22, sine, left_2b, left_right_2),
+      left_cross_2 = left_2a_cross2_1 - left_2b_cross2_1,
+      left_lo1_2 = left_left_rest_2 - left_right_rest_2, left_lo_2 = left_lo1_2 + left_cross_2,
+      left_size_2 = left_2a_size_2 + left_2b_size_2;
+  const float angles_0 = ksl_atan2f(left_2, left_1),
+      angles_own_error_1 = ksl_atan2_errorf(left_2, left_1, angles_0),
+      angles_size0_1 = fabsf(left_2), angles_size1_1 = fabsf(left_1),
+      angles_most_1 = angles_size0_1 < angles_size1_1 ? angles_size1_1 : angles_size0_1,
+      angles_divisor_1 = angles_most_1 == 0.0f ? 1.0f : angles_most_1,
+      angles_part0_1 = left_2 / angles_divisor_1, angles_part1_1 = left_1 / angles_divisor_1,
+      angles_cross1_1 = KSL_MULF(angles_part1_1, left_lo_2),
+      angles_cross2_1 = KSL_MULF(angles_part0_1, left_lo_1),
+      angles_square1_1 = KSL_MULF(angles_part1_1, angles_part1_1),
+      angles_square2_1 = KSL_MULF(angles_part0_1, angles_part0_1),
+      angles_cross_1 = angles_cross1_1 - angles_cross2_1,
+      angles_square_1 = angles_square1_1 + angles_square2_1,
+      angles_divisor2_1 = KSL_MULF(angles_divisor_1, angles_square_1),
+      angles_safe_1 = angles_most_1 == 0.0f ? 1.0f : angles_divisor2_1,
+      angles_more_1 = angles_cross_1 / angles_safe_1,
+      angles_lo_1 = angles_own_error_1 + angles_more_1, angles_size_1 = fabsf(angles_0),
+      angles_padded_1 = 3.3087225e-24f + left_size_2,
+      angles_padded_2 = 3.3087225e-24f + left_size_1, angles_size_2 = fabsf(left_2),
+      angles_size_3 = fabsf(left_1),
+      angles_size_5 = angles_size_2 < angles_size_3 ? angles_size_3 : angles_size_2,
+      angles_error_1 = fabsf(left_lo_2), angles_rest_1 = KSL_MULF(3.2294905e-12f, angles_padded_1),
+      angles_bound_1 = angles_error_1 + angles_rest_1, angles_error_2 = fabsf(left_lo_1),
+      angles_rest_2 = KSL_MULF(3.2294905e-12f, angles_padded_2),
+      angles_bound_2 = angles_error_2 + angles_rest_2,
+      angles_size_6 = 3.3087225e-24f + angles_bound_1,
+      angles_size_7 = angles_bound_2 + angles_size_6,
+      angles_size_8 = angles_padded_1 + angles_padded_2,
+      angles_size_9 = angles_size_8 / angles_size_5, angles_size_10 = angles_size_1 + angles_size_9,
+      angles_size_11 = angles_size_7 / angles_size_5,
+      angles_size_13 = KSL_MULF(angles_size_11, angles_size_11),
+      angles_size_14 = fabsf(angles_lo_1), angles_size_15 = 7.0f + angles_size_14,
+      angles_size_18 = angles_bound_2 < left_1 ? angles_size_13 : angles_size_15,
+      angles_size_19 = angles_bound_1 < angles_size_2 ? angles_size_13 : angles_size_18,
+      angles_size_20 = angles_size_11 < 0.25f ? angles_size_19 : angles_size_15,
+      angles_size_21 = KSL_MULF(1.5707134e+11f, angles_size_20),
+      angles_size_22 = angles_size_10 + angles_size_21;
+  const float angles_1 = ksl_atan2f(n, R->m00),
+      angles_own_error_2 = ksl_atan2_errorf(n, R->m00, angles_1), angles_size0_2 = fabsf(n),
+      angles_size1_2 = fabsf(R->m00),
+      angles_most_2 = angles_size0_2 < angles_size1_2 ? angles_size1_2 : angles_size0_2,
+      angles_divisor_2 = angles_most_2 == 0.0f ? 1.0f : angles_most_2,
+      angles_part0_2 = n / angles_divisor_2, angles_part1_2 = R->m00 / angles_divisor_2,
+      angles_cross1_2 = KSL_MULF(angles_part1_2, n_lo),
+      angles_cross2_2 = KSL_MULF(angles_part0_2, 0.0f),
+      angles_square1_2 = KSL_MULF(angles_part1_2, angles_part1_2),
+      angles_square2_2 = KSL_MULF(angles_part0_2, angles_part0_2),
+      angles_cross_2 = angles_cross1_2 - angles_cross2_2,
+      angles_square_2 = angles_square1_2 + angles_square2_2,
+      angles_divisor2_2 = KSL_MULF(angles_divisor_2, angles_square_2),
+      angles_safe_2 = angles_most_2 == 0.0f ? 1.0f : angles_divisor2_2,
+      angles_more_2 = angles_cross_2 / angles_safe_2,
+      angles_lo_2 = angles_own_error_2 + angles_more_2, angles_size_23 = fabsf(angles_1),
+      angles_size_24 = fabsf(R->m00), angles_padded_3 = 3.3087225e-24f + angles_size_24,
+      angles_size_25 = fabsf(n),
+      angles_size_27 = angles_size_25 < angles_size_24 ? angles_size_24 : angles_size_25,
+      angles_size_28 = 3.3087225e-24f + divisor_bound_1,
+      angles_size_29 = angles_padded_3 + divisor_padded_1,
+      angles_size_30 = angles_size_29 / angles_size_27,
+      angles_size_31 = angles_size_23 + angles_size_30,
+      angles_size_32 = angles_size_28 / angles_size_27,
+      angles_size_34 = KSL_MULF(angles_size_32, angles_size_32),
+      angles_size_35 = fabsf(angles_lo_2), angles_size_36 = 7.0f + angles_size_35,
+      angles_size_39 = 0.0f < R->m00 ? angles_size_34 : angles_size_36,
+      angles_size_40 = divisor_bound_1 < angles_size_25 ? angles_size_34 : angles_size_39,
+      angles_size_41 = angles_size_32 < 0.25f ? angles_size_40 : angles_size_36,
+      angles_size_42 = KSL_MULF(2.7487632e+11f, angles_size_41),
+      angles_size_43 = angles_size_31 + angles_size_42;
+  const float angles_padded_4 = 3.3087225e-24f + angles_size_22,
+      angles_rest_3 = KSL_MULF(6.565516e-12f, angles_padded_4),
+      angles_bound_3 = angles_rest_3 + angles_size_14,
+      angles_padded_5 = 3.3087225e-24f + angles_size_43,
+      angles_rest_4 = KSL_MULF(3.751704e-12f, angles_padded_5),
+      angles_bound_4 = angles_rest_4 + angles_size_35, third_error_2 = fabsf(third_lo),
+      third_padded_2 = 3.3087225e-24f + third_size_7,
+      third_rest_2 = KSL_MULF(1.8758445e-12f, third_padded_2),
+      third_bound_2 = third_error_2 + third_rest_2;
+  angles->x = angles_0;
+  angles->y = angles_1;
+  angles->z = third;
+  angles_bound->x = angles_bound_3;
+  angles_bound->y = angles_bound_4;
+  angles_bound->z = third_bound_2;
+}
+
+/* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
+     not a rotation; |error of R| <= R_bound unless inf or NaN.
+   axis: vector; angle: number; R, R_bound: rotation or other 3×3 matrix.
+   180 mul, 322 add, 20 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select.
+   Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
+static inline void ksl_mat3x3f_from_axis_angle_certified(const ksl_vec3f_t *axis,
+    const float angle, ksl_mat3x3f_t *R, ksl_mat3x3f_t *R_bound) {
+  const float half = KSL_MULF(0.5f, angle), half_size_1 = fabsf(angle),
+      half_size_2 = KSL_MULF(0.5f, half_size_1);
+  const float h = ksl_sinf(half), h_own_error_1 = ksl_sin_errorf(half, h),
+      h_padded_1 = 3.3087225e-24f + half_size_2, h_size_1 = 1.0f + h_padded_1;
+  float cosine; const float sine = ksl_sincosf(angle, &cosine);
+  float cosine_own_error_1; const float sine_own_error_1 = ksl_sincos_errorf(angle, sine, cosine,
+      &cosine_own_error_1);
+  const float versine_a = KSL_MULF(h, h), versine_a_cross1_1 = KSL_MULF(h_own_error_1, h),
+      versine_a_cross2_1 = KSL_MULF(h, h_own_error_1),
+      versine_a_cross_1 = versine_a_cross1_1 + versine_a_cross2_1,
+      versine_a_size_1 = KSL_MULF(h_size_1, h_size_1),
+      versine_a_error_1 = ksl_product_errorf(h, h, versine_a),
+      versine_a_lo = versine_a_error_1 + versine_a_cross_1, versine_b = KSL_MULF(2.0f, versine_a),
+      versine_b_cross2_1 = KSL_MULF(2.0f, versine_a_lo),
+      versine_b_size_1 = KSL_MULF(2.0f, versine_a_size_1), versine_c = 1.0f - cosine,
+      versine_c_right_1 = 1.0f - versine_c, versine_c_left_1 = versine_c + versine_c_right_1,
+      versine_c_left_rest_1 = 1.0f - versine_c_left_1,
+      versine_c_right_rest_1 = cosine - versine_c_right_1,
+      versine_c_lo1_1 = versine_c_left_rest_1 - versine_c_right_rest_1,
+      versine_c_lo = versine_c_lo1_1 - cosine_own_error_1,
+      versine = cosine < 0.0f ? versine_c : versine_b,
+      versine_lo = cosine < 0.0f ? versine_c_lo : versine_b_cross2_1,
+      versine_size_1 = cosine < 0.0f ? 2.0f : versine_b_size_1,
+      versine_error_1 = fabsf(cosine_own_error_1),
+      versine_bound_1 = 1.0800312e-12f + versine_error_1, versine_size_2 = cosine - 0.0f,
+      versine_size_3 = fabsf(versine_size_2), versine_size_5 = versine_c - versine_b,
+      versine_size_6 = fabsf(versine_size_5), versine_error_2 = fabsf(versine_c_lo),
+      versine_bound_2 = 2.6858765e-12f + versine_error_2,
+      versine_error_3 = fabsf(versine_b_cross2_1),
+      versine_padded_1 = 3.3087225e-24f + versine_b_size_1,
+      versine_rest_1 = KSL_MULF(2.5864118e-12f, versine_padded_1),
+      versine_bound_3 = versine_error_3 + versine_rest_1,
+      versine_size_7 = versine_bound_2 + versine_size_6,
+      versine_size_8 = versine_bound_3 + versine_size_7,
+      versine_size_9 = versine_bound_1 < versine_size_3 ? 0.0f : versine_size_8,
+      versine_size_10 = KSL_MULF(1.3743768e+11f, versine_size_9),
+      versine_size_11 = versine_size_1 + versine_size_10;
+  const float beta_v_0 = KSL_MULF(axis->x, versine),
+      beta_v_cross2_1 = KSL_MULF(axis->x, versine_lo), beta_v_size_1 = fabsf(axis->x),
+      beta_v_padded_1 = 3.3087225e-24f + versine_size_11,
+      beta_v_size_2 = KSL_MULF(beta_v_padded_1, beta_v_size_1);
+  const float beta_v_1 = KSL_MULF(axis->y, versine),
+      beta_v_cross2_2 = KSL_MULF(axis->y, versine_lo), beta_v_size_3 = fabsf(axis->y),
+      beta_v_size_4 = KSL_MULF(beta_v_padded_1, beta_v_size_3);
+  const float beta_v_2 = KSL_MULF(axis->z, versine),
+      beta_v_cross2_3 = KSL_MULF(axis->z, versine_lo), beta_v_size_5 = fabsf(axis->z),
+      beta_v_size_6 = KSL_MULF(beta_v_padded_1, beta_v_size_5);
+  const float beta_v_error_1 = ksl_product_errorf(axis->x, versine, beta_v_0),
+      beta_v_lo_1 = beta_v_error_1 + beta_v_cross2_1, m_0 = KSL_MULF(axis->x, beta_v_0),
+      m_cross2_1 = KSL_MULF(axis->x, beta_v_lo_1), m_padded_1 = 3.3087225e-24f + beta_v_size_2,
+      m_size_1 = KSL_MULF(beta_v_size_1, m_padded_1);
+  const float beta_v_error_2 = ksl_product_errorf(axis->y, versine, beta_v_1),
+      beta_v_lo_2 = beta_v_error_2 + beta_v_cross2_2, m_1 = KSL_MULF(axis->y, beta_v_1),
+      m_cross2_2 = KSL_MULF(axis->y, beta_v_lo_2), m_padded_2 = 3.3087225e-24f + beta_v_size_4,
+      m_size_2 = KSL_MULF(beta_v_size_3, m_padded_2);
+  const float beta_v_error_3 = ksl_product_errorf(axis->z, versine, beta_v_2),
+      beta_v_lo_3 = beta_v_error_3 + beta_v_cross2_3, m_2 = KSL_MULF(axis->z, beta_v_2),
+      m_cross2_3 = KSL_MULF(axis->z, beta_v_lo_3), m_padded_3 = 3.3087225e-24f + beta_v_size_6,
+      m_size_3 = KSL_MULF(beta_v_size_5, m_padded_3);
+  const float m_3 = KSL_MULF(axis->y, beta_v_0), m_cross2_4 = KSL_MULF(axis->y, beta_v_lo_1),
+      m_size_4 = KSL_MULF(beta_v_size_3, m_padded_1);
+  const float m_4 = KSL_MULF(axis->z, beta_v_0), m_cross2_5 = KSL_MULF(axis->z, beta_v_lo_1),
+      m_size_5 = KSL_MULF(beta_v_size_5, m_padded_1);
+  const float m_5 = KSL_MULF(axis->z, beta_v_1), m_cross2_6 = KSL_MULF(axis->z, beta_v_lo_2),
+      m_size_6 = KSL_MULF(beta_v_size_5, m_padded_2);
+  const float others_0 = m_1 + m_2, others_right_1 = others_0 - m_1,
+      others_left_1 = others_0 - others_right_1,
+      others_left_rest_1 = ksl_product_restf(axis->y, beta_v_1, m_1, others_left_1),
+      others_right_rest_1 = ksl_product_restf(axis->z, beta_v_2, m_2, others_right_1),
+      others_cross_1 = m_cross2_2 + m_cross2_3,
+      others_lo1_1 = others_left_rest_1 + others_right_rest_1,
+      others_lo_1 = others_lo1_1 + others_cross_1, others_size_1 = m_size_2 + m_size_3;
+  const float others_1 = m_0 + m_2, others_right_2 = others_1 - m_0,
+      others_left_2 = others_1 - others_right_2,
+      others_left_rest_2 = ksl_product_restf(axis->x, beta_v_0, m_0, others_left_2),
+      others_right_rest_2 = ksl_product_restf(axis->z, beta_v_2, m_2, others_right_2),
+      others_cross_2 = m_cross2_1 + m_cross2_3,
+      others_lo1_2 = others_left_rest_2 + others_right_rest_2,
+      others_lo_2 = others_lo1_2 + others_cross_2, others_size_2 = m_size_1 + m_size_3;
+  const float others_2 = m_0 + m_1, others_right_3 = others_2 - m_0,
+      others_left_3 = others_2 - others_right_3,
+      others_left_rest_3 = ksl_product_restf(axis->x, beta_v_0, m_0, others_left_3),
+      others_right_rest_3 = ksl_product_restf(axis->y, beta_v_1, m_1, others_right_3),
+      others_cross_3 = m_cross2_1 + m_cross2_2,
+      others_lo1_3 = others_left_rest_3 + others_right_rest_3,
+      others_lo_3 = others_lo1_3 + others_cross_3, others_size_3 = m_size_1 + m_size_2;
+  const float alpha_v_0 = KSL_MULF(axis->x, sine),
+      alpha_v_cross2_1 = KSL_MULF(axis->x, sine_own_error_1);
+  const float alpha_v_1 = KSL_MULF(axis->y, sine),
+      alpha_v_cross2_2 = KSL_MULF(axis->y, sine_own_error_1);
+  const float alpha_v_2 = KSL_MULF(axis->z, sine),
+      alpha_v_cross2_3 = KSL_MULF(axis->z, sine_own_error_1);
+  const float R_00 = 1.0f - others_0, R_right_1 = 1.0f - R_00, R_left_1 = R_00 + R_right_1,
+      R_left_rest_1 = 1.0f - R_left_1, R_right_rest_1 = others_0 - R_right_1,
+      R_lo1_1 = R_left_rest_1 - R_right_rest_1, R_lo_1 = R_lo1_1 - others_lo_1,
+      R_size_1 = 1.0f + others_size_1;
+  const float R_01 = m_3 - alpha_v_2, R_right_2 = m_3 - R_01, R_left_2 = R_01 + R_right_2,
+      R_left_rest_2 = ksl_product_restf(axis->y, beta_v_0, m_3, R_left_2),
+      R_right_rest_2 = ksl_product_restf(axis->z, sine, alpha_v_2, R_right_2),
+      R_cross_1 = m_cross2_4 - alpha_v_cross2_3, R_lo1_2 = R_left_rest_2 - R_right_rest_2,
+      R_lo_2 = R_lo1_2 + R_cross_1, R_size_2 = beta_v_size_5 + m_size_4;
+  const float R_02 = m_4 + alpha_v_1, R_right_3 = R_02 - m_4, R_left_3 = R_02 - R_right_3,
+      R_left_rest_3 = ksl_product_restf(axis->z, beta_v_0, m_4, R_left_3),
+      R_right_rest_3 = ksl_product_restf(axis->y, sine, alpha_v_1, R_right_3),
+      R_cross_2 = m_cross2_5 + alpha_v_cross2_2, R_lo1_3 = R_left_rest_3 + R_right_rest_3,
+      R_lo_3 = R_lo1_3 + R_cross_2, R_size_3 = beta_v_size_3 + m_size_5;
+  const float R_10 = m_3 + alpha_v_2, R_right_4 = R_10 - m_3, R_left_4 = R_10 - R_right_4,
+      R_left_rest_4 = ksl_product_restf(axis->y, beta_v_0, m_3, R_left_4),
+      R_right_rest_4 = ksl_product_restf(axis->z, sine, alpha_v_2, R_right_4),
+      R_cross_3 = m_cross2_4 + alpha_v_cross2_3, R_lo1_4 = R_left_rest_4 + R_right_rest_4,
+      R_lo_4 = R_lo1_4 + R_cross_3;
+  const float R_11 = 1.0f - others_1, R_right_5 = 1.0f - R_11, R_left_5 = R_11 + R_right_5,
+      R_left_rest_5 = 1.0f - R_left_5, R_right_rest_5 = others_1 - R_right_5,
+      R_lo1_5 = R_left_rest_5 - R_right_rest_5, R_lo_5 = R_lo1_5 - others_lo_2,
+      R_size_4 = 1.0f + others_size_2;
+  const float R_12 = m_5 - alpha_v_0, R_right_6 = m_5 - R_12, R_left_6 = R_12 + R_right_6,
+      R_left_rest_6 = ksl_product_restf(axis->z, beta_v_1, m_5, R_left_6),
+      R_right_rest_6 = ksl_product_restf(axis->x, sine, alpha_v_0, R_right_6),
+      R_cross_4 = m_cross2_6 - alpha_v_cross2_1, R_lo1_6 = R_left_rest_6 - R_right_rest_6,
+      R_lo_6 = R_lo1_6 + R_cross_4, R_size_5 = beta_v_size_1 + m_size_6;
+  const float R_20 = m_4 - alpha_v_1, R_right_7 = m_4 - R_20, R_left_7 = R_20 + R_right_7,
+      R_left_rest_7 = ksl_product_restf(axis->z, beta_v_0, m_4, R_left_7),
+      R_right_rest_7 = ksl_product_restf(axis->y, sine, alpha_v_1, R_right_7),
+      R_cross_5 = m_cross2_5 - alpha_v_cross2_2, R_lo1_7 = R_left_rest_7 - R_right_rest_7,
+      R_lo_7 = R_lo1_7 + R_cross_5;
+  const float R_21 = m_5 + alpha_v_0, R_right_8 = R_21 - m_5, R_left_8 = R_21 - R_right_8,
+      R_left_rest_8 = ksl_product_restf(axis->z, beta_v_1, m_5, R_left_8),
+      R_right_rest_8 = ksl_product_restf(axis->x, sine, alpha_v_0, R_right_8),
+      R_cross_6 = m_cross2_6 + alpha_v_cross2_1, R_lo1_8 = R_left_rest_8 + R_right_rest_8,
+      R_lo_8 = R_lo1_8 + R_cross_6;
+  const float R_22 = 1.0f - others_2, R_right_9 = 1.0f - R_22, R_left_9 = R_22 + R_right_9,
+      R_left_rest_9 = 1.0f - R_left_9, R_right_rest_9 = others_2 - R_right_9,
+      R_lo1_9 = R_left_rest_9 - R_right_rest_9, R_lo_9 = R_lo1_9 - others_lo_3,
+      R_size_6 = 1.0f + others_size_3;
+  const float R_error_1 = fabsf(R_lo_1), R_padded_1 = 3.3087225e-24f + R_size_1,
+      R_rest_1 = KSL_MULF(8.6439935e-12f, R_padded_1), R_bound_1 = R_error_1 + R_rest_1,
+      R_error_2 = fabsf(R_lo_2), R_padded_2 = 3.3087225e-24f + R_size_2,
+      R_rest_2 = KSL_MULF(8.189208e-12f, R_padded_2), R_bound_2 = R_error_2 + R_rest_2,
+      R_error_3 = fabsf(R_lo_3), R_padded_3 = 3.3087225e-24f + R_size_3,
+      R_rest_3 = KSL_MULF(8.189208e-12f, R_padded_3), R_bound_3 = R_error_3 + R_rest_3,
+      R_error_4 = fabsf(R_lo_4), R_bound_4 = R_error_4 + R_rest_2, R_error_5 = fabsf(R_lo_5),
+      R_padded_4 = 3.3087225e-24f + R_size_4, R_rest_4 = KSL_MULF(8.6439935e-12f, R_padded_4),
+      R_bound_5 = R_error_5 + R_rest_4, R_error_6 = fabsf(R_lo_6),
+      R_padded_5 = 3.3087225e-24f + R_size_5, R_rest_5 = KSL_MULF(8.189208e-12f, R_padded_5),
+      R_bound_6 = R_error_6 + R_rest_5, R_error_7 = fabsf(R_lo_7), R_bound_7 = R_error_7 + R_rest_3,
+      R_error_8 = fabsf(R_lo_8), R_bound_8 = R_error_8 + R_rest_5, R_error_9 = fabsf(R_lo_9),
+      R_padded_6 = 3.3087225e-24f + R_size_6, R_rest_6 = KSL_MULF(8.6439935e-12f, R_padded_6),
+      R_bound_9 = R_error_9 + R_rest_6;
+  R->m00 = R_00;
+  R->m01 = R_01;
+  R->m02 = R_02;
+  R->m10 = R_10;
+  R->m11 = R_11;
+  R->m12 = R_12;
+  R->m20 = R_20;
+  R->m21 = R_21;
+  R->m22 = R_22;
+  R_bound->m00 = R_bound_1;
+  R_bound->m01 = R_bound_2;
+  R_bound->m02 = R_bound_3;
+  R_bound->m10 = R_bound_4;
+  R_bound->m11 = R_bound_5;
+  R_bound->m12 = R_bound_6;
+  R_bound->m20 = R_bound_7;
+  R_bound->m21 = R_bound_8;
+  R_bound->m22 = R_bound_9;
+}
+
+/* angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0;
+     |error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.
+   R: rotation or other 3×3 matrix; axis, axis_bound: vector; angle_bound: number.
+   171 mul, 383 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 63 abs, 4
+     copysign, 34 less, 6 equal, 103 select.
+   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
+     proved. */
+static inline float ksl_axis_angle_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
+    ksl_vec3f_t *axis, float *angle_bound, ksl_vec3f_t *axis_bound) {
+  const float p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
+      p_left_rest_1 = R->m21 - p_left_1, p_right_rest_1 = R->m12 - p_right_1,
+      p_lo_1 = p_left_rest_1 - p_right_rest_1, p_size_1 = fabsf(R->m21), p_size_2 = fabsf(R->m12),
+      p_size_3 = p_size_1 + p_size_2;
+  const float p_1 = R->m02 - R->m20, p_right_2 = R->m02 - p_1, p_left_2 = p_1 + p_right_2,
+      p_left_rest_2 = R->m02 - p_left_2, p_right_rest_2 = R->m20 - p_right_2,
+      p_lo_2 = p_left_rest_2 - p_right_rest_2, p_size_4 = fabsf(R->m02), p_size_5 = fabsf(R->m20),
+      p_size_6 = p_size_4 + p_size_5;
+  const float p_2 = R->m10 - R->m01, p_right_3 = R->m10 - p_2, p_left_3 = p_2 + p_right_3,
+      p_left_rest_3 = R->m10 - p_left_3, p_right_rest_3 = R->m01 - p_right_3,
+      p_lo_3 = p_left_rest_3 - p_right_rest_3, p_size_7 = fabsf(R->m10), p_size_8 = fabsf(R->m01),
+      p_size_9 = p_size_7 + p_size_8;
+  const float s_0 = R->m12 + R->m21, s_right_1 = s_0 - R->m12, s_left_1 = s_0 - s_right_1,
+      s_left_rest_1 = R->m12 - s_left_1, s_right_rest_1 = R->m21 - s_right_1,
+      s_lo_1 = s_left_rest_1 + s_right_rest_1;
+  const float s_1 = R->m02 + R->m20, s_right_2 = s_1 - R->m02, s_left_2 = s_1 - s_right_2,
+      s_left_rest_2 = R->m02 - s_left_2, s_right_rest_2 = R->m20 - s_right_2,
+      s_lo_2 = s_left_rest_2 + s_right_rest_2;
+  const float s_2 = R->m01 + R->m10, s_right_3 = s_2 - R->m01, s_left_3 = s_2 - s_right_3,
+      s_left_rest_3 = R->m01 - s_left_3, s_right_rest_3 = R->m10 - s_right_3,
+      s_lo_3 = s_left_rest_3 + s_right_rest_3;
+  const float first_0 = R->m00 + 1.0f, first_right_1 = first_0 - R->m00,
+      first_left_1 = first_0 - first_right_1, first_left_rest_1 = R->m00 - first_left_1,
+      first_right_rest_1 = 1.0f - first_right_1,
+      first_lo_1 = first_left_rest_1 + first_right_rest_1, first_size_1 = fabsf(R->m00),
+      first_size_2 = 1.0f + first_size_1;
+  const float first_1 = 1.0f - R->m00, first_right_2 = 1.0f - first_1,
+      first_left_2 = first_1 + first_right_2, first_left_rest_2 = 1.0f - first_left_2,
+      first_right_rest_2 = R->m00 - first_right_2,
+      first_lo_2 = first_left_rest_2 - first_right_rest_2;
+  const float others_0 = R->m11 + R->m22, others_right_1 = others_0 - R->m11,
+      others_left_1 = others_0 - others_right_1, others_left_rest_1 = R->m11 - others_left_1,
+      others_right_rest_1 = R->m22 - others_right_1,
+      others_lo_1 = others_left_rest_1 + others_right_rest_1, others_size_1 = fabsf(R->m11),
+      others_size_2 = fabsf(R->m22), others_size_3 = others_size_1 + others_size_2;
+  const float others_1 = R->m11 - R->m22, others_right_2 = R->m11 - others_1,
+      others_left_2 = others_1 + others_right_2, others_left_rest_2 = R->m11 - others_left_2,
+      others_right_rest_2 = R->m22 - others_right_2,
+      others_lo_2 = others_left_rest_2 - others_right_rest_2;
+  const float d_0 = first_0 + others_0, d_right_1 = d_0 - first_0, d_left_1 = d_0 - d_right_1,
+      d_left_rest_1 = first_0 - d_left_1, d_right_rest_1 = others_0 - d_right_1,
+      d_lo1_1 = d_left_rest_1 + d_right_rest_1, d_lo2_1 = d_lo1_1 + others_lo_1,
+      d_lo_1 = d_lo2_1 + first_lo_1, d_size_1 = first_size_2 + others_size_3;
+  const float d_1 = first_0 - others_0, d_right_2 = first_0 - d_1, d_left_2 = d_1 + d_right_2,
+      d_left_rest_2 = first_0 - d_left_2, d_right_rest_2 = others_0 - d_right_2,
+      d_lo1_2 = d_left_rest_2 - d_right_rest_2, d_lo2_2 = d_lo1_2 - others_lo_1,
+      d_lo_2 = d_lo2_2 + first_lo_1;
+  const float d_2 = first_1 + others_1, d_right_3 = d_2 - first_1, d_left_3 = d_2 - d_right_3,
+      d_left_rest_3 = first_1 - d_left_3, d_right_rest_3 = others_1 - d_right_3,
+      d_lo1_3 = d_left_rest_3 + d_right_rest_3, d_lo2_3 = d_lo1_3 + others_lo_2,
+      d_lo_3 = d_lo2_3 + first_lo_2;
+  const float d_3 = first_1 - others_1, d_right_4 = first_1 - d_3, d_left_4 = d_3 + d_right_4,
+      d_left_rest_4 = first_1 - d_left_4, d_right_rest_4 = others_1 - d_right_4,
+      d_lo1_4 = d_left_rest_4 - d_right_rest_4, d_lo2_4 = d_lo1_4 - others_lo_2,
+      d_lo_4 = d_lo2_4 + first_lo_2;
+  const float low_0 = R->m11 < R->m00 ? d_1 : s_2, low_lo_1 = R->m11 < R->m00 ? d_lo_2 : s_lo_3,
+      low_size_1 = R->m11 < R->m00 ? d_size_1 : p_size_9;
+  const float low_1 = R->m11 < R->m00 ? s_2 : d_2, low_lo_2 = R->m11 < R->m00 ? s_lo_3 : d_lo_3,
+      low_size_2 = R->m11 < R->m00 ? p_size_9 : d_size_1;
+  const float low_2 = R->m11 < R->m00 ? s_1 : s_0, low_lo_3 = R->m11 < R->m00 ? s_lo_2 : s_lo_1,
+      low_size_3 = R->m11 < R->m00 ? p_size_6 : p_size_3;
+  const float low_3 = R->m11 < R->m00 ? p_0 : p_1, low_lo_4 = R->m11 < R->m00 ? p_lo_1 : p_lo_2,
+      low_size_4 = R->m11 < R->m00 ? p_size_3 : p_size_6;
+  const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0,
+      high_lo_1 = R->m00 < high_0a ? s_lo_2 : p_lo_1,
+      high_size_1 = R->m00 < high_0a ? p_size_6 : p_size_3;
+  const float high_1 = R->m00 < high_0a ? s_0 : p_1, high_lo_2 = R->m00 < high_0a ? s_lo_1 : p_lo_2,
+      high_size_2 = R->m00 < high_0a ? p_size_3 : p_size_6;
+  const float high_2 = R->m00 < high_0a ? d_3 : p_2, high_lo_3 = R->m00 < high_0a ? d_lo_4 : p_lo_3,
+      high_size_3 = R->m00 < high_0a ? d_size_1 : p_size_9;
+  const float high_3 = R->m00 < high_0a ? p_2 : d_0, high_lo_4 = R->m00 < high_0a ? p_lo_3 : d_lo_1,
+      high_size_4 = R->m00 < high_0a ? p_size_9 : d_size_1;
+  const float column_0 = R->m22 < 0.0f ? low_0 : high_0,
+      column_lo_1 = R->m22 < 0.0f ? low_lo_1 : high_lo_1,
+      column_size_1 = R->m22 < 0.0f ? low_size_1 : high_size_1;
+  const float column_1 = R->m22 < 0.0f ? low_1 : high_1,
+      column_lo_2 = R->m22 < 0.0f ? low_lo_2 : high_lo_2,
+      column_size_2 = R->m22 < 0.0f ? low_size_2 : high_size_2;
+  const float column_2 = R->m22 < 0.0f ? low_2 : high_2,
+      column_lo_3 = R->m22 < 0.0f ? low_lo_3 : high_lo_3,
+      column_size_3 = R->m22 < 0.0f ? low_size_3 : high_size_3;
+  const float column_3 = R->m22 < 0.0f ? low_3 : high_3,
+      column_lo_4 = R->m22 < 0.0f ? low_lo_4 : high_lo_4,
+      column_size_4 = R->m22 < 0.0f ? low_size_4 : high_size_4;
+  const float upper_0a = -column_0, upper_0a_lo = -column_lo_1,
+      upper_0 = column_3 < 0.0f ? upper_0a : column_0,
+      upper_lo_1 = column_3 < 0.0f ? upper_0a_lo : column_lo_1, upper_error_1 = fabsf(column_lo_4),
+      upper_padded_1 = 3.3087225e-24f + column_size_4,
+      upper_rest_1 = KSL_MULF(4.6185646e-13f, upper_padded_1),
+      upper_bound_1 = upper_error_1 + upper_rest_1, upper_size_1 = column_3 - 0.0f,
+      upper_size_2 = fabsf(upper_size_1), upper_size_4 = upper_0a - column_0,
+      upper_size_5 = fabsf(upper_size_4), upper_error_2 = fabsf(upper_0a_lo),
+      upper_padded_2 = 3.3087225e-24f + column_size_1,
+      upper_rest_2 = KSL_MULF(4.6185646e-13f, upper_padded_2),
+      upper_bound_2 = upper_error_2 + upper_rest_2, upper_error_3 = fabsf(column_lo_1),
+      upper_bound_3 = upper_error_3 + upper_rest_2, upper_size_6 = upper_bound_2 + upper_size_5,
+      upper_size_7 = upper_bound_3 + upper_size_6,
+      upper_size_8 = upper_bound_1 < upper_size_2 ? 0.0f : upper_size_7,
+      upper_size_9 = KSL_MULF(5.497537e+11f, upper_size_8),
+      upper_size_10 = column_size_1 + upper_size_9;
+  const float upper_1a = -column_1, upper_1a_lo = -column_lo_2,
+      upper_1 = column_3 < 0.0f ? upper_1a : column_1,
+      upper_lo_2 = column_3 < 0.0f ? upper_1a_lo : column_lo_2, upper_size_11 = upper_1a - column_1,
+      upper_size_12 = fabsf(upper_size_11), upper_error_4 = fabsf(upper_1a_lo),
+      upper_padded_3 = 3.3087225e-24f + column_size_2,
+      upper_rest_3 = KSL_MULF(4.6185646e-13f, upper_padded_3),
+      upper_bound_4 = upper_error_4 + upper_rest_3, upper_error_5 = fabsf(column_lo_2),
+      upper_bound_5 = upper_error_5 + upper_rest_3, upper_size_13 = upper_bound_4 + upper_size_12,
+      upper_size_14 = upper_bound_5 + upper_size_13,
+      upper_size_15 = upper_bound_1 < upper_size_2 ? 0.0f : upper_size_14,
+      upper_size_16 = KSL_MULF(5.497537e+11f, upper_size_15),
+      upper_size_17 = column_size_2 + upper_size_16;
+  const float upper_2a = -column_2, upper_2a_lo = -column_lo_3,
+      upper_2 = column_3 < 0.0f ? upper_2a : column_2,
+      upper_lo_3 = column_3 < 0.0f ? upper_2a_lo : column_lo_3, upper_size_18 = upper_2a - column_2,
+      upper_size_19 = fabsf(upper_size_18), upper_error_6 = fabsf(upper_2a_lo),
+      upper_padded_4 = 3.3087225e-24f + column_size_3,
+      upper_rest_4 = KSL_MULF(4.6185646e-13f, upper_padded_4),
+      upper_bound_6 = upper_error_6 + upper_rest_4, upper_error_7 = fabsf(column_lo_3),
+      upper_bound_7 = upper_error_7 + upper_rest_4, upper_size_20 = upper_bound_6 + upper_size_19,
+      upper_size_21 = upper_bound_7 + upper_size_20,
+      upper_size_22 = upper_bound_1 < upper_size_2 ? 0.0f : upper_size_21,
+      upper_size_23 = KSL_MULF(5.497537e+11f, upper_size_22),
+      upper_size_24 = column_size_3 + upper_size_23;
+  const float upper_3a = -column_3, upper_3a_lo = -column_lo_4,
+      upper_3 = column_3 < 0.0f ? upper_3a : column_3,
+      upper_lo_4 = column_3 < 0.0f ? upper_3a_lo : column_lo_4, upper_size_25 = upper_3a - column_3,
+      upper_size_26 = fabsf(upper_size_25), upper_error_8 = fabsf(upper_3a_lo),
+      upper_bound_8 = upper_error_8 + upper_rest_1, upper_size_27 = upper_bound_8 + upper_size_26,
+      upper_size_28 = upper_bound_1 + upper_size_27,
+      upper_size_29 = upper_bound_1 < upper_size_2 ? 0.0f : upper_size_28,
+      upper_size_30 = KSL_MULF(5.497537e+11f, upper_size_29),
+      upper_size_31 = column_size_4 + upper_size_30;
+  const float v_s_size_0 = fabsf(upper_0), v_s_size_padded_1 = 3.3087225e-24f + upper_size_10;
+  const float v_s_size_1 = fabsf(upper_1), v_s_size_padded_2 = 3.3087225e-24f + upper_size_17;
+  const float v_s_size_2 = fabsf(upper_2), v_s_size_padded_3 = 3.3087225e-24f + upper_size_24;
+  const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
+      v_s_b_size_1 = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
+      v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
+      v_s_d_size_1 = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b_size_1,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d,
+      v_s_size_3 = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d_size_1;
+  const float v_y_0 = KSL_MULF(upper_0, v_s), v_y_inverse_1 = 1.0f / v_s,
+      v_y_back_1 = KSL_MULF(v_y_0, v_y_inverse_1), v_y_lost_1 = upper_0 - v_y_back_1,
+      v_y_rest_1 = v_y_lost_1 + upper_lo_1, v_y_lo_1 = KSL_MULF(v_y_rest_1, v_s),
+      v_y_size_1 = KSL_MULF(v_s_size_3, v_s_size_padded_1);
+  const float v_y_1 = KSL_MULF(upper_1, v_s), v_y_back_2 = KSL_MULF(v_y_1, v_y_inverse_1),
+      v_y_lost_2 = upper_1 - v_y_back_2, v_y_rest_2 = v_y_lost_2 + upper_lo_2,
+      v_y_lo_2 = KSL_MULF(v_y_rest_2, v_s), v_y_size_2 = KSL_MULF(v_s_size_3, v_s_size_padded_2);
+  const float v_y_2 = KSL_MULF(upper_2, v_s), v_y_back_3 = KSL_MULF(v_y_2, v_y_inverse_1),
+      v_y_lost_3 = upper_2 - v_y_back_3, v_y_rest_3 = v_y_lost_3 + upper_lo_3,
+      v_y_lo_3 = KSL_MULF(v_y_rest_3, v_s), v_y_size_3 = KSL_MULF(v_s_size_3, v_s_size_padded_3);
+  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_a_cross1_1 = KSL_MULF(v_y_lo_1, v_y_0),
+      v_n_a_cross2_1 = KSL_MULF(v_y_0, v_y_lo_1), v_n_a_cross_1 = v_n_a_cross1_1 + v_n_a_cross2_1,
+      v_n_a_padded_1 = 3.3087225e-24f + v_y_size_1, v_n_a_size_1 = fabsf(v_y_0),
+      v_n_a_error_1 = fabsf(v_y_lo_1), v_n_a_rest_1 = KSL_MULF(1.9326999e-12f, v_n_a_padded_1),
+      v_n_a_bound_1 = v_n_a_error_1 + v_n_a_rest_1,
+      v_n_a_units_1 = KSL_MULF(262144.0f, v_n_a_bound_1),
+      v_n_a_reach_1 = v_n_a_size_1 + v_n_a_units_1,
+      v_n_a_size_2 = KSL_MULF(v_n_a_padded_1, v_n_a_reach_1),
+      v_n_a_size_3 = v_n_a_size_2 + v_n_a_size_2, v_n_b = KSL_MULF(v_y_1, v_y_1),
+      v_n_b_cross1_1 = KSL_MULF(v_y_lo_2, v_y_1), v_n_b_cross2_1 = KSL_MULF(v_y_1, v_y_lo_2),
+      v_n_b_cross_1 = v_n_b_cross1_1 + v_n_b_cross2_1, v_n_b_padded_1 = 3.3087225e-24f + v_y_size_2,
+      v_n_b_size_1 = fabsf(v_y_1), v_n_b_error_1 = fabsf(v_y_lo_2),
+      v_n_b_rest_1 = KSL_MULF(1.9326999e-12f, v_n_b_padded_1),
+      v_n_b_bound_1 = v_n_b_error_1 + v_n_b_rest_1,
+      v_n_b_units_1 = KSL_MULF(262144.0f, v_n_b_bound_1),
+      v_n_b_reach_1 = v_n_b_size_1 + v_n_b_units_1,
+      v_n_b_size_2 = KSL_MULF(v_n_b_padded_1, v_n_b_reach_1),
+      v_n_b_size_3 = v_n_b_size_2 + v_n_b_size_2, v_n_c = v_n_a + v_n_b,
+      v_n_c_right_1 = v_n_c - v_n_a, v_n_c_left_1 = v_n_c - v_n_c_right_1,
+      v_n_c_left_rest_1 = ksl_product_restf(v_y_0, v_y_0, v_n_a, v_n_c_left_1),
+      v_n_c_right_rest_1 = ksl_product_restf(v_y_1, v_y_1, v_n_b, v_n_c_right_1),
+      v_n_c_cross_1 = v_n_a_cross_1 + v_n_b_cross_1,
+      v_n_c_lo1_1 = v_n_c_left_rest_1 + v_n_c_right_rest_1, v_n_c_lo = v_n_c_lo1_1 + v_n_c_cross_1,
+      v_n_c_size_1 = v_n_a_size_3 + v_n_b_size_3, v_n_d = KSL_MULF(v_y_2, v_y_2),
+      v_n_d_cross1_1 = KSL_MULF(v_y_lo_3, v_y_2), v_n_d_cross2_1 = KSL_MULF(v_y_2, v_y_lo_3),
+      v_n_d_cross_1 = v_n_d_cross1_1 + v_n_d_cross2_1, v_n_d_padded_1 = 3.3087225e-24f + v_y_size_3,
+      v_n_d_size_1 = fabsf(v_y_2), v_n_d_error_1 = fabsf(v_y_lo_3),
+      v_n_d_rest_1 = KSL_MULF(1.9326999e-12f, v_n_d_padded_1),
+      v_n_d_bound_1 = v_n_d_error_1 + v_n_d_rest_1,
+      v_n_d_units_1 = KSL_MULF(262144.0f, v_n_d_bound_1),
+      v_n_d_reach_1 = v_n_d_size_1 + v_n_d_units_1,
+      v_n_d_size_2 = KSL_MULF(v_n_d_padded_1, v_n_d_reach_1),
+      v_n_d_size_3 = v_n_d_size_2 + v_n_d_size_2, v_n_e = v_n_c + v_n_d,
+      v_n_e_right_1 = v_n_e - v_n_c, v_n_e_left_1 = v_n_e - v_n_e_right_1,
+      v_n_e_left_rest_1 = v_n_c - v_n_e_left_1,
+      v_n_e_right_rest_1 = ksl_product_restf(v_y_2, v_y_2, v_n_d, v_n_e_right_1),
+      v_n_e_lo1_1 = v_n_e_left_rest_1 + v_n_e_right_rest_1,
+      v_n_e_lo2_1 = v_n_e_lo1_1 + v_n_d_cross_1, v_n_e_lo = v_n_e_lo2_1 + v_n_c_lo,
+      v_n_e_size_1 = v_n_c_size_1 + v_n_d_size_3, v_n = sqrtf(v_n_e),
+      v_n_product_1 = KSL_MULF(v_n, v_n),
+      v_n_product_error_1 = ksl_product_errorf(v_n, v_n, v_n_product_1),
+      v_n_rest_1 = v_n_e - v_n_product_1, v_n_exact_1 = v_n_rest_1 - v_n_product_error_1,
+      v_n_residual_1 = v_n_exact_1 + v_n_e_lo, v_n_twice_1 = v_n + v_n,
+      v_n_divisor_1 = v_n == 0.0f ? 1.0f : v_n_twice_1, v_n_lo = v_n_residual_1 / v_n_divisor_1,
+      v_n_padded_1 = 3.3087225e-24f + v_n_e_size_1, v_n_size_1 = v_n_padded_1 / v_n,
+      v_n_size_2 = v_n_size_1 / v_n_e, v_n_size_3 = fabsf(v_n_e), v_n_error_1 = fabsf(v_n_e_lo),
+      v_n_rest_2 = KSL_MULF(3.3147653e-12f, v_n_padded_1), v_n_bound_1 = v_n_error_1 + v_n_rest_2,
+      v_n_units_1 = KSL_MULF(262144.0f, v_n_bound_1), v_n_reach_1 = v_n_size_3 + v_n_units_1,
+      v_n_size_4 = KSL_MULF(v_n_reach_1, v_n_size_2), v_n_size_5 = sqrtf(v_n_bound_1),
+      v_n_size_6 = fabsf(v_n_lo), v_n_size_7 = v_n_size_5 + v_n_size_6,
+      v_n_size_8 = KSL_MULF(3.9615493e+11f, v_n_size_7), v_n_size_9 = KSL_MULF(4.0f, v_n_bound_1),
+      v_n_size_11 = v_n_size_9 < v_n_e ? v_n_size_4 : v_n_size_8, v_n_size_12 = v_n + v_n_size_11;
+  const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f,
+      v_r_b_size_1 = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
+      v_r_d_size_1 = 1.0f < v_s ? 5.551115e-17f : v_r_b_size_1,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d,
+      v_r_size_1 = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d_size_1;
+  const float n = KSL_MULF(v_n, v_r), n_inverse_1 = 1.0f / v_r, n_back_1 = KSL_MULF(n, n_inverse_1),
+      n_lost_1 = v_n - n_back_1, n_rest_1 = n_lost_1 + v_n_lo, n_lo = KSL_MULF(n_rest_1, v_r),
+      n_padded_1 = 3.3087225e-24f + v_n_size_12, n_size_1 = KSL_MULF(n_padded_1, v_r_size_1);
+  const float half = ksl_atan2f(n, upper_3), half_own_error_1 = ksl_atan2_errorf(n, upper_3, half),
+      half_size0_1 = fabsf(n), half_size1_1 = fabsf(upper_3),
+      half_most_1 = half_size0_1 < half_size1_1 ? half_size1_1 : half_size0_1,
+      half_divisor_1 = half_most_1 == 0.0f ? 1.0f : half_most_1, half_part0_1 = n / half_divisor_1,
+      half_part1_1 = upper_3 / half_divisor_1, half_cross1_1 = KSL_MULF(half_part1_1, n_lo),
+      half_cross2_1 = KSL_MULF(half_part0_1, upper_lo_4),
+      half_square1_1 = KSL_MULF(half_part1_1, half_part1_1),
+      half_square2_1 = KSL_MULF(half_part0_1, half_part0_1),
+      half_cross_1 = half_cross1_1 - half_cross2_1, half_square_1 = half_square1_1 + half_square2_1,
+      half_divisor2_1 = KSL_MULF(half_divisor_1, half_square_1),
+      half_safe_1 = half_most_1 == 0.0f ? 1.0f : half_divisor2_1,
+      half_more_1 = half_cross_1 / half_safe_1, half_lo = half_own_error_1 + half_more_1,
+      half_size_1 = fabsf(half), half_padded_1 = 3.3087225e-24f + n_size_1,
+      half_padded_2 = 3.3087225e-24f + upper_size_31, half_size_2 = fabsf(n),
+      half_size_3 = fabsf(upper_3),
+      half_size_5 = half_size_2 < half_size_3 ? half_size_3 : half_size_2,
+      half_error_1 = fabsf(n_lo), half_rest_1 = KSL_MULF(2.7161363e-12f, half_padded_1),
+      half_bound_1 = half_error_1 + half_rest_1, half_error_2 = fabsf(upper_lo_4),
+      half_rest_2 = KSL_MULF(1.8758484e-12f, half_padded_2),
+      half_bound_2 = half_error_2 + half_rest_2, half_size_6 = 3.3087225e-24f + half_bound_1,
+      half_size_7 = half_bound_2 + half_size_6, half_size_8 = half_padded_1 + half_padded_2,
+      half_size_9 = half_size_8 / half_size_5, half_size_10 = half_size_1 + half_size_9,
+      half_size_11 = half_size_7 / half_size_5, half_size_13 = KSL_MULF(half_size_11, half_size_11),
+      half_size_14 = fabsf(half_lo), half_size_15 = 7.0f + half_size_14,
+      half_size_18 = half_bound_2 < upper_3 ? half_size_13 : half_size_15,
+      half_size_19 = half_bound_1 < half_size_2 ? half_size_13 : half_size_18,
+      half_size_20 = half_size_11 < 0.25f ? half_size_19 : half_size_15,
+      half_size_21 = KSL_MULF(1.5707046e+11f, half_size_20),
+      half_size_22 = half_size_10 + half_size_21;
+  const float divisor = v_n == 0.0f ? 1.0f : v_n, divisor_lo = v_n == 0.0f ? 0.0f : v_n_lo,
+      divisor_size_1 = v_n == 0.0f ? 1.0f : v_n_size_12,
+      divisor_rest_1 = KSL_MULF(2.6379647e-12f, n_padded_1),
+      divisor_bound_1 = divisor_rest_1 + v_n_size_6, divisor_size_2 = v_n - 0.0f,
+      divisor_size_3 = fabsf(divisor_size_2), divisor_size_5 = 1.0f - v_n,
+      divisor_size_6 = fabsf(divisor_size_5), divisor_size_7 = divisor_bound_1 + divisor_size_6,
+      divisor_size_8 = divisor_bound_1 < divisor_size_3 ? 0.0f : divisor_size_7,
+      divisor_size_9 = KSL_MULF(2.7487268e+11f, divisor_size_8),
+      divisor_size_10 = divisor_size_1 + divisor_size_9;
+  const float unit_0 = v_y_0 / divisor, unit_product_1 = KSL_MULF(unit_0, divisor),
+      unit_product_error_1 = ksl_product_errorf(unit_0, divisor, unit_product_1),
+      unit_rest_1 = v_y_0 - unit_product_1, unit_exact_1 = unit_rest_1 - unit_product_error_1,
+      unit_numerator_1 = unit_exact_1 + v_y_lo_1, unit_cross_1 = KSL_MULF(unit_0, divisor_lo),
+      unit_residual_1 = unit_numerator_1 - unit_cross_1, unit_lo_1 = unit_residual_1 / divisor,
+      unit_padded_1 = 3.3087225e-24f + divisor_size_10, unit_size_1 = fabsf(unit_0),
+      unit_size_2 = fabsf(divisor), unit_size_3 = KSL_MULF(unit_padded_1, unit_size_1),
+      unit_size_4 = unit_size_3 + v_n_a_padded_1, unit_error_1 = fabsf(divisor_lo),
+      unit_rest_2 = KSL_MULF(3.7517537e-12f, unit_padded_1),
+      unit_bound_1 = unit_error_1 + unit_rest_2, unit_size_5 = KSL_MULF(4.0f, unit_bound_1),
+      unit_size_7 = unit_size_5 < unit_size_2 ? unit_size_2 : 0.0f,
+      unit_size_8 = unit_size_4 / unit_size_7, unit_units_1 = KSL_MULF(262144.0f, unit_bound_1),
+      unit_reach_1 = unit_size_2 + unit_units_1, unit_size_9 = KSL_MULF(unit_reach_1, unit_size_8),
+      unit_size_10 = unit_size_9 / unit_size_2, unit_size_11 = unit_size_1 + unit_size_10;
+  const float unit_1 = v_y_1 / divisor, unit_product_2 = KSL_MULF(unit_1, divisor),
+      unit_product_error_2 = ksl_product_errorf(unit_1, divisor, unit_product_2),
+      unit_rest_3 = v_y_1 - unit_product_2, unit_exact_2 = unit_rest_3 - unit_product_error_2,
+      unit_numerator_2 = unit_exact_2 + v_y_lo_2, unit_cross_2 = KSL_MULF(unit_1, divisor_lo),
+      unit_residual_2 = unit_numerator_2 - unit_cross_2, unit_lo_2 = unit_residual_2 / divisor,
+      unit_size_12 = fabsf(unit_1), unit_size_13 = KSL_MULF(unit_padded_1, unit_size_12),
+      unit_size_14 = unit_size_13 + v_n_b_padded_1, unit_size_15 = unit_size_14 / unit_size_7,
+      unit_size_16 = KSL_MULF(unit_reach_1, unit_size_15),
+      unit_size_17 = unit_size_16 / unit_size_2, unit_size_18 = unit_size_12 + unit_size_17;
+  const float unit_2 = v_y_2 / divisor, unit_product_3 = KSL_MULF(unit_2, divisor),
+      unit_product_error_3 = ksl_product_errorf(unit_2, divisor, unit_product_3),
+      unit_rest_4 = v_y_2 - unit_product_3, unit_exact_3 = unit_rest_4 - unit_product_error_3,
+      unit_numerator_3 = unit_exact_3 + v_y_lo_3, unit_cross_3 = KSL_MULF(unit_2, divisor_lo),
+      unit_residual_3 = unit_numerator_3 - unit_cross_3, unit_lo_3 = unit_residual_3 / divisor,
+      unit_size_19 = fabsf(unit_2), unit_size_20 = KSL_MULF(unit_padded_1, unit_size_19),
+      unit_size_21 = unit_size_20 + v_n_d_padded_1, unit_size_22 = unit_size_21 / unit_size_7,
+      unit_size_23 = KSL_MULF(unit_reach_1, unit_size_22),
+      unit_size_24 = unit_size_23 / unit_size_2, unit_size_25 = unit_size_19 + unit_size_24;
+  const float angle = KSL_MULF(2.0f, half), angle_cross2_1 = KSL_MULF(2.0f, half_lo),
+      angle_size_1 = KSL_MULF(2.0f, half_size_22);
+  const float axis_0 = v_n == 0.0f ? 1.0f : unit_0, axis_lo_1 = v_n == 0.0f ? 0.0f : unit_lo_1,
+      axis_size_1 = v_n == 0.0f ? 1.0f : unit_size_11, axis_size_2 = 1.0f - unit_0,
+      axis_size_3 = fabsf(axis_size_2), axis_error_1 = fabsf(unit_lo_1),
+      axis_padded_1 = 3.3087225e-24f + unit_size_11,
+      axis_rest_1 = KSL_MULF(5.367124e-12f, axis_padded_1),
+      axis_bound_1 = axis_error_1 + axis_rest_1, axis_size_4 = axis_bound_1 + axis_size_3,
+      axis_size_5 = divisor_bound_1 < divisor_size_3 ? 0.0f : axis_size_4,
+      axis_size_6 = KSL_MULF(1.9138788e+11f, axis_size_5), axis_size_7 = axis_size_1 + axis_size_6;
+  const float angle_error_1 = fabsf(angle_cross2_1), angle_padded_1 = 3.3087225e-24f + angle_size_1,
+      angle_rest_1 = KSL_MULF(6.6757142e-12f, angle_padded_1),
+      angle_bound_1 = angle_error_1 + angle_rest_1, axis_error_2 = fabsf(axis_lo_1),
+      axis_padded_2 = 3.3087225e-24f + axis_size_7,
+      axis_rest_2 = KSL_MULF(5.3671256e-12f, axis_padded_2),
+      axis_bound_2 = axis_error_2 + axis_rest_2, unit_error_2 = fabsf(unit_lo_2),
+      unit_padded_2 = 3.3087225e-24f + unit_size_18,
+      unit_rest_5 = KSL_MULF(5.367124e-12f, unit_padded_2),
+      unit_bound_2 = unit_error_2 + unit_rest_5, unit_error_3 = fabsf(unit_lo_3),
+      unit_padded_3 = 3.3087225e-24f + unit_size_25,
+      unit_rest_6 = KSL_MULF(5.367124e-12f, unit_padded_3),
+      unit_bound_3 = unit_error_3 + unit_rest_6;
+  axis->x = axis_0;
+  axis->y = unit_1;
+  axis->z = unit_2;
+  *angle_bound = angle_bound_1;
+  axis_bound->x = axis_bound_2;
+  axis_bound->y = unit_bound_2;
+  axis_bound->z = unit_bound_3;
+  return angle;
 }
 
 #endif

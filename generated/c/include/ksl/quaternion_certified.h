@@ -7,6 +7,10 @@
 #define KSL_QUATERNION_CERTIFIED_H
 
 #include "ksl_types.h"
+#include "ksl_exact.h"
+#include "ksl_exactf.h"
+#include "elementary.h"
+#include "ksl_elementary_error.h"
 
 /* self = a self; |error of self| <= self_bound unless inf or NaN.
    self, self_bound: quaternion (x, y, z, w), the scalar last; a: number.
@@ -1543,6 +1547,827 @@ static inline void ksl_omega_to_dquaternion_certified(const ksl_vec3_t *w,
   dqo_bound->y = dqo_1_error_bound;
   dqo_bound->z = dqo_2_error_bound;
   dqo_bound->w = dqo_3_error_bound;
+}
+
+/* qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
+     rotation is by another angle; |error of qo| <= qo_bound unless inf or NaN.
+   axis: vector; angle: number; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
+   98 mul, 139 add, 14 product error, 1 div, 11 abs, 1 less, 1 select.
+   Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */
+static inline void ksl_quaternion_from_axis_angle_certified(const ksl_vec3_t *axis,
+    const double angle, ksl_quaternion_t *qo, ksl_quaternion_t *qo_bound) {
+  const double half = KSL_MUL(0.5, angle), half_size_1 = fabs(angle),
+      half_size_2 = KSL_MUL(0.5, half_size_1);
+  double qo_3; const double sine = ksl_sincos(half, &qo_3);
+  double qo_own_error_1; const double sine_own_error_1 = ksl_sincos_error(half, sine, qo_3,
+      &qo_own_error_1);
+  const double sine_padded_1 = 1.8051943758648296e-276 + half_size_2,
+      sine_size_1 = 1.0 + sine_padded_1;
+  const double qo_0 = KSL_MUL(axis->x, sine), qo_cross2_1 = KSL_MUL(axis->x, sine_own_error_1),
+      qo_size_1 = fabs(axis->x), qo_size_2 = KSL_MUL(qo_size_1, sine_size_1);
+  const double qo_1 = KSL_MUL(axis->y, sine), qo_cross2_2 = KSL_MUL(axis->y, sine_own_error_1),
+      qo_size_3 = fabs(axis->y), qo_size_4 = KSL_MUL(qo_size_3, sine_size_1);
+  const double qo_2 = KSL_MUL(axis->z, sine), qo_cross2_3 = KSL_MUL(axis->z, sine_own_error_1),
+      qo_size_5 = fabs(axis->z), qo_size_6 = KSL_MUL(qo_size_5, sine_size_1);
+  const double qo_error_1 = ksl_product_error(axis->x, sine, qo_0),
+      qo_lo_1 = qo_error_1 + qo_cross2_1, qo_error_2 = fabs(qo_lo_1),
+      qo_padded_1 = 1.8051943758648296e-276 + qo_size_2,
+      qo_rest_1 = KSL_MUL(4.3017579231195054e-30, qo_padded_1), qo_bound_1 = qo_error_2 + qo_rest_1,
+      qo_error_3 = ksl_product_error(axis->y, sine, qo_1), qo_lo_2 = qo_error_3 + qo_cross2_2,
+      qo_error_4 = fabs(qo_lo_2), qo_padded_2 = 1.8051943758648296e-276 + qo_size_4,
+      qo_rest_2 = KSL_MUL(4.3017579231195054e-30, qo_padded_2), qo_bound_2 = qo_error_4 + qo_rest_2,
+      qo_error_5 = ksl_product_error(axis->z, sine, qo_2), qo_lo_3 = qo_error_5 + qo_cross2_3,
+      qo_error_6 = fabs(qo_lo_3), qo_padded_3 = 1.8051943758648296e-276 + qo_size_6,
+      qo_rest_3 = KSL_MUL(4.3017579231195054e-30, qo_padded_3), qo_bound_3 = qo_error_6 + qo_rest_3,
+      qo_error_7 = fabs(qo_own_error_1), qo_rest_4 = KSL_MUL(4.067564442213936e-30, sine_size_1),
+      qo_bound_4 = qo_error_7 + qo_rest_4;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+  qo_bound->x = qo_bound_1;
+  qo_bound->y = qo_bound_2;
+  qo_bound->z = qo_bound_3;
+  qo_bound->w = qo_bound_4;
+}
+
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
+     angle is 0; any multiple of a quaternion; |error of angle| <= angle_bound, |error of axis|
+     <= axis_bound unless inf or NaN.
+   q: quaternion (x, y, z, w), the scalar last; axis, axis_bound: vector; angle_bound: number.
+   201 mul, 318 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4 copysign,
+     35 less, 10 equal, 69 select.
+   Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
+static inline double ksl_axis_angle_from_quaternion_certified(const ksl_quaternion_t *q,
+    ksl_vec3_t *axis, double *angle_bound, ksl_vec3_t *axis_bound) {
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double scaled_s_0 = KSL_MUL(q->x, s), scaled_s_inverse_1 = 1.0 / s,
+      scaled_s_size_1 = KSL_MUL(scaled_s_0, scaled_s_inverse_1),
+      scaled_s_size_3 = q->x == scaled_s_size_1 ? 0.0 : 5e-324, scaled_s_size_4 = fabs(scaled_s_0);
+  const double scaled_s_1 = KSL_MUL(q->y, s),
+      scaled_s_size_5 = KSL_MUL(scaled_s_1, scaled_s_inverse_1),
+      scaled_s_size_7 = q->y == scaled_s_size_5 ? 0.0 : 5e-324, scaled_s_size_8 = fabs(scaled_s_1);
+  const double scaled_s_2 = KSL_MUL(q->z, s),
+      scaled_s_size_9 = KSL_MUL(scaled_s_2, scaled_s_inverse_1),
+      scaled_s_size_11 = q->z == scaled_s_size_9 ? 0.0 : 5e-324,
+      scaled_s_size_12 = fabs(scaled_s_2);
+  const double scaled_s_3 = KSL_MUL(q->w, s),
+      scaled_s_size_13 = KSL_MUL(scaled_s_3, scaled_s_inverse_1),
+      scaled_s_size_15 = q->w == scaled_s_size_13 ? 0.0 : 5e-324,
+      scaled_s_size_16 = fabs(scaled_s_3);
+  const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0,
+      upper_size_1 = scaled_s_3 - 0.0, upper_size_2 = fabs(upper_size_1),
+      upper_size_3 = 5e-324 + upper_size_2, upper_size_5 = upper_0a - scaled_s_0,
+      upper_size_6 = fabs(upper_size_5), upper_padded_1 = 1.8051943758648296e-276 + scaled_s_size_4,
+      upper_rest_1 = KSL_MUL(1.1093356479670522e-31, upper_padded_1),
+      upper_size_7 = upper_rest_1 + upper_size_6, upper_size_8 = scaled_s_size_3 + upper_size_7,
+      upper_size_9 = scaled_s_size_15 < upper_size_3 ? 0.0 : upper_size_8,
+      upper_size_10 = KSL_MUL(3.169126500570585e+29, upper_size_9),
+      upper_size_11 = scaled_s_size_4 + upper_size_10;
+  const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1,
+      upper_size_12 = upper_1a - scaled_s_1, upper_size_13 = fabs(upper_size_12),
+      upper_padded_2 = 1.8051943758648296e-276 + scaled_s_size_8,
+      upper_rest_2 = KSL_MUL(1.1093356479670522e-31, upper_padded_2),
+      upper_size_14 = upper_rest_2 + upper_size_13, upper_size_15 = scaled_s_size_7 + upper_size_14,
+      upper_size_16 = scaled_s_size_15 < upper_size_3 ? 0.0 : upper_size_15,
+      upper_size_17 = KSL_MUL(3.169126500570585e+29, upper_size_16),
+      upper_size_18 = scaled_s_size_8 + upper_size_17;
+  const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2,
+      upper_size_19 = upper_2a - scaled_s_2, upper_size_20 = fabs(upper_size_19),
+      upper_padded_3 = 1.8051943758648296e-276 + scaled_s_size_12,
+      upper_rest_3 = KSL_MUL(1.1093356479670522e-31, upper_padded_3),
+      upper_size_21 = upper_rest_3 + upper_size_20,
+      upper_size_22 = scaled_s_size_11 + upper_size_21,
+      upper_size_23 = scaled_s_size_15 < upper_size_3 ? 0.0 : upper_size_22,
+      upper_size_24 = KSL_MUL(3.169126500570585e+29, upper_size_23),
+      upper_size_25 = scaled_s_size_12 + upper_size_24;
+  const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3,
+      upper_size_26 = upper_3a - scaled_s_3, upper_size_27 = fabs(upper_size_26),
+      upper_padded_4 = 1.8051943758648296e-276 + scaled_s_size_16,
+      upper_rest_4 = KSL_MUL(1.1093356479670522e-31, upper_padded_4),
+      upper_size_28 = upper_rest_4 + upper_size_27,
+      upper_size_29 = scaled_s_size_15 + upper_size_28,
+      upper_size_30 = scaled_s_size_15 < upper_size_3 ? 0.0 : upper_size_29,
+      upper_size_31 = KSL_MUL(3.169126500570585e+29, upper_size_30),
+      upper_size_32 = scaled_s_size_16 + upper_size_31;
+  const double v_s_size_0 = fabs(upper_0),
+      v_s_size_padded_1 = 1.8051943758648296e-276 + upper_size_11;
+  const double v_s_size_1 = fabs(upper_1),
+      v_s_size_padded_2 = 1.8051943758648296e-276 + upper_size_18;
+  const double v_s_size_2 = fabs(upper_2),
+      v_s_size_padded_3 = 1.8051943758648296e-276 + upper_size_25;
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : 1.0,
+      v_s_b_size_1 = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : 1.0,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_b,
+      v_s_size_3 = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_b_size_1;
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_size_1 = KSL_MUL(v_s_size_3, v_s_size_padded_1);
+  const double v_y_1 = KSL_MUL(upper_1, v_s), v_y_size_2 = KSL_MUL(v_s_size_3, v_s_size_padded_2);
+  const double v_y_2 = KSL_MUL(upper_2, v_s), v_y_size_3 = KSL_MUL(v_s_size_3, v_s_size_padded_3);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_a_padded_1 = 1.8051943758648296e-276 + v_y_size_1,
+      v_n_a_size_1 = fabs(v_y_0), v_n_a_rest_1 = KSL_MUL(3.4142893812359766e-30, v_n_a_padded_1),
+      v_n_a_units_1 = KSL_MUL(140737488355328.0, v_n_a_rest_1),
+      v_n_a_reach_1 = v_n_a_size_1 + v_n_a_units_1,
+      v_n_a_size_2 = KSL_MUL(v_n_a_padded_1, v_n_a_reach_1),
+      v_n_a_size_3 = v_n_a_size_2 + v_n_a_size_2, v_n_b = KSL_MUL(v_y_1, v_y_1),
+      v_n_b_padded_1 = 1.8051943758648296e-276 + v_y_size_2, v_n_b_size_1 = fabs(v_y_1),
+      v_n_b_rest_1 = KSL_MUL(3.4142893812359766e-30, v_n_b_padded_1),
+      v_n_b_units_1 = KSL_MUL(140737488355328.0, v_n_b_rest_1),
+      v_n_b_reach_1 = v_n_b_size_1 + v_n_b_units_1,
+      v_n_b_size_2 = KSL_MUL(v_n_b_padded_1, v_n_b_reach_1),
+      v_n_b_size_3 = v_n_b_size_2 + v_n_b_size_2, v_n_c = v_n_a + v_n_b,
+      v_n_c_right_1 = v_n_c - v_n_a, v_n_c_left_1 = v_n_c - v_n_c_right_1,
+      v_n_c_left_rest_1 = ksl_product_rest(v_y_0, v_y_0, v_n_a, v_n_c_left_1),
+      v_n_c_right_rest_1 = ksl_product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1),
+      v_n_c_lo = v_n_c_left_rest_1 + v_n_c_right_rest_1, v_n_c_size_1 = v_n_a_size_3 + v_n_b_size_3,
+      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_d_padded_1 = 1.8051943758648296e-276 + v_y_size_3,
+      v_n_d_size_1 = fabs(v_y_2), v_n_d_rest_1 = KSL_MUL(3.4142893812359766e-30, v_n_d_padded_1),
+      v_n_d_units_1 = KSL_MUL(140737488355328.0, v_n_d_rest_1),
+      v_n_d_reach_1 = v_n_d_size_1 + v_n_d_units_1,
+      v_n_d_size_2 = KSL_MUL(v_n_d_padded_1, v_n_d_reach_1),
+      v_n_d_size_3 = v_n_d_size_2 + v_n_d_size_2, v_n_e = v_n_c + v_n_d,
+      v_n_e_right_1 = v_n_e - v_n_c, v_n_e_left_1 = v_n_e - v_n_e_right_1,
+      v_n_e_left_rest_1 = v_n_c - v_n_e_left_1,
+      v_n_e_right_rest_1 = ksl_product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1),
+      v_n_e_lo1_1 = v_n_e_left_rest_1 + v_n_e_right_rest_1, v_n_e_lo = v_n_e_lo1_1 + v_n_c_lo,
+      v_n_e_size_1 = v_n_c_size_1 + v_n_d_size_3, v_n = sqrt(v_n_e),
+      v_n_product_1 = KSL_MUL(v_n, v_n),
+      v_n_product_error_1 = ksl_product_error(v_n, v_n, v_n_product_1),
+      v_n_rest_1 = v_n_e - v_n_product_1, v_n_exact_1 = v_n_rest_1 - v_n_product_error_1,
+      v_n_residual_1 = v_n_exact_1 + v_n_e_lo, v_n_twice_1 = v_n + v_n,
+      v_n_divisor_1 = v_n == 0.0 ? 1.0 : v_n_twice_1, v_n_lo = v_n_residual_1 / v_n_divisor_1,
+      v_n_padded_1 = 1.8051943758648296e-276 + v_n_e_size_1, v_n_size_1 = v_n_padded_1 / v_n,
+      v_n_size_2 = v_n_size_1 / v_n_e, v_n_size_3 = fabs(v_n_e), v_n_error_1 = fabs(v_n_e_lo),
+      v_n_rest_2 = KSL_MUL(7.235336013082471e-30, v_n_padded_1),
+      v_n_bound_1 = v_n_error_1 + v_n_rest_2, v_n_units_1 = KSL_MUL(140737488355328.0, v_n_bound_1),
+      v_n_reach_1 = v_n_size_3 + v_n_units_1, v_n_size_4 = KSL_MUL(v_n_reach_1, v_n_size_2),
+      v_n_size_5 = sqrt(v_n_bound_1), v_n_size_6 = fabs(v_n_lo),
+      v_n_size_7 = v_n_size_5 + v_n_size_6,
+      v_n_size_8 = KSL_MUL(1.5970396877936164e+29, v_n_size_7),
+      v_n_size_9 = KSL_MUL(4.0, v_n_bound_1),
+      v_n_size_11 = v_n_size_9 < v_n_e ? v_n_size_4 : v_n_size_8, v_n_size_12 = v_n + v_n_size_11;
+  const double v_r_b = 1.0 < v_s ? 7.637340908749012e-152 : 1.0,
+      v_r_b_size_1 = 1.0 < v_s ? 7.637340908749012e-152 : 1.0,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_b,
+      v_r_size_1 = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_b_size_1;
+  const double n = KSL_MUL(v_n, v_r), n_inverse_1 = 1.0 / v_r, n_back_1 = KSL_MUL(n, n_inverse_1),
+      n_lost_1 = v_n - n_back_1, n_rest_1 = n_lost_1 + v_n_lo, n_lo = KSL_MUL(n_rest_1, v_r),
+      n_padded_1 = 1.8051943758648296e-276 + v_n_size_12,
+      n_size_1 = KSL_MUL(n_padded_1, v_r_size_1);
+  const double half = ksl_atan2(n, upper_3), half_own_error_1 = ksl_atan2_error(n, upper_3, half),
+      half_size0_1 = fabs(n), half_size1_1 = fabs(upper_3),
+      half_most_1 = half_size0_1 < half_size1_1 ? half_size1_1 : half_size0_1,
+      half_divisor_1 = half_most_1 == 0.0 ? 1.0 : half_most_1, half_part0_1 = n / half_divisor_1,
+      half_part1_1 = upper_3 / half_divisor_1, half_cross1_1 = KSL_MUL(half_part1_1, n_lo),
+      half_cross2_1 = KSL_MUL(half_part0_1, 0.0),
+      half_square1_1 = KSL_MUL(half_part1_1, half_part1_1),
+      half_square2_1 = KSL_MUL(half_part0_1, half_part0_1),
+      half_cross_1 = half_cross1_1 - half_cross2_1, half_square_1 = half_square1_1 + half_square2_1,
+      half_divisor2_1 = KSL_MUL(half_divisor_1, half_square_1),
+      half_safe_1 = half_most_1 == 0.0 ? 1.0 : half_divisor2_1,
+      half_more_1 = half_cross_1 / half_safe_1, half_lo = half_own_error_1 + half_more_1,
+      half_size_1 = fabs(half), half_padded_1 = 1.8051943758648296e-276 + n_size_1,
+      half_padded_2 = 1.8051943758648296e-276 + upper_size_32, half_size_2 = fabs(n),
+      half_size_3 = fabs(upper_3),
+      half_size_5 = half_size_2 < half_size_3 ? half_size_3 : half_size_2,
+      half_error_1 = fabs(n_lo), half_rest_1 = KSL_MUL(6.859394487938082e-30, half_padded_1),
+      half_bound_1 = half_error_1 + half_rest_1,
+      half_rest_2 = KSL_MUL(3.254051621949822e-30, half_padded_2),
+      half_size_6 = 1.8051943758648296e-276 + half_bound_1, half_size_7 = half_rest_2 + half_size_6,
+      half_size_8 = half_padded_1 + half_padded_2, half_size_9 = half_size_8 / half_size_5,
+      half_size_10 = half_size_1 + half_size_9, half_size_11 = half_size_7 / half_size_5,
+      half_size_13 = KSL_MUL(half_size_11, half_size_11), half_size_14 = fabs(half_lo),
+      half_size_15 = 7.0 + half_size_14,
+      half_size_18 = half_rest_2 < upper_3 ? half_size_13 : half_size_15,
+      half_size_19 = half_bound_1 < half_size_2 ? half_size_13 : half_size_18,
+      half_size_20 = half_size_11 < 0.25 ? half_size_19 : half_size_15,
+      half_size_21 = KSL_MUL(4.875578158636172e+28, half_size_20),
+      half_size_22 = half_size_10 + half_size_21;
+  const double divisor = v_n == 0.0 ? 1.0 : v_n, divisor_lo = v_n == 0.0 ? 0.0 : v_n_lo,
+      divisor_size_1 = v_n == 0.0 ? 1.0 : v_n_size_12,
+      divisor_rest_1 = KSL_MUL(6.606712056056508e-30, n_padded_1),
+      divisor_bound_1 = divisor_rest_1 + v_n_size_6, divisor_size_2 = v_n - 0.0,
+      divisor_size_3 = fabs(divisor_size_2), divisor_size_5 = 1.0 - v_n,
+      divisor_size_6 = fabs(divisor_size_5), divisor_size_7 = divisor_bound_1 + divisor_size_6,
+      divisor_size_8 = divisor_bound_1 < divisor_size_3 ? 0.0 : divisor_size_7,
+      divisor_size_9 = KSL_MUL(9.054644677292507e+28, divisor_size_8),
+      divisor_size_10 = divisor_size_1 + divisor_size_9;
+  const double unit_0 = v_y_0 / divisor, unit_product_1 = KSL_MUL(unit_0, divisor),
+      unit_product_error_1 = ksl_product_error(unit_0, divisor, unit_product_1),
+      unit_rest_1 = v_y_0 - unit_product_1, unit_exact_1 = unit_rest_1 - unit_product_error_1,
+      unit_cross_1 = KSL_MUL(unit_0, divisor_lo), unit_residual_1 = unit_exact_1 - unit_cross_1,
+      unit_lo_1 = unit_residual_1 / divisor,
+      unit_padded_1 = 1.8051943758648296e-276 + divisor_size_10, unit_size_1 = fabs(unit_0),
+      unit_size_2 = fabs(divisor), unit_size_3 = KSL_MUL(unit_padded_1, unit_size_1),
+      unit_size_4 = unit_size_3 + v_n_a_padded_1, unit_error_1 = fabs(divisor_lo),
+      unit_rest_2 = KSL_MUL(1.1389183198259759e-29, unit_padded_1),
+      unit_bound_1 = unit_error_1 + unit_rest_2, unit_size_5 = KSL_MUL(4.0, unit_bound_1),
+      unit_size_7 = unit_size_5 < unit_size_2 ? unit_size_2 : 0.0,
+      unit_size_8 = unit_size_4 / unit_size_7,
+      unit_units_1 = KSL_MUL(140737488355328.0, unit_bound_1),
+      unit_reach_1 = unit_size_2 + unit_units_1, unit_size_9 = KSL_MUL(unit_reach_1, unit_size_8),
+      unit_size_10 = unit_size_9 / unit_size_2, unit_size_11 = unit_size_1 + unit_size_10;
+  const double unit_1 = v_y_1 / divisor, unit_product_2 = KSL_MUL(unit_1, divisor),
+      unit_product_error_2 = ksl_product_error(unit_1, divisor, unit_product_2),
+      unit_rest_3 = v_y_1 - unit_product_2, unit_exact_2 = unit_rest_3 - unit_product_error_2,
+      unit_cross_2 = KSL_MUL(unit_1, divisor_lo), unit_residual_2 = unit_exact_2 - unit_cross_2,
+      unit_lo_2 = unit_residual_2 / divisor, unit_size_12 = fabs(unit_1),
+      unit_size_13 = KSL_MUL(unit_padded_1, unit_size_12),
+      unit_size_14 = unit_size_13 + v_n_b_padded_1, unit_size_15 = unit_size_14 / unit_size_7,
+      unit_size_16 = KSL_MUL(unit_reach_1, unit_size_15), unit_size_17 = unit_size_16 / unit_size_2,
+      unit_size_18 = unit_size_12 + unit_size_17;
+  const double unit_2 = v_y_2 / divisor, unit_product_3 = KSL_MUL(unit_2, divisor),
+      unit_product_error_3 = ksl_product_error(unit_2, divisor, unit_product_3),
+      unit_rest_4 = v_y_2 - unit_product_3, unit_exact_3 = unit_rest_4 - unit_product_error_3,
+      unit_cross_3 = KSL_MUL(unit_2, divisor_lo), unit_residual_3 = unit_exact_3 - unit_cross_3,
+      unit_lo_3 = unit_residual_3 / divisor, unit_size_19 = fabs(unit_2),
+      unit_size_20 = KSL_MUL(unit_padded_1, unit_size_19),
+      unit_size_21 = unit_size_20 + v_n_d_padded_1, unit_size_22 = unit_size_21 / unit_size_7,
+      unit_size_23 = KSL_MUL(unit_reach_1, unit_size_22), unit_size_24 = unit_size_23 / unit_size_2,
+      unit_size_25 = unit_size_19 + unit_size_24;
+  const double angle = KSL_MUL(2.0, half), angle_cross2_1 = KSL_MUL(2.0, half_lo),
+      angle_size_1 = KSL_MUL(2.0, half_size_22);
+  const double axis_0 = v_n == 0.0 ? 1.0 : unit_0, axis_lo_1 = v_n == 0.0 ? 0.0 : unit_lo_1,
+      axis_size_1 = v_n == 0.0 ? 1.0 : unit_size_11, axis_size_2 = 1.0 - unit_0,
+      axis_size_3 = fabs(axis_size_2), axis_error_1 = fabs(unit_lo_1),
+      axis_padded_1 = 1.8051943758648296e-276 + unit_size_11,
+      axis_rest_1 = KSL_MUL(1.6442825652790928e-29, axis_padded_1),
+      axis_bound_1 = axis_error_1 + axis_rest_1, axis_size_4 = axis_bound_1 + axis_size_3,
+      axis_size_5 = divisor_bound_1 < divisor_size_3 ? 0.0 : axis_size_4,
+      axis_size_6 = KSL_MUL(6.250354999637554e+28, axis_size_5),
+      axis_size_7 = axis_size_1 + axis_size_6;
+  const double angle_error_1 = fabs(angle_cross2_1),
+      angle_padded_1 = 1.8051943758648296e-276 + angle_size_1,
+      angle_rest_1 = KSL_MUL(2.1514956353001486e-29, angle_padded_1),
+      angle_bound_1 = angle_error_1 + angle_rest_1, axis_error_2 = fabs(axis_lo_1),
+      axis_padded_2 = 1.8051943758648296e-276 + axis_size_7,
+      axis_rest_2 = KSL_MUL(1.644282720444347e-29, axis_padded_2),
+      axis_bound_2 = axis_error_2 + axis_rest_2, unit_error_2 = fabs(unit_lo_2),
+      unit_padded_2 = 1.8051943758648296e-276 + unit_size_18,
+      unit_rest_5 = KSL_MUL(1.6442825652790928e-29, unit_padded_2),
+      unit_bound_2 = unit_error_2 + unit_rest_5, unit_error_3 = fabs(unit_lo_3),
+      unit_padded_3 = 1.8051943758648296e-276 + unit_size_25,
+      unit_rest_6 = KSL_MUL(1.6442825652790928e-29, unit_padded_3),
+      unit_bound_3 = unit_error_3 + unit_rest_6;
+  axis->x = axis_0;
+  axis->y = unit_1;
+  axis->z = unit_2;
+  *angle_bound = angle_bound_1;
+  axis_bound->x = axis_bound_2;
+  axis_bound->y = unit_bound_2;
+  axis_bound->z = unit_bound_3;
+  return angle;
+}
+
+/* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v; |error of
+     qo| <= qo_bound unless inf or NaN.
+   v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
+   256 mul, 331 add, 16 product error, 3 product rest, 11 div, 3 sqrt, 35 abs, 10 less, 2 equal,
+     24 select.
+   Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
+static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quaternion_t *qo,
+    ksl_quaternion_t *qo_bound) {
+  const double h_0 = KSL_MUL(0.5, v->x);
+  const double h_1 = KSL_MUL(0.5, v->y);
+  const double h_2 = KSL_MUL(0.5, v->z);
+  const double size_0 = fabs(h_0);
+  const double size_1 = fabs(h_1);
+  const double size_2 = fabs(h_2);
+  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double grid = KSL_MUL(sizes, 268435456.0);
+  const double shifted_0 = h_0 + grid;
+  const double shifted_1 = h_1 + grid;
+  const double shifted_2 = h_2 + grid;
+  const double high_0 = shifted_0 - grid;
+  const double high_1 = shifted_1 - grid;
+  const double high_2 = shifted_2 - grid;
+  const double low_0 = h_0 - high_0;
+  const double low_1 = h_1 - high_1;
+  const double low_2 = h_2 - high_2;
+  const double sum_0 = h_0 + high_0;
+  const double sum_1 = h_1 + high_1;
+  const double sum_2 = h_2 + high_2;
+  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
+      squares = squares_c + squares_d;
+  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
+  const double x = squares + cross;
+  const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
+  const double theta_shifted = grid + theta;
+  const double theta_high = theta_shifted - grid;
+  const double theta_low = theta - theta_high;
+  const double theta_sum = theta + theta_high;
+  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
+  const double residual = cross_rest + exact;
+  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
+  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
+  double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
+  const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
+  const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
+  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
+  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double far_k = sine / theta;
+  const double k_a = KSL_MUL(6.446950284384474e-26, x), k_b = k_a - 3.868170170630684e-23,
+      k_c = KSL_MUL(x, k_b), k_d = k_c + 1.9572941063391263e-20, k_e = KSL_MUL(x, k_d),
+      k_f = k_e - 8.22063524662433e-18, k_g = KSL_MUL(x, k_f), k_h = k_g + 2.8114572543455206e-15,
+      k_i = KSL_MUL(x, k_h), k_j = k_i - 7.647163731819816e-13, k_k = KSL_MUL(x, k_j),
+      k_l = k_k + 1.6059043836821613e-10, k_m = KSL_MUL(x, k_l), k_n = k_m - 2.505210838544172e-08,
+      k_o = KSL_MUL(x, k_n), k_p = k_o + 2.7557319223985893e-06, k_q = KSL_MUL(x, k_p),
+      k_r = k_q - 0.0001984126984126984, k_s = KSL_MUL(x, k_r), k_t = k_s + 0.008333333333333333,
+      k_u = KSL_MUL(x, k_t), k_v = k_u - 0.16666666666666666, k_w = KSL_MUL(x, k_v),
+      k_x = k_w + 1.0, k = x < 1.0 ? k_x : far_k;
+  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
+      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
+      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
+      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
+      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
+      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
+      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
+      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
+      g2 = g2w + 0.5;
+  const double near_a = KSL_MUL(x, g2), near = 1.0 - near_a;
+  const double qo_0 = KSL_MUL(h_0, k);
+  const double qo_1 = KSL_MUL(h_1, k);
+  const double qo_2 = KSL_MUL(h_2, k);
+  const double qo_3 = x < 1.0 ? near : cosine;
+  const double fine_h_0 = KSL_MUL(0.5, v->x), fine_h_size_3 = fabs(v->x),
+      fine_h_size_4 = KSL_MUL(0.5, fine_h_size_3);
+  const double fine_h_1 = KSL_MUL(0.5, v->y), fine_h_size_5 = fabs(v->y),
+      fine_h_size_6 = KSL_MUL(0.5, fine_h_size_5);
+  const double fine_h_2 = KSL_MUL(0.5, v->z), fine_h_size_7 = fabs(v->z),
+      fine_h_size_8 = KSL_MUL(0.5, fine_h_size_7);
+  const double fine_h_size_0 = fabs(fine_h_0),
+      fine_h_size_padded_1 = 1.8051943758648296e-276 + fine_h_size_4,
+      fine_h_size_rest_1 = KSL_MUL(1.2325953113446296e-31, fine_h_size_padded_1);
+  const double fine_h_size_1 = fabs(fine_h_1),
+      fine_h_size_padded_2 = 1.8051943758648296e-276 + fine_h_size_6,
+      fine_h_size_rest_2 = KSL_MUL(1.2325953113446296e-31, fine_h_size_padded_2);
+  const double fine_h_size_2 = fabs(fine_h_2),
+      fine_h_size_padded_3 = 1.8051943758648296e-276 + fine_h_size_8,
+      fine_h_size_rest_3 = KSL_MUL(1.2325953113446296e-31, fine_h_size_padded_3);
+  const double fine_h_largest1 = fine_h_size_0 < fine_h_size_1 ? fine_h_size_1 : fine_h_size_0;
+  const double fine_h_largest2 = fine_h_largest1 < fine_h_size_2 ? fine_h_size_2 : fine_h_largest1;
+  const double fine_s = 6.703903964971299e+153 < fine_h_largest2 ? 3.7291703656001034e-155 : 1.0,
+      fine_s_size_1 = 6.703903964971299e+153 < fine_h_largest2 ? 3.7291703656001034e-155 : 1.0;
+  const double fine_reduced_0 = KSL_MUL(fine_h_0, fine_s),
+      fine_reduced_size_1 = KSL_MUL(fine_h_size_padded_1, fine_s_size_1);
+  const double fine_reduced_1 = KSL_MUL(fine_h_1, fine_s),
+      fine_reduced_size_2 = KSL_MUL(fine_h_size_padded_2, fine_s_size_1);
+  const double fine_reduced_2 = KSL_MUL(fine_h_2, fine_s),
+      fine_reduced_size_3 = KSL_MUL(fine_h_size_padded_3, fine_s_size_1);
+  const double fine_up = fine_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      fine_up_size_1 = fine_s < 1.0 ? 2.6815615859885194e+154 : 1.0;
+  const double fine_reduced_length_a = KSL_MUL(fine_reduced_0, fine_reduced_0),
+      fine_reduced_length_a_padded_1 = 1.8051943758648296e-276 + fine_reduced_size_1,
+      fine_reduced_length_a_size_1 = KSL_MUL(fine_reduced_length_a_padded_1,
+          fine_reduced_length_a_padded_1),
+      fine_reduced_length_b = KSL_MUL(fine_reduced_1, fine_reduced_1),
+      fine_reduced_length_b_padded_1 = 1.8051943758648296e-276 + fine_reduced_size_2,
+      fine_reduced_length_b_size_1 = KSL_MUL(fine_reduced_length_b_padded_1,
+          fine_reduced_length_b_padded_1),
+      fine_reduced_length_c = fine_reduced_length_a + fine_reduced_length_b,
+      fine_reduced_length_c_right_1 = fine_reduced_length_c - fine_reduced_length_a,
+      fine_reduced_length_c_left_1 = fine_reduced_length_c - fine_reduced_length_c_right_1,
+      fine_reduced_length_c_left_rest_1 = ksl_product_rest(fine_reduced_0, fine_reduced_0,
+          fine_reduced_length_a, fine_reduced_length_c_left_1),
+      fine_reduced_length_c_right_rest_1 = ksl_product_rest(fine_reduced_1, fine_reduced_1,
+          fine_reduced_length_b, fine_reduced_length_c_right_1),
+      fine_reduced_length_c_lo = fine_reduced_length_c_left_rest_1 +
+          fine_reduced_length_c_right_rest_1,
+      fine_reduced_length_c_size_1 = fine_reduced_length_a_size_1 + fine_reduced_length_b_size_1,
+      fine_reduced_length_d = KSL_MUL(fine_reduced_2, fine_reduced_2),
+      fine_reduced_length_d_padded_1 = 1.8051943758648296e-276 + fine_reduced_size_3,
+      fine_reduced_length_d_size_1 = KSL_MUL(fine_reduced_length_d_padded_1,
+          fine_reduced_length_d_padded_1),
+      fine_reduced_length_e = fine_reduced_length_c + fine_reduced_length_d,
+      fine_reduced_length_e_right_1 = fine_reduced_length_e - fine_reduced_length_c,
+      fine_reduced_length_e_left_1 = fine_reduced_length_e - fine_reduced_length_e_right_1,
+      fine_reduced_length_e_left_rest_1 = fine_reduced_length_c - fine_reduced_length_e_left_1,
+      fine_reduced_length_e_right_rest_1 = ksl_product_rest(fine_reduced_2, fine_reduced_2,
+          fine_reduced_length_d, fine_reduced_length_e_right_1),
+      fine_reduced_length_e_lo1_1 = fine_reduced_length_e_left_rest_1 +
+          fine_reduced_length_e_right_rest_1,
+      fine_reduced_length_e_lo = fine_reduced_length_e_lo1_1 + fine_reduced_length_c_lo,
+      fine_reduced_length_e_size_1 = fine_reduced_length_c_size_1 + fine_reduced_length_d_size_1,
+      fine_reduced_length = sqrt(fine_reduced_length_e),
+      fine_reduced_length_product_1 = KSL_MUL(fine_reduced_length, fine_reduced_length),
+      fine_reduced_length_product_error_1 = ksl_product_error(fine_reduced_length,
+          fine_reduced_length, fine_reduced_length_product_1),
+      fine_reduced_length_rest_1 = fine_reduced_length_e - fine_reduced_length_product_1,
+      fine_reduced_length_exact_1 = fine_reduced_length_rest_1 -
+          fine_reduced_length_product_error_1,
+      fine_reduced_length_residual_1 = fine_reduced_length_exact_1 + fine_reduced_length_e_lo,
+      fine_reduced_length_twice_1 = fine_reduced_length + fine_reduced_length,
+      fine_reduced_length_divisor_1 = fine_reduced_length == 0.0 ? 1.0 :
+          fine_reduced_length_twice_1,
+      fine_reduced_length_lo = fine_reduced_length_residual_1 / fine_reduced_length_divisor_1,
+      fine_reduced_length_padded_1 = 1.8051943758648296e-276 + fine_reduced_length_e_size_1,
+      fine_reduced_length_size_1 = fine_reduced_length_padded_1 / fine_reduced_length,
+      fine_reduced_length_size_2 = fine_reduced_length_size_1 / fine_reduced_length_e,
+      fine_reduced_length_size_3 = fabs(fine_reduced_length_e),
+      fine_reduced_length_error_1 = fabs(fine_reduced_length_e_lo),
+      fine_reduced_length_rest_2 = KSL_MUL(3.229399894985818e-30, fine_reduced_length_padded_1),
+      fine_reduced_length_bound_1 = fine_reduced_length_error_1 + fine_reduced_length_rest_2,
+      fine_reduced_length_units_1 = KSL_MUL(140737488355328.0, fine_reduced_length_bound_1),
+      fine_reduced_length_reach_1 = fine_reduced_length_size_3 + fine_reduced_length_units_1,
+      fine_reduced_length_size_4 = KSL_MUL(fine_reduced_length_reach_1, fine_reduced_length_size_2),
+      fine_reduced_length_size_5 = sqrt(fine_reduced_length_bound_1),
+      fine_reduced_length_size_6 = fabs(fine_reduced_length_lo),
+      fine_reduced_length_size_7 = fine_reduced_length_size_5 + fine_reduced_length_size_6,
+      fine_reduced_length_size_8 = KSL_MUL(2.0056767005853705e+29, fine_reduced_length_size_7),
+      fine_reduced_length_size_9 = KSL_MUL(4.0, fine_reduced_length_bound_1),
+      fine_reduced_length_size_11 = fine_reduced_length_size_9 < fine_reduced_length_e ?
+          fine_reduced_length_size_4 : fine_reduced_length_size_8,
+      fine_reduced_length_size_12 = fine_reduced_length + fine_reduced_length_size_11;
+  const double fine_half_angle = KSL_MUL(fine_reduced_length, fine_up),
+      fine_half_angle_inverse_1 = 1.0 / fine_up,
+      fine_half_angle_back_1 = KSL_MUL(fine_half_angle, fine_half_angle_inverse_1),
+      fine_half_angle_lost_1 = fine_reduced_length - fine_half_angle_back_1,
+      fine_half_angle_rest_1 = fine_half_angle_lost_1 + fine_reduced_length_lo,
+      fine_half_angle_lo = KSL_MUL(fine_half_angle_rest_1, fine_up),
+      fine_half_angle_padded_1 = 1.8051943758648296e-276 + fine_reduced_length_size_12,
+      fine_half_angle_size_1 = KSL_MUL(fine_half_angle_padded_1, fine_up_size_1);
+  double fine_c; const double fine_sine = ksl_sincos(fine_half_angle, &fine_c);
+  double fine_c_own_error_1; const double fine_sine_own_error_1 = ksl_sincos_error(fine_half_angle,
+      fine_sine, fine_c, &fine_c_own_error_1);
+  const double fine_sine_half_1 = KSL_MUL(fine_half_angle_lo, 0.5);
+  double fine_sine_half_cos_1; const double fine_sine_half_sin_1 = ksl_sincos(fine_sine_half_1,
+      &fine_sine_half_cos_1);
+  const double fine_sine_twice_1 = fine_sine_half_sin_1 + fine_sine_half_sin_1,
+      fine_sine_slope1_1 = KSL_MUL(fine_sine_half_cos_1, fine_c),
+      fine_sine_slope2_1 = KSL_MUL(fine_sine_half_sin_1, fine_sine),
+      fine_sine_slope_1 = fine_sine_slope1_1 - fine_sine_slope2_1,
+      fine_sine_more_1 = KSL_MUL(fine_sine_slope_1, fine_sine_twice_1),
+      fine_sine_lo = fine_sine_own_error_1 + fine_sine_more_1,
+      fine_sine_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1,
+      fine_sine_size_1 = 1.0 + fine_sine_padded_1;
+  const double fine_c_slope1_1 = KSL_MUL(fine_sine_half_cos_1, fine_sine),
+      fine_c_slope2_1 = KSL_MUL(fine_sine_half_sin_1, fine_c),
+      fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
+      fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
+      fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
+  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_1,
+      fine_sinc_divisor_error_1 = fabs(fine_half_angle_lo),
+      fine_sinc_divisor_rest_1 = KSL_MUL(5.7192432555642225e-30, fine_sine_padded_1),
+      fine_sinc_divisor_bound_1 = fine_sinc_divisor_error_1 + fine_sinc_divisor_rest_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+      fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
+      fine_sinc_divisor_size_4 = 5e-324 + fine_sinc_divisor_size_3,
+      fine_sinc_divisor_size_6 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_7 = fabs(fine_sinc_divisor_size_6),
+      fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_7,
+      fine_sinc_divisor_size_9 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
+          fine_sinc_divisor_size_8,
+      fine_sinc_divisor_size_10 = KSL_MUL(5.762046184631807e+28, fine_sinc_divisor_size_9),
+      fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + fine_sinc_divisor_size_10;
+  const double fine_sinc_quotient = fine_sine / fine_sinc_divisor,
+      fine_sinc_quotient_product_1 = KSL_MUL(fine_sinc_quotient, fine_sinc_divisor),
+      fine_sinc_quotient_product_error_1 = ksl_product_error(fine_sinc_quotient, fine_sinc_divisor,
+          fine_sinc_quotient_product_1),
+      fine_sinc_quotient_rest_1 = fine_sine - fine_sinc_quotient_product_1,
+      fine_sinc_quotient_exact_1 = fine_sinc_quotient_rest_1 - fine_sinc_quotient_product_error_1,
+      fine_sinc_quotient_numerator_1 = fine_sinc_quotient_exact_1 + fine_sine_lo,
+      fine_sinc_quotient_cross_1 = KSL_MUL(fine_sinc_quotient, fine_sinc_divisor_lo),
+      fine_sinc_quotient_residual_1 = fine_sinc_quotient_numerator_1 - fine_sinc_quotient_cross_1,
+      fine_sinc_quotient_lo = fine_sinc_quotient_residual_1 / fine_sinc_divisor,
+      fine_sinc_quotient_padded_1 = 1.8051943758648296e-276 + fine_sine_size_1,
+      fine_sinc_quotient_padded_2 = 1.8051943758648296e-276 + fine_sinc_divisor_size_11,
+      fine_sinc_quotient_size_1 = fabs(fine_sinc_quotient),
+      fine_sinc_quotient_size_2 = fabs(fine_sinc_divisor),
+      fine_sinc_quotient_size_3 = KSL_MUL(fine_sinc_quotient_padded_2, fine_sinc_quotient_size_1),
+      fine_sinc_quotient_size_4 = fine_sinc_quotient_padded_1 + fine_sinc_quotient_size_3,
+      fine_sinc_quotient_error_1 = fabs(fine_sinc_divisor_lo),
+      fine_sinc_quotient_rest_2 = KSL_MUL(1.789728954546449e-29, fine_sinc_quotient_padded_2),
+      fine_sinc_quotient_bound_1 = fine_sinc_quotient_error_1 + fine_sinc_quotient_rest_2,
+      fine_sinc_quotient_size_5 = KSL_MUL(4.0, fine_sinc_quotient_bound_1),
+      fine_sinc_quotient_size_7 = fine_sinc_quotient_size_5 < fine_sinc_quotient_size_2 ?
+          fine_sinc_quotient_size_2 : 0.0,
+      fine_sinc_quotient_size_8 = fine_sinc_quotient_size_4 / fine_sinc_quotient_size_7,
+      fine_sinc_quotient_units_1 = KSL_MUL(140737488355328.0, fine_sinc_quotient_bound_1),
+      fine_sinc_quotient_reach_1 = fine_sinc_quotient_size_2 + fine_sinc_quotient_units_1,
+      fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
+      fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
+      fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
+  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
+      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_1 = KSL_MUL(2.755262189115544e-29, fine_sinc_padded_1),
+      fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
+      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
+          fine_sinc_size_4,
+      fine_sinc_size_6 = KSL_MUL(3.7283828633784605e+28, fine_sinc_size_5),
+      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+  const double fine_qo_0 = KSL_MUL(fine_h_0, fine_sinc),
+      fine_qo_cross2_1 = KSL_MUL(fine_h_0, fine_sinc_lo),
+      fine_qo_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
+      fine_qo_size_1 = fabs(fine_h_0),
+      fine_qo_units_1 = KSL_MUL(140737488355328.0, fine_h_size_rest_1),
+      fine_qo_reach_1 = fine_qo_size_1 + fine_qo_units_1,
+      fine_qo_size_2 = KSL_MUL(fine_qo_padded_1, fine_qo_reach_1), fine_qo_size_3 = fabs(fine_sinc),
+      fine_qo_error_1 = fabs(fine_sinc_lo),
+      fine_qo_rest_1 = KSL_MUL(2.765944790253218e-29, fine_qo_padded_1),
+      fine_qo_bound_1 = fine_qo_error_1 + fine_qo_rest_1,
+      fine_qo_units_2 = KSL_MUL(140737488355328.0, fine_qo_bound_1),
+      fine_qo_reach_2 = fine_qo_size_3 + fine_qo_units_2,
+      fine_qo_size_4 = KSL_MUL(fine_h_size_padded_1, fine_qo_reach_2),
+      fine_qo_size_5 = fine_qo_size_2 + fine_qo_size_4;
+  const double fine_qo_1 = KSL_MUL(fine_h_1, fine_sinc),
+      fine_qo_cross2_2 = KSL_MUL(fine_h_1, fine_sinc_lo), fine_qo_size_6 = fabs(fine_h_1),
+      fine_qo_units_3 = KSL_MUL(140737488355328.0, fine_h_size_rest_2),
+      fine_qo_reach_3 = fine_qo_size_6 + fine_qo_units_3,
+      fine_qo_size_7 = KSL_MUL(fine_qo_padded_1, fine_qo_reach_3),
+      fine_qo_size_8 = KSL_MUL(fine_h_size_padded_2, fine_qo_reach_2),
+      fine_qo_size_9 = fine_qo_size_7 + fine_qo_size_8;
+  const double fine_qo_2 = KSL_MUL(fine_h_2, fine_sinc),
+      fine_qo_cross2_3 = KSL_MUL(fine_h_2, fine_sinc_lo), fine_qo_size_10 = fabs(fine_h_2),
+      fine_qo_units_4 = KSL_MUL(140737488355328.0, fine_h_size_rest_3),
+      fine_qo_reach_4 = fine_qo_size_10 + fine_qo_units_4,
+      fine_qo_size_11 = KSL_MUL(fine_qo_padded_1, fine_qo_reach_4),
+      fine_qo_size_12 = KSL_MUL(fine_h_size_padded_3, fine_qo_reach_2),
+      fine_qo_size_13 = fine_qo_size_11 + fine_qo_size_12;
+  const double fine_qo_error_2 = ksl_product_error(fine_h_0, fine_sinc, fine_qo_0),
+      fine_qo_lo_1 = fine_qo_error_2 + fine_qo_cross2_1, qo_apart_1 = fine_qo_0 - qo_0,
+      qo_apart_2 = fine_qo_lo_1 + qo_apart_1, qo_error_1 = fabs(qo_apart_2),
+      qo_error_2 = KSL_MUL(1.0000000000000009, qo_error_1),
+      qo_padded_1 = 1.8051943758648296e-276 + fine_qo_size_5,
+      qo_rest_1 = KSL_MUL(2.888588319442306e-29, qo_padded_1), qo_bound_1 = qo_error_2 + qo_rest_1,
+      fine_qo_error_3 = ksl_product_error(fine_h_1, fine_sinc, fine_qo_1),
+      fine_qo_lo_2 = fine_qo_error_3 + fine_qo_cross2_2, qo_apart_3 = fine_qo_1 - qo_1,
+      qo_apart_4 = fine_qo_lo_2 + qo_apart_3, qo_error_3 = fabs(qo_apart_4),
+      qo_error_4 = KSL_MUL(1.0000000000000009, qo_error_3),
+      qo_padded_2 = 1.8051943758648296e-276 + fine_qo_size_9,
+      qo_rest_2 = KSL_MUL(2.888588319442306e-29, qo_padded_2), qo_bound_2 = qo_error_4 + qo_rest_2,
+      fine_qo_error_4 = ksl_product_error(fine_h_2, fine_sinc, fine_qo_2),
+      fine_qo_lo_3 = fine_qo_error_4 + fine_qo_cross2_3, qo_apart_5 = fine_qo_2 - qo_2,
+      qo_apart_6 = fine_qo_lo_3 + qo_apart_5, qo_error_5 = fabs(qo_apart_6),
+      qo_error_6 = KSL_MUL(1.0000000000000009, qo_error_5),
+      qo_padded_3 = 1.8051943758648296e-276 + fine_qo_size_13,
+      qo_rest_3 = KSL_MUL(2.888588319442306e-29, qo_padded_3), qo_bound_3 = qo_error_6 + qo_rest_3,
+      qo_apart_7 = fine_c - qo_3, qo_apart_8 = fine_c_lo + qo_apart_7,
+      qo_error_7 = fabs(qo_apart_8), qo_error_8 = KSL_MUL(1.0000000000000009, qo_error_7),
+      qo_rest_4 = KSL_MUL(1.0551017099379097e-29, fine_sinc_quotient_padded_1),
+      qo_bound_4 = qo_error_8 + qo_rest_4;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+  qo_bound->x = qo_bound_1;
+  qo_bound->y = qo_bound_2;
+  qo_bound->z = qo_bound_3;
+  qo_bound->w = qo_bound_4;
+}
+
+/* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it;
+     |error of vo| <= vo_bound unless inf or NaN.
+   q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
+   209 mul, 315 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4 copysign,
+     35 less, 10 equal, 65 select.
+   Error <= vo: 6 u of its largest component; searched, not proved. */
+static inline void ksl_quaternion_log_certified(const ksl_quaternion_t *q, ksl_vec3_t *vo,
+    ksl_vec3_t *vo_bound) {
+  const double s_size_0 = fabs(q->x);
+  const double s_size_1 = fabs(q->y);
+  const double s_size_2 = fabs(q->z);
+  const double s_size_3 = fabs(q->w);
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
+  const double scaled_s_0 = KSL_MUL(q->x, s), scaled_s_inverse_1 = 1.0 / s,
+      scaled_s_size_1 = KSL_MUL(scaled_s_0, scaled_s_inverse_1),
+      scaled_s_size_3 = q->x == scaled_s_size_1 ? 0.0 : 5e-324, scaled_s_size_4 = fabs(scaled_s_0);
+  const double scaled_s_1 = KSL_MUL(q->y, s),
+      scaled_s_size_5 = KSL_MUL(scaled_s_1, scaled_s_inverse_1),
+      scaled_s_size_7 = q->y == scaled_s_size_5 ? 0.0 : 5e-324, scaled_s_size_8 = fabs(scaled_s_1);
+  const double scaled_s_2 = KSL_MUL(q->z, s),
+      scaled_s_size_9 = KSL_MUL(scaled_s_2, scaled_s_inverse_1),
+      scaled_s_size_11 = q->z == scaled_s_size_9 ? 0.0 : 5e-324,
+      scaled_s_size_12 = fabs(scaled_s_2);
+  const double scaled_s_3 = KSL_MUL(q->w, s),
+      scaled_s_size_13 = KSL_MUL(scaled_s_3, scaled_s_inverse_1),
+      scaled_s_size_15 = q->w == scaled_s_size_13 ? 0.0 : 5e-324,
+      scaled_s_size_16 = fabs(scaled_s_3);
+  const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0,
+      upper_size_1 = scaled_s_3 - 0.0, upper_size_2 = fabs(upper_size_1),
+      upper_size_3 = 5e-324 + upper_size_2, upper_size_5 = upper_0a - scaled_s_0,
+      upper_size_6 = fabs(upper_size_5), upper_padded_1 = 1.8051943758648296e-276 + scaled_s_size_4,
+      upper_rest_1 = KSL_MUL(1.1093356479670522e-31, upper_padded_1),
+      upper_size_7 = upper_rest_1 + upper_size_6, upper_size_8 = scaled_s_size_3 + upper_size_7,
+      upper_size_9 = scaled_s_size_15 < upper_size_3 ? 0.0 : upper_size_8,
+      upper_size_10 = KSL_MUL(3.169126500570585e+29, upper_size_9),
+      upper_size_11 = scaled_s_size_4 + upper_size_10;
+  const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1,
+      upper_size_12 = upper_1a - scaled_s_1, upper_size_13 = fabs(upper_size_12),
+      upper_padded_2 = 1.8051943758648296e-276 + scaled_s_size_8,
+      upper_rest_2 = KSL_MUL(1.1093356479670522e-31, upper_padded_2),
+      upper_size_14 = upper_rest_2 + upper_size_13, upper_size_15 = scaled_s_size_7 + upper_size_14,
+      upper_size_16 = scaled_s_size_15 < upper_size_3 ? 0.0 : upper_size_15,
+      upper_size_17 = KSL_MUL(3.169126500570585e+29, upper_size_16),
+      upper_size_18 = scaled_s_size_8 + upper_size_17;
+  const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2,
+      upper_size_19 = upper_2a - scaled_s_2, upper_size_20 = fabs(upper_size_19),
+      upper_padded_3 = 1.8051943758648296e-276 + scaled_s_size_12,
+      upper_rest_3 = KSL_MUL(1.1093356479670522e-31, upper_padded_3),
+      upper_size_21 = upper_rest_3 + upper_size_20,
+      upper_size_22 = scaled_s_size_11 + upper_size_21,
+      upper_size_23 = scaled_s_size_15 < upper_size_3 ? 0.0 : upper_size_22,
+      upper_size_24 = KSL_MUL(3.169126500570585e+29, upper_size_23),
+      upper_size_25 = scaled_s_size_12 + upper_size_24;
+  const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3,
+      upper_size_26 = upper_3a - scaled_s_3, upper_size_27 = fabs(upper_size_26),
+      upper_padded_4 = 1.8051943758648296e-276 + scaled_s_size_16,
+      upper_rest_4 = KSL_MUL(1.1093356479670522e-31, upper_padded_4),
+      upper_size_28 = upper_rest_4 + upper_size_27,
+      upper_size_29 = scaled_s_size_15 + upper_size_28,
+      upper_size_30 = scaled_s_size_15 < upper_size_3 ? 0.0 : upper_size_29,
+      upper_size_31 = KSL_MUL(3.169126500570585e+29, upper_size_30),
+      upper_size_32 = scaled_s_size_16 + upper_size_31;
+  const double v_s_size_0 = fabs(upper_0),
+      v_s_size_padded_1 = 1.8051943758648296e-276 + upper_size_11,
+      v_s_size_rest_1 = KSL_MUL(3.254051621949822e-30, v_s_size_padded_1);
+  const double v_s_size_1 = fabs(upper_1),
+      v_s_size_padded_2 = 1.8051943758648296e-276 + upper_size_18,
+      v_s_size_rest_2 = KSL_MUL(3.254051621949822e-30, v_s_size_padded_2);
+  const double v_s_size_2 = fabs(upper_2),
+      v_s_size_padded_3 = 1.8051943758648296e-276 + upper_size_25,
+      v_s_size_rest_3 = KSL_MUL(3.254051621949822e-30, v_s_size_padded_3);
+  const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const double v_s_b = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : 1.0,
+      v_s_b_size_1 = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : 1.0,
+      v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_b,
+      v_s_size_3 = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_b_size_1;
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_size_1 = KSL_MUL(v_s_size_3, v_s_size_padded_1);
+  const double v_y_1 = KSL_MUL(upper_1, v_s), v_y_size_2 = KSL_MUL(v_s_size_3, v_s_size_padded_2);
+  const double v_y_2 = KSL_MUL(upper_2, v_s), v_y_size_3 = KSL_MUL(v_s_size_3, v_s_size_padded_3);
+  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_a_padded_1 = 1.8051943758648296e-276 + v_y_size_1,
+      v_n_a_size_1 = fabs(v_y_0), v_n_a_rest_1 = KSL_MUL(3.4142893812359766e-30, v_n_a_padded_1),
+      v_n_a_units_1 = KSL_MUL(140737488355328.0, v_n_a_rest_1),
+      v_n_a_reach_1 = v_n_a_size_1 + v_n_a_units_1,
+      v_n_a_size_2 = KSL_MUL(v_n_a_padded_1, v_n_a_reach_1),
+      v_n_a_size_3 = v_n_a_size_2 + v_n_a_size_2, v_n_b = KSL_MUL(v_y_1, v_y_1),
+      v_n_b_padded_1 = 1.8051943758648296e-276 + v_y_size_2, v_n_b_size_1 = fabs(v_y_1),
+      v_n_b_rest_1 = KSL_MUL(3.4142893812359766e-30, v_n_b_padded_1),
+      v_n_b_units_1 = KSL_MUL(140737488355328.0, v_n_b_rest_1),
+      v_n_b_reach_1 = v_n_b_size_1 + v_n_b_units_1,
+      v_n_b_size_2 = KSL_MUL(v_n_b_padded_1, v_n_b_reach_1),
+      v_n_b_size_3 = v_n_b_size_2 + v_n_b_size_2, v_n_c = v_n_a + v_n_b,
+      v_n_c_right_1 = v_n_c - v_n_a, v_n_c_left_1 = v_n_c - v_n_c_right_1,
+      v_n_c_left_rest_1 = ksl_product_rest(v_y_0, v_y_0, v_n_a, v_n_c_left_1),
+      v_n_c_right_rest_1 = ksl_product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1),
+      v_n_c_lo = v_n_c_left_rest_1 + v_n_c_right_rest_1, v_n_c_size_1 = v_n_a_size_3 + v_n_b_size_3,
+      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_d_padded_1 = 1.8051943758648296e-276 + v_y_size_3,
+      v_n_d_size_1 = fabs(v_y_2), v_n_d_rest_1 = KSL_MUL(3.4142893812359766e-30, v_n_d_padded_1),
+      v_n_d_units_1 = KSL_MUL(140737488355328.0, v_n_d_rest_1),
+      v_n_d_reach_1 = v_n_d_size_1 + v_n_d_units_1,
+      v_n_d_size_2 = KSL_MUL(v_n_d_padded_1, v_n_d_reach_1),
+      v_n_d_size_3 = v_n_d_size_2 + v_n_d_size_2, v_n_e = v_n_c + v_n_d,
+      v_n_e_right_1 = v_n_e - v_n_c, v_n_e_left_1 = v_n_e - v_n_e_right_1,
+      v_n_e_left_rest_1 = v_n_c - v_n_e_left_1,
+      v_n_e_right_rest_1 = ksl_product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1),
+      v_n_e_lo1_1 = v_n_e_left_rest_1 + v_n_e_right_rest_1, v_n_e_lo = v_n_e_lo1_1 + v_n_c_lo,
+      v_n_e_size_1 = v_n_c_size_1 + v_n_d_size_3, v_n = sqrt(v_n_e),
+      v_n_product_1 = KSL_MUL(v_n, v_n),
+      v_n_product_error_1 = ksl_product_error(v_n, v_n, v_n_product_1),
+      v_n_rest_1 = v_n_e - v_n_product_1, v_n_exact_1 = v_n_rest_1 - v_n_product_error_1,
+      v_n_residual_1 = v_n_exact_1 + v_n_e_lo, v_n_twice_1 = v_n + v_n,
+      v_n_divisor_1 = v_n == 0.0 ? 1.0 : v_n_twice_1, v_n_lo = v_n_residual_1 / v_n_divisor_1,
+      v_n_padded_1 = 1.8051943758648296e-276 + v_n_e_size_1, v_n_size_1 = v_n_padded_1 / v_n,
+      v_n_size_2 = v_n_size_1 / v_n_e, v_n_size_3 = fabs(v_n_e), v_n_error_1 = fabs(v_n_e_lo),
+      v_n_rest_2 = KSL_MUL(7.235336013082471e-30, v_n_padded_1),
+      v_n_bound_1 = v_n_error_1 + v_n_rest_2, v_n_units_1 = KSL_MUL(140737488355328.0, v_n_bound_1),
+      v_n_reach_1 = v_n_size_3 + v_n_units_1, v_n_size_4 = KSL_MUL(v_n_reach_1, v_n_size_2),
+      v_n_size_5 = sqrt(v_n_bound_1), v_n_size_6 = fabs(v_n_lo),
+      v_n_size_7 = v_n_size_5 + v_n_size_6,
+      v_n_size_8 = KSL_MUL(1.5970396877936164e+29, v_n_size_7),
+      v_n_size_9 = KSL_MUL(4.0, v_n_bound_1),
+      v_n_size_11 = v_n_size_9 < v_n_e ? v_n_size_4 : v_n_size_8, v_n_size_12 = v_n + v_n_size_11;
+  const double v_r_b = 1.0 < v_s ? 7.637340908749012e-152 : 1.0,
+      v_r_b_size_1 = 1.0 < v_s ? 7.637340908749012e-152 : 1.0,
+      v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_b,
+      v_r_size_1 = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_b_size_1;
+  const double n = KSL_MUL(v_n, v_r), n_inverse_1 = 1.0 / v_r, n_back_1 = KSL_MUL(n, n_inverse_1),
+      n_lost_1 = v_n - n_back_1, n_rest_1 = n_lost_1 + v_n_lo, n_lo = KSL_MUL(n_rest_1, v_r),
+      n_padded_1 = 1.8051943758648296e-276 + v_n_size_12,
+      n_size_1 = KSL_MUL(n_padded_1, v_r_size_1);
+  const double half = ksl_atan2(n, upper_3), half_own_error_1 = ksl_atan2_error(n, upper_3, half),
+      half_size0_1 = fabs(n), half_size1_1 = fabs(upper_3),
+      half_most_1 = half_size0_1 < half_size1_1 ? half_size1_1 : half_size0_1,
+      half_divisor_1 = half_most_1 == 0.0 ? 1.0 : half_most_1, half_part0_1 = n / half_divisor_1,
+      half_part1_1 = upper_3 / half_divisor_1, half_cross1_1 = KSL_MUL(half_part1_1, n_lo),
+      half_cross2_1 = KSL_MUL(half_part0_1, 0.0),
+      half_square1_1 = KSL_MUL(half_part1_1, half_part1_1),
+      half_square2_1 = KSL_MUL(half_part0_1, half_part0_1),
+      half_cross_1 = half_cross1_1 - half_cross2_1, half_square_1 = half_square1_1 + half_square2_1,
+      half_divisor2_1 = KSL_MUL(half_divisor_1, half_square_1),
+      half_safe_1 = half_most_1 == 0.0 ? 1.0 : half_divisor2_1,
+      half_more_1 = half_cross_1 / half_safe_1, half_lo = half_own_error_1 + half_more_1,
+      half_size_1 = fabs(half), half_padded_1 = 1.8051943758648296e-276 + n_size_1,
+      half_padded_2 = 1.8051943758648296e-276 + upper_size_32, half_size_2 = fabs(n),
+      half_size_3 = fabs(upper_3),
+      half_size_5 = half_size_2 < half_size_3 ? half_size_3 : half_size_2,
+      half_error_1 = fabs(n_lo), half_rest_1 = KSL_MUL(6.859394487938082e-30, half_padded_1),
+      half_bound_1 = half_error_1 + half_rest_1,
+      half_rest_2 = KSL_MUL(3.254051621949822e-30, half_padded_2),
+      half_size_6 = 1.8051943758648296e-276 + half_bound_1, half_size_7 = half_rest_2 + half_size_6,
+      half_size_8 = half_padded_1 + half_padded_2, half_size_9 = half_size_8 / half_size_5,
+      half_size_10 = half_size_1 + half_size_9, half_size_11 = half_size_7 / half_size_5,
+      half_size_13 = KSL_MUL(half_size_11, half_size_11), half_size_14 = fabs(half_lo),
+      half_size_15 = 7.0 + half_size_14,
+      half_size_18 = half_rest_2 < upper_3 ? half_size_13 : half_size_15,
+      half_size_19 = half_bound_1 < half_size_2 ? half_size_13 : half_size_18,
+      half_size_20 = half_size_11 < 0.25 ? half_size_19 : half_size_15,
+      half_size_21 = KSL_MUL(4.875578158636172e+28, half_size_20),
+      half_size_22 = half_size_10 + half_size_21;
+  const double divisor = n == 0.0 ? 1.0 : n, divisor_lo = n == 0.0 ? 0.0 : n_lo,
+      divisor_size_1 = n == 0.0 ? 1.0 : n_size_1, divisor_size_2 = n - 0.0,
+      divisor_size_3 = fabs(divisor_size_2), divisor_size_4 = 5e-324 + divisor_size_3,
+      divisor_size_6 = 1.0 - n, divisor_size_7 = fabs(divisor_size_6),
+      divisor_size_8 = divisor_size_7 + half_bound_1,
+      divisor_size_9 = half_bound_1 < divisor_size_4 ? 0.0 : divisor_size_8,
+      divisor_size_10 = KSL_MUL(7.042501095850493e+28, divisor_size_9),
+      divisor_size_11 = divisor_size_1 + divisor_size_10;
+  const double theta = KSL_MUL(2.0, half), theta_cross2_1 = KSL_MUL(2.0, half_lo),
+      theta_size_1 = KSL_MUL(2.0, half_size_22);
+  const double k = theta / divisor, k_product_1 = KSL_MUL(k, divisor),
+      k_product_error_1 = ksl_product_error(k, divisor, k_product_1),
+      k_rest_1 = theta - k_product_1, k_exact_1 = k_rest_1 - k_product_error_1,
+      k_numerator_1 = k_exact_1 + theta_cross2_1, k_cross_1 = KSL_MUL(k, divisor_lo),
+      k_residual_1 = k_numerator_1 - k_cross_1, k_lo = k_residual_1 / divisor,
+      k_padded_1 = 1.8051943758648296e-276 + theta_size_1,
+      k_padded_2 = 1.8051943758648296e-276 + divisor_size_11, k_size_1 = fabs(k),
+      k_size_2 = fabs(divisor), k_size_3 = KSL_MUL(k_padded_2, k_size_1),
+      k_size_4 = k_padded_1 + k_size_3, k_error_1 = fabs(divisor_lo),
+      k_rest_2 = KSL_MUL(1.464323675977526e-29, k_padded_2), k_bound_1 = k_error_1 + k_rest_2,
+      k_size_5 = KSL_MUL(4.0, k_bound_1), k_size_7 = k_size_5 < k_size_2 ? k_size_2 : 0.0,
+      k_size_8 = k_size_4 / k_size_7, k_units_1 = KSL_MUL(140737488355328.0, k_bound_1),
+      k_reach_1 = k_size_2 + k_units_1, k_size_9 = KSL_MUL(k_reach_1, k_size_8),
+      k_size_10 = k_size_9 / k_size_2, k_size_11 = k_size_1 + k_size_10;
+  const double vector_0 = KSL_MUL(upper_0, k), vector_cross2_1 = KSL_MUL(upper_0, k_lo),
+      vector_padded_1 = 1.8051943758648296e-276 + k_size_11, vector_size_1 = fabs(upper_0),
+      vector_units_1 = KSL_MUL(140737488355328.0, v_s_size_rest_1),
+      vector_reach_1 = vector_size_1 + vector_units_1,
+      vector_size_2 = KSL_MUL(vector_padded_1, vector_reach_1), vector_error_1 = fabs(k_lo),
+      vector_rest_1 = KSL_MUL(3.097307347238718e-29, vector_padded_1),
+      vector_bound_1 = vector_error_1 + vector_rest_1,
+      vector_units_2 = KSL_MUL(140737488355328.0, vector_bound_1),
+      vector_reach_2 = k_size_1 + vector_units_2,
+      vector_size_3 = KSL_MUL(v_s_size_padded_1, vector_reach_2),
+      vector_size_4 = vector_size_2 + vector_size_3;
+  const double vector_1 = KSL_MUL(upper_1, k), vector_cross2_2 = KSL_MUL(upper_1, k_lo),
+      vector_size_5 = fabs(upper_1), vector_units_3 = KSL_MUL(140737488355328.0, v_s_size_rest_2),
+      vector_reach_3 = vector_size_5 + vector_units_3,
+      vector_size_6 = KSL_MUL(vector_padded_1, vector_reach_3),
+      vector_size_7 = KSL_MUL(v_s_size_padded_2, vector_reach_2),
+      vector_size_8 = vector_size_6 + vector_size_7;
+  const double vector_2 = KSL_MUL(upper_2, k), vector_cross2_3 = KSL_MUL(upper_2, k_lo),
+      vector_size_9 = fabs(upper_2), vector_units_4 = KSL_MUL(140737488355328.0, v_s_size_rest_3),
+      vector_reach_4 = vector_size_9 + vector_units_4,
+      vector_size_10 = KSL_MUL(vector_padded_1, vector_reach_4),
+      vector_size_11 = KSL_MUL(v_s_size_padded_3, vector_reach_2),
+      vector_size_12 = vector_size_10 + vector_size_11;
+  const double vector_error_2 = ksl_product_error(upper_0, k, vector_0),
+      vector_lo_1 = vector_error_2 + vector_cross2_1, vector_error_3 = fabs(vector_lo_1),
+      vector_padded_2 = 1.8051943758648296e-276 + vector_size_4,
+      vector_rest_2 = KSL_MUL(3.2199508764278064e-29, vector_padded_2),
+      vector_bound_2 = vector_error_3 + vector_rest_2,
+      vector_error_4 = ksl_product_error(upper_1, k, vector_1),
+      vector_lo_2 = vector_error_4 + vector_cross2_2, vector_error_5 = fabs(vector_lo_2),
+      vector_padded_3 = 1.8051943758648296e-276 + vector_size_8,
+      vector_rest_3 = KSL_MUL(3.2199508764278064e-29, vector_padded_3),
+      vector_bound_3 = vector_error_5 + vector_rest_3,
+      vector_error_6 = ksl_product_error(upper_2, k, vector_2),
+      vector_lo_3 = vector_error_6 + vector_cross2_3, vector_error_7 = fabs(vector_lo_3),
+      vector_padded_4 = 1.8051943758648296e-276 + vector_size_12,
+      vector_rest_4 = KSL_MUL(3.2199508764278064e-29, vector_padded_4),
+      vector_bound_4 = vector_error_7 + vector_rest_4;
+  vo->x = vector_0;
+  vo->y = vector_1;
+  vo->z = vector_2;
+  vo_bound->x = vector_bound_2;
+  vo_bound->y = vector_bound_3;
+  vo_bound->z = vector_bound_4;
 }
 
 /* self = a self; |error of self| <= self_bound unless inf or NaN.
@@ -3208,6 +4033,808 @@ static inline void ksl_omega_to_dquaternionf_certified(const ksl_vec3f_t *w,
   dqo_bound->y = dqo_1_error_bound;
   dqo_bound->z = dqo_2_error_bound;
   dqo_bound->w = dqo_3_error_bound;
+}
+
+/* qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
+     rotation is by another angle; |error of qo| <= qo_bound unless inf or NaN.
+   axis: vector; angle: number; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
+   80 mul, 110 add, 11 product error, 1 div, 11 abs, 1 less, 1 select.
+   Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */
+static inline void ksl_quaternionf_from_axis_angle_certified(const ksl_vec3f_t *axis,
+    const float angle, ksl_quaternionf_t *qo, ksl_quaternionf_t *qo_bound) {
+  const float half = KSL_MULF(0.5f, angle), half_size_1 = fabsf(angle),
+      half_size_2 = KSL_MULF(0.5f, half_size_1);
+  float qo_3; const float sine = ksl_sincosf(half, &qo_3);
+  float qo_own_error_1; const float sine_own_error_1 = ksl_sincos_errorf(half, sine, qo_3,
+      &qo_own_error_1);
+  const float sine_padded_1 = 3.3087225e-24f + half_size_2, sine_size_1 = 1.0f + sine_padded_1;
+  const float qo_0 = KSL_MULF(axis->x, sine), qo_cross2_1 = KSL_MULF(axis->x, sine_own_error_1),
+      qo_size_1 = fabsf(axis->x), qo_size_2 = KSL_MULF(qo_size_1, sine_size_1);
+  const float qo_1 = KSL_MULF(axis->y, sine), qo_cross2_2 = KSL_MULF(axis->y, sine_own_error_1),
+      qo_size_3 = fabsf(axis->y), qo_size_4 = KSL_MULF(qo_size_3, sine_size_1);
+  const float qo_2 = KSL_MULF(axis->z, sine), qo_cross2_3 = KSL_MULF(axis->z, sine_own_error_1),
+      qo_size_5 = fabsf(axis->z), qo_size_6 = KSL_MULF(qo_size_5, sine_size_1);
+  const float qo_error_1 = ksl_product_errorf(axis->x, sine, qo_0),
+      qo_lo_1 = qo_error_1 + qo_cross2_1, qo_error_2 = fabsf(qo_lo_1),
+      qo_padded_1 = 3.3087225e-24f + qo_size_2, qo_rest_1 = KSL_MULF(1.2399095e-12f, qo_padded_1),
+      qo_bound_1 = qo_error_2 + qo_rest_1, qo_error_3 = ksl_product_errorf(axis->y, sine, qo_1),
+      qo_lo_2 = qo_error_3 + qo_cross2_2, qo_error_4 = fabsf(qo_lo_2),
+      qo_padded_2 = 3.3087225e-24f + qo_size_4, qo_rest_2 = KSL_MULF(1.2399095e-12f, qo_padded_2),
+      qo_bound_2 = qo_error_4 + qo_rest_2, qo_error_5 = ksl_product_errorf(axis->z, sine, qo_2),
+      qo_lo_3 = qo_error_5 + qo_cross2_3, qo_error_6 = fabsf(qo_lo_3),
+      qo_padded_3 = 3.3087225e-24f + qo_size_6, qo_rest_3 = KSL_MULF(1.2399095e-12f, qo_padded_3),
+      qo_bound_3 = qo_error_6 + qo_rest_3, qo_error_7 = fabsf(qo_own_error_1),
+      qo_rest_4 = KSL_MULF(1.1724027e-12f, sine_size_1), qo_bound_4 = qo_error_7 + qo_rest_4;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+  qo_bound->x = qo_bound_1;
+  qo_bound->y = qo_bound_2;
+  qo_bound->z = qo_bound_3;
+  qo_bound->w = qo_bound_4;
+}
+
+/* angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
+     angle is 0; any multiple of a quaternion; |error of angle| <= angle_bound, |error of axis|
+     <= axis_bound unless inf or NaN.
+   q: quaternion (x, y, z, w), the scalar last; axis, axis_bound: vector; angle_bound: number.
+   167 mul, 259 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4 copysign,
+     35 less, 10 equal, 69 select.
+   Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
+static inline float ksl_axis_angle_from_quaternionf_certified(const ksl_quaternionf_t *q,
+    ksl_vec3f_t *axis, float *angle_bound, ksl_vec3f_t *axis_bound) {
+  const float s_size_0 = fabsf(q->x);
+  const float s_size_1 = fabsf(q->y);
+  const float s_size_2 = fabsf(q->z);
+  const float s_size_3 = fabsf(q->w);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
+  const float scaled_s_0 = KSL_MULF(q->x, s), scaled_s_inverse_1 = 1.0f / s,
+      scaled_s_size_1 = KSL_MULF(scaled_s_0, scaled_s_inverse_1),
+      scaled_s_size_3 = q->x == scaled_s_size_1 ? 0.0f : 1e-45f,
+      scaled_s_size_4 = fabsf(scaled_s_0);
+  const float scaled_s_1 = KSL_MULF(q->y, s),
+      scaled_s_size_5 = KSL_MULF(scaled_s_1, scaled_s_inverse_1),
+      scaled_s_size_7 = q->y == scaled_s_size_5 ? 0.0f : 1e-45f,
+      scaled_s_size_8 = fabsf(scaled_s_1);
+  const float scaled_s_2 = KSL_MULF(q->z, s),
+      scaled_s_size_9 = KSL_MULF(scaled_s_2, scaled_s_inverse_1),
+      scaled_s_size_11 = q->z == scaled_s_size_9 ? 0.0f : 1e-45f,
+      scaled_s_size_12 = fabsf(scaled_s_2);
+  const float scaled_s_3 = KSL_MULF(q->w, s),
+      scaled_s_size_13 = KSL_MULF(scaled_s_3, scaled_s_inverse_1),
+      scaled_s_size_15 = q->w == scaled_s_size_13 ? 0.0f : 1e-45f,
+      scaled_s_size_16 = fabsf(scaled_s_3);
+  const float upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0f ? upper_0a : scaled_s_0,
+      upper_size_1 = scaled_s_3 - 0.0f, upper_size_2 = fabsf(upper_size_1),
+      upper_size_3 = 1e-45f + upper_size_2, upper_size_5 = upper_0a - scaled_s_0,
+      upper_size_6 = fabsf(upper_size_5), upper_padded_1 = 3.3087225e-24f + scaled_s_size_4,
+      upper_rest_1 = KSL_MULF(3.197449e-14f, upper_padded_1),
+      upper_size_7 = upper_rest_1 + upper_size_6, upper_size_8 = scaled_s_size_3 + upper_size_7,
+      upper_size_9 = scaled_s_size_15 < upper_size_3 ? 0.0f : upper_size_8,
+      upper_size_10 = KSL_MULF(1.0995137e+12f, upper_size_9),
+      upper_size_11 = scaled_s_size_4 + upper_size_10;
+  const float upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0f ? upper_1a : scaled_s_1,
+      upper_size_12 = upper_1a - scaled_s_1, upper_size_13 = fabsf(upper_size_12),
+      upper_padded_2 = 3.3087225e-24f + scaled_s_size_8,
+      upper_rest_2 = KSL_MULF(3.197449e-14f, upper_padded_2),
+      upper_size_14 = upper_rest_2 + upper_size_13, upper_size_15 = scaled_s_size_7 + upper_size_14,
+      upper_size_16 = scaled_s_size_15 < upper_size_3 ? 0.0f : upper_size_15,
+      upper_size_17 = KSL_MULF(1.0995137e+12f, upper_size_16),
+      upper_size_18 = scaled_s_size_8 + upper_size_17;
+  const float upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0f ? upper_2a : scaled_s_2,
+      upper_size_19 = upper_2a - scaled_s_2, upper_size_20 = fabsf(upper_size_19),
+      upper_padded_3 = 3.3087225e-24f + scaled_s_size_12,
+      upper_rest_3 = KSL_MULF(3.197449e-14f, upper_padded_3),
+      upper_size_21 = upper_rest_3 + upper_size_20,
+      upper_size_22 = scaled_s_size_11 + upper_size_21,
+      upper_size_23 = scaled_s_size_15 < upper_size_3 ? 0.0f : upper_size_22,
+      upper_size_24 = KSL_MULF(1.0995137e+12f, upper_size_23),
+      upper_size_25 = scaled_s_size_12 + upper_size_24;
+  const float upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0f ? upper_3a : scaled_s_3,
+      upper_size_26 = upper_3a - scaled_s_3, upper_size_27 = fabsf(upper_size_26),
+      upper_padded_4 = 3.3087225e-24f + scaled_s_size_16,
+      upper_rest_4 = KSL_MULF(3.197449e-14f, upper_padded_4),
+      upper_size_28 = upper_rest_4 + upper_size_27,
+      upper_size_29 = scaled_s_size_15 + upper_size_28,
+      upper_size_30 = scaled_s_size_15 < upper_size_3 ? 0.0f : upper_size_29,
+      upper_size_31 = KSL_MULF(1.0995137e+12f, upper_size_30),
+      upper_size_32 = scaled_s_size_16 + upper_size_31;
+  const float v_s_size_0 = fabsf(upper_0), v_s_size_padded_1 = 3.3087225e-24f + upper_size_11;
+  const float v_s_size_1 = fabsf(upper_1), v_s_size_padded_2 = 3.3087225e-24f + upper_size_18;
+  const float v_s_size_2 = fabsf(upper_2), v_s_size_padded_3 = 3.3087225e-24f + upper_size_25;
+  const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const float v_s_b = v_s_largest2 < 256.0f ? 1.8014399e+16f : 1.0f,
+      v_s_b_size_1 = v_s_largest2 < 256.0f ? 1.8014399e+16f : 1.0f,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_b,
+      v_s_size_3 = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_b_size_1;
+  const float v_y_0 = KSL_MULF(upper_0, v_s), v_y_size_1 = KSL_MULF(v_s_size_3, v_s_size_padded_1);
+  const float v_y_1 = KSL_MULF(upper_1, v_s), v_y_size_2 = KSL_MULF(v_s_size_3, v_s_size_padded_2);
+  const float v_y_2 = KSL_MULF(upper_2, v_s), v_y_size_3 = KSL_MULF(v_s_size_3, v_s_size_padded_3);
+  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_a_padded_1 = 3.3087225e-24f + v_y_size_1,
+      v_n_a_size_1 = fabsf(v_y_0), v_n_a_rest_1 = KSL_MULF(9.841079e-13f, v_n_a_padded_1),
+      v_n_a_units_1 = KSL_MULF(262144.0f, v_n_a_rest_1),
+      v_n_a_reach_1 = v_n_a_size_1 + v_n_a_units_1,
+      v_n_a_size_2 = KSL_MULF(v_n_a_padded_1, v_n_a_reach_1),
+      v_n_a_size_3 = v_n_a_size_2 + v_n_a_size_2, v_n_b = KSL_MULF(v_y_1, v_y_1),
+      v_n_b_padded_1 = 3.3087225e-24f + v_y_size_2, v_n_b_size_1 = fabsf(v_y_1),
+      v_n_b_rest_1 = KSL_MULF(9.841079e-13f, v_n_b_padded_1),
+      v_n_b_units_1 = KSL_MULF(262144.0f, v_n_b_rest_1),
+      v_n_b_reach_1 = v_n_b_size_1 + v_n_b_units_1,
+      v_n_b_size_2 = KSL_MULF(v_n_b_padded_1, v_n_b_reach_1),
+      v_n_b_size_3 = v_n_b_size_2 + v_n_b_size_2, v_n_c = v_n_a + v_n_b,
+      v_n_c_right_1 = v_n_c - v_n_a, v_n_c_left_1 = v_n_c - v_n_c_right_1,
+      v_n_c_left_rest_1 = ksl_product_restf(v_y_0, v_y_0, v_n_a, v_n_c_left_1),
+      v_n_c_right_rest_1 = ksl_product_restf(v_y_1, v_y_1, v_n_b, v_n_c_right_1),
+      v_n_c_lo = v_n_c_left_rest_1 + v_n_c_right_rest_1, v_n_c_size_1 = v_n_a_size_3 + v_n_b_size_3,
+      v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_d_padded_1 = 3.3087225e-24f + v_y_size_3,
+      v_n_d_size_1 = fabsf(v_y_2), v_n_d_rest_1 = KSL_MULF(9.841079e-13f, v_n_d_padded_1),
+      v_n_d_units_1 = KSL_MULF(262144.0f, v_n_d_rest_1),
+      v_n_d_reach_1 = v_n_d_size_1 + v_n_d_units_1,
+      v_n_d_size_2 = KSL_MULF(v_n_d_padded_1, v_n_d_reach_1),
+      v_n_d_size_3 = v_n_d_size_2 + v_n_d_size_2, v_n_e = v_n_c + v_n_d,
+      v_n_e_right_1 = v_n_e - v_n_c, v_n_e_left_1 = v_n_e - v_n_e_right_1,
+      v_n_e_left_rest_1 = v_n_c - v_n_e_left_1,
+      v_n_e_right_rest_1 = ksl_product_restf(v_y_2, v_y_2, v_n_d, v_n_e_right_1),
+      v_n_e_lo1_1 = v_n_e_left_rest_1 + v_n_e_right_rest_1, v_n_e_lo = v_n_e_lo1_1 + v_n_c_lo,
+      v_n_e_size_1 = v_n_c_size_1 + v_n_d_size_3, v_n = sqrtf(v_n_e),
+      v_n_product_1 = KSL_MULF(v_n, v_n),
+      v_n_product_error_1 = ksl_product_errorf(v_n, v_n, v_n_product_1),
+      v_n_rest_1 = v_n_e - v_n_product_1, v_n_exact_1 = v_n_rest_1 - v_n_product_error_1,
+      v_n_residual_1 = v_n_exact_1 + v_n_e_lo, v_n_twice_1 = v_n + v_n,
+      v_n_divisor_1 = v_n == 0.0f ? 1.0f : v_n_twice_1, v_n_lo = v_n_residual_1 / v_n_divisor_1,
+      v_n_padded_1 = 3.3087225e-24f + v_n_e_size_1, v_n_size_1 = v_n_padded_1 / v_n,
+      v_n_size_2 = v_n_size_1 / v_n_e, v_n_size_3 = fabsf(v_n_e), v_n_error_1 = fabsf(v_n_e_lo),
+      v_n_rest_2 = KSL_MULF(2.0854824e-12f, v_n_padded_1), v_n_bound_1 = v_n_error_1 + v_n_rest_2,
+      v_n_units_1 = KSL_MULF(262144.0f, v_n_bound_1), v_n_reach_1 = v_n_size_3 + v_n_units_1,
+      v_n_size_4 = KSL_MULF(v_n_reach_1, v_n_size_2), v_n_size_5 = sqrtf(v_n_bound_1),
+      v_n_size_6 = fabsf(v_n_lo), v_n_size_7 = v_n_size_5 + v_n_size_6,
+      v_n_size_8 = KSL_MULF(5.540742e+11f, v_n_size_7), v_n_size_9 = KSL_MULF(4.0f, v_n_bound_1),
+      v_n_size_11 = v_n_size_9 < v_n_e ? v_n_size_4 : v_n_size_8, v_n_size_12 = v_n + v_n_size_11;
+  const float v_r_b = 1.0f < v_s ? 5.551115e-17f : 1.0f,
+      v_r_b_size_1 = 1.0f < v_s ? 5.551115e-17f : 1.0f,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_b,
+      v_r_size_1 = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_b_size_1;
+  const float n = KSL_MULF(v_n, v_r), n_inverse_1 = 1.0f / v_r, n_back_1 = KSL_MULF(n, n_inverse_1),
+      n_lost_1 = v_n - n_back_1, n_rest_1 = n_lost_1 + v_n_lo, n_lo = KSL_MULF(n_rest_1, v_r),
+      n_padded_1 = 3.3087225e-24f + v_n_size_12, n_size_1 = KSL_MULF(n_padded_1, v_r_size_1);
+  const float half = ksl_atan2f(n, upper_3), half_own_error_1 = ksl_atan2_errorf(n, upper_3, half),
+      half_size0_1 = fabsf(n), half_size1_1 = fabsf(upper_3),
+      half_most_1 = half_size0_1 < half_size1_1 ? half_size1_1 : half_size0_1,
+      half_divisor_1 = half_most_1 == 0.0f ? 1.0f : half_most_1, half_part0_1 = n / half_divisor_1,
+      half_part1_1 = upper_3 / half_divisor_1, half_cross1_1 = KSL_MULF(half_part1_1, n_lo),
+      half_cross2_1 = KSL_MULF(half_part0_1, 0.0f),
+      half_square1_1 = KSL_MULF(half_part1_1, half_part1_1),
+      half_square2_1 = KSL_MULF(half_part0_1, half_part0_1),
+      half_cross_1 = half_cross1_1 - half_cross2_1, half_square_1 = half_square1_1 + half_square2_1,
+      half_divisor2_1 = KSL_MULF(half_divisor_1, half_square_1),
+      half_safe_1 = half_most_1 == 0.0f ? 1.0f : half_divisor2_1,
+      half_more_1 = half_cross_1 / half_safe_1, half_lo = half_own_error_1 + half_more_1,
+      half_size_1 = fabsf(half), half_padded_1 = 3.3087225e-24f + n_size_1,
+      half_padded_2 = 3.3087225e-24f + upper_size_32, half_size_2 = fabsf(n),
+      half_size_3 = fabsf(upper_3),
+      half_size_5 = half_size_2 < half_size_3 ? half_size_3 : half_size_2,
+      half_error_1 = fabsf(n_lo), half_rest_1 = KSL_MULF(1.977137e-12f, half_padded_1),
+      half_bound_1 = half_error_1 + half_rest_1,
+      half_rest_2 = KSL_MULF(9.379186e-13f, half_padded_2),
+      half_size_6 = 3.3087225e-24f + half_bound_1, half_size_7 = half_rest_2 + half_size_6,
+      half_size_8 = half_padded_1 + half_padded_2, half_size_9 = half_size_8 / half_size_5,
+      half_size_10 = half_size_1 + half_size_9, half_size_11 = half_size_7 / half_size_5,
+      half_size_13 = KSL_MULF(half_size_11, half_size_11), half_size_14 = fabsf(half_lo),
+      half_size_15 = 7.0f + half_size_14,
+      half_size_18 = half_rest_2 < upper_3 ? half_size_13 : half_size_15,
+      half_size_19 = half_bound_1 < half_size_2 ? half_size_13 : half_size_18,
+      half_size_20 = half_size_11 < 0.25f ? half_size_19 : half_size_15,
+      half_size_21 = KSL_MULF(1.6915335e+11f, half_size_20),
+      half_size_22 = half_size_10 + half_size_21;
+  const float divisor = v_n == 0.0f ? 1.0f : v_n, divisor_lo = v_n == 0.0f ? 0.0f : v_n_lo,
+      divisor_size_1 = v_n == 0.0f ? 1.0f : v_n_size_12,
+      divisor_rest_1 = KSL_MULF(1.9042977e-12f, n_padded_1),
+      divisor_bound_1 = divisor_rest_1 + v_n_size_6, divisor_size_2 = v_n - 0.0f,
+      divisor_size_3 = fabsf(divisor_size_2), divisor_size_5 = 1.0f - v_n,
+      divisor_size_6 = fabsf(divisor_size_5), divisor_size_7 = divisor_bound_1 + divisor_size_6,
+      divisor_size_8 = divisor_bound_1 < divisor_size_3 ? 0.0f : divisor_size_7,
+      divisor_size_9 = KSL_MULF(3.141416e+11f, divisor_size_8),
+      divisor_size_10 = divisor_size_1 + divisor_size_9;
+  const float unit_0 = v_y_0 / divisor, unit_product_1 = KSL_MULF(unit_0, divisor),
+      unit_product_error_1 = ksl_product_errorf(unit_0, divisor, unit_product_1),
+      unit_rest_1 = v_y_0 - unit_product_1, unit_exact_1 = unit_rest_1 - unit_product_error_1,
+      unit_cross_1 = KSL_MULF(unit_0, divisor_lo), unit_residual_1 = unit_exact_1 - unit_cross_1,
+      unit_lo_1 = unit_residual_1 / divisor, unit_padded_1 = 3.3087225e-24f + divisor_size_10,
+      unit_size_1 = fabsf(unit_0), unit_size_2 = fabsf(divisor),
+      unit_size_3 = KSL_MULF(unit_padded_1, unit_size_1),
+      unit_size_4 = unit_size_3 + v_n_a_padded_1, unit_error_1 = fabsf(divisor_lo),
+      unit_rest_2 = KSL_MULF(3.2827692e-12f, unit_padded_1),
+      unit_bound_1 = unit_error_1 + unit_rest_2, unit_size_5 = KSL_MULF(4.0f, unit_bound_1),
+      unit_size_7 = unit_size_5 < unit_size_2 ? unit_size_2 : 0.0f,
+      unit_size_8 = unit_size_4 / unit_size_7, unit_units_1 = KSL_MULF(262144.0f, unit_bound_1),
+      unit_reach_1 = unit_size_2 + unit_units_1, unit_size_9 = KSL_MULF(unit_reach_1, unit_size_8),
+      unit_size_10 = unit_size_9 / unit_size_2, unit_size_11 = unit_size_1 + unit_size_10;
+  const float unit_1 = v_y_1 / divisor, unit_product_2 = KSL_MULF(unit_1, divisor),
+      unit_product_error_2 = ksl_product_errorf(unit_1, divisor, unit_product_2),
+      unit_rest_3 = v_y_1 - unit_product_2, unit_exact_2 = unit_rest_3 - unit_product_error_2,
+      unit_cross_2 = KSL_MULF(unit_1, divisor_lo), unit_residual_2 = unit_exact_2 - unit_cross_2,
+      unit_lo_2 = unit_residual_2 / divisor, unit_size_12 = fabsf(unit_1),
+      unit_size_13 = KSL_MULF(unit_padded_1, unit_size_12),
+      unit_size_14 = unit_size_13 + v_n_b_padded_1, unit_size_15 = unit_size_14 / unit_size_7,
+      unit_size_16 = KSL_MULF(unit_reach_1, unit_size_15),
+      unit_size_17 = unit_size_16 / unit_size_2, unit_size_18 = unit_size_12 + unit_size_17;
+  const float unit_2 = v_y_2 / divisor, unit_product_3 = KSL_MULF(unit_2, divisor),
+      unit_product_error_3 = ksl_product_errorf(unit_2, divisor, unit_product_3),
+      unit_rest_4 = v_y_2 - unit_product_3, unit_exact_3 = unit_rest_4 - unit_product_error_3,
+      unit_cross_3 = KSL_MULF(unit_2, divisor_lo), unit_residual_3 = unit_exact_3 - unit_cross_3,
+      unit_lo_3 = unit_residual_3 / divisor, unit_size_19 = fabsf(unit_2),
+      unit_size_20 = KSL_MULF(unit_padded_1, unit_size_19),
+      unit_size_21 = unit_size_20 + v_n_d_padded_1, unit_size_22 = unit_size_21 / unit_size_7,
+      unit_size_23 = KSL_MULF(unit_reach_1, unit_size_22),
+      unit_size_24 = unit_size_23 / unit_size_2, unit_size_25 = unit_size_19 + unit_size_24;
+  const float angle = KSL_MULF(2.0f, half), angle_cross2_1 = KSL_MULF(2.0f, half_lo),
+      angle_size_1 = KSL_MULF(2.0f, half_size_22);
+  const float axis_0 = v_n == 0.0f ? 1.0f : unit_0, axis_lo_1 = v_n == 0.0f ? 0.0f : unit_lo_1,
+      axis_size_1 = v_n == 0.0f ? 1.0f : unit_size_11, axis_size_2 = 1.0f - unit_0,
+      axis_size_3 = fabsf(axis_size_2), axis_error_1 = fabsf(unit_lo_1),
+      axis_padded_1 = 3.3087225e-24f + unit_size_11,
+      axis_rest_1 = KSL_MULF(4.7394384e-12f, axis_padded_1),
+      axis_bound_1 = axis_error_1 + axis_rest_1, axis_size_4 = axis_bound_1 + axis_size_3,
+      axis_size_5 = divisor_bound_1 < divisor_size_3 ? 0.0f : axis_size_4,
+      axis_size_6 = KSL_MULF(2.1684825e+11f, axis_size_5), axis_size_7 = axis_size_1 + axis_size_6;
+  const float angle_error_1 = fabsf(angle_cross2_1), angle_padded_1 = 3.3087225e-24f + angle_size_1,
+      angle_rest_1 = KSL_MULF(6.2013957e-12f, angle_padded_1),
+      angle_bound_1 = angle_error_1 + angle_rest_1, axis_error_2 = fabsf(axis_lo_1),
+      axis_padded_2 = 3.3087225e-24f + axis_size_7,
+      axis_rest_2 = KSL_MULF(4.7394397e-12f, axis_padded_2),
+      axis_bound_2 = axis_error_2 + axis_rest_2, unit_error_2 = fabsf(unit_lo_2),
+      unit_padded_2 = 3.3087225e-24f + unit_size_18,
+      unit_rest_5 = KSL_MULF(4.7394384e-12f, unit_padded_2),
+      unit_bound_2 = unit_error_2 + unit_rest_5, unit_error_3 = fabsf(unit_lo_3),
+      unit_padded_3 = 3.3087225e-24f + unit_size_25,
+      unit_rest_6 = KSL_MULF(4.7394384e-12f, unit_padded_3),
+      unit_bound_3 = unit_error_3 + unit_rest_6;
+  axis->x = axis_0;
+  axis->y = unit_1;
+  axis->z = unit_2;
+  *angle_bound = angle_bound_1;
+  axis_bound->x = axis_bound_2;
+  axis_bound->y = unit_bound_2;
+  axis_bound->z = unit_bound_3;
+  return angle;
+}
+
+/* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v; |error of
+     qo| <= qo_bound unless inf or NaN.
+   v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
+   226 mul, 290 add, 13 product error, 3 product rest, 11 div, 3 sqrt, 35 abs, 10 less, 2 equal,
+     24 select.
+   Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
+     searched, not proved. */
+static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quaternionf_t *qo,
+    ksl_quaternionf_t *qo_bound) {
+  const float h_0 = KSL_MULF(0.5f, v->x);
+  const float h_1 = KSL_MULF(0.5f, v->y);
+  const float h_2 = KSL_MULF(0.5f, v->z);
+  const float size_0 = fabsf(h_0);
+  const float size_1 = fabsf(h_1);
+  const float size_2 = fabsf(h_2);
+  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float grid = KSL_MULF(sizes, 8192.0f);
+  const float shifted_0 = h_0 + grid;
+  const float shifted_1 = h_1 + grid;
+  const float shifted_2 = h_2 + grid;
+  const float high_0 = shifted_0 - grid;
+  const float high_1 = shifted_1 - grid;
+  const float high_2 = shifted_2 - grid;
+  const float low_0 = h_0 - high_0;
+  const float low_1 = h_1 - high_1;
+  const float low_2 = h_2 - high_2;
+  const float sum_0 = h_0 + high_0;
+  const float sum_1 = h_1 + high_1;
+  const float sum_2 = h_2 + high_2;
+  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
+      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
+      squares = squares_c + squares_d;
+  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
+      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
+  const float x = squares + cross;
+  const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
+  const float theta_shifted = grid + theta;
+  const float theta_high = theta_shifted - grid;
+  const float theta_low = theta - theta_high;
+  const float theta_sum = theta + theta_high;
+  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
+  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
+  const float residual = cross_rest + exact;
+  const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
+  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
+  float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
+  const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
+  const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
+  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
+  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
+  const float far_k = sine / theta;
+  const float k_a = KSL_MULF(6.4469503e-26f, x), k_b = k_a - 3.8681703e-23f, k_c = KSL_MULF(x, k_b),
+      k_d = k_c + 1.9572942e-20f, k_e = KSL_MULF(x, k_d), k_f = k_e - 8.220635e-18f,
+      k_g = KSL_MULF(x, k_f), k_h = k_g + 2.8114574e-15f, k_i = KSL_MULF(x, k_h),
+      k_j = k_i - 7.6471636e-13f, k_k = KSL_MULF(x, k_j), k_l = k_k + 1.6059044e-10f,
+      k_m = KSL_MULF(x, k_l), k_n = k_m - 2.5052108e-08f, k_o = KSL_MULF(x, k_n),
+      k_p = k_o + 2.7557319e-06f, k_q = KSL_MULF(x, k_p), k_r = k_q - 0.0001984127f,
+      k_s = KSL_MULF(x, k_r), k_t = k_s + 0.008333334f, k_u = KSL_MULF(x, k_t),
+      k_v = k_u - 0.16666667f, k_w = KSL_MULF(x, k_v), k_x = k_w + 1.0f, k = x < 1.0f ? k_x : far_k;
+  const float g2a = KSL_MULF(2.4795963e-27f, x), g2b = g2a - 1.6117376e-24f, g2c = KSL_MULF(x, g2b),
+      g2d = g2c + 8.896791e-22f, g2e = KSL_MULF(x, g2d), g2f = g2e - 4.1103176e-19f,
+      g2g = KSL_MULF(x, g2f), g2h = g2g + 1.5619207e-16f, g2i = KSL_MULF(x, g2h),
+      g2j = g2i - 4.7794773e-14f, g2k = KSL_MULF(x, g2j), g2l = g2k + 1.1470745e-11f,
+      g2m = KSL_MULF(x, g2l), g2n = g2m - 2.0876756e-09f, g2o = KSL_MULF(x, g2n),
+      g2p = g2o + 2.755732e-07f, g2q = KSL_MULF(x, g2p), g2r = g2q - 2.4801588e-05f,
+      g2s = KSL_MULF(x, g2r), g2t = g2s + 0.0013888889f, g2u = KSL_MULF(x, g2t),
+      g2v = g2u - 0.041666668f, g2w = KSL_MULF(x, g2v), g2 = g2w + 0.5f;
+  const float near_a = KSL_MULF(x, g2), near = 1.0f - near_a;
+  const float qo_0 = KSL_MULF(h_0, k);
+  const float qo_1 = KSL_MULF(h_1, k);
+  const float qo_2 = KSL_MULF(h_2, k);
+  const float qo_3 = x < 1.0f ? near : cosine;
+  const float fine_h_0 = KSL_MULF(0.5f, v->x), fine_h_size_3 = fabsf(v->x),
+      fine_h_size_4 = KSL_MULF(0.5f, fine_h_size_3);
+  const float fine_h_1 = KSL_MULF(0.5f, v->y), fine_h_size_5 = fabsf(v->y),
+      fine_h_size_6 = KSL_MULF(0.5f, fine_h_size_5);
+  const float fine_h_2 = KSL_MULF(0.5f, v->z), fine_h_size_7 = fabsf(v->z),
+      fine_h_size_8 = KSL_MULF(0.5f, fine_h_size_7);
+  const float fine_h_size_0 = fabsf(fine_h_0),
+      fine_h_size_padded_1 = 3.3087225e-24f + fine_h_size_4,
+      fine_h_size_rest_1 = KSL_MULF(3.5527347e-14f, fine_h_size_padded_1);
+  const float fine_h_size_1 = fabsf(fine_h_1),
+      fine_h_size_padded_2 = 3.3087225e-24f + fine_h_size_6,
+      fine_h_size_rest_2 = KSL_MULF(3.5527347e-14f, fine_h_size_padded_2);
+  const float fine_h_size_2 = fabsf(fine_h_2),
+      fine_h_size_padded_3 = 3.3087225e-24f + fine_h_size_8,
+      fine_h_size_rest_3 = KSL_MULF(3.5527347e-14f, fine_h_size_padded_3);
+  const float fine_h_largest1 = fine_h_size_0 < fine_h_size_1 ? fine_h_size_1 : fine_h_size_0;
+  const float fine_h_largest2 = fine_h_largest1 < fine_h_size_2 ? fine_h_size_2 : fine_h_largest1;
+  const float fine_s = 4.611686e+18f < fine_h_largest2 ? 2.7105054e-20f : 1.0f,
+      fine_s_size_1 = 4.611686e+18f < fine_h_largest2 ? 2.7105054e-20f : 1.0f;
+  const float fine_reduced_0 = KSL_MULF(fine_h_0, fine_s),
+      fine_reduced_size_1 = KSL_MULF(fine_h_size_padded_1, fine_s_size_1);
+  const float fine_reduced_1 = KSL_MULF(fine_h_1, fine_s),
+      fine_reduced_size_2 = KSL_MULF(fine_h_size_padded_2, fine_s_size_1);
+  const float fine_reduced_2 = KSL_MULF(fine_h_2, fine_s),
+      fine_reduced_size_3 = KSL_MULF(fine_h_size_padded_3, fine_s_size_1);
+  const float fine_up = fine_s < 1.0f ? 3.689349e+19f : 1.0f,
+      fine_up_size_1 = fine_s < 1.0f ? 3.689349e+19f : 1.0f;
+  const float fine_reduced_length_a = KSL_MULF(fine_reduced_0, fine_reduced_0),
+      fine_reduced_length_a_padded_1 = 3.3087225e-24f + fine_reduced_size_1,
+      fine_reduced_length_a_size_1 = KSL_MULF(fine_reduced_length_a_padded_1,
+          fine_reduced_length_a_padded_1),
+      fine_reduced_length_b = KSL_MULF(fine_reduced_1, fine_reduced_1),
+      fine_reduced_length_b_padded_1 = 3.3087225e-24f + fine_reduced_size_2,
+      fine_reduced_length_b_size_1 = KSL_MULF(fine_reduced_length_b_padded_1,
+          fine_reduced_length_b_padded_1),
+      fine_reduced_length_c = fine_reduced_length_a + fine_reduced_length_b,
+      fine_reduced_length_c_right_1 = fine_reduced_length_c - fine_reduced_length_a,
+      fine_reduced_length_c_left_1 = fine_reduced_length_c - fine_reduced_length_c_right_1,
+      fine_reduced_length_c_left_rest_1 = ksl_product_restf(fine_reduced_0, fine_reduced_0,
+          fine_reduced_length_a, fine_reduced_length_c_left_1),
+      fine_reduced_length_c_right_rest_1 = ksl_product_restf(fine_reduced_1, fine_reduced_1,
+          fine_reduced_length_b, fine_reduced_length_c_right_1),
+      fine_reduced_length_c_lo = fine_reduced_length_c_left_rest_1 +
+          fine_reduced_length_c_right_rest_1,
+      fine_reduced_length_c_size_1 = fine_reduced_length_a_size_1 + fine_reduced_length_b_size_1,
+      fine_reduced_length_d = KSL_MULF(fine_reduced_2, fine_reduced_2),
+      fine_reduced_length_d_padded_1 = 3.3087225e-24f + fine_reduced_size_3,
+      fine_reduced_length_d_size_1 = KSL_MULF(fine_reduced_length_d_padded_1,
+          fine_reduced_length_d_padded_1),
+      fine_reduced_length_e = fine_reduced_length_c + fine_reduced_length_d,
+      fine_reduced_length_e_right_1 = fine_reduced_length_e - fine_reduced_length_c,
+      fine_reduced_length_e_left_1 = fine_reduced_length_e - fine_reduced_length_e_right_1,
+      fine_reduced_length_e_left_rest_1 = fine_reduced_length_c - fine_reduced_length_e_left_1,
+      fine_reduced_length_e_right_rest_1 = ksl_product_restf(fine_reduced_2, fine_reduced_2,
+          fine_reduced_length_d, fine_reduced_length_e_right_1),
+      fine_reduced_length_e_lo1_1 = fine_reduced_length_e_left_rest_1 +
+          fine_reduced_length_e_right_rest_1,
+      fine_reduced_length_e_lo = fine_reduced_length_e_lo1_1 + fine_reduced_length_c_lo,
+      fine_reduced_length_e_size_1 = fine_reduced_length_c_size_1 + fine_reduced_length_d_size_1,
+      fine_reduced_length = sqrtf(fine_reduced_length_e),
+      fine_reduced_length_product_1 = KSL_MULF(fine_reduced_length, fine_reduced_length),
+      fine_reduced_length_product_error_1 = ksl_product_errorf(fine_reduced_length,
+          fine_reduced_length, fine_reduced_length_product_1),
+      fine_reduced_length_rest_1 = fine_reduced_length_e - fine_reduced_length_product_1,
+      fine_reduced_length_exact_1 = fine_reduced_length_rest_1 -
+          fine_reduced_length_product_error_1,
+      fine_reduced_length_residual_1 = fine_reduced_length_exact_1 + fine_reduced_length_e_lo,
+      fine_reduced_length_twice_1 = fine_reduced_length + fine_reduced_length,
+      fine_reduced_length_divisor_1 = fine_reduced_length == 0.0f ? 1.0f :
+          fine_reduced_length_twice_1,
+      fine_reduced_length_lo = fine_reduced_length_residual_1 / fine_reduced_length_divisor_1,
+      fine_reduced_length_padded_1 = 3.3087225e-24f + fine_reduced_length_e_size_1,
+      fine_reduced_length_size_1 = fine_reduced_length_padded_1 / fine_reduced_length,
+      fine_reduced_length_size_2 = fine_reduced_length_size_1 / fine_reduced_length_e,
+      fine_reduced_length_size_3 = fabsf(fine_reduced_length_e),
+      fine_reduced_length_error_1 = fabsf(fine_reduced_length_e_lo),
+      fine_reduced_length_rest_2 = KSL_MULF(9.308236e-13f, fine_reduced_length_padded_1),
+      fine_reduced_length_bound_1 = fine_reduced_length_error_1 + fine_reduced_length_rest_2,
+      fine_reduced_length_units_1 = KSL_MULF(262144.0f, fine_reduced_length_bound_1),
+      fine_reduced_length_reach_1 = fine_reduced_length_size_3 + fine_reduced_length_units_1,
+      fine_reduced_length_size_4 = KSL_MULF(fine_reduced_length_reach_1,
+          fine_reduced_length_size_2),
+      fine_reduced_length_size_5 = sqrtf(fine_reduced_length_bound_1),
+      fine_reduced_length_size_6 = fabsf(fine_reduced_length_lo),
+      fine_reduced_length_size_7 = fine_reduced_length_size_5 + fine_reduced_length_size_6,
+      fine_reduced_length_size_8 = KSL_MULF(6.958476e+11f, fine_reduced_length_size_7),
+      fine_reduced_length_size_9 = KSL_MULF(4.0f, fine_reduced_length_bound_1),
+      fine_reduced_length_size_11 = fine_reduced_length_size_9 < fine_reduced_length_e ?
+          fine_reduced_length_size_4 : fine_reduced_length_size_8,
+      fine_reduced_length_size_12 = fine_reduced_length + fine_reduced_length_size_11;
+  const float fine_half_angle = KSL_MULF(fine_reduced_length, fine_up),
+      fine_half_angle_inverse_1 = 1.0f / fine_up,
+      fine_half_angle_back_1 = KSL_MULF(fine_half_angle, fine_half_angle_inverse_1),
+      fine_half_angle_lost_1 = fine_reduced_length - fine_half_angle_back_1,
+      fine_half_angle_rest_1 = fine_half_angle_lost_1 + fine_reduced_length_lo,
+      fine_half_angle_lo = KSL_MULF(fine_half_angle_rest_1, fine_up),
+      fine_half_angle_padded_1 = 3.3087225e-24f + fine_reduced_length_size_12,
+      fine_half_angle_size_1 = KSL_MULF(fine_half_angle_padded_1, fine_up_size_1);
+  float fine_c; const float fine_sine = ksl_sincosf(fine_half_angle, &fine_c);
+  float fine_c_own_error_1; const float fine_sine_own_error_1 = ksl_sincos_errorf(fine_half_angle,
+      fine_sine, fine_c, &fine_c_own_error_1);
+  const float fine_sine_half_1 = KSL_MULF(fine_half_angle_lo, 0.5f);
+  float fine_sine_half_cos_1; const float fine_sine_half_sin_1 = ksl_sincosf(fine_sine_half_1,
+      &fine_sine_half_cos_1);
+  const float fine_sine_twice_1 = fine_sine_half_sin_1 + fine_sine_half_sin_1,
+      fine_sine_slope1_1 = KSL_MULF(fine_sine_half_cos_1, fine_c),
+      fine_sine_slope2_1 = KSL_MULF(fine_sine_half_sin_1, fine_sine),
+      fine_sine_slope_1 = fine_sine_slope1_1 - fine_sine_slope2_1,
+      fine_sine_more_1 = KSL_MULF(fine_sine_slope_1, fine_sine_twice_1),
+      fine_sine_lo = fine_sine_own_error_1 + fine_sine_more_1,
+      fine_sine_padded_1 = 3.3087225e-24f + fine_half_angle_size_1,
+      fine_sine_size_1 = 1.0f + fine_sine_padded_1;
+  const float fine_c_slope1_1 = KSL_MULF(fine_sine_half_cos_1, fine_sine),
+      fine_c_slope2_1 = KSL_MULF(fine_sine_half_sin_1, fine_c),
+      fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
+      fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
+      fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
+  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_1,
+      fine_sinc_divisor_error_1 = fabsf(fine_half_angle_lo),
+      fine_sinc_divisor_rest_1 = KSL_MULF(1.6484983e-12f, fine_sine_padded_1),
+      fine_sinc_divisor_bound_1 = fine_sinc_divisor_error_1 + fine_sinc_divisor_rest_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+      fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
+      fine_sinc_divisor_size_4 = 1e-45f + fine_sinc_divisor_size_3,
+      fine_sinc_divisor_size_6 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_7 = fabsf(fine_sinc_divisor_size_6),
+      fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_7,
+      fine_sinc_divisor_size_9 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
+          fine_sinc_divisor_size_8,
+      fine_sinc_divisor_size_10 = KSL_MULF(1.9990821e+11f, fine_sinc_divisor_size_9),
+      fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + fine_sinc_divisor_size_10;
+  const float fine_sinc_quotient = fine_sine / fine_sinc_divisor,
+      fine_sinc_quotient_product_1 = KSL_MULF(fine_sinc_quotient, fine_sinc_divisor),
+      fine_sinc_quotient_product_error_1 = ksl_product_errorf(fine_sinc_quotient, fine_sinc_divisor,
+          fine_sinc_quotient_product_1),
+      fine_sinc_quotient_rest_1 = fine_sine - fine_sinc_quotient_product_1,
+      fine_sinc_quotient_exact_1 = fine_sinc_quotient_rest_1 - fine_sinc_quotient_product_error_1,
+      fine_sinc_quotient_numerator_1 = fine_sinc_quotient_exact_1 + fine_sine_lo,
+      fine_sinc_quotient_cross_1 = KSL_MULF(fine_sinc_quotient, fine_sinc_divisor_lo),
+      fine_sinc_quotient_residual_1 = fine_sinc_quotient_numerator_1 - fine_sinc_quotient_cross_1,
+      fine_sinc_quotient_lo = fine_sinc_quotient_residual_1 / fine_sinc_divisor,
+      fine_sinc_quotient_padded_1 = 3.3087225e-24f + fine_sine_size_1,
+      fine_sinc_quotient_padded_2 = 3.3087225e-24f + fine_sinc_divisor_size_11,
+      fine_sinc_quotient_size_1 = fabsf(fine_sinc_quotient),
+      fine_sinc_quotient_size_2 = fabsf(fine_sinc_divisor),
+      fine_sinc_quotient_size_3 = KSL_MULF(fine_sinc_quotient_padded_2, fine_sinc_quotient_size_1),
+      fine_sinc_quotient_size_4 = fine_sinc_quotient_padded_1 + fine_sinc_quotient_size_3,
+      fine_sinc_quotient_error_1 = fabsf(fine_sinc_divisor_lo),
+      fine_sinc_quotient_rest_2 = KSL_MULF(5.1586396e-12f, fine_sinc_quotient_padded_2),
+      fine_sinc_quotient_bound_1 = fine_sinc_quotient_error_1 + fine_sinc_quotient_rest_2,
+      fine_sinc_quotient_size_5 = KSL_MULF(4.0f, fine_sinc_quotient_bound_1),
+      fine_sinc_quotient_size_7 = fine_sinc_quotient_size_5 < fine_sinc_quotient_size_2 ?
+          fine_sinc_quotient_size_2 : 0.0f,
+      fine_sinc_quotient_size_8 = fine_sinc_quotient_size_4 / fine_sinc_quotient_size_7,
+      fine_sinc_quotient_units_1 = KSL_MULF(262144.0f, fine_sinc_quotient_bound_1),
+      fine_sinc_quotient_reach_1 = fine_sinc_quotient_size_2 + fine_sinc_quotient_units_1,
+      fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
+      fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
+      fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
+  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
+      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_1 = KSL_MULF(7.941701e-12f, fine_sinc_padded_1),
+      fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
+      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
+          fine_sinc_size_4,
+      fine_sinc_size_6 = KSL_MULF(1.2935218e+11f, fine_sinc_size_5),
+      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+  const float fine_qo_0 = KSL_MULF(fine_h_0, fine_sinc),
+      fine_qo_cross2_1 = KSL_MULF(fine_h_0, fine_sinc_lo),
+      fine_qo_padded_1 = 3.3087225e-24f + fine_sinc_size_7, fine_qo_size_1 = fabsf(fine_h_0),
+      fine_qo_units_1 = KSL_MULF(262144.0f, fine_h_size_rest_1),
+      fine_qo_reach_1 = fine_qo_size_1 + fine_qo_units_1,
+      fine_qo_size_2 = KSL_MULF(fine_qo_padded_1, fine_qo_reach_1),
+      fine_qo_size_3 = fabsf(fine_sinc), fine_qo_error_1 = fabsf(fine_sinc_lo),
+      fine_qo_rest_1 = KSL_MULF(7.972455e-12f, fine_qo_padded_1),
+      fine_qo_bound_1 = fine_qo_error_1 + fine_qo_rest_1,
+      fine_qo_units_2 = KSL_MULF(262144.0f, fine_qo_bound_1),
+      fine_qo_reach_2 = fine_qo_size_3 + fine_qo_units_2,
+      fine_qo_size_4 = KSL_MULF(fine_h_size_padded_1, fine_qo_reach_2),
+      fine_qo_size_5 = fine_qo_size_2 + fine_qo_size_4;
+  const float fine_qo_1 = KSL_MULF(fine_h_1, fine_sinc),
+      fine_qo_cross2_2 = KSL_MULF(fine_h_1, fine_sinc_lo), fine_qo_size_6 = fabsf(fine_h_1),
+      fine_qo_units_3 = KSL_MULF(262144.0f, fine_h_size_rest_2),
+      fine_qo_reach_3 = fine_qo_size_6 + fine_qo_units_3,
+      fine_qo_size_7 = KSL_MULF(fine_qo_padded_1, fine_qo_reach_3),
+      fine_qo_size_8 = KSL_MULF(fine_h_size_padded_2, fine_qo_reach_2),
+      fine_qo_size_9 = fine_qo_size_7 + fine_qo_size_8;
+  const float fine_qo_2 = KSL_MULF(fine_h_2, fine_sinc),
+      fine_qo_cross2_3 = KSL_MULF(fine_h_2, fine_sinc_lo), fine_qo_size_10 = fabsf(fine_h_2),
+      fine_qo_units_4 = KSL_MULF(262144.0f, fine_h_size_rest_3),
+      fine_qo_reach_4 = fine_qo_size_10 + fine_qo_units_4,
+      fine_qo_size_11 = KSL_MULF(fine_qo_padded_1, fine_qo_reach_4),
+      fine_qo_size_12 = KSL_MULF(fine_h_size_padded_3, fine_qo_reach_2),
+      fine_qo_size_13 = fine_qo_size_11 + fine_qo_size_12;
+  const float fine_qo_error_2 = ksl_product_errorf(fine_h_0, fine_sinc, fine_qo_0),
+      fine_qo_lo_1 = fine_qo_error_2 + fine_qo_cross2_1, qo_apart_1 = fine_qo_0 - qo_0,
+      qo_apart_2 = fine_qo_lo_1 + qo_apart_1, qo_error_1 = fabsf(qo_apart_2),
+      qo_error_2 = KSL_MULF(1.0000005f, qo_error_1), qo_padded_1 = 3.3087225e-24f + fine_qo_size_5,
+      qo_rest_1 = KSL_MULF(8.326046e-12f, qo_padded_1), qo_bound_1 = qo_error_2 + qo_rest_1,
+      fine_qo_error_3 = ksl_product_errorf(fine_h_1, fine_sinc, fine_qo_1),
+      fine_qo_lo_2 = fine_qo_error_3 + fine_qo_cross2_2, qo_apart_3 = fine_qo_1 - qo_1,
+      qo_apart_4 = fine_qo_lo_2 + qo_apart_3, qo_error_3 = fabsf(qo_apart_4),
+      qo_error_4 = KSL_MULF(1.0000005f, qo_error_3), qo_padded_2 = 3.3087225e-24f + fine_qo_size_9,
+      qo_rest_2 = KSL_MULF(8.326046e-12f, qo_padded_2), qo_bound_2 = qo_error_4 + qo_rest_2,
+      fine_qo_error_4 = ksl_product_errorf(fine_h_2, fine_sinc, fine_qo_2),
+      fine_qo_lo_3 = fine_qo_error_4 + fine_qo_cross2_3, qo_apart_5 = fine_qo_2 - qo_2,
+      qo_apart_6 = fine_qo_lo_3 + qo_apart_5, qo_error_5 = fabsf(qo_apart_6),
+      qo_error_6 = KSL_MULF(1.0000005f, qo_error_5), qo_padded_3 = 3.3087225e-24f + fine_qo_size_13,
+      qo_rest_3 = KSL_MULF(8.326046e-12f, qo_padded_3), qo_bound_3 = qo_error_6 + qo_rest_3,
+      qo_apart_7 = fine_c - qo_3, qo_apart_8 = fine_c_lo + qo_apart_7,
+      qo_error_7 = fabsf(qo_apart_8), qo_error_8 = KSL_MULF(1.0000005f, qo_error_7),
+      qo_rest_4 = KSL_MULF(3.041182e-12f, fine_sinc_quotient_padded_1),
+      qo_bound_4 = qo_error_8 + qo_rest_4;
+  qo->x = qo_0;
+  qo->y = qo_1;
+  qo->z = qo_2;
+  qo->w = qo_3;
+  qo_bound->x = qo_bound_1;
+  qo_bound->y = qo_bound_2;
+  qo_bound->z = qo_bound_3;
+  qo_bound->w = qo_bound_4;
+}
+
+/* vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of it;
+     |error of vo| <= vo_bound unless inf or NaN.
+   q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
+   175 mul, 256 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4 copysign,
+     35 less, 10 equal, 65 select.
+   Error <= vo: 6 u of its largest component; searched, not proved. */
+static inline void ksl_quaternionf_log_certified(const ksl_quaternionf_t *q, ksl_vec3f_t *vo,
+    ksl_vec3f_t *vo_bound) {
+  const float s_size_0 = fabsf(q->x);
+  const float s_size_1 = fabsf(q->y);
+  const float s_size_2 = fabsf(q->z);
+  const float s_size_3 = fabsf(q->w);
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
+  const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
+      s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
+      s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
+  const float scaled_s_0 = KSL_MULF(q->x, s), scaled_s_inverse_1 = 1.0f / s,
+      scaled_s_size_1 = KSL_MULF(scaled_s_0, scaled_s_inverse_1),
+      scaled_s_size_3 = q->x == scaled_s_size_1 ? 0.0f : 1e-45f,
+      scaled_s_size_4 = fabsf(scaled_s_0);
+  const float scaled_s_1 = KSL_MULF(q->y, s),
+      scaled_s_size_5 = KSL_MULF(scaled_s_1, scaled_s_inverse_1),
+      scaled_s_size_7 = q->y == scaled_s_size_5 ? 0.0f : 1e-45f,
+      scaled_s_size_8 = fabsf(scaled_s_1);
+  const float scaled_s_2 = KSL_MULF(q->z, s),
+      scaled_s_size_9 = KSL_MULF(scaled_s_2, scaled_s_inverse_1),
+      scaled_s_size_11 = q->z == scaled_s_size_9 ? 0.0f : 1e-45f,
+      scaled_s_size_12 = fabsf(scaled_s_2);
+  const float scaled_s_3 = KSL_MULF(q->w, s),
+      scaled_s_size_13 = KSL_MULF(scaled_s_3, scaled_s_inverse_1),
+      scaled_s_size_15 = q->w == scaled_s_size_13 ? 0.0f : 1e-45f,
+      scaled_s_size_16 = fabsf(scaled_s_3);
+  const float upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0f ? upper_0a : scaled_s_0,
+      upper_size_1 = scaled_s_3 - 0.0f, upper_size_2 = fabsf(upper_size_1),
+      upper_size_3 = 1e-45f + upper_size_2, upper_size_5 = upper_0a - scaled_s_0,
+      upper_size_6 = fabsf(upper_size_5), upper_padded_1 = 3.3087225e-24f + scaled_s_size_4,
+      upper_rest_1 = KSL_MULF(3.197449e-14f, upper_padded_1),
+      upper_size_7 = upper_rest_1 + upper_size_6, upper_size_8 = scaled_s_size_3 + upper_size_7,
+      upper_size_9 = scaled_s_size_15 < upper_size_3 ? 0.0f : upper_size_8,
+      upper_size_10 = KSL_MULF(1.0995137e+12f, upper_size_9),
+      upper_size_11 = scaled_s_size_4 + upper_size_10;
+  const float upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0f ? upper_1a : scaled_s_1,
+      upper_size_12 = upper_1a - scaled_s_1, upper_size_13 = fabsf(upper_size_12),
+      upper_padded_2 = 3.3087225e-24f + scaled_s_size_8,
+      upper_rest_2 = KSL_MULF(3.197449e-14f, upper_padded_2),
+      upper_size_14 = upper_rest_2 + upper_size_13, upper_size_15 = scaled_s_size_7 + upper_size_14,
+      upper_size_16 = scaled_s_size_15 < upper_size_3 ? 0.0f : upper_size_15,
+      upper_size_17 = KSL_MULF(1.0995137e+12f, upper_size_16),
+      upper_size_18 = scaled_s_size_8 + upper_size_17;
+  const float upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0f ? upper_2a : scaled_s_2,
+      upper_size_19 = upper_2a - scaled_s_2, upper_size_20 = fabsf(upper_size_19),
+      upper_padded_3 = 3.3087225e-24f + scaled_s_size_12,
+      upper_rest_3 = KSL_MULF(3.197449e-14f, upper_padded_3),
+      upper_size_21 = upper_rest_3 + upper_size_20,
+      upper_size_22 = scaled_s_size_11 + upper_size_21,
+      upper_size_23 = scaled_s_size_15 < upper_size_3 ? 0.0f : upper_size_22,
+      upper_size_24 = KSL_MULF(1.0995137e+12f, upper_size_23),
+      upper_size_25 = scaled_s_size_12 + upper_size_24;
+  const float upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0f ? upper_3a : scaled_s_3,
+      upper_size_26 = upper_3a - scaled_s_3, upper_size_27 = fabsf(upper_size_26),
+      upper_padded_4 = 3.3087225e-24f + scaled_s_size_16,
+      upper_rest_4 = KSL_MULF(3.197449e-14f, upper_padded_4),
+      upper_size_28 = upper_rest_4 + upper_size_27,
+      upper_size_29 = scaled_s_size_15 + upper_size_28,
+      upper_size_30 = scaled_s_size_15 < upper_size_3 ? 0.0f : upper_size_29,
+      upper_size_31 = KSL_MULF(1.0995137e+12f, upper_size_30),
+      upper_size_32 = scaled_s_size_16 + upper_size_31;
+  const float v_s_size_0 = fabsf(upper_0), v_s_size_padded_1 = 3.3087225e-24f + upper_size_11,
+      v_s_size_rest_1 = KSL_MULF(9.379186e-13f, v_s_size_padded_1);
+  const float v_s_size_1 = fabsf(upper_1), v_s_size_padded_2 = 3.3087225e-24f + upper_size_18,
+      v_s_size_rest_2 = KSL_MULF(9.379186e-13f, v_s_size_padded_2);
+  const float v_s_size_2 = fabsf(upper_2), v_s_size_padded_3 = 3.3087225e-24f + upper_size_25,
+      v_s_size_rest_3 = KSL_MULF(9.379186e-13f, v_s_size_padded_3);
+  const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
+  const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
+  const float v_s_b = v_s_largest2 < 256.0f ? 1.8014399e+16f : 1.0f,
+      v_s_b_size_1 = v_s_largest2 < 256.0f ? 1.8014399e+16f : 1.0f,
+      v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_b,
+      v_s_size_3 = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_b_size_1;
+  const float v_y_0 = KSL_MULF(upper_0, v_s), v_y_size_1 = KSL_MULF(v_s_size_3, v_s_size_padded_1);
+  const float v_y_1 = KSL_MULF(upper_1, v_s), v_y_size_2 = KSL_MULF(v_s_size_3, v_s_size_padded_2);
+  const float v_y_2 = KSL_MULF(upper_2, v_s), v_y_size_3 = KSL_MULF(v_s_size_3, v_s_size_padded_3);
+  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_a_padded_1 = 3.3087225e-24f + v_y_size_1,
+      v_n_a_size_1 = fabsf(v_y_0), v_n_a_rest_1 = KSL_MULF(9.841079e-13f, v_n_a_padded_1),
+      v_n_a_units_1 = KSL_MULF(262144.0f, v_n_a_rest_1),
+      v_n_a_reach_1 = v_n_a_size_1 + v_n_a_units_1,
+      v_n_a_size_2 = KSL_MULF(v_n_a_padded_1, v_n_a_reach_1),
+      v_n_a_size_3 = v_n_a_size_2 + v_n_a_size_2, v_n_b = KSL_MULF(v_y_1, v_y_1),
+      v_n_b_padded_1 = 3.3087225e-24f + v_y_size_2, v_n_b_size_1 = fabsf(v_y_1),
+      v_n_b_rest_1 = KSL_MULF(9.841079e-13f, v_n_b_padded_1),
+      v_n_b_units_1 = KSL_MULF(262144.0f, v_n_b_rest_1),
+      v_n_b_reach_1 = v_n_b_size_1 + v_n_b_units_1,
+      v_n_b_size_2 = KSL_MULF(v_n_b_padded_1, v_n_b_reach_1),
+      v_n_b_size_3 = v_n_b_size_2 + v_n_b_size_2, v_n_c = v_n_a + v_n_b,
+      v_n_c_right_1 = v_n_c - v_n_a, v_n_c_left_1 = v_n_c - v_n_c_right_1,
+      v_n_c_left_rest_1 = ksl_product_restf(v_y_0, v_y_0, v_n_a, v_n_c_left_1),
+      v_n_c_right_rest_1 = ksl_product_restf(v_y_1, v_y_1, v_n_b, v_n_c_right_1),
+      v_n_c_lo = v_n_c_left_rest_1 + v_n_c_right_rest_1, v_n_c_size_1 = v_n_a_size_3 + v_n_b_size_3,
+      v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_d_padded_1 = 3.3087225e-24f + v_y_size_3,
+      v_n_d_size_1 = fabsf(v_y_2), v_n_d_rest_1 = KSL_MULF(9.841079e-13f, v_n_d_padded_1),
+      v_n_d_units_1 = KSL_MULF(262144.0f, v_n_d_rest_1),
+      v_n_d_reach_1 = v_n_d_size_1 + v_n_d_units_1,
+      v_n_d_size_2 = KSL_MULF(v_n_d_padded_1, v_n_d_reach_1),
+      v_n_d_size_3 = v_n_d_size_2 + v_n_d_size_2, v_n_e = v_n_c + v_n_d,
+      v_n_e_right_1 = v_n_e - v_n_c, v_n_e_left_1 = v_n_e - v_n_e_right_1,
+      v_n_e_left_rest_1 = v_n_c - v_n_e_left_1,
+      v_n_e_right_rest_1 = ksl_product_restf(v_y_2, v_y_2, v_n_d, v_n_e_right_1),
+      v_n_e_lo1_1 = v_n_e_left_rest_1 + v_n_e_right_rest_1, v_n_e_lo = v_n_e_lo1_1 + v_n_c_lo,
+      v_n_e_size_1 = v_n_c_size_1 + v_n_d_size_3, v_n = sqrtf(v_n_e),
+      v_n_product_1 = KSL_MULF(v_n, v_n),
+      v_n_product_error_1 = ksl_product_errorf(v_n, v_n, v_n_product_1),
+      v_n_rest_1 = v_n_e - v_n_product_1, v_n_exact_1 = v_n_rest_1 - v_n_product_error_1,
+      v_n_residual_1 = v_n_exact_1 + v_n_e_lo, v_n_twice_1 = v_n + v_n,
+      v_n_divisor_1 = v_n == 0.0f ? 1.0f : v_n_twice_1, v_n_lo = v_n_residual_1 / v_n_divisor_1,
+      v_n_padded_1 = 3.3087225e-24f + v_n_e_size_1, v_n_size_1 = v_n_padded_1 / v_n,
+      v_n_size_2 = v_n_size_1 / v_n_e, v_n_size_3 = fabsf(v_n_e), v_n_error_1 = fabsf(v_n_e_lo),
+      v_n_rest_2 = KSL_MULF(2.0854824e-12f, v_n_padded_1), v_n_bound_1 = v_n_error_1 + v_n_rest_2,
+      v_n_units_1 = KSL_MULF(262144.0f, v_n_bound_1), v_n_reach_1 = v_n_size_3 + v_n_units_1,
+      v_n_size_4 = KSL_MULF(v_n_reach_1, v_n_size_2), v_n_size_5 = sqrtf(v_n_bound_1),
+      v_n_size_6 = fabsf(v_n_lo), v_n_size_7 = v_n_size_5 + v_n_size_6,
+      v_n_size_8 = KSL_MULF(5.540742e+11f, v_n_size_7), v_n_size_9 = KSL_MULF(4.0f, v_n_bound_1),
+      v_n_size_11 = v_n_size_9 < v_n_e ? v_n_size_4 : v_n_size_8, v_n_size_12 = v_n + v_n_size_11;
+  const float v_r_b = 1.0f < v_s ? 5.551115e-17f : 1.0f,
+      v_r_b_size_1 = 1.0f < v_s ? 5.551115e-17f : 1.0f,
+      v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_b,
+      v_r_size_1 = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_b_size_1;
+  const float n = KSL_MULF(v_n, v_r), n_inverse_1 = 1.0f / v_r, n_back_1 = KSL_MULF(n, n_inverse_1),
+      n_lost_1 = v_n - n_back_1, n_rest_1 = n_lost_1 + v_n_lo, n_lo = KSL_MULF(n_rest_1, v_r),
+      n_padded_1 = 3.3087225e-24f + v_n_size_12, n_size_1 = KSL_MULF(n_padded_1, v_r_size_1);
+  const float half = ksl_atan2f(n, upper_3), half_own_error_1 = ksl_atan2_errorf(n, upper_3, half),
+      half_size0_1 = fabsf(n), half_size1_1 = fabsf(upper_3),
+      half_most_1 = half_size0_1 < half_size1_1 ? half_size1_1 : half_size0_1,
+      half_divisor_1 = half_most_1 == 0.0f ? 1.0f : half_most_1, half_part0_1 = n / half_divisor_1,
+      half_part1_1 = upper_3 / half_divisor_1, half_cross1_1 = KSL_MULF(half_part1_1, n_lo),
+      half_cross2_1 = KSL_MULF(half_part0_1, 0.0f),
+      half_square1_1 = KSL_MULF(half_part1_1, half_part1_1),
+      half_square2_1 = KSL_MULF(half_part0_1, half_part0_1),
+      half_cross_1 = half_cross1_1 - half_cross2_1, half_square_1 = half_square1_1 + half_square2_1,
+      half_divisor2_1 = KSL_MULF(half_divisor_1, half_square_1),
+      half_safe_1 = half_most_1 == 0.0f ? 1.0f : half_divisor2_1,
+      half_more_1 = half_cross_1 / half_safe_1, half_lo = half_own_error_1 + half_more_1,
+      half_size_1 = fabsf(half), half_padded_1 = 3.3087225e-24f + n_size_1,
+      half_padded_2 = 3.3087225e-24f + upper_size_32, half_size_2 = fabsf(n),
+      half_size_3 = fabsf(upper_3),
+      half_size_5 = half_size_2 < half_size_3 ? half_size_3 : half_size_2,
+      half_error_1 = fabsf(n_lo), half_rest_1 = KSL_MULF(1.977137e-12f, half_padded_1),
+      half_bound_1 = half_error_1 + half_rest_1,
+      half_rest_2 = KSL_MULF(9.379186e-13f, half_padded_2),
+      half_size_6 = 3.3087225e-24f + half_bound_1, half_size_7 = half_rest_2 + half_size_6,
+      half_size_8 = half_padded_1 + half_padded_2, half_size_9 = half_size_8 / half_size_5,
+      half_size_10 = half_size_1 + half_size_9, half_size_11 = half_size_7 / half_size_5,
+      half_size_13 = KSL_MULF(half_size_11, half_size_11), half_size_14 = fabsf(half_lo),
+      half_size_15 = 7.0f + half_size_14,
+      half_size_18 = half_rest_2 < upper_3 ? half_size_13 : half_size_15,
+      half_size_19 = half_bound_1 < half_size_2 ? half_size_13 : half_size_18,
+      half_size_20 = half_size_11 < 0.25f ? half_size_19 : half_size_15,
+      half_size_21 = KSL_MULF(1.6915335e+11f, half_size_20),
+      half_size_22 = half_size_10 + half_size_21;
+  const float divisor = n == 0.0f ? 1.0f : n, divisor_lo = n == 0.0f ? 0.0f : n_lo,
+      divisor_size_1 = n == 0.0f ? 1.0f : n_size_1, divisor_size_2 = n - 0.0f,
+      divisor_size_3 = fabsf(divisor_size_2), divisor_size_4 = 1e-45f + divisor_size_3,
+      divisor_size_6 = 1.0f - n, divisor_size_7 = fabsf(divisor_size_6),
+      divisor_size_8 = divisor_size_7 + half_bound_1,
+      divisor_size_9 = half_bound_1 < divisor_size_4 ? 0.0f : divisor_size_8,
+      divisor_size_10 = KSL_MULF(2.443323e+11f, divisor_size_9),
+      divisor_size_11 = divisor_size_1 + divisor_size_10;
+  const float theta = KSL_MULF(2.0f, half), theta_cross2_1 = KSL_MULF(2.0f, half_lo),
+      theta_size_1 = KSL_MULF(2.0f, half_size_22);
+  const float k = theta / divisor, k_product_1 = KSL_MULF(k, divisor),
+      k_product_error_1 = ksl_product_errorf(k, divisor, k_product_1),
+      k_rest_1 = theta - k_product_1, k_exact_1 = k_rest_1 - k_product_error_1,
+      k_numerator_1 = k_exact_1 + theta_cross2_1, k_cross_1 = KSL_MULF(k, divisor_lo),
+      k_residual_1 = k_numerator_1 - k_cross_1, k_lo = k_residual_1 / divisor,
+      k_padded_1 = 3.3087225e-24f + theta_size_1, k_padded_2 = 3.3087225e-24f + divisor_size_11,
+      k_size_1 = fabsf(k), k_size_2 = fabsf(divisor), k_size_3 = KSL_MULF(k_padded_2, k_size_1),
+      k_size_4 = k_padded_1 + k_size_3, k_error_1 = fabsf(divisor_lo),
+      k_rest_2 = KSL_MULF(4.2207045e-12f, k_padded_2), k_bound_1 = k_error_1 + k_rest_2,
+      k_size_5 = KSL_MULF(4.0f, k_bound_1), k_size_7 = k_size_5 < k_size_2 ? k_size_2 : 0.0f,
+      k_size_8 = k_size_4 / k_size_7, k_units_1 = KSL_MULF(262144.0f, k_bound_1),
+      k_reach_1 = k_size_2 + k_units_1, k_size_9 = KSL_MULF(k_reach_1, k_size_8),
+      k_size_10 = k_size_9 / k_size_2, k_size_11 = k_size_1 + k_size_10;
+  const float vector_0 = KSL_MULF(upper_0, k), vector_cross2_1 = KSL_MULF(upper_0, k_lo),
+      vector_padded_1 = 3.3087225e-24f + k_size_11, vector_size_1 = fabsf(upper_0),
+      vector_units_1 = KSL_MULF(262144.0f, v_s_size_rest_1),
+      vector_reach_1 = vector_size_1 + vector_units_1,
+      vector_size_2 = KSL_MULF(vector_padded_1, vector_reach_1), vector_error_1 = fabsf(k_lo),
+      vector_rest_1 = KSL_MULF(8.927625e-12f, vector_padded_1),
+      vector_bound_1 = vector_error_1 + vector_rest_1,
+      vector_units_2 = KSL_MULF(262144.0f, vector_bound_1),
+      vector_reach_2 = k_size_1 + vector_units_2,
+      vector_size_3 = KSL_MULF(v_s_size_padded_1, vector_reach_2),
+      vector_size_4 = vector_size_2 + vector_size_3;
+  const float vector_1 = KSL_MULF(upper_1, k), vector_cross2_2 = KSL_MULF(upper_1, k_lo),
+      vector_size_5 = fabsf(upper_1), vector_units_3 = KSL_MULF(262144.0f, v_s_size_rest_2),
+      vector_reach_3 = vector_size_5 + vector_units_3,
+      vector_size_6 = KSL_MULF(vector_padded_1, vector_reach_3),
+      vector_size_7 = KSL_MULF(v_s_size_padded_2, vector_reach_2),
+      vector_size_8 = vector_size_6 + vector_size_7;
+  const float vector_2 = KSL_MULF(upper_2, k), vector_cross2_3 = KSL_MULF(upper_2, k_lo),
+      vector_size_9 = fabsf(upper_2), vector_units_4 = KSL_MULF(262144.0f, v_s_size_rest_3),
+      vector_reach_4 = vector_size_9 + vector_units_4,
+      vector_size_10 = KSL_MULF(vector_padded_1, vector_reach_4),
+      vector_size_11 = KSL_MULF(v_s_size_padded_3, vector_reach_2),
+      vector_size_12 = vector_size_10 + vector_size_11;
+  const float vector_error_2 = ksl_product_errorf(upper_0, k, vector_0),
+      vector_lo_1 = vector_error_2 + vector_cross2_1, vector_error_3 = fabsf(vector_lo_1),
+      vector_padded_2 = 3.3087225e-24f + vector_size_4,
+      vector_rest_2 = KSL_MULF(9.281226e-12f, vector_padded_2),
+      vector_bound_2 = vector_error_3 + vector_rest_2,
+      vector_error_4 = ksl_product_errorf(upper_1, k, vector_1),
+      vector_lo_2 = vector_error_4 + vector_cross2_2, vector_error_5 = fabsf(vector_lo_2),
+      vector_padded_3 = 3.3087225e-24f + vector_size_8,
+      vector_rest_3 = KSL_MULF(9.281226e-12f, vector_padded_3),
+      vector_bound_3 = vector_error_5 + vector_rest_3,
+      vector_error_6 = ksl_product_errorf(upper_2, k, vector_2),
+      vector_lo_3 = vector_error_6 + vector_cross2_3, vector_error_7 = fabsf(vector_lo_3),
+      vector_padded_4 = 3.3087225e-24f + vector_size_12,
+      vector_rest_4 = KSL_MULF(9.281226e-12f, vector_padded_4),
+      vector_bound_4 = vector_error_7 + vector_rest_4;
+  vo->x = vector_0;
+  vo->y = vector_1;
+  vo->z = vector_2;
+  vo_bound->x = vector_bound_2;
+  vo_bound->y = vector_bound_3;
+  vo_bound->z = vector_bound_4;
 }
 
 #endif

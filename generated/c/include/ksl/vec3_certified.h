@@ -7,6 +7,10 @@
 #define KSL_VEC3_CERTIFIED_H
 
 #include "ksl_types.h"
+#include "ksl_exact.h"
+#include "ksl_exactf.h"
+#include "elementary.h"
+#include "ksl_elementary_error.h"
 
 /* self = a self; |error of self| <= self_bound unless inf or NaN.
    self, self_bound: vector; a: number.
@@ -183,6 +187,189 @@ static inline void ksl_vec3_scaled_certified(const ksl_vec3_t *v, const double k
   vo_bound->x = vo_0_error_bound;
   vo_bound->y = vo_1_error_bound;
   vo_bound->z = vo_2_error_bound;
+}
+
+/* angle = atan2(|v1 × v2|, v1·v2), in [0, π]; |error of angle| <= angle_bound unless inf or NaN.
+   v1, v2: vector; angle_bound: number.
+   196 mul, 311 add, 22 product error, 12 product rest, 12 div, 2 sqrt, 1 neg, 40 abs, 4
+     copysign, 37 less, 5 equal, 56 select. */
+static inline double ksl_angle_vv_certified(const ksl_vec3_t *v1, const ksl_vec3_t *v2,
+    double *angle_bound) {
+  const double s1_size_0 = fabs(v1->x);
+  const double s1_size_1 = fabs(v1->y);
+  const double s1_size_2 = fabs(v1->z);
+  const double s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
+  const double s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
+  const double s1b = 6.703903964971299e+153 < s1_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s1d = s1_largest2 < 256.0 ? 1.3093562431584567e+151 : s1b,
+      s1 = s1_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s1d;
+  const double scaled_s1_0 = KSL_MUL(v1->x, s1), scaled_s1_size_4 = fabs(scaled_s1_0);
+  const double scaled_s1_1 = KSL_MUL(v1->y, s1), scaled_s1_size_8 = fabs(scaled_s1_1);
+  const double scaled_s1_2 = KSL_MUL(v1->z, s1), scaled_s1_size_12 = fabs(scaled_s1_2);
+  const double s2_size_0 = fabs(v2->x);
+  const double s2_size_1 = fabs(v2->y);
+  const double s2_size_2 = fabs(v2->z);
+  const double s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
+  const double s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
+  const double s2b = 6.703903964971299e+153 < s2_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s2d = s2_largest2 < 256.0 ? 1.3093562431584567e+151 : s2b,
+      s2 = s2_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s2d;
+  const double scaled_s2_0 = KSL_MUL(v2->x, s2), scaled_s2_size_4 = fabs(scaled_s2_0);
+  const double scaled_s2_1 = KSL_MUL(v2->y, s2), scaled_s2_size_8 = fabs(scaled_s2_1);
+  const double scaled_s2_2 = KSL_MUL(v2->z, s2), scaled_s2_size_12 = fabs(scaled_s2_2);
+  const double c_0a = KSL_MUL(scaled_s1_1, scaled_s2_2),
+      c_0a_padded_1 = 1.8051943758648296e-276 + scaled_s1_size_8,
+      c_0a_padded_2 = 1.8051943758648296e-276 + scaled_s2_size_12,
+      c_0a_size_1 = KSL_MUL(c_0a_padded_1, c_0a_padded_2), c_0b = KSL_MUL(scaled_s1_2, scaled_s2_1),
+      c_0b_padded_1 = 1.8051943758648296e-276 + scaled_s1_size_12,
+      c_0b_padded_2 = 1.8051943758648296e-276 + scaled_s2_size_8,
+      c_0b_size_1 = KSL_MUL(c_0b_padded_1, c_0b_padded_2), c_0 = c_0a - c_0b,
+      c_right_1 = c_0a - c_0, c_left_1 = c_0 + c_right_1,
+      c_left_rest_1 = ksl_product_rest(scaled_s1_1, scaled_s2_2, c_0a, c_left_1),
+      c_right_rest_1 = ksl_product_rest(scaled_s1_2, scaled_s2_1, c_0b, c_right_1),
+      c_lo_1 = c_left_rest_1 - c_right_rest_1, c_size_1 = c_0a_size_1 + c_0b_size_1;
+  const double c_1a = KSL_MUL(scaled_s1_2, scaled_s2_0),
+      c_1a_padded_1 = 1.8051943758648296e-276 + scaled_s2_size_4,
+      c_1a_size_1 = KSL_MUL(c_0b_padded_1, c_1a_padded_1), c_1b = KSL_MUL(scaled_s1_0, scaled_s2_2),
+      c_1b_padded_1 = 1.8051943758648296e-276 + scaled_s1_size_4,
+      c_1b_size_1 = KSL_MUL(c_0a_padded_2, c_1b_padded_1), c_1 = c_1a - c_1b,
+      c_right_2 = c_1a - c_1, c_left_2 = c_1 + c_right_2,
+      c_left_rest_2 = ksl_product_rest(scaled_s1_2, scaled_s2_0, c_1a, c_left_2),
+      c_right_rest_2 = ksl_product_rest(scaled_s1_0, scaled_s2_2, c_1b, c_right_2),
+      c_lo_2 = c_left_rest_2 - c_right_rest_2, c_size_2 = c_1a_size_1 + c_1b_size_1;
+  const double c_2a = KSL_MUL(scaled_s1_0, scaled_s2_1),
+      c_2a_size_1 = KSL_MUL(c_0b_padded_2, c_1b_padded_1), c_2b = KSL_MUL(scaled_s1_1, scaled_s2_0),
+      c_2b_size_1 = KSL_MUL(c_0a_padded_1, c_1a_padded_1), c_2 = c_2a - c_2b,
+      c_right_3 = c_2a - c_2, c_left_3 = c_2 + c_right_3,
+      c_left_rest_3 = ksl_product_rest(scaled_s1_0, scaled_s2_1, c_2a, c_left_3),
+      c_right_rest_3 = ksl_product_rest(scaled_s1_1, scaled_s2_0, c_2b, c_right_3),
+      c_lo_3 = c_left_rest_3 - c_right_rest_3, c_size_3 = c_2a_size_1 + c_2b_size_1;
+  const double s_size_0 = fabs(c_0), s_size_padded_1 = 1.8051943758648296e-276 + c_size_1;
+  const double s_size_1 = fabs(c_1), s_size_padded_2 = 1.8051943758648296e-276 + c_size_2;
+  const double s_size_2 = fabs(c_2), s_size_padded_3 = 1.8051943758648296e-276 + c_size_3;
+  const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s_b_size_1 = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
+      s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
+      s_d_size_1 = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b_size_1,
+      s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d,
+      s_size_3 = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d_size_1;
+  const double y_0 = KSL_MUL(c_0, s), y_inverse_1 = 1.0 / s, y_back_1 = KSL_MUL(y_0, y_inverse_1),
+      y_lost_1 = c_0 - y_back_1, y_rest_1 = y_lost_1 + c_lo_1, y_lo_1 = KSL_MUL(y_rest_1, s),
+      y_size_1 = KSL_MUL(s_size_3, s_size_padded_1);
+  const double y_1 = KSL_MUL(c_1, s), y_back_2 = KSL_MUL(y_1, y_inverse_1),
+      y_lost_2 = c_1 - y_back_2, y_rest_2 = y_lost_2 + c_lo_2, y_lo_2 = KSL_MUL(y_rest_2, s),
+      y_size_2 = KSL_MUL(s_size_3, s_size_padded_2);
+  const double y_2 = KSL_MUL(c_2, s), y_back_3 = KSL_MUL(y_2, y_inverse_1),
+      y_lost_3 = c_2 - y_back_3, y_rest_3 = y_lost_3 + c_lo_3, y_lo_3 = KSL_MUL(y_rest_3, s),
+      y_size_3 = KSL_MUL(s_size_3, s_size_padded_3);
+  const double n_a = KSL_MUL(y_0, y_0), n_a_cross1_1 = KSL_MUL(y_lo_1, y_0),
+      n_a_cross2_1 = KSL_MUL(y_0, y_lo_1), n_a_cross_1 = n_a_cross1_1 + n_a_cross2_1,
+      n_a_padded_1 = 1.8051943758648296e-276 + y_size_1, n_a_size_1 = fabs(y_0),
+      n_a_error_1 = fabs(y_lo_1), n_a_rest_1 = KSL_MUL(1.6886556573573792e-30, n_a_padded_1),
+      n_a_bound_1 = n_a_error_1 + n_a_rest_1, n_a_units_1 = KSL_MUL(140737488355328.0, n_a_bound_1),
+      n_a_reach_1 = n_a_size_1 + n_a_units_1, n_a_size_2 = KSL_MUL(n_a_padded_1, n_a_reach_1),
+      n_a_size_3 = n_a_size_2 + n_a_size_2, n_b = KSL_MUL(y_1, y_1),
+      n_b_cross1_1 = KSL_MUL(y_lo_2, y_1), n_b_cross2_1 = KSL_MUL(y_1, y_lo_2),
+      n_b_cross_1 = n_b_cross1_1 + n_b_cross2_1, n_b_padded_1 = 1.8051943758648296e-276 + y_size_2,
+      n_b_size_1 = fabs(y_1), n_b_error_1 = fabs(y_lo_2),
+      n_b_rest_1 = KSL_MUL(1.6886556573573792e-30, n_b_padded_1),
+      n_b_bound_1 = n_b_error_1 + n_b_rest_1, n_b_units_1 = KSL_MUL(140737488355328.0, n_b_bound_1),
+      n_b_reach_1 = n_b_size_1 + n_b_units_1, n_b_size_2 = KSL_MUL(n_b_padded_1, n_b_reach_1),
+      n_b_size_3 = n_b_size_2 + n_b_size_2, n_c = n_a + n_b, n_c_right_1 = n_c - n_a,
+      n_c_left_1 = n_c - n_c_right_1, n_c_left_rest_1 = ksl_product_rest(y_0, y_0, n_a, n_c_left_1),
+      n_c_right_rest_1 = ksl_product_rest(y_1, y_1, n_b, n_c_right_1),
+      n_c_cross_1 = n_a_cross_1 + n_b_cross_1, n_c_lo1_1 = n_c_left_rest_1 + n_c_right_rest_1,
+      n_c_lo = n_c_lo1_1 + n_c_cross_1, n_c_size_1 = n_a_size_3 + n_b_size_3,
+      n_d = KSL_MUL(y_2, y_2), n_d_cross1_1 = KSL_MUL(y_lo_3, y_2),
+      n_d_cross2_1 = KSL_MUL(y_2, y_lo_3), n_d_cross_1 = n_d_cross1_1 + n_d_cross2_1,
+      n_d_padded_1 = 1.8051943758648296e-276 + y_size_3, n_d_size_1 = fabs(y_2),
+      n_d_error_1 = fabs(y_lo_3), n_d_rest_1 = KSL_MUL(1.6886556573573792e-30, n_d_padded_1),
+      n_d_bound_1 = n_d_error_1 + n_d_rest_1, n_d_units_1 = KSL_MUL(140737488355328.0, n_d_bound_1),
+      n_d_reach_1 = n_d_size_1 + n_d_units_1, n_d_size_2 = KSL_MUL(n_d_padded_1, n_d_reach_1),
+      n_d_size_3 = n_d_size_2 + n_d_size_2, n_e = n_c + n_d, n_e_right_1 = n_e - n_c,
+      n_e_left_1 = n_e - n_e_right_1, n_e_left_rest_1 = n_c - n_e_left_1,
+      n_e_right_rest_1 = ksl_product_rest(y_2, y_2, n_d, n_e_right_1),
+      n_e_lo1_1 = n_e_left_rest_1 + n_e_right_rest_1, n_e_lo2_1 = n_e_lo1_1 + n_d_cross_1,
+      n_e_lo = n_e_lo2_1 + n_c_lo, n_e_size_1 = n_c_size_1 + n_d_size_3, n = sqrt(n_e),
+      n_product_1 = KSL_MUL(n, n), n_product_error_1 = ksl_product_error(n, n, n_product_1),
+      n_rest_1 = n_e - n_product_1, n_exact_1 = n_rest_1 - n_product_error_1,
+      n_residual_1 = n_exact_1 + n_e_lo, n_twice_1 = n + n,
+      n_divisor_1 = n == 0.0 ? 1.0 : n_twice_1, n_lo = n_residual_1 / n_divisor_1,
+      n_padded_1 = 1.8051943758648296e-276 + n_e_size_1, n_size_1 = n_padded_1 / n,
+      n_size_2 = n_size_1 / n_e, n_size_3 = fabs(n_e), n_error_1 = fabs(n_e_lo),
+      n_rest_2 = KSL_MUL(8.430953463617394e-30, n_padded_1), n_bound_1 = n_error_1 + n_rest_2,
+      n_units_1 = KSL_MUL(140737488355328.0, n_bound_1), n_reach_1 = n_size_3 + n_units_1,
+      n_size_4 = KSL_MUL(n_reach_1, n_size_2), n_size_5 = sqrt(n_bound_1), n_size_6 = fabs(n_lo),
+      n_size_7 = n_size_5 + n_size_6, n_size_8 = KSL_MUL(1.2578234859437304e+29, n_size_7),
+      n_size_9 = KSL_MUL(4.0, n_bound_1), n_size_11 = n_size_9 < n_e ? n_size_4 : n_size_8,
+      n_size_12 = n + n_size_11;
+  const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      r_b_size_1 = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
+      r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
+      r_d_size_1 = 1.0 < s ? 7.637340908749012e-152 : r_b_size_1,
+      r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d,
+      r_size_1 = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d_size_1;
+  const double cross = KSL_MUL(n, r), cross_inverse_1 = 1.0 / r,
+      cross_back_1 = KSL_MUL(cross, cross_inverse_1), cross_lost_1 = n - cross_back_1,
+      cross_rest_1 = cross_lost_1 + n_lo, cross_lo = KSL_MUL(cross_rest_1, r),
+      cross_padded_1 = 1.8051943758648296e-276 + n_size_12,
+      cross_size_1 = KSL_MUL(cross_padded_1, r_size_1);
+  const double dot__a = KSL_MUL(scaled_s1_0, scaled_s2_0),
+      dot__a_size_1 = KSL_MUL(c_1a_padded_1, c_1b_padded_1),
+      dot__b = KSL_MUL(scaled_s1_1, scaled_s2_1),
+      dot__b_size_1 = KSL_MUL(c_0a_padded_1, c_0b_padded_2), dot__c = dot__a + dot__b,
+      dot__c_right_1 = dot__c - dot__a, dot__c_left_1 = dot__c - dot__c_right_1,
+      dot__c_left_rest_1 = ksl_product_rest(scaled_s1_0, scaled_s2_0, dot__a, dot__c_left_1),
+      dot__c_right_rest_1 = ksl_product_rest(scaled_s1_1, scaled_s2_1, dot__b, dot__c_right_1),
+      dot__c_lo = dot__c_left_rest_1 + dot__c_right_rest_1,
+      dot__c_size_1 = dot__a_size_1 + dot__b_size_1, dot__d = KSL_MUL(scaled_s1_2, scaled_s2_2),
+      dot__d_size_1 = KSL_MUL(c_0a_padded_2, c_0b_padded_1), dot_ = dot__c + dot__d,
+      dot__right_1 = dot_ - dot__c, dot__left_1 = dot_ - dot__right_1,
+      dot__left_rest_1 = dot__c - dot__left_1,
+      dot__right_rest_1 = ksl_product_rest(scaled_s1_2, scaled_s2_2, dot__d, dot__right_1),
+      dot__lo1_1 = dot__left_rest_1 + dot__right_rest_1, dot__lo = dot__lo1_1 + dot__c_lo,
+      dot__size_1 = dot__c_size_1 + dot__d_size_1;
+  const double angle = ksl_atan2(cross, dot_),
+      angle_own_error_1 = ksl_atan2_error(cross, dot_, angle), angle_size0_1 = fabs(cross),
+      angle_size1_1 = fabs(dot_),
+      angle_most_1 = angle_size0_1 < angle_size1_1 ? angle_size1_1 : angle_size0_1,
+      angle_divisor_1 = angle_most_1 == 0.0 ? 1.0 : angle_most_1,
+      angle_part0_1 = cross / angle_divisor_1, angle_part1_1 = dot_ / angle_divisor_1,
+      angle_cross1_1 = KSL_MUL(angle_part1_1, cross_lo),
+      angle_cross2_1 = KSL_MUL(angle_part0_1, dot__lo),
+      angle_square1_1 = KSL_MUL(angle_part1_1, angle_part1_1),
+      angle_square2_1 = KSL_MUL(angle_part0_1, angle_part0_1),
+      angle_cross_1 = angle_cross1_1 - angle_cross2_1,
+      angle_square_1 = angle_square1_1 + angle_square2_1,
+      angle_divisor2_1 = KSL_MUL(angle_divisor_1, angle_square_1),
+      angle_safe_1 = angle_most_1 == 0.0 ? 1.0 : angle_divisor2_1,
+      angle_more_1 = angle_cross_1 / angle_safe_1, angle_lo = angle_own_error_1 + angle_more_1,
+      angle_size_1 = fabs(angle), angle_padded_1 = 1.8051943758648296e-276 + cross_size_1,
+      angle_padded_2 = 1.8051943758648296e-276 + dot__size_1, angle_size_2 = fabs(cross),
+      angle_size_3 = fabs(dot_),
+      angle_size_5 = angle_size_2 < angle_size_3 ? angle_size_3 : angle_size_2,
+      angle_error_1 = fabs(cross_lo), angle_rest_1 = KSL_MUL(8.751429663976426e-30, angle_padded_1),
+      angle_bound_1 = angle_error_1 + angle_rest_1, angle_error_2 = fabs(dot__lo),
+      angle_rest_2 = KSL_MUL(2.477516562578394e-30, angle_padded_2),
+      angle_bound_2 = angle_error_2 + angle_rest_2,
+      angle_size_6 = 1.8051943758648296e-276 + angle_bound_1,
+      angle_size_7 = angle_bound_2 + angle_size_6, angle_size_8 = angle_padded_1 + angle_padded_2,
+      angle_size_9 = angle_size_8 / angle_size_5, angle_size_10 = angle_size_1 + angle_size_9,
+      angle_size_11 = angle_size_7 / angle_size_5,
+      angle_size_13 = KSL_MUL(angle_size_11, angle_size_11), angle_size_14 = fabs(angle_lo),
+      angle_size_15 = 7.0 + angle_size_14,
+      angle_size_18 = angle_bound_2 < dot_ ? angle_size_13 : angle_size_15,
+      angle_size_19 = angle_bound_1 < angle_size_2 ? angle_size_13 : angle_size_18,
+      angle_size_20 = angle_size_11 < 0.25 ? angle_size_19 : angle_size_15,
+      angle_size_21 = KSL_MUL(3.9614069451219335e+28, angle_size_20),
+      angle_size_22 = angle_size_10 + angle_size_21;
+  const double angle_padded_3 = 1.8051943758648296e-276 + angle_size_22,
+      angle_rest_3 = KSL_MUL(2.603241918220875e-29, angle_padded_3),
+      angle_bound_3 = angle_rest_3 + angle_size_14;
+  *angle_bound = angle_bound_3;
+  return angle;
 }
 
 /* v1·v2; |error of dot| <= dot_bound unless inf or NaN.
@@ -552,6 +739,187 @@ static inline void ksl_vec3f_scaled_certified(const ksl_vec3f_t *v, const float 
   vo_bound->x = vo_0_error_bound;
   vo_bound->y = vo_1_error_bound;
   vo_bound->z = vo_2_error_bound;
+}
+
+/* angle = atan2(|v1 × v2|, v1·v2), in [0, π]; |error of angle| <= angle_bound unless inf or NaN.
+   v1, v2: vector; angle_bound: number.
+   162 mul, 252 add, 15 product error, 12 product rest, 12 div, 2 sqrt, 1 neg, 40 abs, 4
+     copysign, 37 less, 5 equal, 56 select. */
+static inline float ksl_angle_vvf_certified(const ksl_vec3f_t *v1, const ksl_vec3f_t *v2,
+    float *angle_bound) {
+  const float s1_size_0 = fabsf(v1->x);
+  const float s1_size_1 = fabsf(v1->y);
+  const float s1_size_2 = fabsf(v1->z);
+  const float s1_largest1 = s1_size_0 < s1_size_1 ? s1_size_1 : s1_size_0;
+  const float s1_largest2 = s1_largest1 < s1_size_2 ? s1_size_2 : s1_largest1;
+  const float s1b = 4.611686e+18f < s1_largest2 ? 2.7105054e-20f : 1.0f,
+      s1d = s1_largest2 < 256.0f ? 1.8014399e+16f : s1b,
+      s1 = s1_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s1d;
+  const float scaled_s1_0 = KSL_MULF(v1->x, s1), scaled_s1_size_4 = fabsf(scaled_s1_0);
+  const float scaled_s1_1 = KSL_MULF(v1->y, s1), scaled_s1_size_8 = fabsf(scaled_s1_1);
+  const float scaled_s1_2 = KSL_MULF(v1->z, s1), scaled_s1_size_12 = fabsf(scaled_s1_2);
+  const float s2_size_0 = fabsf(v2->x);
+  const float s2_size_1 = fabsf(v2->y);
+  const float s2_size_2 = fabsf(v2->z);
+  const float s2_largest1 = s2_size_0 < s2_size_1 ? s2_size_1 : s2_size_0;
+  const float s2_largest2 = s2_largest1 < s2_size_2 ? s2_size_2 : s2_largest1;
+  const float s2b = 4.611686e+18f < s2_largest2 ? 2.7105054e-20f : 1.0f,
+      s2d = s2_largest2 < 256.0f ? 1.8014399e+16f : s2b,
+      s2 = s2_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s2d;
+  const float scaled_s2_0 = KSL_MULF(v2->x, s2), scaled_s2_size_4 = fabsf(scaled_s2_0);
+  const float scaled_s2_1 = KSL_MULF(v2->y, s2), scaled_s2_size_8 = fabsf(scaled_s2_1);
+  const float scaled_s2_2 = KSL_MULF(v2->z, s2), scaled_s2_size_12 = fabsf(scaled_s2_2);
+  const float c_0a = KSL_MULF(scaled_s1_1, scaled_s2_2),
+      c_0a_padded_1 = 3.3087225e-24f + scaled_s1_size_8,
+      c_0a_padded_2 = 3.3087225e-24f + scaled_s2_size_12,
+      c_0a_size_1 = KSL_MULF(c_0a_padded_1, c_0a_padded_2),
+      c_0b = KSL_MULF(scaled_s1_2, scaled_s2_1), c_0b_padded_1 = 3.3087225e-24f + scaled_s1_size_12,
+      c_0b_padded_2 = 3.3087225e-24f + scaled_s2_size_8,
+      c_0b_size_1 = KSL_MULF(c_0b_padded_1, c_0b_padded_2), c_0 = c_0a - c_0b,
+      c_right_1 = c_0a - c_0, c_left_1 = c_0 + c_right_1,
+      c_left_rest_1 = ksl_product_restf(scaled_s1_1, scaled_s2_2, c_0a, c_left_1),
+      c_right_rest_1 = ksl_product_restf(scaled_s1_2, scaled_s2_1, c_0b, c_right_1),
+      c_lo_1 = c_left_rest_1 - c_right_rest_1, c_size_1 = c_0a_size_1 + c_0b_size_1;
+  const float c_1a = KSL_MULF(scaled_s1_2, scaled_s2_0),
+      c_1a_padded_1 = 3.3087225e-24f + scaled_s2_size_4,
+      c_1a_size_1 = KSL_MULF(c_0b_padded_1, c_1a_padded_1),
+      c_1b = KSL_MULF(scaled_s1_0, scaled_s2_2), c_1b_padded_1 = 3.3087225e-24f + scaled_s1_size_4,
+      c_1b_size_1 = KSL_MULF(c_0a_padded_2, c_1b_padded_1), c_1 = c_1a - c_1b,
+      c_right_2 = c_1a - c_1, c_left_2 = c_1 + c_right_2,
+      c_left_rest_2 = ksl_product_restf(scaled_s1_2, scaled_s2_0, c_1a, c_left_2),
+      c_right_rest_2 = ksl_product_restf(scaled_s1_0, scaled_s2_2, c_1b, c_right_2),
+      c_lo_2 = c_left_rest_2 - c_right_rest_2, c_size_2 = c_1a_size_1 + c_1b_size_1;
+  const float c_2a = KSL_MULF(scaled_s1_0, scaled_s2_1),
+      c_2a_size_1 = KSL_MULF(c_0b_padded_2, c_1b_padded_1),
+      c_2b = KSL_MULF(scaled_s1_1, scaled_s2_0),
+      c_2b_size_1 = KSL_MULF(c_0a_padded_1, c_1a_padded_1), c_2 = c_2a - c_2b,
+      c_right_3 = c_2a - c_2, c_left_3 = c_2 + c_right_3,
+      c_left_rest_3 = ksl_product_restf(scaled_s1_0, scaled_s2_1, c_2a, c_left_3),
+      c_right_rest_3 = ksl_product_restf(scaled_s1_1, scaled_s2_0, c_2b, c_right_3),
+      c_lo_3 = c_left_rest_3 - c_right_rest_3, c_size_3 = c_2a_size_1 + c_2b_size_1;
+  const float s_size_0 = fabsf(c_0), s_size_padded_1 = 3.3087225e-24f + c_size_1;
+  const float s_size_1 = fabsf(c_1), s_size_padded_2 = 3.3087225e-24f + c_size_2;
+  const float s_size_2 = fabsf(c_2), s_size_padded_3 = 3.3087225e-24f + c_size_3;
+  const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
+  const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
+  const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s_b_size_1 = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
+      s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
+      s_d_size_1 = s_largest2 < 256.0f ? 1.8014399e+16f : s_b_size_1,
+      s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d,
+      s_size_3 = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d_size_1;
+  const float y_0 = KSL_MULF(c_0, s), y_inverse_1 = 1.0f / s, y_back_1 = KSL_MULF(y_0, y_inverse_1),
+      y_lost_1 = c_0 - y_back_1, y_rest_1 = y_lost_1 + c_lo_1, y_lo_1 = KSL_MULF(y_rest_1, s),
+      y_size_1 = KSL_MULF(s_size_3, s_size_padded_1);
+  const float y_1 = KSL_MULF(c_1, s), y_back_2 = KSL_MULF(y_1, y_inverse_1),
+      y_lost_2 = c_1 - y_back_2, y_rest_2 = y_lost_2 + c_lo_2, y_lo_2 = KSL_MULF(y_rest_2, s),
+      y_size_2 = KSL_MULF(s_size_3, s_size_padded_2);
+  const float y_2 = KSL_MULF(c_2, s), y_back_3 = KSL_MULF(y_2, y_inverse_1),
+      y_lost_3 = c_2 - y_back_3, y_rest_3 = y_lost_3 + c_lo_3, y_lo_3 = KSL_MULF(y_rest_3, s),
+      y_size_3 = KSL_MULF(s_size_3, s_size_padded_3);
+  const float n_a = KSL_MULF(y_0, y_0), n_a_cross1_1 = KSL_MULF(y_lo_1, y_0),
+      n_a_cross2_1 = KSL_MULF(y_0, y_lo_1), n_a_cross_1 = n_a_cross1_1 + n_a_cross2_1,
+      n_a_padded_1 = 3.3087225e-24f + y_size_1, n_a_size_1 = fabsf(y_0),
+      n_a_error_1 = fabsf(y_lo_1), n_a_rest_1 = KSL_MULF(4.8672736e-13f, n_a_padded_1),
+      n_a_bound_1 = n_a_error_1 + n_a_rest_1, n_a_units_1 = KSL_MULF(262144.0f, n_a_bound_1),
+      n_a_reach_1 = n_a_size_1 + n_a_units_1, n_a_size_2 = KSL_MULF(n_a_padded_1, n_a_reach_1),
+      n_a_size_3 = n_a_size_2 + n_a_size_2, n_b = KSL_MULF(y_1, y_1),
+      n_b_cross1_1 = KSL_MULF(y_lo_2, y_1), n_b_cross2_1 = KSL_MULF(y_1, y_lo_2),
+      n_b_cross_1 = n_b_cross1_1 + n_b_cross2_1, n_b_padded_1 = 3.3087225e-24f + y_size_2,
+      n_b_size_1 = fabsf(y_1), n_b_error_1 = fabsf(y_lo_2),
+      n_b_rest_1 = KSL_MULF(4.8672736e-13f, n_b_padded_1), n_b_bound_1 = n_b_error_1 + n_b_rest_1,
+      n_b_units_1 = KSL_MULF(262144.0f, n_b_bound_1), n_b_reach_1 = n_b_size_1 + n_b_units_1,
+      n_b_size_2 = KSL_MULF(n_b_padded_1, n_b_reach_1), n_b_size_3 = n_b_size_2 + n_b_size_2,
+      n_c = n_a + n_b, n_c_right_1 = n_c - n_a, n_c_left_1 = n_c - n_c_right_1,
+      n_c_left_rest_1 = ksl_product_restf(y_0, y_0, n_a, n_c_left_1),
+      n_c_right_rest_1 = ksl_product_restf(y_1, y_1, n_b, n_c_right_1),
+      n_c_cross_1 = n_a_cross_1 + n_b_cross_1, n_c_lo1_1 = n_c_left_rest_1 + n_c_right_rest_1,
+      n_c_lo = n_c_lo1_1 + n_c_cross_1, n_c_size_1 = n_a_size_3 + n_b_size_3,
+      n_d = KSL_MULF(y_2, y_2), n_d_cross1_1 = KSL_MULF(y_lo_3, y_2),
+      n_d_cross2_1 = KSL_MULF(y_2, y_lo_3), n_d_cross_1 = n_d_cross1_1 + n_d_cross2_1,
+      n_d_padded_1 = 3.3087225e-24f + y_size_3, n_d_size_1 = fabsf(y_2),
+      n_d_error_1 = fabsf(y_lo_3), n_d_rest_1 = KSL_MULF(4.8672736e-13f, n_d_padded_1),
+      n_d_bound_1 = n_d_error_1 + n_d_rest_1, n_d_units_1 = KSL_MULF(262144.0f, n_d_bound_1),
+      n_d_reach_1 = n_d_size_1 + n_d_units_1, n_d_size_2 = KSL_MULF(n_d_padded_1, n_d_reach_1),
+      n_d_size_3 = n_d_size_2 + n_d_size_2, n_e = n_c + n_d, n_e_right_1 = n_e - n_c,
+      n_e_left_1 = n_e - n_e_right_1, n_e_left_rest_1 = n_c - n_e_left_1,
+      n_e_right_rest_1 = ksl_product_restf(y_2, y_2, n_d, n_e_right_1),
+      n_e_lo1_1 = n_e_left_rest_1 + n_e_right_rest_1, n_e_lo2_1 = n_e_lo1_1 + n_d_cross_1,
+      n_e_lo = n_e_lo2_1 + n_c_lo, n_e_size_1 = n_c_size_1 + n_d_size_3, n = sqrtf(n_e),
+      n_product_1 = KSL_MULF(n, n), n_product_error_1 = ksl_product_errorf(n, n, n_product_1),
+      n_rest_1 = n_e - n_product_1, n_exact_1 = n_rest_1 - n_product_error_1,
+      n_residual_1 = n_exact_1 + n_e_lo, n_twice_1 = n + n,
+      n_divisor_1 = n == 0.0f ? 1.0f : n_twice_1, n_lo = n_residual_1 / n_divisor_1,
+      n_padded_1 = 3.3087225e-24f + n_e_size_1, n_size_1 = n_padded_1 / n,
+      n_size_2 = n_size_1 / n_e, n_size_3 = fabsf(n_e), n_error_1 = fabsf(n_e_lo),
+      n_rest_2 = KSL_MULF(2.4301075e-12f, n_padded_1), n_bound_1 = n_error_1 + n_rest_2,
+      n_units_1 = KSL_MULF(262144.0f, n_bound_1), n_reach_1 = n_size_3 + n_units_1,
+      n_size_4 = KSL_MULF(n_reach_1, n_size_2), n_size_5 = sqrtf(n_bound_1), n_size_6 = fabsf(n_lo),
+      n_size_7 = n_size_5 + n_size_6, n_size_8 = KSL_MULF(4.3638574e+11f, n_size_7),
+      n_size_9 = KSL_MULF(4.0f, n_bound_1), n_size_11 = n_size_9 < n_e ? n_size_4 : n_size_8,
+      n_size_12 = n + n_size_11;
+  const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_b_size_1 = s < 1.0f ? 3.689349e+19f : 1.0f,
+      r_d = 1.0f < s ? 5.551115e-17f : r_b, r_d_size_1 = 1.0f < s ? 5.551115e-17f : r_b_size_1,
+      r = 1.8014399e+16f < s ? 3.081488e-33f : r_d,
+      r_size_1 = 1.8014399e+16f < s ? 3.081488e-33f : r_d_size_1;
+  const float cross = KSL_MULF(n, r), cross_inverse_1 = 1.0f / r,
+      cross_back_1 = KSL_MULF(cross, cross_inverse_1), cross_lost_1 = n - cross_back_1,
+      cross_rest_1 = cross_lost_1 + n_lo, cross_lo = KSL_MULF(cross_rest_1, r),
+      cross_padded_1 = 3.3087225e-24f + n_size_12,
+      cross_size_1 = KSL_MULF(cross_padded_1, r_size_1);
+  const float dot__a = KSL_MULF(scaled_s1_0, scaled_s2_0),
+      dot__a_size_1 = KSL_MULF(c_1a_padded_1, c_1b_padded_1),
+      dot__b = KSL_MULF(scaled_s1_1, scaled_s2_1),
+      dot__b_size_1 = KSL_MULF(c_0a_padded_1, c_0b_padded_2), dot__c = dot__a + dot__b,
+      dot__c_right_1 = dot__c - dot__a, dot__c_left_1 = dot__c - dot__c_right_1,
+      dot__c_left_rest_1 = ksl_product_restf(scaled_s1_0, scaled_s2_0, dot__a, dot__c_left_1),
+      dot__c_right_rest_1 = ksl_product_restf(scaled_s1_1, scaled_s2_1, dot__b, dot__c_right_1),
+      dot__c_lo = dot__c_left_rest_1 + dot__c_right_rest_1,
+      dot__c_size_1 = dot__a_size_1 + dot__b_size_1, dot__d = KSL_MULF(scaled_s1_2, scaled_s2_2),
+      dot__d_size_1 = KSL_MULF(c_0a_padded_2, c_0b_padded_1), dot_ = dot__c + dot__d,
+      dot__right_1 = dot_ - dot__c, dot__left_1 = dot_ - dot__right_1,
+      dot__left_rest_1 = dot__c - dot__left_1,
+      dot__right_rest_1 = ksl_product_restf(scaled_s1_2, scaled_s2_2, dot__d, dot__right_1),
+      dot__lo1_1 = dot__left_rest_1 + dot__right_rest_1, dot__lo = dot__lo1_1 + dot__c_lo,
+      dot__size_1 = dot__c_size_1 + dot__d_size_1;
+  const float angle = ksl_atan2f(cross, dot_),
+      angle_own_error_1 = ksl_atan2_errorf(cross, dot_, angle), angle_size0_1 = fabsf(cross),
+      angle_size1_1 = fabsf(dot_),
+      angle_most_1 = angle_size0_1 < angle_size1_1 ? angle_size1_1 : angle_size0_1,
+      angle_divisor_1 = angle_most_1 == 0.0f ? 1.0f : angle_most_1,
+      angle_part0_1 = cross / angle_divisor_1, angle_part1_1 = dot_ / angle_divisor_1,
+      angle_cross1_1 = KSL_MULF(angle_part1_1, cross_lo),
+      angle_cross2_1 = KSL_MULF(angle_part0_1, dot__lo),
+      angle_square1_1 = KSL_MULF(angle_part1_1, angle_part1_1),
+      angle_square2_1 = KSL_MULF(angle_part0_1, angle_part0_1),
+      angle_cross_1 = angle_cross1_1 - angle_cross2_1,
+      angle_square_1 = angle_square1_1 + angle_square2_1,
+      angle_divisor2_1 = KSL_MULF(angle_divisor_1, angle_square_1),
+      angle_safe_1 = angle_most_1 == 0.0f ? 1.0f : angle_divisor2_1,
+      angle_more_1 = angle_cross_1 / angle_safe_1, angle_lo = angle_own_error_1 + angle_more_1,
+      angle_size_1 = fabsf(angle), angle_padded_1 = 3.3087225e-24f + cross_size_1,
+      angle_padded_2 = 3.3087225e-24f + dot__size_1, angle_size_2 = fabsf(cross),
+      angle_size_3 = fabsf(dot_),
+      angle_size_5 = angle_size_2 < angle_size_3 ? angle_size_3 : angle_size_2,
+      angle_error_1 = fabsf(cross_lo), angle_rest_1 = KSL_MULF(2.5225009e-12f, angle_padded_1),
+      angle_bound_1 = angle_error_1 + angle_rest_1, angle_error_2 = fabsf(dot__lo),
+      angle_rest_2 = KSL_MULF(7.141026e-13f, angle_padded_2),
+      angle_bound_2 = angle_error_2 + angle_rest_2, angle_size_6 = 3.3087225e-24f + angle_bound_1,
+      angle_size_7 = angle_bound_2 + angle_size_6, angle_size_8 = angle_padded_1 + angle_padded_2,
+      angle_size_9 = angle_size_8 / angle_size_5, angle_size_10 = angle_size_1 + angle_size_9,
+      angle_size_11 = angle_size_7 / angle_size_5,
+      angle_size_13 = KSL_MULF(angle_size_11, angle_size_11), angle_size_14 = fabsf(angle_lo),
+      angle_size_15 = 7.0f + angle_size_14,
+      angle_size_18 = angle_bound_2 < dot_ ? angle_size_13 : angle_size_15,
+      angle_size_19 = angle_bound_1 < angle_size_2 ? angle_size_13 : angle_size_18,
+      angle_size_20 = angle_size_11 < 0.25f ? angle_size_19 : angle_size_15,
+      angle_size_21 = KSL_MULF(1.374365e+11f, angle_size_20),
+      angle_size_22 = angle_size_10 + angle_size_21;
+  const float angle_padded_3 = 3.3087225e-24f + angle_size_22,
+      angle_rest_3 = KSL_MULF(7.503497e-12f, angle_padded_3),
+      angle_bound_3 = angle_rest_3 + angle_size_14;
+  *angle_bound = angle_bound_3;
+  return angle;
 }
 
 /* v1·v2; |error of dot| <= dot_bound unless inf or NaN.

@@ -6,6 +6,14 @@
 Every function broadcasts over leading axes and takes `out=`.
 """
 
+from coscrew.certified.double.elementary import (
+    sincos,
+    sin,
+    cos,
+    exp,
+    tanh,
+    atan2,
+)
 from coscrew.certified.double.vec3 import (
     vec3_scale,
     axpy_vv,
@@ -15,6 +23,7 @@ from coscrew.certified.double.vec3 import (
     add_vv,
     subtract_vv,
     vec3_scaled,
+    angle_vv,
     dot_vv,
     product_avinv,
     cross_vv,
@@ -34,6 +43,12 @@ from coscrew.certified.double.mat3x3 import (
     acceleration_tensor,
     mat3x3_determinant,
     mat3x3_setFromAxisDC,
+    mat3x3_from_euler_xyz,
+    euler_xyz_from_mat3x3,
+    mat3x3_from_euler_xyx,
+    euler_xyx_from_mat3x3,
+    mat3x3_from_axis_angle,
+    axis_angle_from_mat3x3,
 )
 from coscrew.certified.double.SE3 import (
     SE3_invert,
@@ -85,6 +100,9 @@ from coscrew.certified.double.matrix import (
     product_drdrzinv,
     product_ddrzinv,
     product_ddtzinv,
+)
+from coscrew.certified.double.trig import (
+    dc,
 )
 from coscrew.certified.double.screw import (
     screw_scale,
@@ -201,10 +219,22 @@ from coscrew.certified.double.quaternion import (
     add_dpiToq,
     subtract_dpiFromq,
     omega_to_dquaternion,
+    quaternion_from_axis_angle,
+    axis_angle_from_quaternion,
+    quaternion_exp,
+    quaternion_log,
 )
 from coscrew.certified.double.exponential import (
+    SO3_exp,
+    SO3_log,
+    SO3_leftJacobian,
+    SO3_rightJacobian,
+    SO3_leftJacobianInverse,
+    SO3_rightJacobianInverse,
     mat3x3_orthonormalize,
     mat3x3_orthonormalized,
+    SE3_exp,
+    SE3_log,
 )
 from coscrew.certified.double.inertia import (
     inertia,

@@ -4,6 +4,58 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+def sincos(x: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None, NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """s = sin x, c = cos x, x in rad; |error of s| <= s_bound, |error of c| <= c_bound unless inf
+    or NaN.
+
+    ()->(),(),(),().  x, s, c, s_bound, c_bound: number.
+    83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select.  Error <= 0.824 ulp, in
+    single precision 0.85 ulp, unless a result is subnormal; proved.
+    """
+
+def sin(x: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """s = sin x, x in rad; |error of s| <= s_bound unless inf or NaN.
+
+    ()->(),().  x, s, s_bound: number.
+    83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select.  Error <= 0.824 ulp, in
+    single precision 0.85 ulp, unless a result is subnormal; proved.
+    """
+
+def cos(x: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """c = cos x, x in rad; |error of c| <= c_bound unless inf or NaN.
+
+    ()->(),().  x, c, c_bound: number.
+    83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select.  Error <= 0.824 ulp, in
+    single precision 0.85 ulp, unless a result is subnormal; proved.
+    """
+
+def exp(x: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """y = e^x; |error of y| <= y_bound unless inf or NaN.
+
+    ()->(),().  x, y, y_bound: number.
+    82 mul, 149 add, 14 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select.  Error
+    <= 0.755 ulp, in single precision 0.757 ulp, unless a result is subnormal; proved.
+    """
+
+def tanh(x: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """y = tanh x; |error of y| <= y_bound unless inf or NaN.
+
+    ()->(),().  x, y, y_bound: number.
+    92 mul, 175 add, 15 product error, 2 div, 2 power of two, 6 abs, 2 copysign, 5 less, 11
+    select.  Error <= 0.979 ulp, in single precision 0.967 ulp, unless a result is subnormal;
+    proved.
+    """
+
+def atan2(y: ArrayLike, x: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """angle of the vector (x, y) to the x axis, in rad, from -π to π; |error of angle| <=
+    angle_bound unless inf or NaN.
+
+    (),()->(),().  y, x, angle, angle_bound: number.
+    123 mul, 214 add, 21 product error, 2 div, 1 neg, 10 abs, 4 copysign, 13 less, 3 equal, 23
+    select.  Error <= 0.934 ulp, in single precision 0.896 ulp, unless a result is subnormal;
+    proved.
+    """
+
 def vec3_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
@@ -58,6 +110,15 @@ def vec3_scaled(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float64] | Non
 
     (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
     6 mul, 3 add, 3 abs.
+    """
+
+def angle_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """angle = atan2(|v1 × v2|, v1·v2), in [0, π]; |error of angle| <= angle_bound unless inf or
+    NaN.
+
+    (3),(3)->(),().  v1, v2: vector; angle, angle_bound: number.
+    196 mul, 311 add, 22 product error, 12 product rest, 12 div, 2 sqrt, 1 neg, 40 abs, 4
+    copysign, 37 less, 5 equal, 56 select.
     """
 
 def dot_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -170,6 +231,40 @@ def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.f
     (3),(2)->(3,3),(3,3).  axis: vector; dc: (sin θ, cos θ); R, R_bound: rotation or other 3×3
     matrix.
     30 mul, 31 add, 8 abs.
+    """
+
+def mat3x3_from_euler_xyz(angles: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); |error of R| <= R_bound unless inf or NaN.
+
+    (3)->(3,3),(3,3).  angles: vector; R, R_bound: rotation or other 3×3 matrix.
+    291 mul, 434 add, 39 product error, 8 product rest, 3 div, 9 neg, 18 abs, 3 less, 3 select.
+    """
+
+def euler_xyz_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
+    [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
+
+    (3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.
+    424 mul, 725 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 59 abs, 12
+    copysign, 50 less, 13 equal, 96 select.  The rotation by these angles differs from R by at
+    most 12 u in each entry, near gimbal lock too; searched, not proved.
+    """
+
+def mat3x3_from_euler_xyx(angles: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); |error of R| <= R_bound unless inf or NaN.
+
+    (3)->(3,3),(3,3).  angles: vector; R, R_bound: rotation or other 3×3 matrix.
+    291 mul, 434 add, 39 product error, 8 product rest, 3 div, 5 neg, 18 abs, 3 less, 3 select.
+    """
+
+def euler_xyx_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in
+    [0, π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
+
+    (3,3)->(3),(3).  R: rotation or other 3×3 matrix; angles, angles_bound: vector.
+    424 mul, 725 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 59 abs, 12
+    copysign, 52 less, 13 equal, 98 select.  The rotation by these angles differs from R by at
+    most 12 u in each entry, near gimbal lock too; searched, not proved.
     """
 
 def SE3_invert(self: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -504,6 +599,14 @@ def product_ddtzinv(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.float64] |
     (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
     number.
     6 mul, 9 add, 6 abs.
+    """
+
+def dc(theta: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """dc = (sin θ, cos θ), θ in rad; |error of dc| <= dc_bound unless inf or NaN.
+
+    ()->(2),(2).  theta: number; dc, dc_bound: (sin θ, cos θ).
+    83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select.  Error <= 0.824 ulp, in
+    single precision 0.85 ulp, unless a result is subnormal; proved.
     """
 
 def screw_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -1388,6 +1491,128 @@ def omega_to_dquaternion(w: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floa
     43 mul, 40 add, 11 abs.
     """
 
+def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
+    rotation is by another angle; |error of qo| <= qo_bound unless inf or NaN.
+
+    (3),()->(4),(4).  axis: vector; angle: number; qo, qo_bound: quaternion (x, y, z, w), the
+    scalar last.
+    98 mul, 139 add, 14 product error, 1 div, 11 abs, 1 less, 1 select.  Error <= qo: 3 u of its
+    largest component for |axis| = 1; searched, not proved.
+    """
+
+def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None, NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
+    angle is 0; any multiple of a quaternion; |error of angle| <= angle_bound, |error of axis|
+    <= axis_bound unless inf or NaN.
+
+    (4)->(),(3),(),(3).  q: quaternion (x, y, z, w), the scalar last; angle, angle_bound:
+    number; axis, axis_bound: vector.
+    201 mul, 318 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4
+    copysign, 35 less, 10 equal, 69 select.  Error <= angle: 6 u, axis: 4 u of its largest
+    component; searched, not proved.
+    """
+
+def quaternion_exp(v: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v; |error
+    of qo| <= qo_bound unless inf or NaN.
+
+    (3)->(4),(4).  v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
+    256 mul, 331 add, 16 product error, 3 product rest, 11 div, 3 sqrt, 35 abs, 10 less, 2
+    equal, 24 select.  Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in
+    single precision 1e5; searched, not proved.
+    """
+
+def quaternion_log(q: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
+    it; |error of vo| <= vo_bound unless inf or NaN.
+
+    (4)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
+    209 mul, 315 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4
+    copysign, 35 less, 10 equal, 65 select.  Error <= vo: 6 u of its largest component;
+    searched, not proved.
+    """
+
+def SO3_exp(v: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|; |error of R| <= R_bound unless
+    inf or NaN.
+
+    (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
+    326 mul, 479 add, 16 product error, 21 product rest, 12 div, 3 sqrt, 49 abs, 13 less, 2
+    equal, 29 select.  Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in
+    single precision 1e5; searched, not proved.
+    """
+
+def SO3_log(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo;
+    |error of vo| <= vo_bound unless inf or NaN.
+
+    (3,3)->(3),(3).  R: rotation or other 3×3 matrix; vo, vo_bound: vector.
+    216 mul, 442 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 65 abs, 4
+    copysign, 34 less, 6 equal, 99 select.  Error <= vo: 7 u of its largest component for R a
+    rotation; searched, not proved.
+    """
+
+def SO3_leftJacobian(v: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
+    unless inf or NaN.
+
+    (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
+    428 mul, 736 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 89 abs, 19 less, 2
+    equal, 45 select.  Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in
+    single precision 1e5; searched, not proved.
+    """
+
+def SO3_rightJacobian(v: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
+    unless inf or NaN.
+
+    (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
+    428 mul, 736 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 12 neg, 89 abs, 19
+    less, 2 equal, 45 select.  Error <= R: (7 + θ/200) u of its largest component for |v| <=
+    1e13, in single precision 1e5; searched, not proved.
+    """
+
+def SO3_leftJacobianInverse(v: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
+    except 0; |error of R| <= R_bound unless inf or NaN.
+
+    (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
+    415 mul, 735 add, 23 product error, 33 product rest, 23 div, 3 sqrt, 6 neg, 92 abs, 22 less,
+    2 equal, 47 select.  Error <= R: 6 u of its largest component for |v| <= π; searched, not
+    proved.
+    """
+
+def SO3_rightJacobianInverse(v: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
+    except 0; |error of R| <= R_bound unless inf or NaN.
+
+    (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
+    415 mul, 735 add, 23 product error, 33 product rest, 23 div, 3 sqrt, 92 abs, 22 less, 2
+    equal, 47 select.  Error <= R: 6 u of its largest component for |v| <= π; searched, not
+    proved.
+    """
+
+def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
+    not a rotation; |error of R| <= R_bound unless inf or NaN.
+
+    (3),()->(3,3),(3,3).  axis: vector; angle: number; R, R_bound: rotation or other 3×3 matrix.
+    216 mul, 380 add, 26 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select.  Error
+    <= R: 9 u of its largest component for |axis| = 1; searched, not proved.
+    """
+
+def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None, NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0;
+    |error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.
+
+    (3,3)->(),(3),(),(3).  R: rotation or other 3×3 matrix; angle, angle_bound: number; axis,
+    axis_bound: vector.
+    205 mul, 442 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 63 abs, 4
+    copysign, 34 less, 6 equal, 103 select.  Error <= angle: 8 u, axis: 5 u of its largest
+    component for R a rotation; searched, not proved.
+    """
+
 def mat3x3_orthonormalize(self: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
     self| <= self_bound unless inf or NaN.
@@ -1402,6 +1627,30 @@ def mat3x3_orthonormalized(R: ArrayLike, out: tuple[NDArray[np.float64] | None, 
 
     (3,3)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix.
     93 mul, 105 add, 3 neg, 27 abs.
+    """
+
+def SE3_exp(s: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """D = exp s = [exp ω~ | J_l(ω) v]; |error of D| <= D_bound unless inf or NaN.
+
+    (6)->(3,4),(3,4).  s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R
+    rotation, t in m.
+    519 mul, 865 add, 24 product error, 57 product rest, 16 div, 3 sqrt, 101 abs, 19 less, 2
+    equal, 46 select.  Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or
+    of s.lin if that is larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not
+    proved.  Intermediate sums may overflow where |v|, or |ω| |v|, is above 2e306, in single
+    precision 5e36.
+    """
+
+def SE3_log(D: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
+    inf or NaN.
+
+    (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
+    ω in rad/s).
+    575 mul, 985 add, 36 product error, 35 product rest, 47 div, 5 sqrt, 14 neg, 160 abs, 6
+    copysign, 65 less, 10 equal, 167 select.  Error <= lin: 18 u, ang: 8 u of its largest
+    component for R of D a rotation; searched, not proved.  Intermediate sums may overflow where
+    |t| is above 2e306, in single precision 5e36.
     """
 
 def inertia(m: ArrayLike, t: ArrayLike, Ixx: ArrayLike, Iyy: ArrayLike, Izz: ArrayLike, Ixy: ArrayLike, Iyz: ArrayLike, Izx: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.float64] | None] | None = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -6,7 +6,9 @@
 In single precision, certified tier.
 """
 
-from numpy import absolute
+from coscrew import _elementary_single as elementary
+from numpy import absolute, float32, sqrt, where
+from coscrew._exact import product_error_single as product_error, product_rest_single as product_rest
 from coscrew._kernel import single_kernel as kernel
 
 
@@ -1442,3 +1444,598 @@ def omega_to_dquaternion(w, qi):
     dqo_3_error_bound = 4.1723263e-07 * (dqo_3_size + 1.9721522630525295e-31)
     return (dqo_0, dqo_1, dqo_2, dqo_3, dqo_0_error_bound, dqo_1_error_bound, dqo_2_error_bound,
         dqo_3_error_bound)
+
+
+@kernel("(3),()->(4),(4)")
+def quaternion_from_axis_angle(axis, angle):
+    """qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
+    rotation is by another angle; |error of qo| <= qo_bound unless inf or NaN.
+
+    (3),()->(4),(4).  axis: vector; angle: number; qo, qo_bound: quaternion (x, y, z, w), the
+    scalar last.
+    80 mul, 110 add, 11 product error, 1 div, 11 abs, 1 less, 1 select.  Error <= qo: 3 u of its
+    largest component for |axis| = 1; searched, not proved.
+    """
+    axis_0, axis_1, axis_2 = axis
+    half = 0.5 * angle
+    sine, qo_3 = elementary.sincos(half)
+    sine_own_error_1, qo_own_error_1 = elementary.sincos_error(half, sine, qo_3)
+    sine_size_1 = 1 + (3.308722450212111e-24 + 0.5 * absolute(angle))
+    qo_0 = axis_0 * sine
+    qo_1 = axis_1 * sine
+    qo_2 = axis_2 * sine
+    qo_rest_1 = 1.2399095e-12 * (3.308722450212111e-24 + absolute(axis_0) * sine_size_1)
+    qo_rest_2 = 1.2399095e-12 * (3.308722450212111e-24 + absolute(axis_1) * sine_size_1)
+    qo_rest_3 = 1.2399095e-12 * (3.308722450212111e-24 + absolute(axis_2) * sine_size_1)
+    qo_bound_1 = absolute(product_error(axis_0, sine, qo_0) + axis_0 * sine_own_error_1) + qo_rest_1
+    qo_bound_2 = absolute(product_error(axis_1, sine, qo_1) + axis_1 * sine_own_error_1) + qo_rest_2
+    qo_bound_3 = absolute(product_error(axis_2, sine, qo_2) + axis_2 * sine_own_error_1) + qo_rest_3
+    qo_bound_4 = absolute(qo_own_error_1) + 1.1724027e-12 * sine_size_1
+    return (qo_0, qo_1, qo_2, qo_3, qo_bound_1, qo_bound_2, qo_bound_3, qo_bound_4)
+
+
+@kernel("(4)->(),(3),(),(3)")
+def axis_angle_from_quaternion(q):
+    """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
+    angle is 0; any multiple of a quaternion; |error of angle| <= angle_bound, |error of axis|
+    <= axis_bound unless inf or NaN.
+
+    (4)->(),(3),(),(3).  q: quaternion (x, y, z, w), the scalar last; angle, angle_bound:
+    number; axis, axis_bound: vector.
+    167 mul, 259 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4
+    copysign, 35 less, 10 equal, 69 select.  Error <= angle: 6 u, axis: 4 u of its largest
+    component; searched, not proved.
+    """
+    q_0, q_1, q_2, q_3 = q
+    s_size_0 = absolute(q_0)
+    s_size_1 = absolute(q_1)
+    s_size_2 = absolute(q_2)
+    s_size_3 = absolute(q_3)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
+    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
+    scaled_s_0 = q_0 * s
+    scaled_s_inverse_1 = 1 / s
+    scaled_s_size_2 = q_0 == scaled_s_0 * scaled_s_inverse_1
+    scaled_s_size_4 = absolute(scaled_s_0)
+    scaled_s_1 = q_1 * s
+    scaled_s_size_6 = q_1 == scaled_s_1 * scaled_s_inverse_1
+    scaled_s_size_8 = absolute(scaled_s_1)
+    scaled_s_2 = q_2 * s
+    scaled_s_size_10 = q_2 == scaled_s_2 * scaled_s_inverse_1
+    scaled_s_size_12 = absolute(scaled_s_2)
+    scaled_s_3 = q_3 * s
+    scaled_s_size_14 = q_3 == scaled_s_3 * scaled_s_inverse_1
+    scaled_s_size_15 = where(scaled_s_size_14, float32(0), float32(1.401298464324817e-45))
+    scaled_s_size_16 = absolute(scaled_s_3)
+    upper_0a = -scaled_s_0
+    upper_0b = scaled_s_3 < 0
+    upper_0 = where(upper_0b, upper_0a, scaled_s_0)
+    upper_size_4 = scaled_s_size_15 < 1.401298464324817e-45 + absolute(scaled_s_3 - 0)
+    upper_rest_1 = 3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_4)
+    scaled_s_size_3 = where(scaled_s_size_2, float32(0), float32(1.401298464324817e-45))
+    upper_size_8 = scaled_s_size_3 + (upper_rest_1 + absolute(upper_0a - scaled_s_0))
+    upper_1a = -scaled_s_1
+    upper_1 = where(upper_0b, upper_1a, scaled_s_1)
+    upper_rest_2 = 3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_8)
+    scaled_s_size_7 = where(scaled_s_size_6, float32(0), float32(1.401298464324817e-45))
+    upper_size_15 = scaled_s_size_7 + (upper_rest_2 + absolute(upper_1a - scaled_s_1))
+    upper_2a = -scaled_s_2
+    upper_2 = where(upper_0b, upper_2a, scaled_s_2)
+    upper_rest_3 = 3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_12)
+    scaled_s_size_11 = where(scaled_s_size_10, float32(0), float32(1.401298464324817e-45))
+    upper_size_22 = scaled_s_size_11 + (upper_rest_3 + absolute(upper_2a - scaled_s_2))
+    upper_3a = -scaled_s_3
+    upper_3 = where(upper_0b, upper_3a, scaled_s_3)
+    upper_rest_4 = 3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_16)
+    upper_size_29 = scaled_s_size_15 + (upper_rest_4 + absolute(upper_3a - scaled_s_3))
+    v_s_size_0 = absolute(upper_0)
+    upper_size_11 = scaled_s_size_4 + 1099513724928 * where(upper_size_4, 0, upper_size_8)
+    v_s_size_1 = absolute(upper_1)
+    upper_size_18 = scaled_s_size_8 + 1099513724928 * where(upper_size_4, 0, upper_size_15)
+    v_s_size_2 = absolute(upper_2)
+    upper_size_25 = scaled_s_size_12 + 1099513724928 * where(upper_size_4, 0, upper_size_22)
+    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
+    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
+    v_s_a = v_s_largest2 < 256
+    v_s_c = v_s_largest2 < 1.4210854715202004e-14
+    v_s_b = where(v_s_a, float32(1.8014398509481984e+16), float32(1))
+    v_s = where(v_s_c, 3.2451855365842673e+32, v_s_b)
+    v_s_b_size_1 = where(v_s_a, float32(1.8014398509481984e+16), float32(1))
+    v_s_size_3 = where(v_s_c, 3.2451855365842673e+32, v_s_b_size_1)
+    v_y_0 = upper_0 * v_s
+    v_y_1 = upper_1 * v_s
+    v_y_2 = upper_2 * v_s
+    v_n_a = v_y_0 * v_y_0
+    v_n_a_padded_1 = 3.308722450212111e-24 + v_s_size_3 * (3.308722450212111e-24 + upper_size_11)
+    v_n_a_size_2 = v_n_a_padded_1 * (absolute(v_y_0) + 262144 * (9.841079e-13 * v_n_a_padded_1))
+    v_n_b = v_y_1 * v_y_1
+    v_n_b_padded_1 = 3.308722450212111e-24 + v_s_size_3 * (3.308722450212111e-24 + upper_size_18)
+    v_n_b_size_2 = v_n_b_padded_1 * (absolute(v_y_1) + 262144 * (9.841079e-13 * v_n_b_padded_1))
+    v_n_c = v_n_a + v_n_b
+    v_n_c_right_1 = v_n_c - v_n_a
+    v_n_c_left_rest_1 = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
+    v_n_d = v_y_2 * v_y_2
+    v_n_d_padded_1 = 3.308722450212111e-24 + v_s_size_3 * (3.308722450212111e-24 + upper_size_25)
+    v_n_d_size_2 = v_n_d_padded_1 * (absolute(v_y_2) + 262144 * (9.841079e-13 * v_n_d_padded_1))
+    v_n_e = v_n_c + v_n_d
+    v_n_e_right_1 = v_n_e - v_n_c
+    v_n_e_lo1_1 = v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
+    v_n_e_lo = v_n_e_lo1_1 + (v_n_c_left_rest_1 + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1))
+    v_n_c_size_1 = v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
+    v_n = sqrt(v_n_e)
+    v_n_product_1 = v_n * v_n
+    v_n_residual_1 = v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo
+    v_n_lo = v_n_residual_1 / where(v_n == 0, 1, v_n + v_n)
+    v_n_padded_1 = 3.308722450212111e-24 + (v_n_c_size_1 + (v_n_d_size_2 + v_n_d_size_2))
+    v_n_bound_1 = absolute(v_n_e_lo) + 2.0854824e-12 * v_n_padded_1
+    v_n_size_6 = absolute(v_n_lo)
+    v_n_size_4 = (absolute(v_n_e) + 262144 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
+    v_n_size_8 = 554074177536 * (sqrt(v_n_bound_1) + v_n_size_6)
+    v_n_size_12 = v_n + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, v_n_size_8)
+    v_r_a = 1 < v_s
+    v_r_c = 1.8014398509481984e+16 < v_s
+    v_r_b = where(v_r_a, float32(5.551115123125783e-17), float32(1))
+    v_r = where(v_r_c, 3.0814879110195774e-33, v_r_b)
+    v_r_b_size_1 = where(v_r_a, float32(5.551115123125783e-17), float32(1))
+    n = v_n * v_r
+    n_lo = (v_n - n * (1 / v_r) + v_n_lo) * v_r
+    n_padded_1 = 3.308722450212111e-24 + v_n_size_12
+    half = elementary.atan2(n, upper_3)
+    half_size0_1 = absolute(n)
+    half_size1_1 = absolute(upper_3)
+    half_most_1 = where(half_size0_1 < half_size1_1, half_size1_1, half_size0_1)
+    half_zero_1 = half_most_1 == 0
+    half_divisor_1 = where(half_zero_1, 1, half_most_1)
+    half_part0_1 = n / half_divisor_1
+    half_part1_1 = upper_3 / half_divisor_1
+    half_divisor2_1 = half_divisor_1 * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1)
+    half_more_1 = (half_part1_1 * n_lo - half_part0_1 * 0) / where(half_zero_1, 1, half_divisor2_1)
+    half_lo = elementary.atan2_error(n, upper_3, half) + half_more_1
+    n_size_1 = n_padded_1 * where(v_r_c, 3.0814879110195774e-33, v_r_b_size_1)
+    half_padded_1 = 3.308722450212111e-24 + n_size_1
+    upper_size_32 = scaled_s_size_16 + 1099513724928 * where(upper_size_4, 0, upper_size_29)
+    half_padded_2 = 3.308722450212111e-24 + upper_size_32
+    half_size_2 = absolute(n)
+    half_size_3 = absolute(upper_3)
+    half_size_5 = where(half_size_2 < half_size_3, half_size_3, half_size_2)
+    half_bound_1 = absolute(n_lo) + 1.977137e-12 * half_padded_1
+    half_rest_2 = 9.379186e-13 * half_padded_2
+    half_size_11 = (half_rest_2 + (3.308722450212111e-24 + half_bound_1)) / half_size_5
+    half_size_13 = half_size_11 * half_size_11
+    half_size_15 = 7 + absolute(half_lo)
+    half_size_18 = where(half_rest_2 < upper_3, half_size_13, half_size_15)
+    half_size_19 = where(half_bound_1 < half_size_2, half_size_13, half_size_18)
+    half_size_21 = 169153347584 * where(half_size_11 < 0.25, half_size_19, half_size_15)
+    divisor_a = v_n == 0
+    divisor = where(divisor_a, 1, v_n)
+    divisor_lo = where(divisor_a, 0, v_n_lo)
+    divisor_bound_1 = 1.9042977e-12 * n_padded_1 + v_n_size_6
+    divisor_size_4 = divisor_bound_1 < absolute(v_n - 0)
+    divisor_size_9 = 314141605888 * where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - v_n))
+    unit_0 = v_y_0 / divisor
+    unit_product_1 = unit_0 * divisor
+    unit_exact_1 = v_y_0 - unit_product_1 - product_error(unit_0, divisor, unit_product_1)
+    unit_lo_1 = (unit_exact_1 - unit_0 * divisor_lo) / divisor
+    unit_padded_1 = 3.308722450212111e-24 + (where(divisor_a, 1, v_n_size_12) + divisor_size_9)
+    unit_size_1 = absolute(unit_0)
+    unit_size_2 = absolute(divisor)
+    unit_bound_1 = absolute(divisor_lo) + 3.2827692e-12 * unit_padded_1
+    unit_size_7 = where(4 * unit_bound_1 < unit_size_2, unit_size_2, 0)
+    unit_reach_1 = unit_size_2 + 262144 * unit_bound_1
+    unit_size_9 = unit_reach_1 * ((unit_padded_1 * unit_size_1 + v_n_a_padded_1) / unit_size_7)
+    unit_size_11 = unit_size_1 + unit_size_9 / unit_size_2
+    unit_1 = v_y_1 / divisor
+    unit_product_2 = unit_1 * divisor
+    unit_exact_2 = v_y_1 - unit_product_2 - product_error(unit_1, divisor, unit_product_2)
+    unit_size_12 = absolute(unit_1)
+    unit_size_16 = unit_reach_1 * ((unit_padded_1 * unit_size_12 + v_n_b_padded_1) / unit_size_7)
+    unit_2 = v_y_2 / divisor
+    unit_product_3 = unit_2 * divisor
+    unit_exact_3 = v_y_2 - unit_product_3 - product_error(unit_2, divisor, unit_product_3)
+    unit_size_19 = absolute(unit_2)
+    unit_size_23 = unit_reach_1 * ((unit_padded_1 * unit_size_19 + v_n_d_padded_1) / unit_size_7)
+    angle = 2 * half
+    half_size_22 = absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21
+    axis_0 = where(divisor_a, 1, unit_0)
+    axis_bound_1 = absolute(unit_lo_1) + 4.7394384e-12 * (3.308722450212111e-24 + unit_size_11)
+    axis_size_6 = 216848252928 * where(divisor_size_4, 0, axis_bound_1 + absolute(1 - unit_0))
+    angle_rest_1 = 6.2013957e-12 * (3.308722450212111e-24 + 2 * half_size_22)
+    axis_padded_2 = 3.308722450212111e-24 + (where(divisor_a, 1, unit_size_11) + axis_size_6)
+    unit_padded_2 = 3.308722450212111e-24 + (unit_size_12 + unit_size_16 / unit_size_2)
+    unit_error_2 = absolute((unit_exact_2 - unit_1 * divisor_lo) / divisor)
+    unit_padded_3 = 3.308722450212111e-24 + (unit_size_19 + unit_size_23 / unit_size_2)
+    unit_error_3 = absolute((unit_exact_3 - unit_2 * divisor_lo) / divisor)
+    angle_bound_1 = absolute(2 * half_lo) + angle_rest_1
+    axis_bound_2 = absolute(where(divisor_a, 0, unit_lo_1)) + 4.7394397e-12 * axis_padded_2
+    unit_bound_2 = unit_error_2 + 4.7394384e-12 * unit_padded_2
+    unit_bound_3 = unit_error_3 + 4.7394384e-12 * unit_padded_3
+    return (angle, axis_0, unit_1, unit_2, angle_bound_1, axis_bound_2, unit_bound_2, unit_bound_3)
+
+
+@kernel("(3)->(4),(4)")
+def quaternion_exp(v):
+    """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v; |error
+    of qo| <= qo_bound unless inf or NaN.
+
+    (3)->(4),(4).  v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
+    226 mul, 290 add, 13 product error, 3 product rest, 11 div, 3 sqrt, 35 abs, 10 less, 2
+    equal, 24 select.  Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in
+    single precision 1e5; searched, not proved.
+    """
+    v_0, v_1, v_2 = v
+    h_0 = 0.5 * v_0
+    h_1 = 0.5 * v_1
+    h_2 = 0.5 * v_2
+    size_0 = absolute(h_0)
+    size_1 = absolute(h_1)
+    size_2 = absolute(h_2)
+    sizes = size_0 + size_1 + size_2
+    grid = sizes * 8192
+    shifted_0 = h_0 + grid
+    shifted_1 = h_1 + grid
+    shifted_2 = h_2 + grid
+    high_0 = shifted_0 - grid
+    high_1 = shifted_1 - grid
+    high_2 = shifted_2 - grid
+    low_0 = h_0 - high_0
+    low_1 = h_1 - high_1
+    low_2 = h_2 - high_2
+    sum_0 = h_0 + high_0
+    sum_1 = h_1 + high_1
+    sum_2 = h_2 + high_2
+    squares = high_0 * high_0 + high_1 * high_1 + high_2 * high_2
+    cross = low_0 * sum_0 + low_1 * sum_1 + low_2 * sum_2
+    x = squares + cross
+    theta_b = x < 1
+    theta = where(theta_b, 1, sqrt(x))
+    theta_shifted = grid + theta
+    theta_high = theta_shifted - grid
+    theta_low = theta - theta_high
+    theta_sum = theta + theta_high
+    cross_rest = cross - theta_low * theta_sum
+    exact = squares - theta_high * theta_high
+    residual = cross_rest + exact
+    small = 0.5 * residual / theta
+    delta = where(absolute(small) < 0.0078125, small, 0)
+    far_sine_a, far_cosine_a = elementary.sincos(theta)
+    far_sine = where(theta_b, 1, far_sine_a)
+    far_cosine = where(theta_b, 0, far_cosine_a)
+    sine = delta * far_cosine + far_sine
+    cosine = far_cosine - delta * far_sine
+    far_k = sine / theta
+    k_g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
+    k_n = x * (x * (x * (k_g + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10) - 2.5052108e-08
+    k_w = x * (x * (x * (x * (x * k_n + 2.7557319e-06) - 0.0001984127) + 0.008333334) - 0.16666667)
+    k = where(theta_b, k_w + 1, far_k)
+    g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
+    g2n = x * (x * (x * (g2g + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11) - 2.0876756e-09
+    g2v = x * (x * (x * (x * g2n + 2.755732e-07) - 2.4801588e-05) + 0.0013888889) - 0.041666668
+    g2 = x * g2v + 0.5
+    near = 1 - x * g2
+    qo_0 = h_0 * k
+    qo_1 = h_1 * k
+    qo_2 = h_2 * k
+    qo_3 = where(theta_b, near, cosine)
+    fine_h_0 = 0.5 * v_0
+    fine_h_1 = 0.5 * v_1
+    fine_h_2 = 0.5 * v_2
+    fine_h_size_0 = absolute(fine_h_0)
+    fine_h_size_padded_1 = 3.308722450212111e-24 + 0.5 * absolute(v_0)
+    fine_h_size_1 = absolute(fine_h_1)
+    fine_h_size_padded_2 = 3.308722450212111e-24 + 0.5 * absolute(v_1)
+    fine_h_size_2 = absolute(fine_h_2)
+    fine_h_size_padded_3 = 3.308722450212111e-24 + 0.5 * absolute(v_2)
+    fine_h_largest1 = where(fine_h_size_0 < fine_h_size_1, fine_h_size_1, fine_h_size_0)
+    fine_h_largest2 = where(fine_h_largest1 < fine_h_size_2, fine_h_size_2, fine_h_largest1)
+    fine_s_a = 4.611686018427388e+18 < fine_h_largest2
+    fine_s = where(fine_s_a, float32(2.710505431213761e-20), float32(1))
+    fine_s_size_1 = where(fine_s_a, float32(2.710505431213761e-20), float32(1))
+    fine_reduced_0 = fine_h_0 * fine_s
+    fine_reduced_1 = fine_h_1 * fine_s
+    fine_reduced_2 = fine_h_2 * fine_s
+    fine_up_a = fine_s < 1
+    fine_up = where(fine_up_a, float32(3.6893488147419103e+19), float32(1))
+    fine_reduced_length_a = fine_reduced_0 * fine_reduced_0
+    fine_reduced_length_a_padded_1 = 3.308722450212111e-24 + fine_h_size_padded_1 * fine_s_size_1
+    fine_reduced_length_b = fine_reduced_1 * fine_reduced_1
+    fine_reduced_length_b_padded_1 = 3.308722450212111e-24 + fine_h_size_padded_2 * fine_s_size_1
+    fine_reduced_length_c = fine_reduced_length_a + fine_reduced_length_b
+    fine_reduced_length_c_right_1 = fine_reduced_length_c - fine_reduced_length_a
+    fine_reduced_length_c_left_1 = fine_reduced_length_c - fine_reduced_length_c_right_1
+    fine_reduced_length_c_right_rest_1 = product_rest(fine_reduced_1, fine_reduced_1, fine_reduced_length_b, fine_reduced_length_c_right_1)
+    fine_reduced_length_c_left_rest_1 = product_rest(fine_reduced_0, fine_reduced_0, fine_reduced_length_a, fine_reduced_length_c_left_1)
+    fine_reduced_length_a_size_1 = fine_reduced_length_a_padded_1 * fine_reduced_length_a_padded_1
+    fine_reduced_length_b_size_1 = fine_reduced_length_b_padded_1 * fine_reduced_length_b_padded_1
+    fine_reduced_length_d = fine_reduced_2 * fine_reduced_2
+    fine_reduced_length_d_padded_1 = 3.308722450212111e-24 + fine_h_size_padded_3 * fine_s_size_1
+    fine_reduced_length_e = fine_reduced_length_c + fine_reduced_length_d
+    fine_reduced_length_e_right_1 = fine_reduced_length_e - fine_reduced_length_c
+    fine_reduced_length_e_left_1 = fine_reduced_length_e - fine_reduced_length_e_right_1
+    fine_reduced_length_e_right_rest_1 = product_rest(fine_reduced_2, fine_reduced_2, fine_reduced_length_d, fine_reduced_length_e_right_1)
+    fine_reduced_length_e_left_rest_1 = fine_reduced_length_c - fine_reduced_length_e_left_1
+    fine_reduced_length_e_lo1_1 = fine_reduced_length_e_left_rest_1 + fine_reduced_length_e_right_rest_1
+    fine_reduced_length_c_lo = fine_reduced_length_c_left_rest_1 + fine_reduced_length_c_right_rest_1
+    fine_reduced_length_e_lo = fine_reduced_length_e_lo1_1 + fine_reduced_length_c_lo
+    fine_reduced_length_d_size_1 = fine_reduced_length_d_padded_1 * fine_reduced_length_d_padded_1
+    fine_reduced_length_c_size_1 = fine_reduced_length_a_size_1 + fine_reduced_length_b_size_1
+    fine_reduced_length = sqrt(fine_reduced_length_e)
+    fine_reduced_length_product_1 = fine_reduced_length * fine_reduced_length
+    fine_reduced_length_product_error_1 = product_error(fine_reduced_length, fine_reduced_length, fine_reduced_length_product_1)
+    fine_reduced_length_rest_1 = fine_reduced_length_e - fine_reduced_length_product_1
+    fine_reduced_length_exact_1 = fine_reduced_length_rest_1 - fine_reduced_length_product_error_1
+    fine_reduced_length_twice_1 = fine_reduced_length + fine_reduced_length
+    fine_reduced_length_divisor_1 = where(fine_reduced_length == 0, 1, fine_reduced_length_twice_1)
+    fine_reduced_length_residual_1 = fine_reduced_length_exact_1 + fine_reduced_length_e_lo
+    fine_reduced_length_lo = fine_reduced_length_residual_1 / fine_reduced_length_divisor_1
+    fine_reduced_length_e_size_1 = fine_reduced_length_c_size_1 + fine_reduced_length_d_size_1
+    fine_reduced_length_padded_1 = 3.308722450212111e-24 + fine_reduced_length_e_size_1
+    fine_reduced_length_size_1 = fine_reduced_length_padded_1 / fine_reduced_length
+    fine_reduced_length_rest_2 = 9.308236e-13 * fine_reduced_length_padded_1
+    fine_reduced_length_bound_1 = absolute(fine_reduced_length_e_lo) + fine_reduced_length_rest_2
+    fine_reduced_length_units_1 = 262144 * fine_reduced_length_bound_1
+    fine_reduced_length_reach_1 = absolute(fine_reduced_length_e) + fine_reduced_length_units_1
+    fine_reduced_length_size_2 = fine_reduced_length_size_1 / fine_reduced_length_e
+    fine_reduced_length_size_5 = sqrt(fine_reduced_length_bound_1)
+    fine_reduced_length_size_7 = fine_reduced_length_size_5 + absolute(fine_reduced_length_lo)
+    fine_reduced_length_size_4 = fine_reduced_length_reach_1 * fine_reduced_length_size_2
+    fine_reduced_length_size_10 = 4 * fine_reduced_length_bound_1 < fine_reduced_length_e
+    fine_reduced_length_size_8 = 695847616512 * fine_reduced_length_size_7
+    fine_reduced_length_size_11 = where(fine_reduced_length_size_10, fine_reduced_length_size_4, fine_reduced_length_size_8)
+    fine_half_angle = fine_reduced_length * fine_up
+    fine_half_angle_lost_1 = fine_reduced_length - fine_half_angle * (1 / fine_up)
+    fine_half_angle_lo = (fine_half_angle_lost_1 + fine_reduced_length_lo) * fine_up
+    fine_reduced_length_size_12 = fine_reduced_length + fine_reduced_length_size_11
+    fine_up_size_1 = where(fine_up_a, float32(3.6893488147419103e+19), float32(1))
+    fine_half_angle_size_1 = (3.308722450212111e-24 + fine_reduced_length_size_12) * fine_up_size_1
+    fine_sine, fine_c = elementary.sincos(fine_half_angle)
+    fine_sine_own_error_1, fine_c_own_error_1 = elementary.sincos_error(fine_half_angle, fine_sine, fine_c)
+    fine_sine_half_1 = fine_half_angle_lo * 0.5
+    fine_sine_half_sin_1, fine_sine_half_cos_1 = elementary.sincos(fine_sine_half_1)
+    fine_sine_twice_1 = fine_sine_half_sin_1 + fine_sine_half_sin_1
+    fine_sine_slope_1 = fine_sine_half_cos_1 * fine_c - fine_sine_half_sin_1 * fine_sine
+    fine_sine_padded_1 = 3.308722450212111e-24 + fine_half_angle_size_1
+    fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
+    fine_sinc_divisor_a = fine_half_angle == 0
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
+    fine_sinc_divisor_bound_1 = absolute(fine_half_angle_lo) + 1.6484983e-12 * fine_sine_padded_1
+    fine_sinc_divisor_size_4 = 1.401298464324817e-45 + absolute(fine_half_angle - 0)
+    fine_sinc_divisor_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4
+    fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_9 = where(fine_sinc_divisor_size_5, 0, fine_sinc_divisor_size_8)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_1)
+    fine_sinc_quotient = fine_sine / fine_sinc_divisor
+    fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
+    fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
+    fine_sinc_quotient_rest_1 = fine_sine - fine_sinc_quotient_product_1
+    fine_sinc_quotient_exact_1 = fine_sinc_quotient_rest_1 - fine_sinc_quotient_product_error_1
+    fine_sine_lo = fine_sine_own_error_1 + fine_sine_slope_1 * fine_sine_twice_1
+    fine_sinc_quotient_numerator_1 = fine_sinc_quotient_exact_1 + fine_sine_lo
+    fine_sinc_quotient_cross_1 = fine_sinc_quotient * fine_sinc_divisor_lo
+    fine_sinc_quotient_residual_1 = fine_sinc_quotient_numerator_1 - fine_sinc_quotient_cross_1
+    fine_sinc_quotient_lo = fine_sinc_quotient_residual_1 / fine_sinc_divisor
+    fine_sinc_quotient_padded_1 = 3.308722450212111e-24 + (1 + fine_sine_padded_1)
+    fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + 199908212736 * fine_sinc_divisor_size_9
+    fine_sinc_quotient_padded_2 = 3.308722450212111e-24 + fine_sinc_divisor_size_11
+    fine_sinc_quotient_size_1 = absolute(fine_sinc_quotient)
+    fine_sinc_quotient_size_2 = absolute(fine_sinc_divisor)
+    fine_sinc_quotient_size_3 = fine_sinc_quotient_padded_2 * fine_sinc_quotient_size_1
+    fine_sinc_quotient_rest_2 = 5.1586396e-12 * fine_sinc_quotient_padded_2
+    fine_sinc_quotient_bound_1 = absolute(fine_sinc_divisor_lo) + fine_sinc_quotient_rest_2
+    fine_sinc_quotient_size_6 = 4 * fine_sinc_quotient_bound_1 < fine_sinc_quotient_size_2
+    fine_sinc_quotient_size_7 = where(fine_sinc_quotient_size_6, fine_sinc_quotient_size_2, 0)
+    fine_sinc_quotient_size_4 = fine_sinc_quotient_padded_1 + fine_sinc_quotient_size_3
+    fine_sinc_quotient_reach_1 = fine_sinc_quotient_size_2 + 262144 * fine_sinc_quotient_bound_1
+    fine_sinc_quotient_size_8 = fine_sinc_quotient_size_4 / fine_sinc_quotient_size_7
+    fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
+    fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
+    fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
+    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 7.941701e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
+    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
+    fine_sinc_size_6 = 129352179712 * where(fine_sinc_divisor_size_5, 0, fine_sinc_size_4)
+    fine_qo_0 = fine_h_0 * fine_sinc
+    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
+    fine_qo_padded_1 = 3.308722450212111e-24 + fine_sinc_size_7
+    fine_qo_reach_1 = absolute(fine_h_0) + 262144 * (3.5527347e-14 * fine_h_size_padded_1)
+    fine_qo_units_2 = 262144 * (absolute(fine_sinc_lo) + 7.972455e-12 * fine_qo_padded_1)
+    fine_qo_reach_2 = absolute(fine_sinc) + fine_qo_units_2
+    fine_qo_1 = fine_h_1 * fine_sinc
+    fine_qo_reach_3 = absolute(fine_h_1) + 262144 * (3.5527347e-14 * fine_h_size_padded_2)
+    fine_qo_2 = fine_h_2 * fine_sinc
+    fine_qo_reach_4 = absolute(fine_h_2) + 262144 * (3.5527347e-14 * fine_h_size_padded_3)
+    fine_qo_lo_1 = product_error(fine_h_0, fine_sinc, fine_qo_0) + fine_h_0 * fine_sinc_lo
+    fine_qo_size_5 = fine_qo_padded_1 * fine_qo_reach_1 + fine_h_size_padded_1 * fine_qo_reach_2
+    qo_error_2 = 1.0000005 * absolute(fine_qo_lo_1 + (fine_qo_0 - qo_0))
+    fine_qo_lo_2 = product_error(fine_h_1, fine_sinc, fine_qo_1) + fine_h_1 * fine_sinc_lo
+    fine_qo_size_9 = fine_qo_padded_1 * fine_qo_reach_3 + fine_h_size_padded_2 * fine_qo_reach_2
+    qo_error_4 = 1.0000005 * absolute(fine_qo_lo_2 + (fine_qo_1 - qo_1))
+    fine_qo_lo_3 = product_error(fine_h_2, fine_sinc, fine_qo_2) + fine_h_2 * fine_sinc_lo
+    fine_qo_size_13 = fine_qo_padded_1 * fine_qo_reach_4 + fine_h_size_padded_3 * fine_qo_reach_2
+    qo_rest_3 = 8.326046e-12 * (3.308722450212111e-24 + fine_qo_size_13)
+    qo_error_7 = absolute(fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1 + (fine_c - qo_3))
+    qo_bound_1 = qo_error_2 + 8.326046e-12 * (3.308722450212111e-24 + fine_qo_size_5)
+    qo_bound_2 = qo_error_4 + 8.326046e-12 * (3.308722450212111e-24 + fine_qo_size_9)
+    qo_bound_3 = 1.0000005 * absolute(fine_qo_lo_3 + (fine_qo_2 - qo_2)) + qo_rest_3
+    qo_bound_4 = 1.0000005 * qo_error_7 + 3.041182e-12 * fine_sinc_quotient_padded_1
+    return (qo_0, qo_1, qo_2, qo_3, qo_bound_1, qo_bound_2, qo_bound_3, qo_bound_4)
+
+
+@kernel("(4)->(3),(3)")
+def quaternion_log(q):
+    """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
+    it; |error of vo| <= vo_bound unless inf or NaN.
+
+    (4)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
+    175 mul, 256 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4
+    copysign, 35 less, 10 equal, 65 select.  Error <= vo: 6 u of its largest component;
+    searched, not proved.
+    """
+    q_0, q_1, q_2, q_3 = q
+    s_size_0 = absolute(q_0)
+    s_size_1 = absolute(q_1)
+    s_size_2 = absolute(q_2)
+    s_size_3 = absolute(q_3)
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
+    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
+    scaled_s_0 = q_0 * s
+    scaled_s_inverse_1 = 1 / s
+    scaled_s_size_2 = q_0 == scaled_s_0 * scaled_s_inverse_1
+    scaled_s_size_4 = absolute(scaled_s_0)
+    scaled_s_1 = q_1 * s
+    scaled_s_size_6 = q_1 == scaled_s_1 * scaled_s_inverse_1
+    scaled_s_size_8 = absolute(scaled_s_1)
+    scaled_s_2 = q_2 * s
+    scaled_s_size_10 = q_2 == scaled_s_2 * scaled_s_inverse_1
+    scaled_s_size_12 = absolute(scaled_s_2)
+    scaled_s_3 = q_3 * s
+    scaled_s_size_14 = q_3 == scaled_s_3 * scaled_s_inverse_1
+    scaled_s_size_15 = where(scaled_s_size_14, float32(0), float32(1.401298464324817e-45))
+    scaled_s_size_16 = absolute(scaled_s_3)
+    upper_0a = -scaled_s_0
+    upper_0b = scaled_s_3 < 0
+    upper_0 = where(upper_0b, upper_0a, scaled_s_0)
+    upper_size_4 = scaled_s_size_15 < 1.401298464324817e-45 + absolute(scaled_s_3 - 0)
+    upper_rest_1 = 3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_4)
+    scaled_s_size_3 = where(scaled_s_size_2, float32(0), float32(1.401298464324817e-45))
+    upper_size_8 = scaled_s_size_3 + (upper_rest_1 + absolute(upper_0a - scaled_s_0))
+    upper_1a = -scaled_s_1
+    upper_1 = where(upper_0b, upper_1a, scaled_s_1)
+    upper_rest_2 = 3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_8)
+    scaled_s_size_7 = where(scaled_s_size_6, float32(0), float32(1.401298464324817e-45))
+    upper_size_15 = scaled_s_size_7 + (upper_rest_2 + absolute(upper_1a - scaled_s_1))
+    upper_2a = -scaled_s_2
+    upper_2 = where(upper_0b, upper_2a, scaled_s_2)
+    upper_rest_3 = 3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_12)
+    scaled_s_size_11 = where(scaled_s_size_10, float32(0), float32(1.401298464324817e-45))
+    upper_size_22 = scaled_s_size_11 + (upper_rest_3 + absolute(upper_2a - scaled_s_2))
+    upper_3a = -scaled_s_3
+    upper_3 = where(upper_0b, upper_3a, scaled_s_3)
+    upper_rest_4 = 3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_16)
+    upper_size_29 = scaled_s_size_15 + (upper_rest_4 + absolute(upper_3a - scaled_s_3))
+    v_s_size_0 = absolute(upper_0)
+    upper_size_11 = scaled_s_size_4 + 1099513724928 * where(upper_size_4, 0, upper_size_8)
+    v_s_size_padded_1 = 3.308722450212111e-24 + upper_size_11
+    v_s_size_1 = absolute(upper_1)
+    upper_size_18 = scaled_s_size_8 + 1099513724928 * where(upper_size_4, 0, upper_size_15)
+    v_s_size_padded_2 = 3.308722450212111e-24 + upper_size_18
+    v_s_size_2 = absolute(upper_2)
+    upper_size_25 = scaled_s_size_12 + 1099513724928 * where(upper_size_4, 0, upper_size_22)
+    v_s_size_padded_3 = 3.308722450212111e-24 + upper_size_25
+    v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
+    v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
+    v_s_a = v_s_largest2 < 256
+    v_s_c = v_s_largest2 < 1.4210854715202004e-14
+    v_s_b = where(v_s_a, float32(1.8014398509481984e+16), float32(1))
+    v_s = where(v_s_c, 3.2451855365842673e+32, v_s_b)
+    v_s_b_size_1 = where(v_s_a, float32(1.8014398509481984e+16), float32(1))
+    v_s_size_3 = where(v_s_c, 3.2451855365842673e+32, v_s_b_size_1)
+    v_y_0 = upper_0 * v_s
+    v_y_1 = upper_1 * v_s
+    v_y_2 = upper_2 * v_s
+    v_n_a = v_y_0 * v_y_0
+    v_n_a_padded_1 = 3.308722450212111e-24 + v_s_size_3 * v_s_size_padded_1
+    v_n_a_size_2 = v_n_a_padded_1 * (absolute(v_y_0) + 262144 * (9.841079e-13 * v_n_a_padded_1))
+    v_n_b = v_y_1 * v_y_1
+    v_n_b_padded_1 = 3.308722450212111e-24 + v_s_size_3 * v_s_size_padded_2
+    v_n_b_size_2 = v_n_b_padded_1 * (absolute(v_y_1) + 262144 * (9.841079e-13 * v_n_b_padded_1))
+    v_n_c = v_n_a + v_n_b
+    v_n_c_right_1 = v_n_c - v_n_a
+    v_n_c_left_rest_1 = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
+    v_n_d = v_y_2 * v_y_2
+    v_n_d_padded_1 = 3.308722450212111e-24 + v_s_size_3 * v_s_size_padded_3
+    v_n_d_size_2 = v_n_d_padded_1 * (absolute(v_y_2) + 262144 * (9.841079e-13 * v_n_d_padded_1))
+    v_n_e = v_n_c + v_n_d
+    v_n_e_right_1 = v_n_e - v_n_c
+    v_n_e_lo1_1 = v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
+    v_n_e_lo = v_n_e_lo1_1 + (v_n_c_left_rest_1 + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1))
+    v_n_c_size_1 = v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
+    v_n = sqrt(v_n_e)
+    v_n_product_1 = v_n * v_n
+    v_n_residual_1 = v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo
+    v_n_lo = v_n_residual_1 / where(v_n == 0, 1, v_n + v_n)
+    v_n_padded_1 = 3.308722450212111e-24 + (v_n_c_size_1 + (v_n_d_size_2 + v_n_d_size_2))
+    v_n_bound_1 = absolute(v_n_e_lo) + 2.0854824e-12 * v_n_padded_1
+    v_n_size_4 = (absolute(v_n_e) + 262144 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
+    v_n_size_8 = 554074177536 * (sqrt(v_n_bound_1) + absolute(v_n_lo))
+    v_r_a = 1 < v_s
+    v_r_c = 1.8014398509481984e+16 < v_s
+    v_r_b = where(v_r_a, float32(5.551115123125783e-17), float32(1))
+    v_r = where(v_r_c, 3.0814879110195774e-33, v_r_b)
+    v_r_b_size_1 = where(v_r_a, float32(5.551115123125783e-17), float32(1))
+    n = v_n * v_r
+    n_lo = (v_n - n * (1 / v_r) + v_n_lo) * v_r
+    v_n_size_12 = v_n + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, v_n_size_8)
+    v_r_size_1 = where(v_r_c, 3.0814879110195774e-33, v_r_b_size_1)
+    n_size_1 = (3.308722450212111e-24 + v_n_size_12) * v_r_size_1
+    half = elementary.atan2(n, upper_3)
+    half_size0_1 = absolute(n)
+    half_size1_1 = absolute(upper_3)
+    half_most_1 = where(half_size0_1 < half_size1_1, half_size1_1, half_size0_1)
+    half_zero_1 = half_most_1 == 0
+    half_divisor_1 = where(half_zero_1, 1, half_most_1)
+    half_part0_1 = n / half_divisor_1
+    half_part1_1 = upper_3 / half_divisor_1
+    half_divisor2_1 = half_divisor_1 * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1)
+    half_more_1 = (half_part1_1 * n_lo - half_part0_1 * 0) / where(half_zero_1, 1, half_divisor2_1)
+    half_lo = elementary.atan2_error(n, upper_3, half) + half_more_1
+    half_padded_1 = 3.308722450212111e-24 + n_size_1
+    upper_size_32 = scaled_s_size_16 + 1099513724928 * where(upper_size_4, 0, upper_size_29)
+    half_padded_2 = 3.308722450212111e-24 + upper_size_32
+    half_size_2 = absolute(n)
+    half_size_3 = absolute(upper_3)
+    half_size_5 = where(half_size_2 < half_size_3, half_size_3, half_size_2)
+    half_bound_1 = absolute(n_lo) + 1.977137e-12 * half_padded_1
+    half_rest_2 = 9.379186e-13 * half_padded_2
+    half_size_11 = (half_rest_2 + (3.308722450212111e-24 + half_bound_1)) / half_size_5
+    half_size_13 = half_size_11 * half_size_11
+    half_size_15 = 7 + absolute(half_lo)
+    half_size_18 = where(half_rest_2 < upper_3, half_size_13, half_size_15)
+    half_size_19 = where(half_bound_1 < half_size_2, half_size_13, half_size_18)
+    half_size_21 = 169153347584 * where(half_size_11 < 0.25, half_size_19, half_size_15)
+    divisor_a = n == 0
+    divisor = where(divisor_a, 1, n)
+    divisor_lo = where(divisor_a, 0, n_lo)
+    divisor_size_5 = half_bound_1 < 1.401298464324817e-45 + absolute(n - 0)
+    divisor_size_10 = 244332298240 * where(divisor_size_5, 0, absolute(1 - n) + half_bound_1)
+    theta = 2 * half
+    half_size_22 = absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21
+    k = theta / divisor
+    k_product_1 = k * divisor
+    k_numerator_1 = theta - k_product_1 - product_error(k, divisor, k_product_1) + 2 * half_lo
+    k_lo = (k_numerator_1 - k * divisor_lo) / divisor
+    k_padded_2 = 3.308722450212111e-24 + (where(divisor_a, 1, n_size_1) + divisor_size_10)
+    k_size_1 = absolute(k)
+    k_size_2 = absolute(divisor)
+    k_bound_1 = absolute(divisor_lo) + 4.2207045e-12 * k_padded_2
+    k_size_4 = 3.308722450212111e-24 + 2 * half_size_22 + k_padded_2 * k_size_1
+    k_size_8 = k_size_4 / where(4 * k_bound_1 < k_size_2, k_size_2, 0)
+    vector_0 = upper_0 * k
+    k_size_11 = k_size_1 + (k_size_2 + 262144 * k_bound_1) * k_size_8 / k_size_2
+    vector_padded_1 = 3.308722450212111e-24 + k_size_11
+    vector_reach_1 = absolute(upper_0) + 262144 * (9.379186e-13 * v_s_size_padded_1)
+    vector_reach_2 = k_size_1 + 262144 * (absolute(k_lo) + 8.927625e-12 * vector_padded_1)
+    vector_1 = upper_1 * k
+    vector_reach_3 = absolute(upper_1) + 262144 * (9.379186e-13 * v_s_size_padded_2)
+    vector_2 = upper_2 * k
+    vector_reach_4 = absolute(upper_2) + 262144 * (9.379186e-13 * v_s_size_padded_3)
+    vector_size_4 = vector_padded_1 * vector_reach_1 + v_s_size_padded_1 * vector_reach_2
+    vector_error_3 = absolute(product_error(upper_0, k, vector_0) + upper_0 * k_lo)
+    vector_size_8 = vector_padded_1 * vector_reach_3 + v_s_size_padded_2 * vector_reach_2
+    vector_error_5 = absolute(product_error(upper_1, k, vector_1) + upper_1 * k_lo)
+    vector_size_12 = vector_padded_1 * vector_reach_4 + v_s_size_padded_3 * vector_reach_2
+    vector_error_7 = absolute(product_error(upper_2, k, vector_2) + upper_2 * k_lo)
+    vector_bound_2 = vector_error_3 + 9.281226e-12 * (3.308722450212111e-24 + vector_size_4)
+    vector_bound_3 = vector_error_5 + 9.281226e-12 * (3.308722450212111e-24 + vector_size_8)
+    vector_bound_4 = vector_error_7 + 9.281226e-12 * (3.308722450212111e-24 + vector_size_12)
+    return (vector_0, vector_1, vector_2, vector_bound_2, vector_bound_3, vector_bound_4)

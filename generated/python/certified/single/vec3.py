@@ -6,7 +6,9 @@
 In single precision, certified tier.
 """
 
-from numpy import absolute
+from coscrew import _elementary_single as elementary
+from numpy import absolute, float32, sqrt, where
+from coscrew._exact import product_error_single as product_error, product_rest_single as product_rest
 from coscrew._kernel import single_kernel as kernel
 
 
@@ -159,6 +161,167 @@ def vec3_scaled(v, k):
     vo_1_error_bound = 5.960465e-08 * (absolute(vo_1) + 1.9721522630525295e-31)
     vo_2_error_bound = 5.960465e-08 * (absolute(vo_2) + 1.9721522630525295e-31)
     return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+
+
+@kernel("(3),(3)->(),()")
+def angle_vv(v1, v2):
+    """angle = atan2(|v1 × v2|, v1·v2), in [0, π]; |error of angle| <= angle_bound unless inf or
+    NaN.
+
+    (3),(3)->(),().  v1, v2: vector; angle, angle_bound: number.
+    162 mul, 252 add, 15 product error, 12 product rest, 12 div, 2 sqrt, 1 neg, 40 abs, 4
+    copysign, 37 less, 5 equal, 56 select.
+    """
+    v1_0, v1_1, v1_2 = v1
+    v2_0, v2_1, v2_2 = v2
+    s1_size_0 = absolute(v1_0)
+    s1_size_1 = absolute(v1_1)
+    s1_size_2 = absolute(v1_2)
+    s1_largest1 = where(s1_size_0 < s1_size_1, s1_size_1, s1_size_0)
+    s1_largest2 = where(s1_largest1 < s1_size_2, s1_size_2, s1_largest1)
+    s1b = where(4.611686018427388e+18 < s1_largest2, float32(2.710505431213761e-20), float32(1))
+    s1d = where(s1_largest2 < 256, 1.8014398509481984e+16, s1b)
+    s1 = where(s1_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s1d)
+    scaled_s1_0 = v1_0 * s1
+    scaled_s1_1 = v1_1 * s1
+    scaled_s1_2 = v1_2 * s1
+    s2_size_0 = absolute(v2_0)
+    s2_size_1 = absolute(v2_1)
+    s2_size_2 = absolute(v2_2)
+    s2_largest1 = where(s2_size_0 < s2_size_1, s2_size_1, s2_size_0)
+    s2_largest2 = where(s2_largest1 < s2_size_2, s2_size_2, s2_largest1)
+    s2b = where(4.611686018427388e+18 < s2_largest2, float32(2.710505431213761e-20), float32(1))
+    s2d = where(s2_largest2 < 256, 1.8014398509481984e+16, s2b)
+    s2 = where(s2_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s2d)
+    scaled_s2_0 = v2_0 * s2
+    scaled_s2_1 = v2_1 * s2
+    scaled_s2_2 = v2_2 * s2
+    c_0a = scaled_s1_1 * scaled_s2_2
+    c_0a_padded_1 = 3.308722450212111e-24 + absolute(scaled_s1_1)
+    c_0a_padded_2 = 3.308722450212111e-24 + absolute(scaled_s2_2)
+    c_0b = scaled_s1_2 * scaled_s2_1
+    c_0b_padded_1 = 3.308722450212111e-24 + absolute(scaled_s1_2)
+    c_0b_padded_2 = 3.308722450212111e-24 + absolute(scaled_s2_1)
+    c_0 = c_0a - c_0b
+    c_right_1 = c_0a - c_0
+    c_left_rest_1 = product_rest(scaled_s1_1, scaled_s2_2, c_0a, c_0 + c_right_1)
+    c_1a = scaled_s1_2 * scaled_s2_0
+    c_1a_padded_1 = 3.308722450212111e-24 + absolute(scaled_s2_0)
+    c_1b = scaled_s1_0 * scaled_s2_2
+    c_1b_padded_1 = 3.308722450212111e-24 + absolute(scaled_s1_0)
+    c_1 = c_1a - c_1b
+    c_right_2 = c_1a - c_1
+    c_left_rest_2 = product_rest(scaled_s1_2, scaled_s2_0, c_1a, c_1 + c_right_2)
+    c_2a = scaled_s1_0 * scaled_s2_1
+    c_2b = scaled_s1_1 * scaled_s2_0
+    c_2 = c_2a - c_2b
+    c_right_3 = c_2a - c_2
+    c_left_rest_3 = product_rest(scaled_s1_0, scaled_s2_1, c_2a, c_2 + c_right_3)
+    s_size_0 = absolute(c_0)
+    c_size_1 = c_0a_padded_1 * c_0a_padded_2 + c_0b_padded_1 * c_0b_padded_2
+    s_size_1 = absolute(c_1)
+    c_size_2 = c_0b_padded_1 * c_1a_padded_1 + c_0a_padded_2 * c_1b_padded_1
+    s_size_2 = absolute(c_2)
+    c_size_3 = c_0b_padded_2 * c_1b_padded_1 + c_0a_padded_1 * c_1a_padded_1
+    s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
+    s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
+    s_a = 4.611686018427388e+18 < s_largest2
+    s_c = s_largest2 < 256
+    s_b_size_1 = where(s_a, float32(2.710505431213761e-20), float32(1))
+    s_e = s_largest2 < 1.4210854715202004e-14
+    s_d = where(s_c, 1.8014398509481984e+16, where(s_a, float32(2.710505431213761e-20), float32(1)))
+    s = where(s_e, 3.2451855365842673e+32, s_d)
+    s_size_3 = where(s_e, 3.2451855365842673e+32, where(s_c, 1.8014398509481984e+16, s_b_size_1))
+    y_0 = c_0 * s
+    y_inverse_1 = 1 / s
+    c_lo_1 = c_left_rest_1 - product_rest(scaled_s1_2, scaled_s2_1, c_0b, c_right_1)
+    y_lo_1 = (c_0 - y_0 * y_inverse_1 + c_lo_1) * s
+    y_1 = c_1 * s
+    c_lo_2 = c_left_rest_2 - product_rest(scaled_s1_0, scaled_s2_2, c_1b, c_right_2)
+    y_lo_2 = (c_1 - y_1 * y_inverse_1 + c_lo_2) * s
+    y_2 = c_2 * s
+    c_lo_3 = c_left_rest_3 - product_rest(scaled_s1_1, scaled_s2_0, c_2b, c_right_3)
+    y_lo_3 = (c_2 - y_2 * y_inverse_1 + c_lo_3) * s
+    n_a = y_0 * y_0
+    n_a_padded_1 = 3.308722450212111e-24 + s_size_3 * (3.308722450212111e-24 + c_size_1)
+    n_a_reach_1 = absolute(y_0) + 262144 * (absolute(y_lo_1) + 4.8672736e-13 * n_a_padded_1)
+    n_a_size_2 = n_a_padded_1 * n_a_reach_1
+    n_b = y_1 * y_1
+    n_b_padded_1 = 3.308722450212111e-24 + s_size_3 * (3.308722450212111e-24 + c_size_2)
+    n_b_reach_1 = absolute(y_1) + 262144 * (absolute(y_lo_2) + 4.8672736e-13 * n_b_padded_1)
+    n_b_size_2 = n_b_padded_1 * n_b_reach_1
+    n_c = n_a + n_b
+    n_c_right_1 = n_c - n_a
+    n_c_left_rest_1 = product_rest(y_0, y_0, n_a, n_c - n_c_right_1)
+    n_c_cross_1 = y_lo_1 * y_0 + y_0 * y_lo_1 + (y_lo_2 * y_1 + y_1 * y_lo_2)
+    n_d = y_2 * y_2
+    n_d_padded_1 = 3.308722450212111e-24 + s_size_3 * (3.308722450212111e-24 + c_size_3)
+    n_d_reach_1 = absolute(y_2) + 262144 * (absolute(y_lo_3) + 4.8672736e-13 * n_d_padded_1)
+    n_d_size_2 = n_d_padded_1 * n_d_reach_1
+    n_e = n_c + n_d
+    n_e_right_1 = n_e - n_c
+    n_e_lo1_1 = n_c - (n_e - n_e_right_1) + product_rest(y_2, y_2, n_d, n_e_right_1)
+    n_c_lo = n_c_left_rest_1 + product_rest(y_1, y_1, n_b, n_c_right_1) + n_c_cross_1
+    n_e_lo = n_e_lo1_1 + (y_lo_3 * y_2 + y_2 * y_lo_3) + n_c_lo
+    n = sqrt(n_e)
+    n_product_1 = n * n
+    n_lo = (n_e - n_product_1 - product_error(n, n, n_product_1) + n_e_lo) / where(n == 0, 1, n + n)
+    n_e_size_1 = n_a_size_2 + n_a_size_2 + (n_b_size_2 + n_b_size_2) + (n_d_size_2 + n_d_size_2)
+    n_padded_1 = 3.308722450212111e-24 + n_e_size_1
+    n_bound_1 = absolute(n_e_lo) + 2.4301075e-12 * n_padded_1
+    n_size_4 = (absolute(n_e) + 262144 * n_bound_1) * (n_padded_1 / n / n_e)
+    n_size_8 = 436385742848 * (sqrt(n_bound_1) + absolute(n_lo))
+    r_a = s < 1
+    r_c = 1 < s
+    r_b_size_1 = where(r_a, float32(3.6893488147419103e+19), float32(1))
+    r_e = 1.8014398509481984e+16 < s
+    r_d = where(r_c, 5.551115123125783e-17, where(r_a, float32(3.6893488147419103e+19), float32(1)))
+    r = where(r_e, 3.0814879110195774e-33, r_d)
+    cross = n * r
+    cross_lo = (n - cross * (1 / r) + n_lo) * r
+    r_size_1 = where(r_e, 3.0814879110195774e-33, where(r_c, 5.551115123125783e-17, r_b_size_1))
+    cross_padded_1 = 3.308722450212111e-24 + (n + where(4 * n_bound_1 < n_e, n_size_4, n_size_8))
+    dot__a = scaled_s1_0 * scaled_s2_0
+    dot__b = scaled_s1_1 * scaled_s2_1
+    dot__c = dot__a + dot__b
+    dot__c_right_1 = dot__c - dot__a
+    dot__c_left_rest_1 = product_rest(scaled_s1_0, scaled_s2_0, dot__a, dot__c - dot__c_right_1)
+    dot__d = scaled_s1_2 * scaled_s2_2
+    dot_ = dot__c + dot__d
+    dot__right_1 = dot_ - dot__c
+    dot__right_rest_1 = product_rest(scaled_s1_2, scaled_s2_2, dot__d, dot__right_1)
+    dot__c_lo = dot__c_left_rest_1 + product_rest(scaled_s1_1, scaled_s2_1, dot__b, dot__c_right_1)
+    dot__lo = dot__c - (dot_ - dot__right_1) + dot__right_rest_1 + dot__c_lo
+    dot__c_size_1 = c_1a_padded_1 * c_1b_padded_1 + c_0a_padded_1 * c_0b_padded_2
+    angle = elementary.atan2(cross, dot_)
+    angle_size0_1 = absolute(cross)
+    angle_size1_1 = absolute(dot_)
+    angle_most_1 = where(angle_size0_1 < angle_size1_1, angle_size1_1, angle_size0_1)
+    angle_zero_1 = angle_most_1 == 0
+    angle_divisor_1 = where(angle_zero_1, 1, angle_most_1)
+    angle_part0_1 = cross / angle_divisor_1
+    angle_part1_1 = dot_ / angle_divisor_1
+    angle_square_1 = angle_part1_1 * angle_part1_1 + angle_part0_1 * angle_part0_1
+    angle_safe_1 = where(angle_zero_1, 1, angle_divisor_1 * angle_square_1)
+    angle_more_1 = (angle_part1_1 * cross_lo - angle_part0_1 * dot__lo) / angle_safe_1
+    angle_padded_1 = 3.308722450212111e-24 + cross_padded_1 * r_size_1
+    angle_padded_2 = 3.308722450212111e-24 + (dot__c_size_1 + c_0a_padded_2 * c_0b_padded_1)
+    angle_size_2 = absolute(cross)
+    angle_size_3 = absolute(dot_)
+    angle_size_5 = where(angle_size_2 < angle_size_3, angle_size_3, angle_size_2)
+    angle_bound_1 = absolute(cross_lo) + 2.5225009e-12 * angle_padded_1
+    angle_bound_2 = absolute(dot__lo) + 7.141026e-13 * angle_padded_2
+    angle_size_11 = (angle_bound_2 + (3.308722450212111e-24 + angle_bound_1)) / angle_size_5
+    angle_size_13 = angle_size_11 * angle_size_11
+    angle_size_14 = absolute(elementary.atan2_error(cross, dot_, angle) + angle_more_1)
+    angle_size_15 = 7 + angle_size_14
+    angle_size_18 = where(angle_bound_2 < dot_, angle_size_13, angle_size_15)
+    angle_size_19 = where(angle_bound_1 < angle_size_2, angle_size_13, angle_size_18)
+    angle_size_21 = 137436504064 * where(angle_size_11 < 0.25, angle_size_19, angle_size_15)
+    angle_size_10 = absolute(angle) + (angle_padded_1 + angle_padded_2) / angle_size_5
+    angle_rest_3 = 7.503497e-12 * (3.308722450212111e-24 + (angle_size_10 + angle_size_21))
+    angle_bound_3 = angle_rest_3 + angle_size_14
+    return (angle, angle_bound_3)
 
 
 @kernel("(3),(3)->(),()")

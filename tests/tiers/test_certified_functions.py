@@ -1,0 +1,84 @@
+"""Operations that call elementary functions, in the certified tier: results are plain's, bit for
+bit, and every bound holds, against 60 digits, on the committed cases and on drawn ones; the same
+bits in C, gufuncs and NumPy.
+"""
+
+import ctypes
+
+import numpy as np
+import pytest
+
+import coscrew
+import coscrew.certified
+from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
+from coscrew_codegen.operations import OPERATIONS, Operation
+from coscrew_codegen.program.ops import ERROR_OF
+from coscrew_codegen.tiers import tier_named
+from tests.functions_attack import FUNCTIONS, attacked
+from tests.search import joined, split
+from tests.support.cases import for_all
+from tests.support.compiled.c_harness import COMPILERS, EXACT, call, harness
+from tests.support.compiled.implementations import gufuncs, same_bits, twin
+from tests.support.hard_rows import EXTREMES, hard_rows
+from tests.support.sampling import inputs_of
+from tests.support.truth.attack import plain_program
+from tests.support.truth.judge import in_bounds
+
+CERTIFIED = tier_named("certified")
+CALLING = tuple(op for op in OPERATIONS if ERROR_OF.keys() & plain_program(op).counts.keys())
+TIGHT = {"double": 1.0001, "single": 1.9}
+"""Half of the bounds are at most so many times the error."""
+BUILDS = ("gcc", "-O1"), ("clang", "-O1", "-march=native")
+
+
+def test_quaternions_exponentials_logarithms_and_angles_have_the_tier():
+    """Of those that have not, some bounds would take more than two thousand operations."""
+    assert {op.name for op in CALLING} - {op.name for op in FUNCTIONS} == {
+        "quaternion_interpolated", "SE3_interpolated", "SE3_leftJacobian", "SE3_rightJacobian",
+        "SE3_leftJacobianInverse", "SE3_rightJacobianInverse"}
+
+
+@for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))
+def test_every_bound_holds(operation: Operation, precision: Precision):
+    given, found, stated = hard_rows(operation, precision), [], 0
+    results = joined(gufuncs(coscrew.certified)(operation, precision, split(operation, given)))
+    plain = joined(gufuncs(coscrew)(operation, precision, split(operation, given)))
+    half = plain.shape[1]
+    assert same_bits((np.ascontiguousarray(results[:, :half]),), (plain,))
+    for row, got in zip(given.tolist(), results.tolist(), strict=True):
+        ratios = in_bounds(operation, precision, row, got[:half], got[half:])
+        stated += len(ratios)
+        found += [x for x in ratios if x]
+    assert max(found, default=0) <= 1
+    assert stated > 0.4 * results[:, :half].size
+    assert np.median(found) > 1 / TIGHT[precision.name]
+
+
+@for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))
+def test_bounds_hold_at_all_sizes_and_where_series_end(operation: Operation, precision: Precision):
+    found = attacked(operation, precision, 200, seed=1)
+    assert not found.broken and found.outputs > 2 * found.silent
+
+
+@for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))
+def test_c_gufunc_and_numpy_agree_in_bits(operation: Operation, precision: Precision,
+                                          libraries: list[ctypes.CDLL]):
+    """For numbers of all kinds: the twins, gufuncs, C without and with an fma instruction."""
+    drawn = split(operation, hard_rows(operation, precision))
+    inputs = tuple(map(np.concatenate, zip(drawn, inputs_of(operation, precision, EXTREMES),
+                                           strict=True)))
+    want = twin(coscrew.certified)(operation, precision, inputs)
+    with np.errstate(all="ignore"):
+        assert same_bits(gufuncs(coscrew.certified)(operation, precision, inputs), want), "gufunc"
+    for library in libraries:
+        found = call(library, CERTIFIED.operation(operation), precision, inputs)
+        assert same_bits(found, want), library
+
+
+@pytest.fixture(scope="module")
+def libraries(tmp_path_factory: pytest.TempPathFactory) -> list[ctypes.CDLL]:
+    """C of all these operations, compiled."""
+    folder = tmp_path_factory.mktemp("functions")
+    return [harness(folder, compiler, (*flags, EXACT), "certified",
+                    tuple(map(CERTIFIED.operation, FUNCTIONS)))
+            for compiler, *flags in BUILDS if compiler in COMPILERS]
