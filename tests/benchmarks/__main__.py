@@ -8,6 +8,7 @@ from tests.benchmarks import (
     header_kernels,
     rounding_statements,
     scene_calls,
+    scene_lanes,
     scene_tiers,
     tiers,
 )
@@ -17,6 +18,7 @@ gufuncs.main()
 tiers.main()
 scene_tiers.main()
 scene_calls.main()
+scene_lanes.main()
 cortex_m4.main()
 rounding_statements.main()
 accuracy.main()

@@ -1,0 +1,125 @@
+"""What a state of a Panda takes where many are computed in lanes: from C, with every compiler and
+width that this processor has, against one call after the other; and from Python."""
+
+import ctypes
+import shutil
+import subprocess
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+from tabulate import tabulate
+
+from coscrew_codegen.formats import PRECISIONS, Precision
+from coscrew_codegen.mechanics import derive
+from coscrew_codegen.native.timing import Loop, driver, pointers, timed_calls, timed_loops
+from coscrew_codegen.scene_functions import Function, SceneFunctions
+from coscrew_codegen.simulate import lanes
+from coscrew_codegen.simulate.load import kernels_of
+from coscrew_codegen.targets import scene_c, scene_c_many
+from tests.benchmarks.words import said
+from tests.support.scenes.robots import scene_of
+from tests.support.scenes.tiers import states
+
+NAMES = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
+COMPILERS = {"gcc": "-O2", "clang": "-O1"}
+WIDTHS = {"sse2": (), "avx2": ("-mavx2", "-mfma"), "avx512f": ("-march=native",)}
+"""What the processor needs, and the flags."""
+COMMON = ("-std=c11", "-DKSL_CONTRACT_OFF", "-ffp-contract=off", "-shared", "-fPIC")
+STATES = 256  # whose rows fit into the first cache
+BATCH = 4096  # from Python
+SECONDS = 1.0  # of each comparison
+
+
+def panda() -> SceneFunctions:
+    """The robot with its fingers, under gravity."""
+    scene = scene_of("panda_description/urdf/panda.urdf")
+    return derive(replace(scene, name="panda"), NAMES)
+
+
+def written(scene: SceneFunctions, folder: Path) -> None:
+    """Write the C, with loops over states, and the driver."""
+    banner = "for the benchmark"
+    made = scene_c.files(scene, banner) | scene_c_many.files(scene, banner)
+    made["driver.c"] = driver()
+    made["loops.c"] = '#include "panda_many.h"\n' + "".join(
+        text for function in scene.functions for p in PRECISIONS for text in loops(function, p))
+    for name, text in made.items():
+        (folder / name).write_text(text)
+
+
+def sizes_of(function: Function) -> list[int]:
+    """How many numbers each argument has."""
+    program = function.program
+    return [int(np.prod(a.quantity.shape)) for a in (*program.inputs, *program.outputs)]
+
+
+def loops(function: Function, p: Precision) -> Iterator[str]:
+    """C that calls a function for n states: one after the other, and all at once."""
+    sizes, f = sizes_of(function), p.suffix
+    one = ", ".join(f"({p.c_type} *)x[{k}] + {size} * i" for k, size in enumerate(sizes))
+    all_of_them = ", ".join(f"({p.c_type} *)x[{k}], {size}" for k, size in enumerate(sizes))
+    for kind, call in (("one", f"for (long i = 0; i < n; i++) panda_{function.name}{f}({one});"),
+                       ("many", f"panda_{function.name}_many{f}(n, {all_of_them});")):
+        head = f"void {kind}_{function.name}{f}(long n, void *const *x)"
+        yield f"{head};\n{head} {{ {call} }}\n"
+
+
+def rows(scene: SceneFunctions, folder: Path, compiler: str, width: str) -> Iterator[list[str]]:
+    """A line for each function and precision."""
+    library = folder / f"{compiler}-{width}"
+    files = ("driver.c", "loops.c", "panda.c", "panda_many.c")
+    subprocess.run([compiler, *COMMON, COMPILERS[compiler], *WIDTHS[width], *files, "-o",
+                    str(library), "-lm"], cwd=folder, check=True)
+    opened = ctypes.CDLL(str(library))
+    for function in scene.functions:
+        for p in PRECISIONS:
+            given = [np.ascontiguousarray(x, p.numpy_type)
+                     for x in states(scene, function, STATES, p)]
+            results = [np.empty((STATES, n), p.numpy_type)
+                       for n in sizes_of(function)[len(given):]]
+            one, many = timed_loops(opened, [
+                Loop(getattr(opened, f"{kind}_{function.name}{p.suffix}"), STATES,
+                     pointers([*given, *results])) for kind in ("one", "many")], 1e9 * SECONDS)
+            yield [function.name, p.name, compiler, width, f"{one.minimum:.1f}",
+                   f"{many.minimum:.1f}", said(one.ratio(many))]
+
+
+def from_python(scene: SceneFunctions) -> Iterator[list[str]]:
+    """A line for each function and precision: with and without lanes."""
+    kernels = kernels_of(scene)
+    for function in scene.functions:
+        for p in PRECISIONS:
+            call = getattr(getattr(kernels, p.name), function.name)
+            given = [np.asarray(x, p.numpy_type) for x in states(scene, function, BATCH, p)]
+
+            def timed(met: int, call=call, given=given) -> None:
+                kernels._lanes._met = met
+                call(*given)
+
+            one, many = timed_calls([lambda: timed(-BATCH), lambda: timed(lanes.PAYS)],
+                                    1e9 * SECONDS)
+            yield [function.name, p.name, f"{one.minimum / BATCH:.1f}",
+                   f"{many.minimum / BATCH:.1f}", said(one.ratio(many))]
+
+
+def main() -> None:
+    """Print the tables."""
+    scene, words = panda(), Path("/proc/cpuinfo").read_text().split()
+    with TemporaryDirectory() as folder:
+        written(scene, Path(folder))
+        table = [row for compiler in filter(shutil.which, COMPILERS) for width in WIDTHS
+                 if width in words for row in rows(scene, Path(folder), compiler, width)]
+    print("\nA Panda with its fingers, ns a state from C, the shortest of rounds in which both "
+          "take turns; ratio: median (95 % interval)")
+    heads = ("one by one", "in lanes", "one / lanes")
+    print(tabulate(table, ("function", "precision", "compiler", "width", *heads),
+                   disable_numparse=True))
+    print(f"\nFrom Python, of {BATCH} states, ns a state")
+    print(tabulate(from_python(scene), ("function", "precision", *heads), disable_numparse=True))
+
+
+if __name__ == "__main__":
+    main()
