@@ -273,8 +273,8 @@ def _over(loop: Made, lanes: Made | None, lead: tuple[int, ...], given: dict[str
     if lanes is None:
         loop(*words, *(x.ctypes.data for x in results))
         return
-    for x, (_, shape) in zip(results, described.outputs, strict=True):
-        words += [x.ctypes.data, prod(shape)]
+    for result, (_, shape) in zip(results, described.outputs, strict=True):
+        words += [result.ctypes.data, prod(shape)]
     lanes(*map(ctypes.c_ssize_t, words))
 
 

@@ -26,6 +26,14 @@ from coscrew_codegen.targets.target import Files, Target
 
 
 @dataclass(frozen=True)
+class Array:
+    """An argument, and how many numbers a state has of it."""
+
+    name: str
+    size: int
+
+
+@dataclass(frozen=True)
 class Section:
     """The functions of one precision; `plain` has those whose results they take."""
 
@@ -123,17 +131,18 @@ class Section:
     @property
     def functions(self) -> list[dict[str, object]]:
         """The public functions: what a template needs."""
-        on_lanes = {x.name for x in (*self.on_lanes.functions, *self.on_lanes.steps)}
+        on_lanes = {*(f.name for f in self.on_lanes.functions),
+                    *(step.name for step in self.on_lanes.steps)}
         return [self._many(f, f.name in on_lanes) for f in callables(self.scene)]
 
     def _many(self, function: Signature, on_lanes: bool) -> dict[str, object]:
         real = self.precision.c_type
         both = [x for x in function.outputs if x in function.inputs]
-        read = [_array(x) for x in (*function.read, *both)]
-        written = [_array(x) for x in function.outputs]
+        read = [Array(x, count(shape)) for x, shape in (*function.read, *both)]
+        written = [Array(x, count(shape)) for x, shape in function.outputs]
         taken = [f"const {real} *{x}, ptrdiff_t {x}_stride" for x, _ in function.read]
         taken += [f"{real} *{x}, ptrdiff_t {x}_stride" for x, _ in function.outputs]
-        arrays = {x["name"]: x["size"] for x in (*read, *written)}
+        rooms = {x.name: max(x.size, 1) for x in (*read, *written)}
         ordered = (*function.inputs, *(x for x in function.outputs if x not in both))
         return {
             "name": function.name, "internal": False, "read": read, "written": written,
@@ -141,7 +150,7 @@ class Section:
                 [f"{c_name(self.scene, function.name, self.precision)} of n states."]),
             "head": arguments.head(c_name(many(self.scene), function.name, self.precision),
                                    ["ptrdiff_t n", *taken]),
-            "rooms": ", ".join(f"{x}_states[{max(int(size), 1)}]" for x, size in arrays.items()),
+            "rooms": ", ".join(f"{x}_states[{size}]" for x, size in rooms.items()),
             "kernel": self._call(self.on_lanes, function, ordered) if on_lanes else "",
             "single": self._single(function, ordered)}
 
@@ -157,10 +166,6 @@ class Section:
         passed = [f"{x} + k * {x}_stride" if shape or x in outputs else f"{x}[k * {x}_stride]"
                   for x, shape in ordered]
         return f"{c_name(self.scene, function.name, self.precision)}({', '.join(passed)});"
-
-
-def _array(x: tuple[str, tuple[int, ...]]) -> dict[str, object]:
-    return {"name": x[0], "size": count(x[1])}
 
 
 def _on_lanes(scene: SceneFunctions, *marks: str) -> SceneFunctions:
@@ -199,7 +204,8 @@ def _files(sections: Sequence[Section], of: str, banner: str) -> Files:
     shared = {"banner": banner, "name": name, "of": of, "upper": scene.name.upper(),
               "guard": name.upper(), "sections": sections}
     return {
-        f"{name}.h": render("scene/many.h", about=comment_of(_about(sections, of)), **shared),
+        f"{name}.h": render("scene/many.h", about=comment_of([*_about(sections, of)]),
+                             **shared),
         f"{name}.c": render(
             "scene/many.c", products=named({x.working.name for x in sections if x.reductions}),
             parts=any(x.parts for x in sections), exact=_exact(sections), **shared)}
