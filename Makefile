@@ -87,6 +87,7 @@ attack: $(VENV)/test-ready build
 	$(PYTHON) -m tests.signs_attack
 	$(PYTHON) -m tests.certified_attack
 	$(PYTHON) -m tests.functions_attack
+	$(PYTHON) -m tests.lanes_attack
 
 # Errors and times of everything on this machine, in about two minutes: build/report/.
 report: $(VENV)/test-ready build
