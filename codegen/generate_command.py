@@ -92,6 +92,7 @@ def _scene(options: argparse.Namespace) -> int:
     from coscrew_codegen.emit import refuse_others, stale_files
     from coscrew_codegen.layout import scene_files
     from coscrew_codegen.mechanics import derive
+    from coscrew_codegen.scene_tiers import savings
     from coscrew_codegen.selection import SelectionError
 
     given = [name for name in ("family", "language") if getattr(options, name)]
@@ -113,9 +114,12 @@ def _scene(options: argparse.Namespace) -> int:
                    if (word := getattr(options, name)))
     said += f" --functions {' '.join(options.functions)}" if options.functions else ""
     said += f" --tier {' '.join(options.tier)}" if options.tier else ""
-    files = scene_files(derive(scene), f"coscrew generate {options.scene.name}{said}")
+    functions = derive(scene)
+    files = scene_files(functions, f"coscrew generate {options.scene.name}{said}")
     folder = Path(options.output)
     if not options.check:
+        for line in savings(functions):
+            print(line)
         refuse_others(files, folder)
     return _deliver(f"coscrew generate {options.scene} -o {folder}{said}", files, folder,
                     stale_files(files, folder), options.check, str(folder))

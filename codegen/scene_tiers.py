@@ -11,7 +11,7 @@ from coscrew_codegen.formats import Precision, named
 from coscrew_codegen.program import Program
 from coscrew_codegen.recording.recorder import headings
 from coscrew_codegen.scene_functions import Function, SceneFunctions
-from coscrew_codegen.tiers import PLAIN, Tier
+from coscrew_codegen.tiers import PLAIN, Tier, tier_named
 
 
 class NoFunctionsError(ReportedError, ValueError):
@@ -76,13 +76,26 @@ def _function(plain: Function, tier: Tier, precision: Precision) -> Function:
 def _in_tier(plain: Function, tier: Tier, precision: Precision) -> tuple[Program, str]:
     """The program, and what is known of its rounding errors."""
     if tier.asked and plain.accuracy:
-        from coscrew_codegen.mixture.choice import chosen, in_words  # when asked: few scenes do
+        from coscrew_codegen.mixture.choice import chosen  # when asked: few scenes do
+        from coscrew_codegen.mixture.words import in_words
 
         choice = chosen(plain.program, plain.accuracy)
         return choice.program, in_words(choice, plain)
     if tier.scene is None:
         raise ValueError(f"scenes do not have the {tier.name} tier")
     return tier.scene(plain.program, precision), ""
+
+
+def savings(scene: SceneFunctions) -> Iterator[str]:
+    """A line for each function of an asked accuracy: what its mixture saves."""
+    if not any(tier_named(name).asked for name in scene.tiers):
+        return
+    from coscrew_codegen.mixture.choice import chosen
+    from coscrew_codegen.mixture.words import saving
+
+    for f in scene.functions:
+        if f.accuracy and not f.internal:
+            yield saving(chosen(f.program, f.accuracy), f)
 
 
 def _heading(function: Function, place: int) -> str:
@@ -92,7 +105,5 @@ def _heading(function: Function, place: int) -> str:
 
 def tiers_of(scene: SceneFunctions) -> Iterator[SceneTier]:
     """The scene in each tier that it selects."""
-    from coscrew_codegen.tiers import tier_named
-
     for name in scene.tiers:
         yield in_tier(scene, tier_named(name))

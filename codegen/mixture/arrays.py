@@ -19,6 +19,8 @@ from coscrew_codegen.program import Constant, Instruction, Op, Program
 from coscrew_codegen.program.interpreter import Arithmetic, exactly, interpreter
 
 Array = NDArray[Any]
+Given = Sequence[Sequence[Array]]
+"""States: an array of each component of each input."""
 _FUNCTIONS = {function.name: function for function in (*ELEMENTARY, *ERRORS)}
 _OPERATORS = exactly(np)
 _SPLITTER = 2.0**27 + 1
@@ -69,12 +71,15 @@ def arrays(precision: Precision) -> Arrays:
     return Arrays(precision)
 
 
-def evaluated(program: Program, precision: Precision, given: Sequence[Sequence[Array]]
-              ) -> list[Array]:
-    """The components of the results at these states, from those of each input."""
-    numbers = arrays(precision)
-    with np.errstate(all="ignore"):
-        return interpreter(program, numbers.arithmetic)(given)
+def evaluator(program: Program, precision: Precision) -> Callable[[Given], list[Array]]:
+    """Computes the components of the results at any states."""
+    run = interpreter(program, arrays(precision).arithmetic)
+
+    def results(given: Given) -> list[Array]:
+        with np.errstate(all="ignore"):
+            return run(given)
+
+    return results
 
 
 @cache

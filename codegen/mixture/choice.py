@@ -4,7 +4,8 @@ What is carried in pairs follows from a threshold: instructions whose rounding m
 more than it, to first order; the more an instruction costs in pairs, the larger its threshold, by
 some power of the cost.  For each of a few powers, the largest threshold is searched at which the
 certified bounds of the results' errors are within what is asked, with a margin, at the states where
-single precision errs most; the cheapest mixture is taken.  Then other states are drawn; while the
+single precision errs most, of those drawn and those that a search finds; the cheapest mixture is
+taken.  Then other states are drawn, and others searched where this mixture errs most; while the
 bounds do not hold there, the worst join the sample and the margin grows.
 
 The bounds are those of the certified tier, |x̂ - w| + B with w of double precision, for the x̂ of
@@ -13,7 +14,7 @@ the mixture: they hold at their states, whatever the mixture is.
 
 from dataclasses import dataclass
 from functools import cache
-from math import isfinite, prod, sqrt
+from math import prod, sqrt
 
 import numpy as np
 
@@ -21,10 +22,12 @@ from coscrew_codegen.digits import two_digits_up
 from coscrew_codegen.errors import ReportedError
 from coscrew_codegen.formats import SINGLE
 from coscrew_codegen.mixture.arrays import Array
+from coscrew_codegen.mixture.climb import Sizes, climbed, errors, results
 from coscrew_codegen.mixture.sample import Sample, States
+from coscrew_codegen.mixture.sample import in_double as double
 from coscrew_codegen.mixture.sensitivity import OWN, Place, sensitivities
 from coscrew_codegen.program import Instruction, Op, Program
-from coscrew_codegen.scene_functions import Accuracy, Function
+from coscrew_codegen.scene_functions import Accuracy
 from coscrew_codegen.tiers.accurate_scene import in_pairs
 from coscrew_codegen.tiers.certified_wide import in_double
 from coscrew_codegen.tiers.mixed import CARRYING, Mixture, mixed
@@ -32,13 +35,15 @@ from coscrew_codegen.whole_cost import whole_counts
 
 DRAWN, SEARCHED = 20_000, 4000
 """States; of the first, those where single precision errs most are searched with."""
-ROOM = 0.95
+SEARCHES = 3
+"""Which find no state where the bounds of the mixture do not hold."""
+ROOM = 0.97
 """How much of what pairs leave of the accuracy may be used at the sampled states, at first."""
 _RANKED, _WORST = 64, 16  # states where sensitivities are computed: drawn; the worst of a result
 _MORE = {Op.ADD: 7, Op.SUB: 7, Op.MUL: 5, Op.DIV: 12, Op.SQRT: 12}
 _FUNCTION = 120
 """Operations that instructions take more in pairs, about; elementary functions."""
-_POWERS = (0, 1, 2, 3)  # of the root of the cost
+_POWERS = (0, 1, 2, 3)  # of the root of the cost; later that which was cheapest at first
 
 
 class AccuracyError(ReportedError, ValueError):
@@ -52,8 +57,7 @@ class Choice:
     program: Program
     pairs: Program  # all in pairs, for comparison
     paired: int  # instructions of the plain program that are in pairs
-    worst: tuple[float, ...]  # certified bound of each component of the results, at all states
-    states: int  # how many
+    worst: tuple[float, ...]  # largest certified bound of each component of the results
 
 
 @cache
@@ -66,47 +70,74 @@ def chosen(program: Program, accuracy: Accuracy) -> Choice:
 class _Search:
     def __init__(self, program: Program, accuracy: Accuracy) -> None:
         self.program, self.accuracy = program, accuracy
+        self.tolerances = np.array(accuracy.tolerances)
         self.pairs = in_pairs(program, SINGLE)
         self.states = States(accuracy, in_double(program))
         self.sensitive: dict[Place, float] = {}
+        self.powers: tuple[int, ...] = _POWERS
 
     def choice(self) -> Choice:
-        """Draws other states until the bounds hold there and at the first ones."""
+        """Draws and searches other states until the bounds hold there and at the first ones."""
         first = self.states.drawn(DRAWN)
-        self._refuse(first)
         units = self._units(self.program, first)
         self._rank(first.at(np.arange(_RANKED)))
         self._rank(first.at(_worst(units)))
         self.sample = first.at(np.argsort(-units.max(axis=0), kind="stable")[:SEARCHED])
-        least, room = float(self._units(self.pairs, self.sample).max()), ROOM
+        for sizes in (results(self.program, self.tolerances), self._errors(self.program)):
+            self._add(self._searched(sizes))
+        room = ROOM
         while True:
-            mixture = self._cheapest(least + room * (1 - least))
-            found, both = mixed(self.program, mixture), first.joined(self.states.drawn(DRAWN))
-            units = self._units(found, both)
-            if units.max() <= 1:
-                worst = both.certified(found).max(axis=1).tolist()
-                return Choice(found, self.pairs, len(mixture.paired), tuple(worst), both.size)
-            self._refuse(both)
-            hard = both.at(_worst(units))
-            self._rank(hard)
-            self.sample = self.sample.joined(hard)
-            room *= ROOM
+            mixture = self._cheapest(room)
+            found = mixed(self.program, mixture)
+            others = self._others(found)
+            if self._units(found, others).max() <= 1:
+                worst = self.sample.joined(first).joined(others).certified(found).max(axis=1)
+                return Choice(found, self.pairs, len(mixture.paired), tuple(worst.tolist()))
+            self._add(others.at(_worst(self._units(found, others))))
+            room *= room  # soon little: all is in pairs then
+
+    def _others(self, program: Program) -> Sample:
+        """Fresh states: drawn, and those that searches find, until bounds do not hold at one."""
+        found = self.states.drawn(DRAWN)
+        for _ in range(SEARCHES):
+            if self._units(program, found).max() > 1:
+                break
+            found = found.joined(self._searched(self._errors(program)))
+        return found
+
+    def _errors(self, program: Program) -> Sizes:
+        return errors(program, self.program, self.tolerances)
+
+    def _searched(self, sizes: Sizes) -> Sample:
+        """States where these are largest, as a search finds them."""
+        return self.states.sample(climbed(self.states, sizes))
+
+    def _add(self, hard: Sample) -> None:
+        """Let the mixture be as accurate as asked at these states, too."""
+        self._refuse(hard)
+        self._rank(hard.at(_worst(self._units(self.program, hard))))
+        self.sample = self.sample.joined(hard)
 
     def _units(self, program: Program, sample: Sample) -> Array:
         """Certified bounds in units of what is asked."""
-        units: Array = sample.certified(program) / np.array(self.accuracy.tolerances)[:, None]
+        units: Array = sample.certified(program) / self.tolerances[:, None]
         return units
 
     def _rank(self, sample: Sample) -> None:
         """Let sensitivities hold at these states, too."""
-        wide = [[x.astype(float) for x in each] for each in sample.given]
-        for place, size in sensitivities(self.program, wide, self.accuracy.tolerances).items():
+        for place, size in sensitivities(self.program, double(sample.given),
+                                         self.accuracy.tolerances).items():
             self.sensitive[place] = max(size, self.sensitive.get(place, 0))
 
-    def _cheapest(self, aim: float) -> Mixture:
-        """The cheapest mixture found with bounds of at most `aim` at the sample."""
-        found = [self._largest(power, aim) for power in _POWERS]
-        return min(found, key=lambda x: operations(mixed(self.program, x)))
+    def _cheapest(self, room: float) -> Mixture:
+        """The cheapest mixture found whose bounds at the sample use at most this share of what
+        pairs leave of the accuracy."""
+        least = float(self._units(self.pairs, self.sample).max())
+        aim = least + room * (1 - least)
+        found = {power: self._largest(power, aim) for power in self.powers}
+        cheapest = min(found, key=lambda x: operations(mixed(self.program, found[x])))
+        self.powers = cheapest,
+        return found[cheapest]
 
     def _largest(self, power: int, aim: float) -> Mixture:
         """That of the largest threshold; all in pairs if there is none."""
@@ -147,23 +178,6 @@ class _Search:
                 raise AccuracyError(
                     f"accuracy of {self.program.name}: {asked:g} is asked of {name}; even pairs of "
                     f"floats, rounded at the end, {found} in component {number}")
-
-
-def in_words(choice: Choice, function: Function) -> str:
-    """What is certified and where, and what the mixture saves."""
-    assert function.accuracy
-    asked, components = function.accuracy.tolerances, function.accuracy.components
-    outputs = {name: [k for k, (x, _) in enumerate(components) if x == name]
-               for name, _ in components}
-    found = "; ".join(f"{name} by at most {two_digits_up(max(choice.worst[k] for k in places))} "
-                      f"(asked: {asked[places[0]]:g})".replace("e-0", "e-")
-                      for name, places in outputs.items() if isfinite(asked[places[0]]))
-    plain, mixture, pairs = map(operations, (function.program, choice.program, choice.pairs))
-    count = len(function.program.instructions)
-    return (f"Certified at {choice.states:,} states drawn between the joints' limits, not proved "
-            f"between them: rounding moves {found}.  In pairs: {choice.paired:,} of {count:,} "
-            f"instructions ({100 * choice.paired / count:.0f} %).  Operations, those of elementary "
-            f"functions included: {mixture:,}; {plain:,} in single precision, {pairs:,} in pairs.")
 
 
 def operations(program: Program) -> int:

@@ -35,7 +35,7 @@ def accurate(program: Program) -> Program:
     if bounds is None or all(bound.c2 <= LARGEST_C2 for bound in bounds):
         return quick
     sums = {step.name for step in program.instructions if step.op in (Op.ADD, Op.SUB)}
-    return compensated(program, Accurate(frozenset(sums)))
+    return compensated(program, Accurate(sums))
 
 
 def widened(program: Program) -> Program:
@@ -84,10 +84,9 @@ TIER = Tier(
     ("#c2570c", "#f5a04d"), _made, has=_has, operation=accurate_operation, scene=of_scene,
     header="ksl_exact",
     promise="""\
-A component is within one unit of its last digit as long as its condition is below 1e13, divided by
-the largest angle above 1 rad that the function computes itself; in single precision it is the
-nearest number, except near ties, as long as that is below 1e5.  Measured, not proved; nothing is
-promised where something overflows or a product falls below 2^-968.""",
+A component is within one unit of its last digit as long as its condition is below 1e13; in single
+precision it is the nearest number, except near ties, as long as that is below 1e5.  Measured, not
+proved; nothing is promised where something overflows or a product falls below 2^-968.""",
     in_words="""\
 The accurate tier: float64 compensated, intermediate results carried as hi + lo; float32 computed in
 float64 and rounded once.  The same bits as the C kernels, with fma or without.""")

@@ -74,7 +74,7 @@ class Compensator:
         a_lo, b_lo = (self.low(step, x) for x in step.operands)
         self.steps.append(step)
         cross = [self.issue(step, Op.MUL, (x, y), f"cross{number}")
-                 for number, (x, y) in enumerate(((a_lo, self.factor(step, a, b)), (a, b_lo)), 1)
+                 for number, (x, y) in enumerate(((a_lo, b), (a, b_lo)), start=1)
                  if x is not None and y is not None]
         if scales(step):
             if cross:
@@ -85,10 +85,6 @@ class Compensator:
         if cross:
             self._low[step.name] = cross[0]
         self._products[step.name] = step
-
-    def factor(self, step: Instruction, a: Operand, b: Operand) -> Operand:
-        """What a_lo is multiplied by: b, where a_lo b_lo is too small to matter."""
-        return b
 
     def _sum(self, step: Instruction) -> None:
         """s = a ± b: lo is a and b less their shares of s, plus b's lo, plus a's, in this order.

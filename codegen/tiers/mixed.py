@@ -44,6 +44,8 @@ class _Mixed(OfScene):
             super().compensate(step)
             return
         known = tuple(self._normal.get(name_of(x), x) for x in step.operands)
+        if step.op is Op.MUL and self._mixture.kept.issuperset((step.name, n) for n in range(2)):
+            known = tuple(self.factor(step, x) for x in known)
         low = [self.low(step, x) if (step.name, place) in self._mixture.kept else None
                for place, x in enumerate(known)]
         operands = tuple(x if more is not None else self._single(step, x)
@@ -66,7 +68,7 @@ class _Mixed(OfScene):
                 return self.issue(step, Op.NEG, (b_lo,), "cross")
             return self._sum_of(step, step.op, a_lo, b_lo)
         left = None if a_lo is None else self.issue(
-            step, Op.MUL, (a_lo, b if b_lo is None else self.factor(step, a, b)), "cross1")
+            step, Op.MUL, (a_lo, b), "cross1")
         right = None if b_lo is None else self.issue(step, Op.MUL, (a, b_lo), "cross2")
         return self._sum_of(step, Op.ADD, left, right)
 

@@ -7,6 +7,7 @@ is computed by functions of their own.  Where lo is NaN (0/0, an infinite hi), t
 """
 
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 
@@ -52,9 +53,9 @@ class Accurate(Compensator):
 
     `overlapping` names the results that are made non-overlapping before they are multiplied."""
 
-    def __init__(self, overlapping: frozenset[str] = frozenset()) -> None:
+    def __init__(self, overlapping: Iterable[str] = ()) -> None:
         super().__init__()
-        self._overlapping = overlapping
+        self.overlapping = set(overlapping)
         self._normal: dict[str, Operand] = {}  # hi of normalized results, by their plain name
         self._normals: set[str] = set()
         self._finals: dict[Operand, Ref] = {}
@@ -92,9 +93,13 @@ class Accurate(Compensator):
             self._low[step.name] = total
 
     def _product(self, step: Instruction) -> None:
-        operands = (self._normalized(step, x) if name_of(x) in self._overlapping else x
-                    for x in step.operands)
-        super()._product(replace(step, operands=tuple(operands)))
+        factors = tuple(self.factor(step, x) for x in step.operands)
+        super()._product(replace(step, operands=factors))
+
+    def factor(self, step: Instruction, operand: Operand) -> Operand:
+        """An operand as it is multiplied."""
+        overlaps = name_of(operand) in self.overlapping
+        return self._normalized(step, operand) if overlaps else operand
 
     def _normalized(self, step: Instruction, operand: Operand) -> Operand:
         """hi + lo rounded; its rounding error is the new lo."""
@@ -104,15 +109,18 @@ class Accurate(Compensator):
         at = replace(step, name=self.normal_name(step, name_of(operand)), op=Op.ADD,
                      operands=(operand, low))
         self.steps.append(at)
-        total = Ref(at.name)
         self._normals.add(at.name)
-        right = self.issue(at, Op.SUB, (total, operand), "right")
-        left = self.issue(at, Op.EXACT_SUB, (total, right), "left")
-        rests = (self.issue(at, Op.EXACT_SUB, (operand, left), "left_rest"),
-                 self.issue(at, Op.EXACT_SUB, (low, right), "right_rest"))
-        self._low[at.name] = self.issue(at, Op.EXACT_ADD, rests, "lo")
-        self._normal[name_of(operand)] = total
-        return total
+        self._low[at.name] = self.rest(at, operand, low)
+        self._normal[name_of(operand)] = Ref(at.name)
+        return Ref(at.name)
+
+    def rest(self, total: Instruction, hi: Operand, lo: Operand) -> Operand:
+        """What the rounding of hi + lo leaves, exactly: Two-Sum."""
+        right = self.issue(total, Op.SUB, (Ref(total.name), hi), "right")
+        left = self.issue(total, Op.EXACT_SUB, (Ref(total.name), right), "left")
+        rests = (self.issue(total, Op.EXACT_SUB, (hi, left), "left_rest"),
+                 self.issue(total, Op.EXACT_SUB, (lo, right), "right_rest"))
+        return self.issue(total, Op.EXACT_ADD, rests, "lo")
 
     def normal_name(self, step: Instruction, operand: str) -> str:
         """The name of an operand of this instruction once it is normalized."""

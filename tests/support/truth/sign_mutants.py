@@ -123,25 +123,21 @@ def mutants(folder: Path, files: dict[str, str], stem: str, function: str, size:
 
 
 def _with_rests(text: str) -> str:
-    """After each result its rest, by the sum of two numbers whatever their sizes.
+    """After the statement with a result's last sum the sum's rest, by the sum of two numbers
+    whatever their sizes.
 
     A result's sum may have its sign flipped: its operands are read off the text, that not."""
-    results = iter(range(text.count("_final;")))
-
-    def matched(pattern: str) -> tuple[str, ...]:
+    def matched(pattern: str) -> re.Match[str]:
         found = re.search(pattern, text)
         assert found, pattern
-        return found.groups()
+        return found
 
-    def rest(found: re.Match[str]) -> str:
-        values, result = found[1], found[2]
-        total, = matched(rf"\b{result} = (\S+) == \1")
-        name = total.rpartition(">")[2]
-        a, b = matched(rf"\b{name} = (\S+) \+(?: sign_of\[\d+\] \*)? ([^\s,;]+)")
-        if total != name:
-            a, b = (x if ">" in x else f"{values}->{x}" for x in (a, b))
+    for place, result in enumerate(re.findall(r"^  \w+->(\w+_final) = \1;", text, re.M)):
+        total = matched(rf"\b{result} = (?:\w+->)?(\w+) == ")[1]
+        found = matched(rf"(?<![>\w]){total} = (\S+) \+(?: sign_of\[\d+\] \*)? "
+                        r"(\([^()]*\)|[^\s,;]+)[^;]*;")
+        a, b = found.groups()
         right = f"({total} - {a})"
-        return f"{found[0]}\n  rest_of[{next(results)}] = " \
-               f"{a} - ({total} - {right}) + ({b} - {right});"
-
-    return re.sub(r"^  (\w+)->(\w+_final) = \2;", rest, text, flags=re.M)
+        text = f"{text[:found.end()]}\n  rest_of[{place}] = " \
+               f"{a} - ({total} - {right}) + ({b} - {right});{text[found.end():]}"
+    return text

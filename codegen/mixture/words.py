@@ -1,0 +1,42 @@
+"""What is certified of a mixture and where, and what it saves, in words."""
+
+from math import isfinite
+
+from coscrew_codegen.digits import two_digits_up
+from coscrew_codegen.mixture.choice import DRAWN, SEARCHES, Choice, operations
+from coscrew_codegen.mixture.climb import CLIMBED
+from coscrew_codegen.scene_functions import Function
+
+
+def in_words(choice: Choice, function: Function) -> str:
+    """For the comment of the function."""
+    plain, mixture, pairs = _operations(choice, function)
+    count = len(function.program.instructions)
+    return (f"Certified at {2 * DRAWN:,} states drawn between the joints' limits and at the worst "
+            f"that {SEARCHES} searches among {SEARCHES * CLIMBED:,} others found, not proved "
+            f"between them: rounding moves {_moved(choice, function)}.  In pairs: "
+            f"{choice.paired:,} of {count:,} instructions ({100 * choice.paired / count:.0f} %).  "
+            f"Operations, those of elementary functions included: {mixture:,}; {plain:,} in single "
+            f"precision, {pairs:,} in pairs.")
+
+
+def saving(choice: Choice, function: Function) -> str:
+    """A line for who generates the function."""
+    plain, mixture, pairs = _operations(choice, function)
+    return (f"{function.name}: {mixture:,} operations in the mixed tier, {plain:,} in single "
+            f"precision, {pairs:,} in pairs; rounding was found to move "
+            f"{_moved(choice, function)}")
+
+
+def _moved(choice: Choice, function: Function) -> str:
+    assert function.accuracy
+    asked, components = function.accuracy.tolerances, function.accuracy.components
+    outputs = {name: [k for k, (x, _) in enumerate(components) if x == name]
+               for name, _ in components}
+    return "; ".join(f"{name} by at most {two_digits_up(max(choice.worst[k] for k in places))} "
+                     f"(asked: {asked[places[0]]:g})".replace("e-0", "e-")
+                     for name, places in outputs.items() if isfinite(asked[places[0]]))
+
+
+def _operations(choice: Choice, function: Function) -> tuple[int, ...]:
+    return tuple(map(operations, (function.program, choice.program, choice.pairs)))
