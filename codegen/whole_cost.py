@@ -21,9 +21,14 @@ def whole_counts(program: Program, precision: Precision) -> Mapping[Op, int]:
              for step in program.instructions if step.op in FUNCTION_OF
              for function in [_FUNCTIONS[FUNCTION_OF[step.op]]]}
     for function in calls.values():
-        total += Counter(function.kernel(working).counts)
-        total += Counter(function.near(working).counts if function.near else {})
+        total += counts_of(function, working)
     return total
+
+
+def counts_of(function: Elementary, precision: Precision) -> Counter[Op]:
+    """The operations of a call: of angles that are reduced as small ones are."""
+    near = function.near(precision).counts if function.near else {}
+    return Counter(function.kernel(precision).counts) + Counter(near)
 
 
 def whole_cost(program: Program, precision: Precision) -> str:

@@ -70,9 +70,15 @@ def _keep_bytecode() -> None:
     sys.dont_write_bytecode = False
 
 
+def _keep_cache_apart() -> None:
+    """What tests derive and compile is not looked up among what a user's commands have kept."""
+    os.environ["XDG_CACHE_HOME"] = str(Path(__file__).parents[1] / "build" / "cache")
+
+
 def pytest_configure(config: pytest.Config) -> None:
     """Report stale extensions once and stop, instead of failing in some test."""
     _keep_bytecode()
+    _keep_cache_apart()
     if config.getoption("--stale-extensions") or hasattr(config, "workerinput"):
         return
     from coscrew_codegen.build import extensions

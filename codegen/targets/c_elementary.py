@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 
 from coscrew_codegen.elementary import ELEMENTARY, ERRORS, Elementary
 from coscrew_codegen.formats import BY_NAME, DOUBLE, Precision
-from coscrew_codegen.program import Constant, Input, Op, Program, counts_in_words, renamed
+from coscrew_codegen.program import Constant, Input, Op, Program, renamed
+from coscrew_codegen.program.program import in_words
 from coscrew_codegen.quantity import Argument
 from coscrew_codegen.targets import c_lanes, two_over_pi
 from coscrew_codegen.targets.c_function import Body, Stored
@@ -15,6 +16,7 @@ from coscrew_codegen.targets.c_lanes import SEVERAL
 from coscrew_codegen.targets.c_nested import language
 from coscrew_codegen.targets.c_statements import WIDTH, comment_of, listed
 from coscrew_codegen.targets.nesting import planned
+from coscrew_codegen.whole_cost import counts_of
 
 _VALUE_WIDTH = 150
 
@@ -83,7 +85,7 @@ def _written(function: Elementary, precision: Precision, nested: bool) -> Writte
     numbers = BY_NAME[precision.name]  # the precision, without vectors
     kernel = function.kernel(numbers)
     comment = comment_of([f"{function.statement}.", function.comment(numbers),
-                          f"{counts_in_words(kernel).capitalize()}."])
+                          f"{_cost(function, numbers).capitalize()}."])
     head, body = _function(f"ksl_{function.name}", function.inputs, function.outputs, kernel,
                            precision, nested)
     if not (function.near and function.far and function.limit):
@@ -97,6 +99,11 @@ def _written(function: Elementary, precision: Precision, nested: bool) -> Writte
                    [a.name for a in near.outputs],
                    precision.literal(Constant(limit, limit)) + precision.suffix,
                    two_over_pi.in_c(numbers), function in ELEMENTARY)
+
+
+def _cost(function: Elementary, precision: Precision) -> str:
+    reduced = "; beyond the limit, more" if function.near else ""
+    return in_words(counts_of(function, precision)) + reduced
 
 
 def _function(name: str, inputs: Sequence[Argument], outputs: Sequence[Argument], program: Program,

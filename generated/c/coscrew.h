@@ -689,7 +689,7 @@ static KSL_COLD double ksl_sincos_far(const double x, double *r, double *r_exces
    x = k pi/2 + r - r_excess, |r| <= pi/4 and little more; pi/2 in parts to 2^-30, 2^-53, 2^-84
      and a rest, beyond the limit by the digits of 2/pi; polynomials of degrees 13 and 14 in r,
      to 2^-57.8; with all roundings within 0.824 ulp (both proved), for every finite x.
-   23 mul, 25 add, 1 abs. */
+   28 mul, 33 add, 1 abs; beyond the limit, more. */
 static KSL_INLINED double ksl_sincos(const double x, double *c) {
   double r, r_excess,
       quadrant = ksl_sincos_near(x, &r, &r_excess);
@@ -1010,7 +1010,7 @@ static KSL_COLD float ksl_sincos_farf(const float x, float *r, float *r_excess) 
    x = k pi/2 + r - r_excess, |r| <= pi/4 and little more; pi/2 in parts to 2^-13, 2^-24, 2^-39
      and a rest, beyond the limit by the digits of 2/pi; polynomials of degrees 7 and 8 in r, to
      2^-27.8; with all roundings within 0.85 ulp (both proved), for every finite x.
-   17 mul, 19 add, 1 abs. */
+   22 mul, 27 add, 1 abs; beyond the limit, more. */
 static KSL_INLINED float ksl_sincosf(const float x, float *c) {
   float r, r_excess,
       quadrant = ksl_sincos_nearf(x, &r, &r_excess);

@@ -9,6 +9,10 @@ import pytest
 from coscrew_codegen.elementary import ELEMENTARY, ERRORS, Elementary
 from coscrew_codegen.elementary.pairs import power_of_two
 from coscrew_codegen.formats import DOUBLE, SINGLE, Precision
+from coscrew_codegen.targets.c_elementary import written
+from coscrew_codegen.whole_cost import whole_cost
+from tests.hard_cases.corpus import TABLE
+from tests.support.truth.attack import plain_program
 from tests.support.truth.elementary import errors, results, worst_cases
 
 _GUIDE = Path(__file__).parents[2] / "docs" / "accuracy.md"
@@ -33,6 +37,15 @@ def test_rows_are_true(function):
                    for x in (float(function.error(p)), found[p.name][name]))
         row = f"| `{name}` | {' | '.join(f'{x:.3f}' for x in numbers)} |"
         assert row in _GUIDE.read_text().splitlines(), row
+
+
+@pytest.mark.parametrize("function", ELEMENTARY, ids=lambda x: x.name)
+@pytest.mark.parametrize("precision", (DOUBLE, SINGLE), ids=lambda x: x.name)
+def test_costs_are_those_of_the_operation(function: Elementary, precision: Precision):
+    """The kernel's comment and the reference count the same operations: reductions take part."""
+    kernel, = written(precision, [function.name])
+    cost = whole_cost(plain_program(TABLE[function.name]), precision)
+    assert f"   {cost.capitalize()}" in kernel.comment
 
 
 @pytest.mark.parametrize("function", ERRORS, ids=lambda x: x.name)

@@ -330,8 +330,8 @@ def orthonormal(name: str, x: mp.matrix | mp.mpf) -> mp.matrix | mp.mpf:
 @for_all(precision=PRECISIONS, language=RUNS)
 def test_text_is_its_formula(operation, precision, language):
     """Norms and angles: scaling is undone to the last digit."""
-    rules = Rules(precision)
+    rules, truth = Rules(precision), operation.truth()
     for row in rows(operation, precision):
         evaluator = evaluator_of(operation, rules, row)
-        wanted = [evaluator(x).value for x in operation.truth()]
+        wanted = [evaluator(x).value for x in truth]
         assert not differs(RUNS[language](operation, rules, row), wanted)

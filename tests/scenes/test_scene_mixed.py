@@ -6,6 +6,7 @@ tests' own in 60 digits; its bits are the same in C, NumPy and in what chooses.
 
 import hashlib
 import importlib
+import json
 import os
 import re
 import subprocess
@@ -191,6 +192,15 @@ def test_an_unknown_output_is_refused():
         derive(scene)
 
 
+def test_a_package_names_the_modules_that_it_has(made):
+    package = importlib.import_module(made[0].name)
+    with pytest.raises(AttributeError, match="no attribute 'pairs'; its modules: double, single, "
+                                             "mixed$"):
+        package.pairs  # noqa: B018
+    with pytest.raises(AttributeError, match="no attribute 'double'; its modules: single$"):
+        package.mixed.double  # noqa: B018
+
+
 def test_torques_without_limits_are_refused():
     scene = replace(SCENE, functions=("forward_dynamics",),
                     accuracy=(Tolerance("forward_dynamics", "", 1e-4),))
@@ -287,3 +297,18 @@ def test_who_generates_is_told_what_each_mixture_saves(tmp_path: Path,
         assert f"rounding moves {moved[1]}" in words
         assert f"{mixture}; {plain} in single precision, {pairs} in pairs" in words
     assert "files" in written
+
+
+def test_cost_measures_mixtures(tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+                                capsys: pytest.CaptureFixture[str]):
+    """The states of its own search included, errors are within what is asked."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    file, made = tmp_path / "rod.toml", tmp_path / "rod.json"
+    file.write_text(HEAD + "energy = 1e-6")
+    assert main(["cost", str(file), "--function", "energy", "--states", "4",
+                 "--json", str(made)]) == 0
+    function, = json.loads(made.read_text())["functions"]
+    mixture, = (x for x in function["choices"] if x["tier"] == "mixed")
+    assert mixture["precision"] == "single" and mixture["time"]["median"] > 0
+    assert 0 < mixture["errors"][0]["worst"] <= 1e-6
+    assert "single mixed" in capsys.readouterr().out

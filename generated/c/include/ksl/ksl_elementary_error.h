@@ -561,7 +561,7 @@ static KSL_COLD double ksl_sincos_error_far(const double x, double *r, double *r
    x = k pi/2 + r, r as a pair; Taylor's polynomial of degree 27 in pairs for sin r, whose error
      gives that of cos r, as their squares are 1 together; s + s_error and c + c_error are within
      2^-100.2 of sin x and cos x, relative to these (proved), for every finite x.
-   48 mul, 75 add, 11 product error, 1 div, 2 abs, 1 less, 1 select. */
+   55 mul, 94 add, 11 product error, 1 div, 2 abs, 1 less, 1 select; beyond the limit, more. */
 static KSL_INLINE double ksl_sincos_error(const double x, const double s, const double c,
     double *c_error) {
   double r, r_low,
@@ -1282,7 +1282,7 @@ static KSL_COLD float ksl_sincos_error_farf(const float x, float *r, float *r_lo
    x = k pi/2 + r, r as a pair; Taylor's polynomial of degree 17 in pairs for sin r, whose error
      gives that of cos r, as their squares are 1 together; s + s_error and c + c_error are within
      2^-42.2 of sin x and cos x, relative to these (proved), for every finite x.
-   36 mul, 52 add, 8 product error, 1 div, 2 abs, 1 less, 1 select. */
+   43 mul, 71 add, 8 product error, 1 div, 2 abs, 1 less, 1 select; beyond the limit, more. */
 static KSL_INLINE float ksl_sincos_errorf(const float x, const float s, const float c, float *c_error) {
   float r, r_low,
       quadrant = ksl_sincos_error_nearf(x, &r, &r_low);
