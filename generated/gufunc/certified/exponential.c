@@ -857,7 +857,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "inf or NaN.\n"
     "\n"
     "(3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.\n"
-    "326 mul, 479 add, 16 product error, 21 product rest, 12 div, 3 sqrt, 49 abs, 13 less, 2\n"
+    "373 mul, 517 add, 16 product error, 21 product rest, 12 div, 3 sqrt, 58 abs, 13 less, 2\n"
     "equal, 29 select.  Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in\n"
     "single precision 1e5; searched, not proved.\n",
    1, 2, SO3_exp_loops},
@@ -866,7 +866,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "|error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(3,3)->(3),(3).  R: rotation or other 3×3 matrix; vo, vo_bound: vector.\n"
-    "216 mul, 442 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 65 abs, 4\n"
+    "242 mul, 465 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 71 abs, 4\n"
     "copysign, 34 less, 6 equal, 99 select.  Error <= vo: 7 u of its largest component for R a\n"
     "rotation; searched, not proved.\n",
    1, 2, SO3_log_loops},
@@ -875,7 +875,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "unless inf or NaN.\n"
     "\n"
     "(3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.\n"
-    "428 mul, 736 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 89 abs, 19 less, 2\n"
+    "437 mul, 744 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 91 abs, 19 less, 2\n"
     "equal, 45 select.  Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in\n"
     "single precision 1e5; searched, not proved.\n",
    1, 2, SO3_leftJacobian_loops},
@@ -884,7 +884,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "unless inf or NaN.\n"
     "\n"
     "(3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.\n"
-    "428 mul, 736 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 12 neg, 89 abs, 19\n"
+    "437 mul, 744 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 12 neg, 91 abs, 19\n"
     "less, 2 equal, 45 select.  Error <= R: (7 + θ/200) u of its largest component for |v| <=\n"
     "1e13, in single precision 1e5; searched, not proved.\n",
    1, 2, SO3_rightJacobian_loops},
@@ -925,7 +925,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "\n"
     "(6)->(3,4),(3,4).  s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R\n"
     "rotation, t in m.\n"
-    "519 mul, 865 add, 24 product error, 57 product rest, 16 div, 3 sqrt, 101 abs, 19 less, 2\n"
+    "557 mul, 898 add, 24 product error, 57 product rest, 16 div, 3 sqrt, 115 abs, 19 less, 2\n"
     "equal, 46 select.  Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or\n"
     "of s.lin if that is larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not\n"
     "proved.  Intermediate sums may overflow where |v|, or |ω| |v|, is above 2e306, in single\n"
@@ -937,7 +937,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "\n"
     "(3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;\n"
     "ω in rad/s).\n"
-    "575 mul, 985 add, 36 product error, 35 product rest, 47 div, 5 sqrt, 14 neg, 160 abs, 6\n"
+    "694 mul, 1084 add, 36 product error, 35 product rest, 47 div, 5 sqrt, 14 neg, 181 abs, 6\n"
     "copysign, 65 less, 10 equal, 167 select.  Error <= lin: 18 u, ang: 8 u of its largest\n"
     "component for R of D a rotation; searched, not proved.  Intermediate sums may overflow where\n"
     "|t| is above 2e306, in single precision 5e36.\n",

@@ -4376,7 +4376,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "\n"
     "(4)->(),(3),(),(3).  q: quaternion (x, y, z, w), the scalar last; angle, angle_bound:\n"
     "number; axis, axis_bound: vector.\n"
-    "201 mul, 318 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4\n"
+    "210 mul, 327 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 53 abs, 4\n"
     "copysign, 35 less, 10 equal, 69 select.  Error <= angle: 6 u, axis: 4 u of its largest\n"
     "component; searched, not proved.\n",
    1, 4, axis_angle_from_quaternion_loops},
@@ -4385,7 +4385,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "of qo| <= qo_bound unless inf or NaN.\n"
     "\n"
     "(3)->(4),(4).  v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.\n"
-    "256 mul, 331 add, 16 product error, 3 product rest, 11 div, 3 sqrt, 35 abs, 10 less, 2\n"
+    "267 mul, 342 add, 16 product error, 3 product rest, 11 div, 3 sqrt, 38 abs, 10 less, 2\n"
     "equal, 24 select.  Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in\n"
     "single precision 1e5; searched, not proved.\n",
    1, 2, quaternion_exp_loops},
@@ -4394,7 +4394,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "it; |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(4)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.\n"
-    "209 mul, 315 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4\n"
+    "229 mul, 335 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 55 abs, 4\n"
     "copysign, 35 less, 10 equal, 65 select.  Error <= vo: 6 u of its largest component;\n"
     "searched, not proved.\n",
    1, 2, quaternion_log_loops},

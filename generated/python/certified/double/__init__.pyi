@@ -1508,7 +1508,7 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float64] | No
 
     (4)->(),(3),(),(3).  q: quaternion (x, y, z, w), the scalar last; angle, angle_bound:
     number; axis, axis_bound: vector.
-    201 mul, 318 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4
+    210 mul, 327 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 53 abs, 4
     copysign, 35 less, 10 equal, 69 select.  Error <= angle: 6 u, axis: 4 u of its largest
     component; searched, not proved.
     """
@@ -1518,7 +1518,7 @@ def quaternion_exp(v: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[
     of qo| <= qo_bound unless inf or NaN.
 
     (3)->(4),(4).  v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-    256 mul, 331 add, 16 product error, 3 product rest, 11 div, 3 sqrt, 35 abs, 10 less, 2
+    267 mul, 342 add, 16 product error, 3 product rest, 11 div, 3 sqrt, 38 abs, 10 less, 2
     equal, 24 select.  Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in
     single precision 1e5; searched, not proved.
     """
@@ -1528,7 +1528,7 @@ def quaternion_log(q: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[
     it; |error of vo| <= vo_bound unless inf or NaN.
 
     (4)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
-    209 mul, 315 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4
+    229 mul, 335 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 55 abs, 4
     copysign, 35 less, 10 equal, 65 select.  Error <= vo: 6 u of its largest component;
     searched, not proved.
     """
@@ -1538,7 +1538,7 @@ def SO3_exp(v: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.floa
     inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    326 mul, 479 add, 16 product error, 21 product rest, 12 div, 3 sqrt, 49 abs, 13 less, 2
+    373 mul, 517 add, 16 product error, 21 product rest, 12 div, 3 sqrt, 58 abs, 13 less, 2
     equal, 29 select.  Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in
     single precision 1e5; searched, not proved.
     """
@@ -1548,7 +1548,7 @@ def SO3_log(R: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.floa
     |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; vo, vo_bound: vector.
-    216 mul, 442 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 65 abs, 4
+    242 mul, 465 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 71 abs, 4
     copysign, 34 less, 6 equal, 99 select.  Error <= vo: 7 u of its largest component for R a
     rotation; searched, not proved.
     """
@@ -1558,7 +1558,7 @@ def SO3_leftJacobian(v: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArra
     unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    428 mul, 736 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 89 abs, 19 less, 2
+    437 mul, 744 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 91 abs, 19 less, 2
     equal, 45 select.  Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in
     single precision 1e5; searched, not proved.
     """
@@ -1568,7 +1568,7 @@ def SO3_rightJacobian(v: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArr
     unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    428 mul, 736 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 12 neg, 89 abs, 19
+    437 mul, 744 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 12 neg, 91 abs, 19
     less, 2 equal, 45 select.  Error <= R: (7 + θ/200) u of its largest component for |v| <=
     1e13, in single precision 1e5; searched, not proved.
     """
@@ -1608,7 +1608,7 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float64] | None, 
 
     (3,3)->(),(3),(),(3).  R: rotation or other 3×3 matrix; angle, angle_bound: number; axis,
     axis_bound: vector.
-    205 mul, 442 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 63 abs, 4
+    217 mul, 454 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 66 abs, 4
     copysign, 34 less, 6 equal, 103 select.  Error <= angle: 8 u, axis: 5 u of its largest
     component for R a rotation; searched, not proved.
     """
@@ -1634,7 +1634,7 @@ def SE3_exp(s: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.floa
 
     (6)->(3,4),(3,4).  s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R
     rotation, t in m.
-    519 mul, 865 add, 24 product error, 57 product rest, 16 div, 3 sqrt, 101 abs, 19 less, 2
+    557 mul, 898 add, 24 product error, 57 product rest, 16 div, 3 sqrt, 115 abs, 19 less, 2
     equal, 46 select.  Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or
     of s.lin if that is larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not
     proved.  Intermediate sums may overflow where |v|, or |ω| |v|, is above 2e306, in single
@@ -1647,7 +1647,7 @@ def SE3_log(D: ArrayLike, out: tuple[NDArray[np.float64] | None, NDArray[np.floa
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
     ω in rad/s).
-    575 mul, 985 add, 36 product error, 35 product rest, 47 div, 5 sqrt, 14 neg, 160 abs, 6
+    694 mul, 1084 add, 36 product error, 35 product rest, 47 div, 5 sqrt, 14 neg, 181 abs, 6
     copysign, 65 less, 10 equal, 167 select.  Error <= lin: 18 u, ang: 8 u of its largest
     component for R of D a rotation; searched, not proved.  Intermediate sums may overflow where
     |t| is above 2e306, in single precision 5e36.
