@@ -41,7 +41,9 @@ from coscrew_codegen.simulate import calls, native
 from coscrew_codegen.simulate.load import library_of
 from coscrew_codegen.targets import scene_c_tier, scene_calls
 from coscrew_codegen.tiers import tier_named
+from coscrew_codegen.tiers.accurate_scene import in_pairs
 from coscrew_codegen.tiers.certified_wide import in_double
+from coscrew_codegen.tiers.mixed import Mixture, mixed
 from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.arms import arm, inverse
@@ -176,6 +178,29 @@ def test_text_is_the_same_for_every_hash_seed(made):
                            cwd=Path(__file__).parents[2],
                            env={**os.environ, "PYTHONHASHSEED": "4242"}).stdout.strip()
     assert there == mine
+
+
+TARGET = """[effects.actuator.hinge]
+kind = "pd"
+kp = 300
+kd = 30
+target = "0.5*sin(2.1*pi*t)"
+"""
+
+
+def test_all_in_pairs_is_as_accurate_as_pairs(tmp_path: Path):
+    """Sines of computed angles, which are made of several instructions, too."""
+    file = tmp_path / "rod.toml"
+    file.write_text(HEAD.replace("[accuracy]", TARGET))
+    program = derive(read_scene(file)).named(NAME).program
+    places = [(x.name, n) for x in program.instructions for n in range(len(x.operands))]
+    every = Mixture(frozenset(x.name for x in program.instructions), frozenset(places))
+    rng = np.random.default_rng(6)
+    given = [[rng.uniform(-3, 3, 1000).astype(np.float32)] for _ in program.inputs]
+    found, pairs = (np.stack(evaluator(p, SINGLE)(given))
+                    for p in (mixed(program, every), in_pairs(program, SINGLE)))
+    assert "sin" in {x.op.value for x in program.instructions}
+    assert np.array_equal(found, pairs)
 
 
 def test_an_accuracy_that_pairs_do_not_have_is_refused():
