@@ -61,7 +61,8 @@ duration = 0.5
 def test_a_power_that_is_a_velocity_feeds_energy_in(tmp_path, capsys, effect):
     """A torque of 1 has the power v, which takes no operation."""
     for command in ("simulate", "check"):
-        status, said = outcome(tmp_path / "one.toml", capsys, command, f"{TURNING}[effects.{effect}")
+        status, said = outcome(tmp_path / "one.toml", capsys, command,
+                               f"{TURNING}[effects.{effect}")
         assert status == 0, said
 
 
