@@ -115,6 +115,15 @@ def test_what_double_shows_is_no_rounding_of_single(tmp_path, capsys):
     assert "rounding" not in said
 
 
+@pytest.mark.parametrize("height", (0, 1, 2000))
+def test_what_rests_has_no_error_of_energy(tmp_path, capsys, height):
+    """In both precisions, however much potential energy it has."""
+    status, said = outcome(tmp_path / "rest.toml", capsys, "check",
+                           PENDULUM.format(angle="0", z=height), "--precision", "both")
+    cause = next(x for x in said.splitlines() if x.startswith("cause of this error"))
+    assert status == 0 and cause.count("none: nothing moves") == 2
+
+
 PENDULUM = """
 [bodies]
 bob = {{ mass = 1, com = [0, 0, -0.5], inertia = [0.01, 0.01, 0.01] }}
