@@ -14,17 +14,18 @@ def in_words(choice: Choice, function: Function) -> str:
     count = len(function.program.instructions)
     return (f"Certified at {2 * DRAWN:,} states drawn between the joints' limits and at the worst "
             f"that {SEARCHES} searches among {SEARCHES * CLIMBED:,} others found, not proved "
-            f"between them: rounding moves {_moved(choice, function)}.  In pairs: "
-            f"{choice.paired:,} of {count:,} instructions ({100 * choice.paired / count:.0f} %).  "
-            f"Operations, those of elementary functions included: {mixture:,}; {plain:,} in single "
-            f"precision, {pairs:,} in pairs.")
+            f"between them: rounding moves {_moved(choice, function)}.  Of "
+            f"{count:,} instructions {choice.paired:,} are in pairs "
+            f"({100 * choice.paired / count:.0f} %).  A call takes {mixture:,} operations, those "
+            f"of elementary functions included; all in single precision {plain:,}, all in pairs "
+            f"{pairs:,}.")
 
 
 def saving(choice: Choice, function: Function) -> str:
     """A line for who generates the function."""
     plain, mixture, pairs = _operations(choice, function)
-    return (f"{function.name}: {mixture:,} operations in the mixed tier, {plain:,} in single "
-            f"precision, {pairs:,} in pairs; rounding was found to move "
+    return (f"{function.name}: a call takes {mixture:,} operations in the mixed tier, {plain:,} in "
+            f"single precision, {pairs:,} in pairs; rounding was found to move "
             f"{_moved(choice, function)}")
 
 
