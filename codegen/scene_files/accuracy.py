@@ -7,7 +7,7 @@ from coscrew_codegen.scene.recorded import followers
 from coscrew_codegen.scene.scene import Scene, Tolerance
 from coscrew_codegen.scene.selected import jacobians, names
 from coscrew_codegen.scene_files.errors import SceneError
-from coscrew_codegen.scene_files.tables import Table
+from coscrew_codegen.scene_files.tables import Decimals, Table
 
 OF_POSITIONS = ("mass_matrix", "gravity_torques", "body_poses")
 """Functions, besides Jacobians, of positions alone."""
@@ -53,7 +53,7 @@ def _positive(table: Table, key: str) -> float:
     try:
         number = float(table.number(key))
     except SceneError as error:
-        if not isinstance(table.values[key], str):
+        if not isinstance(table.values[key], str) or isinstance(table.values[key], Decimals):
             raise
         table.refuse(key, f"{error.problem.partition(';')[0]}; wanted a number, in the unit of the "
                           "results")

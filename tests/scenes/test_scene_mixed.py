@@ -314,12 +314,12 @@ def test_who_generates_is_told_what_each_mixture_saves(tmp_path: Path,
     assert main(["generate", str(file), "-o", str(tmp_path / "rod")]) == 0
     *lines, written = capsys.readouterr().out.splitlines()
     words = " ".join((tmp_path / "rod" / "rod_mixed.h").read_text().split())
-    for line, name, asked in zip(lines, ("inverse_dynamics", "energy"), ("2e-6", "1.25e-6"),
-                                 strict=True):
+    for line, name, asked, unit in zip(lines, ("inverse_dynamics", "energy"), ("2e-6", "1.25e-6"),
+                                       ("N m", "J"), strict=True):
         mixture, plain, pairs = re.findall(r"([\d,]+) (?:operations|in single|in pairs)", line)
-        moved = re.search(r"rounding was found to move (.* at most \S+ \(asked: (\S+)\))", line)
-        assert line.startswith(f"{name}: ") and moved and moved[2] == asked
-        assert f"rounding moves {moved[1]}" in words
+        moved = re.search(r"found to move (.* at most \S+) (.+) \(asked: (\S+)\)", line)
+        assert line.startswith(f"{name}: ") and moved and moved[2] == unit and moved[3] == asked
+        assert f"rounding moves {moved[1]} (asked: {asked})" in words
         assert f"A call takes {mixture} operations, " in words
         assert f"all in single precision {plain}, all in pairs {pairs}." in words
     assert "files" in written
