@@ -131,7 +131,7 @@ class HalfAngle:
 
 def _quotient(let: Let, sine: sp.Expr, h: sp.Expr, y: sp.Expr) -> sp.Expr:
     """k = sin h / h; its series up to h = 2^-26, so that nothing is divided by what may be 0."""
-    quotient = let("sinc_quotient", sine / let("sinc_divisor", _far_from_zero(h, h, sp.Integer(1))))
+    quotient = let("sinc_quotient", sine / let("sinc_divisor", _far_from_zero(h, h, _SMALL)))
     return let("sinc", _far_from_zero(h, quotient, alternating(
         lambda j: sp.Rational((-1)**j, sp.factorial(2 * j + 1)), y, 2, _SMALL**2)))
 

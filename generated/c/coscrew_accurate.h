@@ -23976,7 +23976,7 @@ static inline void ksl_quaternion_exp_accurate(const ksl_vec3_t *v, ksl_quaterni
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -24612,8 +24612,8 @@ static inline void ksl_quaternion_interpolated_accurate(const ksl_quaternion_t *
   const double exp_c_slope1 = KSL_MUL(exp_sine_half_cos, exp_sine),
       exp_c_slope2 = KSL_MUL(exp_sine_half_sin, exp_c), exp_c_slope = exp_c_slope1 + exp_c_slope2,
       exp_c_more = KSL_MUL(exp_c_slope, exp_sine_twice), exp_c_lo = exp_c_own_error - exp_c_more;
-  const double exp_sinc_divisor = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ? 1.0 :
-      exp_sine_of_exp_half_angle,
+  const double exp_sinc_divisor = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ?
+      1.4901161193847656e-08 : exp_sine_of_exp_half_angle,
       exp_sinc_divisor_lo = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ? 0.0 :
           exp_sine_of_exp_half_angle_lo;
   const double exp_sinc_quotient_of_exp_sine = exp_sine + exp_sine_lo,
@@ -26009,7 +26009,8 @@ static inline void ksl_quaternionf_exp_accurate(const ksl_vec3f_t *v, ksl_quater
   const double half_angle = KSL_MUL(reduced_length, up);
   const double y = KSL_MUL(half_angle, half_angle);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -26151,7 +26152,8 @@ static inline void ksl_quaternionf_interpolated_accurate(const ksl_quaternionf_t
   const double exp_half_angle = KSL_MUL(exp_reduced_length, exp_up);
   const double exp_y = KSL_MUL(exp_half_angle, exp_half_angle);
   double exp_c; const double exp_sine = ksl_sincos(exp_half_angle, &exp_c);
-  const double exp_sinc_divisor = exp_half_angle < 1.4901161193847656e-08 ? 1.0 : exp_half_angle;
+  const double exp_sinc_divisor = exp_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      exp_half_angle;
   const double exp_sinc_quotient = exp_sine / exp_sinc_divisor;
   const double exp_sinc_a = KSL_MUL(0.16666666666666666, exp_y), exp_sinc_b = 1.0 - exp_sinc_a,
       exp_sinc = exp_half_angle < 1.4901161193847656e-08 ? exp_sinc_b : exp_sinc_quotient;
@@ -26279,7 +26281,7 @@ static inline void ksl_SO3_exp_accurate(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -26760,7 +26762,7 @@ static inline void ksl_SO3_leftJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x3
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -27169,7 +27171,7 @@ static inline void ksl_SO3_rightJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -27581,7 +27583,7 @@ static inline void ksl_SO3_leftJacobianInverse_accurate(const ksl_vec3_t *v, ksl
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -28052,7 +28054,7 @@ static inline void ksl_SO3_rightJacobianInverse_accurate(const ksl_vec3_t *v, ks
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -29245,7 +29247,7 @@ static inline void ksl_SE3_exp_accurate(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -30011,8 +30013,8 @@ static inline void ksl_SE3_log_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
           sinc_divisor_a_of_half_angle_right,
       sinc_divisor_a_of_half_angle_lo = sinc_divisor_a_of_half_angle_left_rest +
           sinc_divisor_a_of_half_angle_right_rest,
-      sinc_divisor = sinc_divisor_a_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
-          sinc_divisor_a_of_half_angle,
+      sinc_divisor = sinc_divisor_a_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+          : sinc_divisor_a_of_half_angle,
       sinc_divisor_lo = sinc_divisor_a_of_half_angle < 1.4901161193847656e-08 ? 0.0 :
           sinc_divisor_a_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -30431,7 +30433,7 @@ static inline void ksl_SE3_leftJacobian_accurate(const ksl_screw_t *s, ksl_mat6x
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -31336,7 +31338,7 @@ static inline void ksl_SE3_rightJacobian_accurate(const ksl_screw_t *s, ksl_mat6
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -32258,7 +32260,7 @@ static inline void ksl_SE3_leftJacobianInverse_accurate(const ksl_screw_t *s, ks
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -33102,7 +33104,7 @@ static inline void ksl_SE3_rightJacobianInverse_accurate(const ksl_screw_t *s, k
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -34535,8 +34537,8 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
           log_sinc_divisor_a_of_log_half_angle_right,
       log_sinc_divisor_a_of_log_half_angle_lo = log_sinc_divisor_a_of_log_half_angle_left_rest +
           log_sinc_divisor_a_of_log_half_angle_right_rest,
-      log_sinc_divisor = log_sinc_divisor_a_of_log_half_angle < 1.4901161193847656e-08 ? 1.0 :
-          log_sinc_divisor_a_of_log_half_angle,
+      log_sinc_divisor = log_sinc_divisor_a_of_log_half_angle < 1.4901161193847656e-08 ?
+          1.4901161193847656e-08 : log_sinc_divisor_a_of_log_half_angle,
       log_sinc_divisor_lo = log_sinc_divisor_a_of_log_half_angle < 1.4901161193847656e-08 ? 0.0 :
           log_sinc_divisor_a_of_log_half_angle_lo;
   const double log_sinc_quotient_of_log_sine = log_sine + log_sine_lo,
@@ -35080,8 +35082,8 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
   const double exp_c_slope1 = KSL_MUL(exp_sine_half_cos, exp_sine),
       exp_c_slope2 = KSL_MUL(exp_sine_half_sin, exp_c), exp_c_slope = exp_c_slope1 + exp_c_slope2,
       exp_c_more = KSL_MUL(exp_c_slope, exp_sine_twice), exp_c_lo = exp_c_own_error - exp_c_more;
-  const double exp_sinc_divisor = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ? 1.0 :
-      exp_sine_of_exp_half_angle,
+  const double exp_sinc_divisor = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ?
+      1.4901161193847656e-08 : exp_sine_of_exp_half_angle,
       exp_sinc_divisor_lo = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ? 0.0 :
           exp_sine_of_exp_half_angle_lo;
   const double exp_sinc_quotient_of_exp_sine = exp_sine + exp_sine_lo,
@@ -35923,7 +35925,8 @@ static inline void ksl_SO3_expf_accurate(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
   const double half_angle = KSL_MUL(reduced_length, up);
   const double y = KSL_MUL(half_angle, half_angle);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -36046,7 +36049,8 @@ static inline void ksl_SO3_leftJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat3
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -36125,7 +36129,8 @@ static inline void ksl_SO3_rightJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -36204,7 +36209,8 @@ static inline void ksl_SO3_leftJacobianInversef_accurate(const ksl_vec3f_t *v, k
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -36286,7 +36292,8 @@ static inline void ksl_SO3_rightJacobianInversef_accurate(const ksl_vec3f_t *v, 
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -36538,7 +36545,8 @@ static inline void ksl_SE3f_exp_accurate(const ksl_screwf_t *s, ksl_SE3f_t *D) {
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -36699,7 +36707,8 @@ static inline void ksl_SE3f_log_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
   const double sine = n / length;
   const double c = upper_3 / length;
   const double y = KSL_MUL(half_angle, half_angle);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -36772,7 +36781,8 @@ static inline void ksl_SE3f_leftJacobian_accurate(const ksl_screwf_t *s, ksl_mat
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -36956,7 +36966,8 @@ static inline void ksl_SE3f_rightJacobian_accurate(const ksl_screwf_t *s, ksl_ma
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -37146,7 +37157,8 @@ static inline void ksl_SE3f_leftJacobianInverse_accurate(const ksl_screwf_t *s, 
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -37315,7 +37327,8 @@ static inline void ksl_SE3f_rightJacobianInverse_accurate(const ksl_screwf_t *s,
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -37586,7 +37599,8 @@ static inline void ksl_SE3f_interpolated_accurate(const ksl_SE3f_t *D1, const ks
   const double log_sine = log_n / log_length;
   const double log_c = log_upper_3 / log_length;
   const double log_y = KSL_MUL(log_half_angle, log_half_angle);
-  const double log_sinc_divisor = log_half_angle < 1.4901161193847656e-08 ? 1.0 : log_half_angle;
+  const double log_sinc_divisor = log_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      log_half_angle;
   const double log_sinc_quotient = log_sine / log_sinc_divisor;
   const double log_sinc_a = KSL_MUL(0.16666666666666666, log_y), log_sinc_b = 1.0 - log_sinc_a,
       log_sinc = log_half_angle < 1.4901161193847656e-08 ? log_sinc_b : log_sinc_quotient;
@@ -37665,7 +37679,8 @@ static inline void ksl_SE3f_interpolated_accurate(const ksl_SE3f_t *D1, const ks
       exp_y_d = KSL_MUL(exp_halved_2, exp_halved_2), exp_y = exp_y_c + exp_y_d;
   const double exp_half_angle = sqrt(exp_y);
   double exp_c; const double exp_sine = ksl_sincos(exp_half_angle, &exp_c);
-  const double exp_sinc_divisor = exp_half_angle < 1.4901161193847656e-08 ? 1.0 : exp_half_angle;
+  const double exp_sinc_divisor = exp_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      exp_half_angle;
   const double exp_sinc_quotient = exp_sine / exp_sinc_divisor;
   const double exp_sinc_a = KSL_MUL(0.16666666666666666, exp_y), exp_sinc_b = 1.0 - exp_sinc_a,
       exp_sinc = exp_half_angle < 1.4901161193847656e-08 ? exp_sinc_b : exp_sinc_quotient;

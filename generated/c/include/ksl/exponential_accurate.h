@@ -105,7 +105,7 @@ static inline void ksl_SO3_exp_accurate(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -586,7 +586,7 @@ static inline void ksl_SO3_leftJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x3
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -995,7 +995,7 @@ static inline void ksl_SO3_rightJacobian_accurate(const ksl_vec3_t *v, ksl_mat3x
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -1407,7 +1407,7 @@ static inline void ksl_SO3_leftJacobianInverse_accurate(const ksl_vec3_t *v, ksl
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -1878,7 +1878,7 @@ static inline void ksl_SO3_rightJacobianInverse_accurate(const ksl_vec3_t *v, ks
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -3071,7 +3071,7 @@ static inline void ksl_SE3_exp_accurate(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -3837,8 +3837,8 @@ static inline void ksl_SE3_log_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
           sinc_divisor_a_of_half_angle_right,
       sinc_divisor_a_of_half_angle_lo = sinc_divisor_a_of_half_angle_left_rest +
           sinc_divisor_a_of_half_angle_right_rest,
-      sinc_divisor = sinc_divisor_a_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
-          sinc_divisor_a_of_half_angle,
+      sinc_divisor = sinc_divisor_a_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+          : sinc_divisor_a_of_half_angle,
       sinc_divisor_lo = sinc_divisor_a_of_half_angle < 1.4901161193847656e-08 ? 0.0 :
           sinc_divisor_a_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -4257,7 +4257,7 @@ static inline void ksl_SE3_leftJacobian_accurate(const ksl_screw_t *s, ksl_mat6x
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -5162,7 +5162,7 @@ static inline void ksl_SE3_rightJacobian_accurate(const ksl_screw_t *s, ksl_mat6
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -6084,7 +6084,7 @@ static inline void ksl_SE3_leftJacobianInverse_accurate(const ksl_screw_t *s, ks
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -6928,7 +6928,7 @@ static inline void ksl_SE3_rightJacobianInverse_accurate(const ksl_screw_t *s, k
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -8361,8 +8361,8 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
           log_sinc_divisor_a_of_log_half_angle_right,
       log_sinc_divisor_a_of_log_half_angle_lo = log_sinc_divisor_a_of_log_half_angle_left_rest +
           log_sinc_divisor_a_of_log_half_angle_right_rest,
-      log_sinc_divisor = log_sinc_divisor_a_of_log_half_angle < 1.4901161193847656e-08 ? 1.0 :
-          log_sinc_divisor_a_of_log_half_angle,
+      log_sinc_divisor = log_sinc_divisor_a_of_log_half_angle < 1.4901161193847656e-08 ?
+          1.4901161193847656e-08 : log_sinc_divisor_a_of_log_half_angle,
       log_sinc_divisor_lo = log_sinc_divisor_a_of_log_half_angle < 1.4901161193847656e-08 ? 0.0 :
           log_sinc_divisor_a_of_log_half_angle_lo;
   const double log_sinc_quotient_of_log_sine = log_sine + log_sine_lo,
@@ -8906,8 +8906,8 @@ static inline void ksl_SE3_interpolated_accurate(const ksl_SE3_t *D1, const ksl_
   const double exp_c_slope1 = KSL_MUL(exp_sine_half_cos, exp_sine),
       exp_c_slope2 = KSL_MUL(exp_sine_half_sin, exp_c), exp_c_slope = exp_c_slope1 + exp_c_slope2,
       exp_c_more = KSL_MUL(exp_c_slope, exp_sine_twice), exp_c_lo = exp_c_own_error - exp_c_more;
-  const double exp_sinc_divisor = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ? 1.0 :
-      exp_sine_of_exp_half_angle,
+  const double exp_sinc_divisor = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ?
+      1.4901161193847656e-08 : exp_sine_of_exp_half_angle,
       exp_sinc_divisor_lo = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ? 0.0 :
           exp_sine_of_exp_half_angle_lo;
   const double exp_sinc_quotient_of_exp_sine = exp_sine + exp_sine_lo,
@@ -9749,7 +9749,8 @@ static inline void ksl_SO3_expf_accurate(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
   const double half_angle = KSL_MUL(reduced_length, up);
   const double y = KSL_MUL(half_angle, half_angle);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -9872,7 +9873,8 @@ static inline void ksl_SO3_leftJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat3
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -9951,7 +9953,8 @@ static inline void ksl_SO3_rightJacobianf_accurate(const ksl_vec3f_t *v, ksl_mat
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -10030,7 +10033,8 @@ static inline void ksl_SO3_leftJacobianInversef_accurate(const ksl_vec3f_t *v, k
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -10112,7 +10116,8 @@ static inline void ksl_SO3_rightJacobianInversef_accurate(const ksl_vec3f_t *v, 
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -10364,7 +10369,8 @@ static inline void ksl_SE3f_exp_accurate(const ksl_screwf_t *s, ksl_SE3f_t *D) {
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -10525,7 +10531,8 @@ static inline void ksl_SE3f_log_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
   const double sine = n / length;
   const double c = upper_3 / length;
   const double y = KSL_MUL(half_angle, half_angle);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -10598,7 +10605,8 @@ static inline void ksl_SE3f_leftJacobian_accurate(const ksl_screwf_t *s, ksl_mat
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -10782,7 +10790,8 @@ static inline void ksl_SE3f_rightJacobian_accurate(const ksl_screwf_t *s, ksl_ma
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -10972,7 +10981,8 @@ static inline void ksl_SE3f_leftJacobianInverse_accurate(const ksl_screwf_t *s, 
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -11141,7 +11151,8 @@ static inline void ksl_SE3f_rightJacobianInverse_accurate(const ksl_screwf_t *s,
       y_c = y_a + y_b, y_d = KSL_MUL(halved_2, halved_2), y = y_c + y_d;
   const double half_angle = sqrt(y);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -11412,7 +11423,8 @@ static inline void ksl_SE3f_interpolated_accurate(const ksl_SE3f_t *D1, const ks
   const double log_sine = log_n / log_length;
   const double log_c = log_upper_3 / log_length;
   const double log_y = KSL_MUL(log_half_angle, log_half_angle);
-  const double log_sinc_divisor = log_half_angle < 1.4901161193847656e-08 ? 1.0 : log_half_angle;
+  const double log_sinc_divisor = log_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      log_half_angle;
   const double log_sinc_quotient = log_sine / log_sinc_divisor;
   const double log_sinc_a = KSL_MUL(0.16666666666666666, log_y), log_sinc_b = 1.0 - log_sinc_a,
       log_sinc = log_half_angle < 1.4901161193847656e-08 ? log_sinc_b : log_sinc_quotient;
@@ -11491,7 +11503,8 @@ static inline void ksl_SE3f_interpolated_accurate(const ksl_SE3f_t *D1, const ks
       exp_y_d = KSL_MUL(exp_halved_2, exp_halved_2), exp_y = exp_y_c + exp_y_d;
   const double exp_half_angle = sqrt(exp_y);
   double exp_c; const double exp_sine = ksl_sincos(exp_half_angle, &exp_c);
-  const double exp_sinc_divisor = exp_half_angle < 1.4901161193847656e-08 ? 1.0 : exp_half_angle;
+  const double exp_sinc_divisor = exp_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      exp_half_angle;
   const double exp_sinc_quotient = exp_sine / exp_sinc_divisor;
   const double exp_sinc_a = KSL_MUL(0.16666666666666666, exp_y), exp_sinc_b = 1.0 - exp_sinc_a,
       exp_sinc = exp_half_angle < 1.4901161193847656e-08 ? exp_sinc_b : exp_sinc_quotient;

@@ -231,14 +231,15 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.0 : fine_half_angle,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
       fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.0 :
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
           fine_half_angle_size_1,
       fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
       fine_sinc_divisor_size_4 = 5e-324 + fine_sinc_divisor_size_3,
-      fine_sinc_divisor_size_6 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_6 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_7 = fabs(fine_sinc_divisor_size_6),
       fine_sinc_divisor_size_8 = fine_sinc_divisor_size_7 + fine_y_bound_1,
       fine_sinc_divisor_size_9 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
@@ -1112,15 +1113,16 @@ static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.0 : fine_half_angle,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
       fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.0 :
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
           fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
       fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -2103,15 +2105,16 @@ static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.0 : fine_half_angle,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
       fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.0 :
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
           fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
       fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -3094,15 +3097,16 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.0 : fine_half_angle,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
       fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.0 :
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
           fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
       fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -4116,15 +4120,16 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.0 : fine_half_angle,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
       fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.0 :
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
           fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
       fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -5543,15 +5548,16 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.0 : fine_half_angle,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
       fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.0 :
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
           fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
       fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -7228,14 +7234,15 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_y_reach_1 = fine_y_size_1 + fine_y_units_1,
       fine_y_size_2 = KSL_MUL(fine_y_padded_1, fine_y_reach_1),
       fine_y_size_3 = fine_y_size_2 + fine_y_size_2;
-  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.0 : fine_half_angle,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
       fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 :
           fine_half_angle_cross2_1,
-      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.0 :
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
           fine_half_angle_size_1,
       fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_size_6 + fine_y_bound_1,
       fine_sinc_divisor_size_8 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -8244,13 +8251,15 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.0f : fine_half_angle,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
       fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.0f : fine_half_angle_size_1,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_1,
       fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
       fine_sinc_divisor_size_4 = 1e-45f + fine_sinc_divisor_size_3,
-      fine_sinc_divisor_size_6 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_6 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_7 = fabsf(fine_sinc_divisor_size_6),
       fine_sinc_divisor_size_8 = fine_sinc_divisor_size_7 + fine_y_bound_1,
       fine_sinc_divisor_size_9 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
@@ -9118,14 +9127,16 @@ static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.0f : fine_half_angle,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
       fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.0f : fine_half_angle_size_12,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
       fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -10107,14 +10118,16 @@ static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_ma
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.0f : fine_half_angle,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
       fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.0f : fine_half_angle_size_12,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
       fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -11095,14 +11108,16 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.0f : fine_half_angle,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
       fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.0f : fine_half_angle_size_12,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
       fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -12118,14 +12133,16 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.0f : fine_half_angle,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
       fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.0f : fine_half_angle_size_12,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
       fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -13558,14 +13575,16 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.0f : fine_half_angle,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
       fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.0f : fine_half_angle_size_12,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
       fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -15230,12 +15249,14 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_y_reach_1 = fine_y_size_1 + fine_y_units_1,
       fine_y_size_2 = KSL_MULF(fine_y_padded_1, fine_y_reach_1),
       fine_y_size_3 = fine_y_size_2 + fine_y_size_2;
-  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.0f : fine_half_angle,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
       fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_cross2_1,
-      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.0f : fine_half_angle_size_1,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_1,
       fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_size_6 + fine_y_bound_1,
       fine_sinc_divisor_size_8 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :

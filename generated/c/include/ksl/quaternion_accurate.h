@@ -2881,7 +2881,7 @@ static inline void ksl_quaternion_exp_accurate(const ksl_vec3_t *v, ksl_quaterni
   const double c_slope1 = KSL_MUL(sine_half_cos, sine), c_slope2 = KSL_MUL(sine_half_sin, c),
       c_slope = c_slope1 + c_slope2, c_more = KSL_MUL(c_slope, sine_twice),
       c_lo = c_own_error - c_more;
-  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.0 :
+  const double sinc_divisor = sine_of_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
       sine_of_half_angle,
       sinc_divisor_lo = sine_of_half_angle < 1.4901161193847656e-08 ? 0.0 : sine_of_half_angle_lo;
   const double sinc_quotient_of_sine = sine + sine_lo,
@@ -3517,8 +3517,8 @@ static inline void ksl_quaternion_interpolated_accurate(const ksl_quaternion_t *
   const double exp_c_slope1 = KSL_MUL(exp_sine_half_cos, exp_sine),
       exp_c_slope2 = KSL_MUL(exp_sine_half_sin, exp_c), exp_c_slope = exp_c_slope1 + exp_c_slope2,
       exp_c_more = KSL_MUL(exp_c_slope, exp_sine_twice), exp_c_lo = exp_c_own_error - exp_c_more;
-  const double exp_sinc_divisor = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ? 1.0 :
-      exp_sine_of_exp_half_angle,
+  const double exp_sinc_divisor = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ?
+      1.4901161193847656e-08 : exp_sine_of_exp_half_angle,
       exp_sinc_divisor_lo = exp_sine_of_exp_half_angle < 1.4901161193847656e-08 ? 0.0 :
           exp_sine_of_exp_half_angle_lo;
   const double exp_sinc_quotient_of_exp_sine = exp_sine + exp_sine_lo,
@@ -4914,7 +4914,8 @@ static inline void ksl_quaternionf_exp_accurate(const ksl_vec3f_t *v, ksl_quater
   const double half_angle = KSL_MUL(reduced_length, up);
   const double y = KSL_MUL(half_angle, half_angle);
   double c; const double sine = ksl_sincos(half_angle, &c);
-  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.0 : half_angle;
+  const double sinc_divisor = half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      half_angle;
   const double sinc_quotient = sine / sinc_divisor;
   const double sinc_a = KSL_MUL(0.16666666666666666, y), sinc_b = 1.0 - sinc_a,
       sinc = half_angle < 1.4901161193847656e-08 ? sinc_b : sinc_quotient;
@@ -5056,7 +5057,8 @@ static inline void ksl_quaternionf_interpolated_accurate(const ksl_quaternionf_t
   const double exp_half_angle = KSL_MUL(exp_reduced_length, exp_up);
   const double exp_y = KSL_MUL(exp_half_angle, exp_half_angle);
   double exp_c; const double exp_sine = ksl_sincos(exp_half_angle, &exp_c);
-  const double exp_sinc_divisor = exp_half_angle < 1.4901161193847656e-08 ? 1.0 : exp_half_angle;
+  const double exp_sinc_divisor = exp_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+      exp_half_angle;
   const double exp_sinc_quotient = exp_sine / exp_sinc_divisor;
   const double exp_sinc_a = KSL_MUL(0.16666666666666666, exp_y), exp_sinc_b = 1.0 - exp_sinc_a,
       exp_sinc = exp_half_angle < 1.4901161193847656e-08 ? exp_sinc_b : exp_sinc_quotient;

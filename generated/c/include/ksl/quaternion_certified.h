@@ -2026,14 +2026,15 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.0 : fine_half_angle,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
       fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.0 :
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
           fine_half_angle_size_1,
       fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
       fine_sinc_divisor_size_4 = 5e-324 + fine_sinc_divisor_size_3,
-      fine_sinc_divisor_size_6 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_6 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_7 = fabs(fine_sinc_divisor_size_6),
       fine_sinc_divisor_size_8 = fine_sinc_divisor_size_7 + fine_y_bound_1,
       fine_sinc_divisor_size_9 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
@@ -4527,13 +4528,15 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.0f : fine_half_angle,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
       fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.0f : fine_half_angle_size_1,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_1,
       fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
       fine_sinc_divisor_size_4 = 1e-45f + fine_sinc_divisor_size_3,
-      fine_sinc_divisor_size_6 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_6 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_7 = fabsf(fine_sinc_divisor_size_6),
       fine_sinc_divisor_size_8 = fine_sinc_divisor_size_7 + fine_y_bound_1,
       fine_sinc_divisor_size_9 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :

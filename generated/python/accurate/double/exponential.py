@@ -89,7 +89,7 @@ def SO3_exp(v):
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     c_lo = c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice
     sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -497,7 +497,7 @@ def SO3_leftJacobian(v):
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -816,7 +816,7 @@ def SO3_rightJacobian(v):
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -1140,7 +1140,7 @@ def SO3_leftJacobianInverse(v):
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     c_lo = c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice
     sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -1486,7 +1486,7 @@ def SO3_rightJacobianInverse(v):
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     c_lo = c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice
     sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -2410,7 +2410,7 @@ def SE3_exp(s):
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -3022,7 +3022,7 @@ def SE3_log(D):
     sinc_divisor_a_of_half_angle_right_rest = half_angle_cross2 - sinc_divisor_a_of_half_angle_right
     sinc_divisor_a_of_half_angle_left_rest = half_angle - sinc_divisor_a_of_half_angle_left
     sinc_divisor_a = sinc_divisor_a_of_half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, sinc_divisor_a_of_half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sinc_divisor_a_of_half_angle)
     sinc_divisor_a_of_half_angle_lo = sinc_divisor_a_of_half_angle_left_rest + sinc_divisor_a_of_half_angle_right_rest
     sinc_divisor_lo = where(sinc_divisor_a, 0, sinc_divisor_a_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
@@ -3354,7 +3354,7 @@ def SE3_leftJacobian(s):
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -4015,7 +4015,7 @@ def SE3_rightJacobian(s):
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -4683,7 +4683,7 @@ def SE3_leftJacobianInverse(s):
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     c_lo = c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice
     sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -5285,7 +5285,7 @@ def SE3_rightJacobianInverse(s):
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     c_lo = c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice
     sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -6326,7 +6326,7 @@ def SE3_interpolated(D1, D2, k):
     log_sinc_divisor_a_of_log_half_angle_right_rest = log_half_angle_cross2 - log_sinc_divisor_a_of_log_half_angle_right
     log_sinc_divisor_a_of_log_half_angle_left_rest = log_half_angle - log_sinc_divisor_a_of_log_half_angle_left
     log_sinc_divisor_a = log_sinc_divisor_a_of_log_half_angle < 1.4901161193847656e-08
-    log_sinc_divisor = where(log_sinc_divisor_a, 1, log_sinc_divisor_a_of_log_half_angle)
+    log_sinc_divisor = where(log_sinc_divisor_a, 1.4901161193847656e-08, log_sinc_divisor_a_of_log_half_angle)
     log_sinc_divisor_a_of_log_half_angle_lo = log_sinc_divisor_a_of_log_half_angle_left_rest + log_sinc_divisor_a_of_log_half_angle_right_rest
     log_sinc_divisor_lo = where(log_sinc_divisor_a, 0, log_sinc_divisor_a_of_log_half_angle_lo)
     log_sinc_quotient_of_log_sine = log_sine + log_sine_lo
@@ -6707,7 +6707,7 @@ def SE3_interpolated(D1, D2, k):
     exp_sine_lo = exp_sine_own_error + exp_sine_more
     exp_c_more = (exp_sine_half_cos * exp_sine + exp_sine_half_sin * exp_c) * exp_sine_twice
     exp_sinc_divisor_a = exp_sine_of_exp_half_angle < 1.4901161193847656e-08
-    exp_sinc_divisor = where(exp_sinc_divisor_a, 1, exp_sine_of_exp_half_angle)
+    exp_sinc_divisor = where(exp_sinc_divisor_a, 1.4901161193847656e-08, exp_sine_of_exp_half_angle)
     exp_sinc_divisor_lo = where(exp_sinc_divisor_a, 0, exp_sine_of_exp_half_angle_lo)
     exp_sinc_quotient_of_exp_sine = exp_sine + exp_sine_lo
     exp_sinc_quotient_of_exp_sine_right = exp_sinc_quotient_of_exp_sine - exp_sine

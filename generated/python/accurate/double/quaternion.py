@@ -2747,7 +2747,7 @@ def quaternion_exp(v):
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
     sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, sine_of_half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
     sinc_quotient_of_sine = sine + sine_lo
     sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
@@ -3269,7 +3269,7 @@ def quaternion_interpolated(q1, q2, k):
     exp_c_more = (exp_sine_half_cos * exp_sine + exp_sine_half_sin * exp_c) * exp_sine_twice
     exp_c_lo = exp_c_own_error - exp_c_more
     exp_sinc_divisor_a = exp_sine_of_exp_half_angle < 1.4901161193847656e-08
-    exp_sinc_divisor = where(exp_sinc_divisor_a, 1, exp_sine_of_exp_half_angle)
+    exp_sinc_divisor = where(exp_sinc_divisor_a, 1.4901161193847656e-08, exp_sine_of_exp_half_angle)
     exp_sinc_divisor_lo = where(exp_sinc_divisor_a, 0, exp_sine_of_exp_half_angle_lo)
     exp_sinc_quotient_of_exp_sine = exp_sine + exp_sine_lo
     exp_sinc_quotient_of_exp_sine_right = exp_sinc_quotient_of_exp_sine - exp_sine

@@ -40,7 +40,7 @@ def SO3_exp(v):
     y = half_angle * half_angle
     sine, c = elementary.sincos(half_angle)
     sinc_divisor_a = half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
     sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     turning_0 = v_0 * sinc
@@ -162,7 +162,7 @@ def SO3_leftJacobian(v):
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
     sinc_divisor_a = half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
     sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     g1 = c * sinc
@@ -225,7 +225,7 @@ def SO3_rightJacobian(v):
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
     sinc_divisor_a = half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
     sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     g1 = c * sinc
@@ -289,7 +289,7 @@ def SO3_leftJacobianInverse(v):
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
     sinc_divisor_a = half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
     sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     series_phi_d = y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26
@@ -356,7 +356,7 @@ def SO3_rightJacobianInverse(v):
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
     sinc_divisor_a = half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
     sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     series_phi_d = y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26
@@ -491,7 +491,7 @@ def SE3_exp(s):
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
     sinc_divisor_a = half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
     sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     g1 = c * sinc
@@ -631,7 +631,7 @@ def SE3_log(D):
     c = upper_3 / length
     y = half_angle * half_angle
     sinc_divisor_a = half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
     sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     series_phi_d = y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26
@@ -691,7 +691,7 @@ def SE3_leftJacobian(s):
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
     sinc_divisor_a = half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
     sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     g1 = c * sinc
@@ -802,7 +802,7 @@ def SE3_rightJacobian(s):
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
     sinc_divisor_a = half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
     sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     g1 = c * sinc
@@ -913,7 +913,7 @@ def SE3_leftJacobianInverse(s):
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
     sinc_divisor_a = half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
     sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     series_phi_d = y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26
@@ -1018,7 +1018,7 @@ def SE3_rightJacobianInverse(s):
     half_angle = sqrt(y)
     sine, c = elementary.sincos(half_angle)
     sinc_divisor_a = half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
     sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     series_phi_d = y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26
@@ -1196,7 +1196,7 @@ def SE3_interpolated(D1, D2, k):
     log_c = log_upper_3 / log_length
     log_y = log_half_angle * log_half_angle
     log_sinc_divisor_a = log_half_angle < 1.4901161193847656e-08
-    log_sinc_divisor = where(log_sinc_divisor_a, 1, log_half_angle)
+    log_sinc_divisor = where(log_sinc_divisor_a, 1.4901161193847656e-08, log_half_angle)
     log_sinc_quotient = log_sine / log_sinc_divisor
     log_sinc = where(log_sinc_divisor_a, 1 - 0.16666666666666666 * log_y, log_sinc_quotient)
     log_series_phi_c = log_y * (4.116826490666969e-29 - 5.107725174524775e-32 * log_y)
@@ -1249,7 +1249,7 @@ def SE3_interpolated(D1, D2, k):
     exp_half_angle = sqrt(exp_y)
     exp_sine, exp_c = elementary.sincos(exp_half_angle)
     exp_sinc_divisor_a = exp_half_angle < 1.4901161193847656e-08
-    exp_sinc_divisor = where(exp_sinc_divisor_a, 1, exp_half_angle)
+    exp_sinc_divisor = where(exp_sinc_divisor_a, 1.4901161193847656e-08, exp_half_angle)
     exp_sinc_quotient = exp_sine / exp_sinc_divisor
     exp_sinc = where(exp_sinc_divisor_a, 1 - 0.16666666666666666 * exp_y, exp_sinc_quotient)
     exp_g1 = exp_c * exp_sinc

@@ -1042,7 +1042,7 @@ def quaternion_exp(v):
     y = half_angle * half_angle
     sine, c = elementary.sincos(half_angle)
     sinc_divisor_a = half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1, half_angle)
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
     sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
     qo_0 = h_0 * sinc
@@ -1170,7 +1170,7 @@ def quaternion_interpolated(q1, q2, k):
     exp_y = exp_half_angle * exp_half_angle
     exp_sine, exp_c = elementary.sincos(exp_half_angle)
     exp_sinc_divisor_a = exp_half_angle < 1.4901161193847656e-08
-    exp_sinc_divisor = where(exp_sinc_divisor_a, 1, exp_half_angle)
+    exp_sinc_divisor = where(exp_sinc_divisor_a, 1.4901161193847656e-08, exp_half_angle)
     exp_sinc_quotient = exp_sine / exp_sinc_divisor
     exp_sinc = where(exp_sinc_divisor_a, 1 - 0.16666666666666666 * exp_y, exp_sinc_quotient)
     power_0 = step_0 * exp_sinc

@@ -1873,13 +1873,13 @@ def quaternion_exp(v):
     fine_sine_slope_1 = fine_sine_half_cos_1 * fine_c - fine_sine_half_sin_1 * fine_sine
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_size_4 = 5e-324 + absolute(fine_half_angle - 1.4901161193847656e-08)
     fine_sinc_divisor_size_5 = fine_y_bound_1 < fine_sinc_divisor_size_4
-    fine_sinc_divisor_size_8 = absolute(1 - fine_half_angle) + fine_y_bound_1
+    fine_sinc_divisor_size_8 = absolute(1.4901161193847656e-08 - fine_half_angle) + fine_y_bound_1
     fine_sinc_divisor_size_9 = where(fine_sinc_divisor_size_5, 0, fine_sinc_divisor_size_8)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_1)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_1)
     fine_sinc_divisor_size_10 = 5.762046184631807e+28 * fine_sinc_divisor_size_9
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
