@@ -2818,8 +2818,7 @@ static KSL_INLINE float ksl_tanh_errorf(const float x, const float y) {
 /* s = sin x, c = cos x, x in rad; |error of s| <= s_bound, |error of c| <= c_bound unless inf or
      NaN.
    x, c, s_bound, c_bound: number.
-   83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select. */
 static inline double ksl_sincos_certified(const double x, double *c, double *s_bound,
     double *c_bound) {
   double c_; const double s = ksl_sincos(x, &c_);
@@ -2834,8 +2833,7 @@ static inline double ksl_sincos_certified(const double x, double *c, double *s_b
 
 /* s = sin x, x in rad; |error of s| <= s_bound unless inf or NaN.
    x, s_bound: number.
-   83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select. */
 static inline double ksl_sin_certified(const double x, double *s_bound) {
   const double s = ksl_sin(x), s_own_error_1 = ksl_sin_error(x, s);
   const double s_error_1 = fabs(s_own_error_1), s_bound_1 = 3.7470896994678994e-30 + s_error_1;
@@ -2845,8 +2843,7 @@ static inline double ksl_sin_certified(const double x, double *s_bound) {
 
 /* c = cos x, x in rad; |error of c| <= c_bound unless inf or NaN.
    x, c_bound: number.
-   83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select. */
 static inline double ksl_cos_certified(const double x, double *c_bound) {
   const double c = ksl_cos(x), c_own_error_1 = ksl_cos_error(x, c);
   const double c_error_1 = fabs(c_own_error_1), c_bound_1 = 3.7470896994678994e-30 + c_error_1;
@@ -2856,8 +2853,7 @@ static inline double ksl_cos_certified(const double x, double *c_bound) {
 
 /* y = e^x; |error of y| <= y_bound unless inf or NaN.
    x, y_bound: number.
-   82 mul, 149 add, 14 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select.
-   Error <= 0.755 ulp, in single precision 0.757 ulp, unless a result is subnormal; proved. */
+   82 mul, 149 add, 14 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select. */
 static inline double ksl_exp_certified(const double x, double *y_bound) {
   const double y = ksl_exp(x), y_own_error_1 = ksl_exp_error(x, y);
   const double y_error_1 = fabs(y_own_error_1), y_padded_1 = 1.8051943758648296e-276 + y,
@@ -2869,8 +2865,7 @@ static inline double ksl_exp_certified(const double x, double *y_bound) {
 /* y = tanh x; |error of y| <= y_bound unless inf or NaN.
    x, y_bound: number.
    92 mul, 175 add, 15 product error, 2 div, 2 power of two, 6 abs, 2 copysign, 5 less, 11
-     select.
-   Error <= 0.979 ulp, in single precision 0.967 ulp, unless a result is subnormal; proved. */
+     select. */
 static inline double ksl_tanh_certified(const double x, double *y_bound) {
   const double y = ksl_tanh(x), y_own_error_1 = ksl_tanh_error(x, y), y_size_1 = fabs(y);
   const double y_error_1 = fabs(y_own_error_1), y_padded_1 = 1.8051943758648296e-276 + y_size_1,
@@ -2883,8 +2878,7 @@ static inline double ksl_tanh_certified(const double x, double *y_bound) {
      angle_bound unless inf or NaN.
    y, x, angle_bound: number.
    123 mul, 214 add, 21 product error, 2 div, 1 neg, 10 abs, 4 copysign, 13 less, 3 equal, 23
-     select.
-   Error <= 0.934 ulp, in single precision 0.896 ulp, unless a result is subnormal; proved. */
+     select. */
 static inline double ksl_atan2_certified(const double y, const double x, double *angle_bound) {
   const double angle = ksl_atan2(y, x), angle_own_error_1 = ksl_atan2_error(y, x, angle),
       angle_size_1 = fabs(angle);
@@ -2899,8 +2893,7 @@ static inline double ksl_atan2_certified(const double y, const double x, double 
 /* s = sin x, c = cos x, x in rad; |error of s| <= s_bound, |error of c| <= c_bound unless inf or
      NaN.
    x, c, s_bound, c_bound: number.
-   65 mul, 100 add, 8 product error, 1 div, 5 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   65 mul, 100 add, 8 product error, 1 div, 5 abs, 1 less, 1 select. */
 static inline float ksl_sincosf_certified(const float x, float *c, float *s_bound, float *c_bound) {
   float c_; const float s = ksl_sincosf(x, &c_);
   float c_own_error_1; const float s_own_error_1 = ksl_sincos_errorf(x, s, c_, &c_own_error_1);
@@ -2914,8 +2907,7 @@ static inline float ksl_sincosf_certified(const float x, float *c, float *s_boun
 
 /* s = sin x, x in rad; |error of s| <= s_bound unless inf or NaN.
    x, s_bound: number.
-   65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select. */
 static inline float ksl_sinf_certified(const float x, float *s_bound) {
   const float s = ksl_sinf(x), s_own_error_1 = ksl_sin_errorf(x, s);
   const float s_error_1 = fabsf(s_own_error_1), s_bound_1 = 1.0800312e-12f + s_error_1;
@@ -2925,8 +2917,7 @@ static inline float ksl_sinf_certified(const float x, float *s_bound) {
 
 /* c = cos x, x in rad; |error of c| <= c_bound unless inf or NaN.
    x, c_bound: number.
-   65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select. */
 static inline float ksl_cosf_certified(const float x, float *c_bound) {
   const float c = ksl_cosf(x), c_own_error_1 = ksl_cos_errorf(x, c);
   const float c_error_1 = fabsf(c_own_error_1), c_bound_1 = 1.0800312e-12f + c_error_1;
@@ -2936,8 +2927,7 @@ static inline float ksl_cosf_certified(const float x, float *c_bound) {
 
 /* y = e^x; |error of y| <= y_bound unless inf or NaN.
    x, y_bound: number.
-   52 mul, 98 add, 8 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select.
-   Error <= 0.755 ulp, in single precision 0.757 ulp, unless a result is subnormal; proved. */
+   52 mul, 98 add, 8 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select. */
 static inline float ksl_expf_certified(const float x, float *y_bound) {
   const float y = ksl_expf(x), y_own_error_1 = ksl_exp_errorf(x, y);
   const float y_error_1 = fabsf(y_own_error_1), y_padded_1 = 3.3087225e-24f + y,
@@ -2948,8 +2938,7 @@ static inline float ksl_expf_certified(const float x, float *y_bound) {
 
 /* y = tanh x; |error of y| <= y_bound unless inf or NaN.
    x, y_bound: number.
-   60 mul, 122 add, 9 product error, 2 div, 2 power of two, 6 abs, 2 copysign, 5 less, 11 select.
-   Error <= 0.979 ulp, in single precision 0.967 ulp, unless a result is subnormal; proved. */
+   60 mul, 122 add, 9 product error, 2 div, 2 power of two, 6 abs, 2 copysign, 5 less, 11 select. */
 static inline float ksl_tanhf_certified(const float x, float *y_bound) {
   const float y = ksl_tanhf(x), y_own_error_1 = ksl_tanh_errorf(x, y), y_size_1 = fabsf(y);
   const float y_error_1 = fabsf(y_own_error_1), y_padded_1 = 3.3087225e-24f + y_size_1,
@@ -2962,8 +2951,7 @@ static inline float ksl_tanhf_certified(const float x, float *y_bound) {
      angle_bound unless inf or NaN.
    y, x, angle_bound: number.
    89 mul, 155 add, 14 product error, 2 div, 1 neg, 10 abs, 4 copysign, 13 less, 3 equal, 23
-     select.
-   Error <= 0.934 ulp, in single precision 0.896 ulp, unless a result is subnormal; proved. */
+     select. */
 static inline float ksl_atan2f_certified(const float y, const float x, float *angle_bound) {
   const float angle = ksl_atan2f(y, x), angle_own_error_1 = ksl_atan2_errorf(y, x, angle),
       angle_size_1 = fabsf(angle);
@@ -4519,9 +4507,7 @@ static inline void ksl_mat3x3_from_euler_xyz_certified(const ksl_vec3_t *angles,
      [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
    424 mul, 725 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 59 abs, 12
-     copysign, 50 less, 13 equal, 96 select.
-   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
-     too; searched, not proved. */
+     copysign, 50 less, 13 equal, 96 select. */
 static inline void ksl_euler_xyz_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *angles,
     ksl_vec3_t *angles_bound) {
   const double n_a = KSL_MUL(R->m00, R->m00), n_a_size_1 = fabs(R->m00),
@@ -4828,9 +4814,7 @@ static inline void ksl_mat3x3_from_euler_xyx_certified(const ksl_vec3_t *angles,
      π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
    424 mul, 725 add, 66 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 59 abs, 12
-     copysign, 52 less, 13 equal, 98 select.
-   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
-     too; searched, not proved. */
+     copysign, 52 less, 13 equal, 98 select. */
 static inline void ksl_euler_xyx_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *angles,
     ksl_vec3_t *angles_bound) {
   const double n_a = KSL_MUL(R->m01, R->m01), n_a_size_1 = fabs(R->m01),
@@ -5025,8 +5009,7 @@ static inline void ksl_euler_xyx_from_mat3x3_certified(const ksl_mat3x3_t *R, ks
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
      not a rotation; |error of R| <= R_bound unless inf or NaN.
    axis: vector; angle: number; R, R_bound: rotation or other 3×3 matrix.
-   216 mul, 380 add, 26 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select.
-   Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
+   216 mul, 380 add, 26 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select. */
 static inline void ksl_mat3x3_from_axis_angle_certified(const ksl_vec3_t *axis,
     const double angle, ksl_mat3x3_t *R, ksl_mat3x3_t *R_bound) {
   const double half = KSL_MUL(0.5, angle), half_size_1 = fabs(angle),
@@ -5202,9 +5185,7 @@ static inline void ksl_mat3x3_from_axis_angle_certified(const ksl_vec3_t *axis,
      |error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; axis, axis_bound: vector; angle_bound: number.
    217 mul, 454 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 66 abs, 4
-     copysign, 34 less, 6 equal, 103 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
-     proved. */
+     copysign, 34 less, 6 equal, 103 select. */
 static inline double ksl_axis_angle_from_mat3x3_certified(const ksl_mat3x3_t *R, ksl_vec3_t *axis,
     double *angle_bound, ksl_vec3_t *axis_bound) {
   const double p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -5865,9 +5846,7 @@ static inline void ksl_mat3x3f_from_euler_xyz_certified(const ksl_vec3f_t *angle
      [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
    322 mul, 548 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 4 neg, 59 abs, 12
-     copysign, 50 less, 13 equal, 96 select.
-   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
-     too; searched, not proved. */
+     copysign, 50 less, 13 equal, 96 select. */
 static inline void ksl_euler_xyz_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles, ksl_vec3f_t *angles_bound) {
   const float n_a = KSL_MULF(R->m00, R->m00), n_a_size_1 = fabsf(R->m00),
@@ -6175,9 +6154,7 @@ static inline void ksl_mat3x3f_from_euler_xyx_certified(const ksl_vec3f_t *angle
      π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; angles, angles_bound: vector.
    322 mul, 548 add, 45 product error, 6 product rest, 27 div, 2 sqrt, 3 neg, 59 abs, 12
-     copysign, 52 less, 13 equal, 98 select.
-   The rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock
-     too; searched, not proved. */
+     copysign, 52 less, 13 equal, 98 select. */
 static inline void ksl_euler_xyx_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *angles, ksl_vec3f_t *angles_bound) {
   const float n_a = KSL_MULF(R->m01, R->m01), n_a_size_1 = fabsf(R->m01),
@@ -6369,8 +6346,7 @@ static inline void ksl_euler_xyx_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
 /* R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
      not a rotation; |error of R| <= R_bound unless inf or NaN.
    axis: vector; angle: number; R, R_bound: rotation or other 3×3 matrix.
-   180 mul, 322 add, 20 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select.
-   Error <= R: 9 u of its largest component for |axis| = 1; searched, not proved. */
+   180 mul, 322 add, 20 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select. */
 static inline void ksl_mat3x3f_from_axis_angle_certified(const ksl_vec3f_t *axis,
     const float angle, ksl_mat3x3f_t *R, ksl_mat3x3f_t *R_bound) {
   const float half = KSL_MULF(0.5f, angle), half_size_1 = fabsf(angle),
@@ -6545,9 +6521,7 @@ static inline void ksl_mat3x3f_from_axis_angle_certified(const ksl_vec3f_t *axis
      |error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; axis, axis_bound: vector; angle_bound: number.
    183 mul, 395 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 66 abs, 4
-     copysign, 34 less, 6 equal, 103 select.
-   Error <= angle: 8 u, axis: 5 u of its largest component for R a rotation; searched, not
-     proved. */
+     copysign, 34 less, 6 equal, 103 select. */
 static inline float ksl_axis_angle_from_mat3x3f_certified(const ksl_mat3x3f_t *R,
     ksl_vec3f_t *axis, float *angle_bound, ksl_vec3f_t *axis_bound) {
   const float p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -13497,8 +13471,7 @@ static inline void ksl_product_ddtzinvf_certified(const ksl_SE3f_t *D, const flo
 
 /* dc = (sin θ, cos θ), θ in rad; |error of dc| <= dc_bound unless inf or NaN.
    theta: number; dc, dc_bound: (sin θ, cos θ).
-   83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select. */
 static inline void ksl_dc_certified(const double theta, double dc[2], double dc_bound[2]) {
   double dc_1; const double dc_0 = ksl_sincos(theta, &dc_1);
   double dc_own_error_2; const double dc_own_error_1 = ksl_sincos_error(theta, dc_0, dc_1,
@@ -13513,8 +13486,7 @@ static inline void ksl_dc_certified(const double theta, double dc[2], double dc_
 
 /* dc = (sin θ, cos θ), θ in rad; |error of dc| <= dc_bound unless inf or NaN.
    theta: number; dc, dc_bound: (sin θ, cos θ).
-   65 mul, 100 add, 8 product error, 1 div, 5 abs, 1 less, 1 select.
-   Error <= 0.824 ulp, in single precision 0.85 ulp, unless a result is subnormal; proved. */
+   65 mul, 100 add, 8 product error, 1 div, 5 abs, 1 less, 1 select. */
 static inline void ksl_dcf_certified(const float theta, float dc[2], float dc_bound[2]) {
   float dc_1; const float dc_0 = ksl_sincosf(theta, &dc_1);
   float dc_own_error_2; const float dc_own_error_1 = ksl_sincos_errorf(theta, dc_0, dc_1,
@@ -21796,8 +21768,7 @@ static inline void ksl_omega_to_dquaternion_certified(const ksl_vec3_t *w,
 /* qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
      rotation is by another angle; |error of qo| <= qo_bound unless inf or NaN.
    axis: vector; angle: number; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-   98 mul, 139 add, 14 product error, 1 div, 11 abs, 1 less, 1 select.
-   Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */
+   98 mul, 139 add, 14 product error, 1 div, 11 abs, 1 less, 1 select. */
 static inline void ksl_quaternion_from_axis_angle_certified(const ksl_vec3_t *axis,
     const double angle, ksl_quaternion_t *qo, ksl_quaternion_t *qo_bound) {
   const double half = KSL_MUL(0.5, angle), half_size_1 = fabs(angle),
@@ -21840,8 +21811,7 @@ static inline void ksl_quaternion_from_axis_angle_certified(const ksl_vec3_t *ax
      <= axis_bound unless inf or NaN.
    q: quaternion (x, y, z, w), the scalar last; axis, axis_bound: vector; angle_bound: number.
    210 mul, 327 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 53 abs, 4 copysign,
-     35 less, 10 equal, 69 select.
-   Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
+     35 less, 10 equal, 69 select. */
 static inline double ksl_axis_angle_from_quaternion_certified(const ksl_quaternion_t *q,
     ksl_vec3_t *axis, double *angle_bound, ksl_vec3_t *axis_bound) {
   const double s_size_0 = fabs(q->x);
@@ -22095,10 +22065,8 @@ static inline double ksl_axis_angle_from_quaternion_certified(const ksl_quaterni
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v; |error of
      qo| <= qo_bound unless inf or NaN.
    v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-   267 mul, 342 add, 16 product error, 3 product rest, 11 div, 3 sqrt, 38 abs, 10 less, 2 equal,
-     24 select.
-   Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   281 mul, 361 add, 17 product error, 4 product rest, 11 div, 3 sqrt, 41 abs, 11 less, 1 equal,
+     24 select. */
 static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quaternion_t *qo,
     ksl_quaternion_t *qo_bound) {
   const double h_0 = KSL_MUL(0.5, v->x);
@@ -22263,6 +22231,26 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
       fine_half_angle_lo = KSL_MUL(fine_half_angle_rest_1, fine_up),
       fine_half_angle_padded_1 = 1.8051943758648296e-276 + fine_reduced_length_size_12,
       fine_half_angle_size_1 = KSL_MUL(fine_half_angle_padded_1, fine_up_size_1);
+  const double fine_y = KSL_MUL(fine_half_angle, fine_half_angle),
+      fine_y_cross1_1 = KSL_MUL(fine_half_angle_lo, fine_half_angle),
+      fine_y_cross2_1 = KSL_MUL(fine_half_angle, fine_half_angle_lo),
+      fine_y_cross_1 = fine_y_cross1_1 + fine_y_cross2_1, fine_y_size_1 = fabs(fine_half_angle),
+      fine_y_error_1 = fabs(fine_half_angle_lo),
+      fine_y_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1,
+      fine_y_rest_1 = KSL_MUL(5.7192432555642225e-30, fine_y_padded_1),
+      fine_y_bound_1 = fine_y_error_1 + fine_y_rest_1,
+      fine_y_size_2 = KSL_MUL(fine_y_bound_1, fine_y_size_1),
+      fine_y_size_3 = fine_y_size_2 + fine_y_size_2,
+      fine_y_size_4 = KSL_MUL(fine_y_rest_1, fine_y_size_1),
+      fine_y_size_5 = fine_y_size_4 + fine_y_size_4,
+      fine_y_size_6 = KSL_MUL(fine_y_bound_1, fine_y_bound_1),
+      fine_y_size_7 = fine_y_size_5 + fine_y_size_6,
+      fine_y_size_8 = KSL_MUL(4.440892098500626e-16, fine_y_size_3),
+      fine_y_size_9 = fine_y_size_7 + fine_y_size_8,
+      fine_y_size_10 = KSL_MUL(2251799813685256.0, fine_y_size_3),
+      fine_y_size_11 = KSL_MUL(7.922816251426462e+28, fine_y_size_9),
+      fine_y_size_12 = fine_y_size_10 + fine_y_size_11, fine_y_size_13 = fabs(fine_y),
+      fine_y_size_14 = fine_y_size_12 + fine_y_size_13;
   double fine_c; const double fine_sine = ksl_sincos(fine_half_angle, &fine_c);
   double fine_c_own_error_1; const double fine_sine_own_error_1 = ksl_sincos_error(fine_half_angle,
       fine_sine, fine_c, &fine_c_own_error_1);
@@ -22275,26 +22263,24 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
       fine_sine_slope_1 = fine_sine_slope1_1 - fine_sine_slope2_1,
       fine_sine_more_1 = KSL_MUL(fine_sine_slope_1, fine_sine_twice_1),
       fine_sine_lo = fine_sine_own_error_1 + fine_sine_more_1,
-      fine_sine_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1,
-      fine_sine_size_1 = 1.0 + fine_sine_padded_1;
+      fine_sine_size_1 = 1.0 + fine_y_padded_1;
   const double fine_c_slope1_1 = KSL_MUL(fine_sine_half_cos_1, fine_sine),
       fine_c_slope2_1 = KSL_MUL(fine_sine_half_sin_1, fine_c),
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_1,
-      fine_sinc_divisor_error_1 = fabs(fine_half_angle_lo),
-      fine_sinc_divisor_rest_1 = KSL_MUL(5.7192432555642225e-30, fine_sine_padded_1),
-      fine_sinc_divisor_bound_1 = fine_sinc_divisor_error_1 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
       fine_sinc_divisor_size_4 = 5e-324 + fine_sinc_divisor_size_3,
-      fine_sinc_divisor_size_6 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_6 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_7 = fabs(fine_sinc_divisor_size_6),
-      fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_7,
-      fine_sinc_divisor_size_9 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
+      fine_sinc_divisor_size_8 = fine_sinc_divisor_size_7 + fine_y_bound_1,
+      fine_sinc_divisor_size_9 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
           fine_sinc_divisor_size_8,
       fine_sinc_divisor_size_10 = KSL_MUL(5.762046184631807e+28, fine_sinc_divisor_size_9),
       fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + fine_sinc_divisor_size_10;
@@ -22326,24 +22312,45 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(2.755262189115544e-29, fine_sinc_padded_1),
+  const double fine_y_error_2 = ksl_product_error(fine_half_angle, fine_half_angle, fine_y),
+      fine_y_lo = fine_y_error_2 + fine_y_cross_1,
+      fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_14),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.224739680884703e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(2.755262189115544e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(3.7283828633784605e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0 : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.216865194778664e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_qo_0 = KSL_MUL(fine_h_0, fine_sinc),
       fine_qo_cross2_1 = KSL_MUL(fine_h_0, fine_sinc_lo), fine_qo_size_1 = fabs(fine_h_0),
       fine_qo_size_2 = fabs(fine_sinc), fine_qo_error_1 = fabs(fine_sinc_lo),
-      fine_qo_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
-      fine_qo_rest_1 = KSL_MUL(2.765944790253218e-29, fine_qo_padded_1),
+      fine_qo_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
+      fine_qo_rest_1 = KSL_MUL(8.226219760397954e-28, fine_qo_padded_1),
       fine_qo_bound_1 = fine_qo_error_1 + fine_qo_rest_1,
       fine_qo_size_3 = KSL_MUL(fine_qo_bound_1, fine_qo_size_1),
       fine_qo_size_4 = KSL_MUL(fine_h_size_rest_1, fine_qo_size_2),
@@ -22424,8 +22431,7 @@ static inline void ksl_quaternion_exp_certified(const ksl_vec3_t *v, ksl_quatern
      |error of vo| <= vo_bound unless inf or NaN.
    q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
    229 mul, 335 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 55 abs, 4 copysign,
-     35 less, 10 equal, 65 select.
-   Error <= vo: 6 u of its largest component; searched, not proved. */
+     35 less, 10 equal, 65 select. */
 static inline void ksl_quaternion_log_certified(const ksl_quaternion_t *q, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
   const double s_size_0 = fabs(q->x);
@@ -24364,8 +24370,7 @@ static inline void ksl_omega_to_dquaternionf_certified(const ksl_vec3f_t *w,
 /* qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
      rotation is by another angle; |error of qo| <= qo_bound unless inf or NaN.
    axis: vector; angle: number; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-   80 mul, 110 add, 11 product error, 1 div, 11 abs, 1 less, 1 select.
-   Error <= qo: 3 u of its largest component for |axis| = 1; searched, not proved. */
+   80 mul, 110 add, 11 product error, 1 div, 11 abs, 1 less, 1 select. */
 static inline void ksl_quaternionf_from_axis_angle_certified(const ksl_vec3f_t *axis,
     const float angle, ksl_quaternionf_t *qo, ksl_quaternionf_t *qo_bound) {
   const float half = KSL_MULF(0.5f, angle), half_size_1 = fabsf(angle),
@@ -24406,8 +24411,7 @@ static inline void ksl_quaternionf_from_axis_angle_certified(const ksl_vec3f_t *
      <= axis_bound unless inf or NaN.
    q: quaternion (x, y, z, w), the scalar last; axis, axis_bound: vector; angle_bound: number.
    176 mul, 268 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 53 abs, 4 copysign,
-     35 less, 10 equal, 69 select.
-   Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
+     35 less, 10 equal, 69 select. */
 static inline float ksl_axis_angle_from_quaternionf_certified(const ksl_quaternionf_t *q,
     ksl_vec3f_t *axis, float *angle_bound, ksl_vec3f_t *axis_bound) {
   const float s_size_0 = fabsf(q->x);
@@ -24655,10 +24659,8 @@ static inline float ksl_axis_angle_from_quaternionf_certified(const ksl_quaterni
 /* qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v; |error of
      qo| <= qo_bound unless inf or NaN.
    v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-   237 mul, 301 add, 13 product error, 3 product rest, 11 div, 3 sqrt, 38 abs, 10 less, 2 equal,
-     24 select.
-   Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   251 mul, 320 add, 14 product error, 4 product rest, 11 div, 3 sqrt, 41 abs, 11 less, 1 equal,
+     24 select. */
 static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quaternionf_t *qo,
     ksl_quaternionf_t *qo_bound) {
   const float h_0 = KSL_MULF(0.5f, v->x);
@@ -24822,6 +24824,26 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
       fine_half_angle_lo = KSL_MULF(fine_half_angle_rest_1, fine_up),
       fine_half_angle_padded_1 = 3.3087225e-24f + fine_reduced_length_size_12,
       fine_half_angle_size_1 = KSL_MULF(fine_half_angle_padded_1, fine_up_size_1);
+  const float fine_y = KSL_MULF(fine_half_angle, fine_half_angle),
+      fine_y_cross1_1 = KSL_MULF(fine_half_angle_lo, fine_half_angle),
+      fine_y_cross2_1 = KSL_MULF(fine_half_angle, fine_half_angle_lo),
+      fine_y_cross_1 = fine_y_cross1_1 + fine_y_cross2_1, fine_y_size_1 = fabsf(fine_half_angle),
+      fine_y_error_1 = fabsf(fine_half_angle_lo),
+      fine_y_padded_1 = 3.3087225e-24f + fine_half_angle_size_1,
+      fine_y_rest_1 = KSL_MULF(1.6484983e-12f, fine_y_padded_1),
+      fine_y_bound_1 = fine_y_error_1 + fine_y_rest_1,
+      fine_y_size_2 = KSL_MULF(fine_y_bound_1, fine_y_size_1),
+      fine_y_size_3 = fine_y_size_2 + fine_y_size_2,
+      fine_y_size_4 = KSL_MULF(fine_y_rest_1, fine_y_size_1),
+      fine_y_size_5 = fine_y_size_4 + fine_y_size_4,
+      fine_y_size_6 = KSL_MULF(fine_y_bound_1, fine_y_bound_1),
+      fine_y_size_7 = fine_y_size_5 + fine_y_size_6,
+      fine_y_size_8 = KSL_MULF(2.3841858e-07f, fine_y_size_3),
+      fine_y_size_9 = fine_y_size_7 + fine_y_size_8,
+      fine_y_size_10 = KSL_MULF(4.194312e+06f, fine_y_size_3),
+      fine_y_size_11 = KSL_MULF(2.7487843e+11f, fine_y_size_9),
+      fine_y_size_12 = fine_y_size_10 + fine_y_size_11, fine_y_size_13 = fabsf(fine_y),
+      fine_y_size_14 = fine_y_size_12 + fine_y_size_13;
   float fine_c; const float fine_sine = ksl_sincosf(fine_half_angle, &fine_c);
   float fine_c_own_error_1; const float fine_sine_own_error_1 = ksl_sincos_errorf(fine_half_angle,
       fine_sine, fine_c, &fine_c_own_error_1);
@@ -24834,26 +24856,24 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
       fine_sine_slope_1 = fine_sine_slope1_1 - fine_sine_slope2_1,
       fine_sine_more_1 = KSL_MULF(fine_sine_slope_1, fine_sine_twice_1),
       fine_sine_lo = fine_sine_own_error_1 + fine_sine_more_1,
-      fine_sine_padded_1 = 3.3087225e-24f + fine_half_angle_size_1,
-      fine_sine_size_1 = 1.0f + fine_sine_padded_1;
+      fine_sine_size_1 = 1.0f + fine_y_padded_1;
   const float fine_c_slope1_1 = KSL_MULF(fine_sine_half_cos_1, fine_sine),
       fine_c_slope2_1 = KSL_MULF(fine_sine_half_sin_1, fine_c),
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_1,
-      fine_sinc_divisor_error_1 = fabsf(fine_half_angle_lo),
-      fine_sinc_divisor_rest_1 = KSL_MULF(1.6484983e-12f, fine_sine_padded_1),
-      fine_sinc_divisor_bound_1 = fine_sinc_divisor_error_1 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
       fine_sinc_divisor_size_4 = 1e-45f + fine_sinc_divisor_size_3,
-      fine_sinc_divisor_size_6 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_6 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_7 = fabsf(fine_sinc_divisor_size_6),
-      fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_7,
-      fine_sinc_divisor_size_9 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
+      fine_sinc_divisor_size_8 = fine_sinc_divisor_size_7 + fine_y_bound_1,
+      fine_sinc_divisor_size_9 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
           fine_sinc_divisor_size_8,
       fine_sinc_divisor_size_10 = KSL_MULF(1.9990821e+11f, fine_sinc_divisor_size_9),
       fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + fine_sinc_divisor_size_10;
@@ -24885,24 +24905,43 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(7.941701e-12f, fine_sinc_padded_1),
+  const float fine_y_error_2 = ksl_product_errorf(fine_half_angle, fine_half_angle, fine_y),
+      fine_y_lo = fine_y_error_2 + fine_y_cross_1, fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_14), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3706434e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(7.941701e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.2935218e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0f : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.2218243e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_qo_0 = KSL_MULF(fine_h_0, fine_sinc),
       fine_qo_cross2_1 = KSL_MULF(fine_h_0, fine_sinc_lo), fine_qo_size_1 = fabsf(fine_h_0),
       fine_qo_size_2 = fabsf(fine_sinc), fine_qo_error_1 = fabsf(fine_sinc_lo),
-      fine_qo_padded_1 = 3.3087225e-24f + fine_sinc_size_7,
-      fine_qo_rest_1 = KSL_MULF(7.972455e-12f, fine_qo_padded_1),
+      fine_qo_padded_1 = 3.3087225e-24f + fine_sinc_size_8,
+      fine_qo_rest_1 = KSL_MULF(2.3710706e-10f, fine_qo_padded_1),
       fine_qo_bound_1 = fine_qo_error_1 + fine_qo_rest_1,
       fine_qo_size_3 = KSL_MULF(fine_qo_bound_1, fine_qo_size_1),
       fine_qo_size_4 = KSL_MULF(fine_h_size_rest_1, fine_qo_size_2),
@@ -24980,8 +25019,7 @@ static inline void ksl_quaternionf_exp_certified(const ksl_vec3f_t *v, ksl_quate
      |error of vo| <= vo_bound unless inf or NaN.
    q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
    195 mul, 276 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 55 abs, 4 copysign,
-     35 less, 10 equal, 65 select.
-   Error <= vo: 6 u of its largest component; searched, not proved. */
+     35 less, 10 equal, 65 select. */
 static inline void ksl_quaternionf_log_certified(const ksl_quaternionf_t *q, ksl_vec3f_t *vo,
     ksl_vec3f_t *vo_bound) {
   const float s_size_0 = fabsf(q->x);
@@ -25259,10 +25297,8 @@ static inline void ksl_quaternionf_log_certified(const ksl_quaternionf_t *q, ksl
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|; |error of R| <= R_bound unless
      inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   373 mul, 517 add, 16 product error, 21 product rest, 12 div, 3 sqrt, 58 abs, 13 less, 2 equal,
-     29 select.
-   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   387 mul, 536 add, 17 product error, 22 product rest, 12 div, 3 sqrt, 61 abs, 14 less, 1 equal,
+     29 select. */
 static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
   const double size_0 = fabs(v->x);
@@ -25447,6 +25483,26 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_half_angle_lo = KSL_MUL(fine_half_angle_rest_1, fine_up),
       fine_half_angle_padded_1 = 1.8051943758648296e-276 + fine_reduced_length_size_12,
       fine_half_angle_size_1 = KSL_MUL(fine_half_angle_padded_1, fine_up_size_1);
+  const double fine_y = KSL_MUL(fine_half_angle, fine_half_angle),
+      fine_y_cross1_1 = KSL_MUL(fine_half_angle_lo, fine_half_angle),
+      fine_y_cross2_1 = KSL_MUL(fine_half_angle, fine_half_angle_lo),
+      fine_y_cross_1 = fine_y_cross1_1 + fine_y_cross2_1, fine_y_size_1 = fabs(fine_half_angle),
+      fine_y_error_1 = fabs(fine_half_angle_lo),
+      fine_y_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1,
+      fine_y_rest_1 = KSL_MUL(5.7192432555642225e-30, fine_y_padded_1),
+      fine_y_bound_1 = fine_y_error_1 + fine_y_rest_1,
+      fine_y_size_2 = KSL_MUL(fine_y_bound_1, fine_y_size_1),
+      fine_y_size_3 = fine_y_size_2 + fine_y_size_2,
+      fine_y_size_4 = KSL_MUL(fine_y_rest_1, fine_y_size_1),
+      fine_y_size_5 = fine_y_size_4 + fine_y_size_4,
+      fine_y_size_6 = KSL_MUL(fine_y_bound_1, fine_y_bound_1),
+      fine_y_size_7 = fine_y_size_5 + fine_y_size_6,
+      fine_y_size_8 = KSL_MUL(4.440892098500626e-16, fine_y_size_3),
+      fine_y_size_9 = fine_y_size_7 + fine_y_size_8,
+      fine_y_size_10 = KSL_MUL(2251799813685256.0, fine_y_size_3),
+      fine_y_size_11 = KSL_MUL(7.922816251426462e+28, fine_y_size_9),
+      fine_y_size_12 = fine_y_size_10 + fine_y_size_11, fine_y_size_13 = fabs(fine_y),
+      fine_y_size_14 = fine_y_size_12 + fine_y_size_13;
   double fine_c; const double fine_sine = ksl_sincos(fine_half_angle, &fine_c);
   double fine_c_own_error_1; const double fine_sine_own_error_1 = ksl_sincos_error(fine_half_angle,
       fine_sine, fine_c, &fine_c_own_error_1);
@@ -25459,26 +25515,24 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_sine_slope_1 = fine_sine_slope1_1 - fine_sine_slope2_1,
       fine_sine_more_1 = KSL_MUL(fine_sine_slope_1, fine_sine_twice_1),
       fine_sine_lo = fine_sine_own_error_1 + fine_sine_more_1,
-      fine_sine_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1,
-      fine_sine_size_1 = 1.0 + fine_sine_padded_1;
+      fine_sine_size_1 = 1.0 + fine_y_padded_1;
   const double fine_c_slope1_1 = KSL_MUL(fine_sine_half_cos_1, fine_sine),
       fine_c_slope2_1 = KSL_MUL(fine_sine_half_sin_1, fine_c),
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_1,
-      fine_sinc_divisor_error_1 = fabs(fine_half_angle_lo),
-      fine_sinc_divisor_rest_1 = KSL_MUL(5.7192432555642225e-30, fine_sine_padded_1),
-      fine_sinc_divisor_bound_1 = fine_sinc_divisor_error_1 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
       fine_sinc_divisor_size_4 = 5e-324 + fine_sinc_divisor_size_3,
-      fine_sinc_divisor_size_6 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_6 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_7 = fabs(fine_sinc_divisor_size_6),
-      fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_7,
-      fine_sinc_divisor_size_9 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
+      fine_sinc_divisor_size_8 = fine_sinc_divisor_size_7 + fine_y_bound_1,
+      fine_sinc_divisor_size_9 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
           fine_sinc_divisor_size_8,
       fine_sinc_divisor_size_10 = KSL_MUL(5.762046184631807e+28, fine_sinc_divisor_size_9),
       fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + fine_sinc_divisor_size_10;
@@ -25510,22 +25564,43 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(2.755262189115544e-29, fine_sinc_padded_1),
+  const double fine_y_error_2 = ksl_product_error(fine_half_angle, fine_half_angle, fine_y),
+      fine_y_lo = fine_y_error_2 + fine_y_cross_1,
+      fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_14),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.224739680884703e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(2.755262189115544e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(3.7283828633784605e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0 : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.216865194778664e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_turning_0 = KSL_MUL(v->x, fine_sinc),
       fine_turning_cross2_1 = KSL_MUL(v->x, fine_sinc_lo),
-      fine_turning_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
+      fine_turning_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
       fine_turning_size_1 = KSL_MUL(fine_halved_size_1, fine_turning_padded_1);
   const double fine_turning_1 = KSL_MUL(v->y, fine_sinc),
       fine_turning_cross2_2 = KSL_MUL(v->y, fine_sinc_lo),
@@ -25554,10 +25629,10 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_m_cross_1 = fine_m_cross1_1 + fine_m_cross2_1, fine_m_size_1 = fabs(fine_turning_0),
       fine_m_size_2 = fabs(fine_beta_v_0), fine_m_error_1 = fabs(fine_turning_lo_1),
       fine_m_padded_1 = 1.8051943758648296e-276 + fine_turning_size_1,
-      fine_m_rest_1 = KSL_MUL(2.8097022289202044e-29, fine_m_padded_1),
+      fine_m_rest_1 = KSL_MUL(8.23059643713697e-28, fine_m_padded_1),
       fine_m_bound_1 = fine_m_error_1 + fine_m_rest_1, fine_m_error_2 = fabs(fine_beta_v_cross2_1),
       fine_m_padded_2 = 1.8051943758648296e-276 + fine_beta_v_size_1,
-      fine_m_rest_2 = KSL_MUL(2.857157453080415e-29, fine_m_padded_2),
+      fine_m_rest_2 = KSL_MUL(8.235342892425307e-28, fine_m_padded_2),
       fine_m_bound_2 = fine_m_error_2 + fine_m_rest_2,
       fine_m_size_3 = KSL_MUL(fine_m_bound_2, fine_m_size_1),
       fine_m_size_4 = KSL_MUL(fine_m_bound_1, fine_m_size_2),
@@ -25579,10 +25654,10 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_m_cross_2 = fine_m_cross1_2 + fine_m_cross2_2, fine_m_size_18 = fabs(fine_turning_1),
       fine_m_size_19 = fabs(fine_beta_v_1), fine_m_error_3 = fabs(fine_turning_lo_2),
       fine_m_padded_3 = 1.8051943758648296e-276 + fine_turning_size_2,
-      fine_m_rest_3 = KSL_MUL(2.8097022289202044e-29, fine_m_padded_3),
+      fine_m_rest_3 = KSL_MUL(8.23059643713697e-28, fine_m_padded_3),
       fine_m_bound_3 = fine_m_error_3 + fine_m_rest_3, fine_m_error_4 = fabs(fine_beta_v_cross2_2),
       fine_m_padded_4 = 1.8051943758648296e-276 + fine_beta_v_size_2,
-      fine_m_rest_4 = KSL_MUL(2.857157453080415e-29, fine_m_padded_4),
+      fine_m_rest_4 = KSL_MUL(8.235342892425307e-28, fine_m_padded_4),
       fine_m_bound_4 = fine_m_error_4 + fine_m_rest_4,
       fine_m_size_20 = KSL_MUL(fine_m_bound_4, fine_m_size_18),
       fine_m_size_21 = KSL_MUL(fine_m_bound_3, fine_m_size_19),
@@ -25604,10 +25679,10 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_m_cross_3 = fine_m_cross1_3 + fine_m_cross2_3, fine_m_size_35 = fabs(fine_turning_2),
       fine_m_size_36 = fabs(fine_beta_v_2), fine_m_error_5 = fabs(fine_turning_lo_3),
       fine_m_padded_5 = 1.8051943758648296e-276 + fine_turning_size_3,
-      fine_m_rest_5 = KSL_MUL(2.8097022289202044e-29, fine_m_padded_5),
+      fine_m_rest_5 = KSL_MUL(8.23059643713697e-28, fine_m_padded_5),
       fine_m_bound_5 = fine_m_error_5 + fine_m_rest_5, fine_m_error_6 = fabs(fine_beta_v_cross2_3),
       fine_m_padded_6 = 1.8051943758648296e-276 + fine_beta_v_size_3,
-      fine_m_rest_6 = KSL_MUL(2.857157453080415e-29, fine_m_padded_6),
+      fine_m_rest_6 = KSL_MUL(8.235342892425307e-28, fine_m_padded_6),
       fine_m_bound_6 = fine_m_error_6 + fine_m_rest_6,
       fine_m_size_37 = KSL_MUL(fine_m_bound_6, fine_m_size_35),
       fine_m_size_38 = KSL_MUL(fine_m_bound_5, fine_m_size_36),
@@ -25897,8 +25972,7 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
      |error of vo| <= vo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; vo, vo_bound: vector.
    242 mul, 465 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 71 abs, 4
-     copysign, 34 less, 6 equal, 99 select.
-   Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
+     copysign, 34 less, 6 equal, 99 select. */
 static inline void ksl_SO3_log_certified(const ksl_mat3x3_t *R, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
   const double p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -26286,10 +26360,8 @@ static inline void ksl_SO3_log_certified(const ksl_mat3x3_t *R, ksl_vec3_t *vo,
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
      unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   437 mul, 744 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 91 abs, 19 less, 2 equal,
-     45 select.
-   Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   442 mul, 755 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 92 abs, 20 less, 1 equal,
+     45 select. */
 static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
   const double size_0 = fabs(v->x);
@@ -26466,14 +26538,16 @@ static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_12,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -26508,19 +26582,39 @@ static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_1),
+  const double fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_1),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.120831909935717e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(4.87557780096603e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2325982855554354e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_g1 = KSL_MUL(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MUL(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MUL(fine_c, fine_sinc_lo),
@@ -26528,8 +26622,8 @@ static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x
       fine_g1_size_2 = fabs(fine_sinc), fine_g1_error_1 = fabs(fine_c_lo),
       fine_g1_rest_1 = KSL_MUL(8.677471603123253e-30, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1, fine_g1_error_2 = fabs(fine_sinc_lo),
-      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
-      fine_g1_rest_2 = KSL_MUL(2.1151340779501176e-29, fine_g1_padded_1),
+      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
+      fine_g1_rest_2 = KSL_MUL(8.120832873841084e-28, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_size_3 = KSL_MUL(fine_g1_bound_2, fine_g1_size_1),
       fine_g1_size_4 = KSL_MUL(fine_g1_bound_1, fine_g1_size_2),
@@ -27274,10 +27368,8 @@ static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
      unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   437 mul, 744 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 12 neg, 91 abs, 19 less,
-     2 equal, 45 select.
-   Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   442 mul, 755 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 92 abs, 20 less,
+     1 equal, 45 select. */
 static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
   const double size_0 = fabs(v->x);
@@ -27454,14 +27546,16 @@ static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_12,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -27496,19 +27590,39 @@ static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_1),
+  const double fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_1),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.120831909935717e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(4.87557780096603e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2325982855554354e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_g1 = KSL_MUL(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MUL(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MUL(fine_c, fine_sinc_lo),
@@ -27516,8 +27630,8 @@ static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3
       fine_g1_size_2 = fabs(fine_sinc), fine_g1_error_1 = fabs(fine_c_lo),
       fine_g1_rest_1 = KSL_MUL(8.677471603123253e-30, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1, fine_g1_error_2 = fabs(fine_sinc_lo),
-      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
-      fine_g1_rest_2 = KSL_MUL(2.1151340779501176e-29, fine_g1_padded_1),
+      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
+      fine_g1_rest_2 = KSL_MUL(8.120832873841084e-28, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_size_3 = KSL_MUL(fine_g1_bound_2, fine_g1_size_1),
       fine_g1_size_4 = KSL_MUL(fine_g1_bound_1, fine_g1_size_2),
@@ -28274,9 +28388,8 @@ static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0; |error of R| <= R_bound unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   415 mul, 735 add, 23 product error, 33 product rest, 23 div, 3 sqrt, 6 neg, 92 abs, 22 less, 2
-     equal, 47 select.
-   Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
+   420 mul, 746 add, 23 product error, 34 product rest, 23 div, 3 sqrt, 6 neg, 93 abs, 23 less, 1
+     equal, 47 select. */
 static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
   const double size_0 = fabs(v->x);
@@ -28441,14 +28554,16 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_12,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -28483,19 +28598,39 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_1),
+  const double fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_1),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.120831909935717e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(4.87557780096603e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2325982855554354e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_series_phi_a = KSL_MUL(5.107725174524775e-32, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MUL(4.7410392187559056e-48, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MUL(5.107725174524775e-32, fine_y_lo),
@@ -28825,7 +28960,7 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_near_f_a_cross1_1 = KSL_MUL(1.850371707708594e-17, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MUL(0.3333333333333333, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_error(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MUL(0.3333333333333333, fine_f_more),
@@ -28851,7 +28986,7 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_sinc_size_7 + fine_sine_size_1;
+      fine_f_rest_size_1 = fine_sinc_size_8 + fine_sine_size_1;
   const double fine_x = KSL_MUL(4.0, fine_y), fine_x_cross2_1 = KSL_MUL(4.0, fine_y_lo),
       fine_x_size_1 = KSL_MUL(4.0, fine_y_size_1);
   const double fine_far_y = fine_x < 4.0 ? 1.0 : fine_y,
@@ -28903,7 +29038,7 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_f_rest_1 = KSL_MUL(9.075379655148354e-28, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabs(fine_closed_f_lo),
       fine_f_padded_2 = 1.8051943758648296e-276 + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MUL(3.185438211824387e-29, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MUL(8.245490617302283e-28, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
@@ -28912,7 +29047,7 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const double fine_four_k = KSL_MUL(4.0, fine_sinc),
       fine_four_k_cross2_1 = KSL_MUL(4.0, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_8);
   const double fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MUL(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_error(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -28925,7 +29060,7 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_b_padded_2 = 1.8051943758648296e-276 + fine_four_k_size_1, fine_b_size_1 = fabs(fine_b),
       fine_b_size_2 = fabs(fine_four_k), fine_b_size_3 = KSL_MUL(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabs(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MUL(2.151495790465403e-29, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MUL(8.125024661305438e-28, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2, fine_b_size_5 = KSL_MUL(4.0, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0,
       fine_b_size_8 = fine_b_size_4 / fine_b_size_7,
@@ -28944,12 +29079,12 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_b_across_cross_1 = KSL_MUL(fine_b_across, fine_sinc_lo),
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
-      fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
+      fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
       fine_b_across_size_1 = fabs(fine_b_across), fine_b_across_size_2 = fabs(fine_sinc),
       fine_b_across_size_3 = KSL_MUL(fine_b_across_padded_1, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1,
       fine_b_across_error_1 = fabs(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MUL(2.1151340779501176e-29, fine_b_across_padded_1),
+      fine_b_across_rest_2 = KSL_MUL(8.120832873841084e-28, fine_b_across_padded_1),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MUL(4.0, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :
@@ -29276,9 +29411,8 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0; |error of R| <= R_bound unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   415 mul, 735 add, 23 product error, 33 product rest, 23 div, 3 sqrt, 92 abs, 22 less, 2 equal,
-     47 select.
-   Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
+   420 mul, 746 add, 23 product error, 34 product rest, 23 div, 3 sqrt, 93 abs, 23 less, 1 equal,
+     47 select. */
 static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
   const double size_0 = fabs(v->x);
@@ -29443,14 +29577,16 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_12,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -29485,19 +29621,39 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_1),
+  const double fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_1),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.120831909935717e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(4.87557780096603e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2325982855554354e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_series_phi_a = KSL_MUL(5.107725174524775e-32, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MUL(4.7410392187559056e-48, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MUL(5.107725174524775e-32, fine_y_lo),
@@ -29827,7 +29983,7 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_near_f_a_cross1_1 = KSL_MUL(1.850371707708594e-17, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MUL(0.3333333333333333, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_error(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MUL(0.3333333333333333, fine_f_more),
@@ -29853,7 +30009,7 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_sinc_size_7 + fine_sine_size_1;
+      fine_f_rest_size_1 = fine_sinc_size_8 + fine_sine_size_1;
   const double fine_x = KSL_MUL(4.0, fine_y), fine_x_cross2_1 = KSL_MUL(4.0, fine_y_lo),
       fine_x_size_1 = KSL_MUL(4.0, fine_y_size_1);
   const double fine_far_y = fine_x < 4.0 ? 1.0 : fine_y,
@@ -29905,7 +30061,7 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_f_rest_1 = KSL_MUL(9.075379655148354e-28, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabs(fine_closed_f_lo),
       fine_f_padded_2 = 1.8051943758648296e-276 + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MUL(3.185438211824387e-29, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MUL(8.245490617302283e-28, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
@@ -29914,7 +30070,7 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const double fine_four_k = KSL_MUL(4.0, fine_sinc),
       fine_four_k_cross2_1 = KSL_MUL(4.0, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_8);
   const double fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MUL(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_error(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -29927,7 +30083,7 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_b_padded_2 = 1.8051943758648296e-276 + fine_four_k_size_1, fine_b_size_1 = fabs(fine_b),
       fine_b_size_2 = fabs(fine_four_k), fine_b_size_3 = KSL_MUL(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabs(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MUL(2.151495790465403e-29, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MUL(8.125024661305438e-28, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2, fine_b_size_5 = KSL_MUL(4.0, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0,
       fine_b_size_8 = fine_b_size_4 / fine_b_size_7,
@@ -29946,12 +30102,12 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_b_across_cross_1 = KSL_MUL(fine_b_across, fine_sinc_lo),
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
-      fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
+      fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
       fine_b_across_size_1 = fabs(fine_b_across), fine_b_across_size_2 = fabs(fine_sinc),
       fine_b_across_size_3 = KSL_MUL(fine_b_across_padded_1, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1,
       fine_b_across_error_1 = fabs(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MUL(2.1151340779501176e-29, fine_b_across_padded_1),
+      fine_b_across_rest_2 = KSL_MUL(8.120832873841084e-28, fine_b_across_padded_1),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MUL(4.0, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :
@@ -30653,11 +30809,8 @@ static inline void ksl_mat3x3_orthonormalized_certified(const ksl_mat3x3_t *R, k
 
 /* D = exp s = [exp ω~ | J_l(ω) v]; |error of D| <= D_bound unless inf or NaN.
    s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R rotation, t in m.
-   557 mul, 898 add, 24 product error, 57 product rest, 16 div, 3 sqrt, 115 abs, 19 less, 2
-     equal, 46 select.
-   Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is
-     larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate
-     sums may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
+   562 mul, 909 add, 24 product error, 58 product rest, 16 div, 3 sqrt, 116 abs, 20 less, 1
+     equal, 46 select. */
 static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl_SE3_t *D_bound) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -30852,14 +31005,16 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_12,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -30894,19 +31049,39 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_1),
+  const double fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_1),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.120831909935717e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(4.87557780096603e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2325982855554354e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_g1 = KSL_MUL(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MUL(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MUL(fine_c, fine_sinc_lo),
@@ -30914,8 +31089,8 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
       fine_g1_size_2 = fabs(fine_sinc), fine_g1_error_1 = fabs(fine_c_lo),
       fine_g1_rest_1 = KSL_MUL(8.677471603123253e-30, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1, fine_g1_error_2 = fabs(fine_sinc_lo),
-      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
-      fine_g1_rest_2 = KSL_MUL(2.1151340779501176e-29, fine_g1_padded_1),
+      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
+      fine_g1_rest_2 = KSL_MUL(8.120832873841084e-28, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_size_3 = KSL_MUL(fine_g1_bound_2, fine_g1_size_1),
       fine_g1_size_4 = KSL_MUL(fine_g1_bound_1, fine_g1_size_2),
@@ -31924,10 +32099,8 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
      inf or NaN.
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
-   694 mul, 1084 add, 36 product error, 35 product rest, 47 div, 5 sqrt, 14 neg, 181 abs, 6
-     copysign, 65 less, 10 equal, 167 select.
-   Error <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not
-     proved.  Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36. */
+   699 mul, 1095 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 182 abs, 6
+     copysign, 66 less, 9 equal, 167 select. */
 static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
   const double p_0 = D->m21 - D->m12;
@@ -32678,12 +32851,15 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_y_size_11 = KSL_MUL(7.922816251426462e+28, fine_y_size_9),
       fine_y_size_12 = fine_y_size_10 + fine_y_size_11, fine_y_size_13 = fabs(fine_y),
       fine_y_size_14 = fine_y_size_12 + fine_y_size_13;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_cross2_1,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 :
+          fine_half_angle_cross2_1,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_size_6 + fine_y_bound_1,
       fine_sinc_divisor_size_8 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -32718,21 +32894,41 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(4.0396275823465884e-29, fine_sinc_padded_1),
-      fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
-      fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0 : fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(2.5374142281282834e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
   const double fine_y_error_2 = ksl_product_error(fine_half_angle, fine_half_angle, fine_y),
       fine_y_lo = fine_y_error_2 + fine_y_cross_1,
-      fine_series_phi_a = KSL_MUL(5.107725174524775e-32, fine_y),
+      fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_14),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.224739680884703e-28, fine_sinc_padded_1),
+      fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(4.0396275823465884e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
+      fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0 : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.216865194778664e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
+  const double fine_series_phi_a = KSL_MUL(5.107725174524775e-32, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MUL(4.7410392187559056e-48, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MUL(5.107725174524775e-32, fine_y_lo),
       fine_series_phi_a_cross_1 = fine_series_phi_a_cross1_1 + fine_series_phi_a_cross2_1,
@@ -33194,7 +33390,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_near_f_a_cross1_1 = KSL_MUL(1.850371707708594e-17, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MUL(0.3333333333333333, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_error(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MUL(0.3333333333333333, fine_f_more),
@@ -33220,7 +33416,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_c_size_7 + fine_sinc_size_7;
+      fine_f_rest_size_1 = fine_c_size_7 + fine_sinc_size_8;
   const double fine_x = KSL_MUL(4.0, fine_y), fine_x_cross2_1 = KSL_MUL(4.0, fine_y_lo),
       fine_x_size_1 = KSL_MUL(4.0, fine_y_size_14);
   const double fine_far_y = fine_x < 4.0 ? 1.0 : fine_y,
@@ -33269,19 +33465,19 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_f_size_2 = fine_near_f - fine_closed_f, fine_f_size_3 = fabs(fine_f_size_2),
       fine_f_error_1 = fabs(fine_near_f_lo),
       fine_f_padded_1 = 1.8051943758648296e-276 + fine_near_f_size_1,
-      fine_f_rest_1 = KSL_MUL(4.2812171655620496e-29, fine_f_padded_1),
+      fine_f_rest_1 = KSL_MUL(8.251859670449558e-28, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabs(fine_closed_f_lo),
       fine_f_padded_2 = 1.8051943758648296e-276 + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MUL(5.52120850280944e-29, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MUL(8.375858743988986e-28, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
       fine_f_size_6 = fine_far_y_bound_1 < fine_far_y_size_3 ? 0.0 : fine_f_size_5,
-      fine_f_size_7 = KSL_MUL(1.8508649698305347e+28, fine_f_size_6),
+      fine_f_size_7 = KSL_MUL(1.1955965001638547e+27, fine_f_size_6),
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const double fine_four_k = KSL_MUL(4.0, fine_sinc),
       fine_four_k_cross2_1 = KSL_MUL(4.0, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_8);
   const double fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MUL(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_error(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -33294,7 +33490,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_b_padded_2 = 1.8051943758648296e-276 + fine_four_k_size_1, fine_b_size_1 = fabs(fine_b),
       fine_b_size_2 = fabs(fine_four_k), fine_b_size_3 = KSL_MUL(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabs(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MUL(4.088932009583919e-29, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MUL(8.232630221979429e-28, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2, fine_b_size_5 = KSL_MUL(4.0, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0,
       fine_b_size_8 = fine_b_size_4 / fine_b_size_7,
@@ -33314,12 +33510,12 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
       fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_c_size_7,
-      fine_b_across_padded_2 = 1.8051943758648296e-276 + fine_sinc_size_7,
+      fine_b_across_padded_2 = 1.8051943758648296e-276 + fine_sinc_size_8,
       fine_b_across_size_1 = fabs(fine_b_across), fine_b_across_size_2 = fabs(fine_sinc),
       fine_b_across_size_3 = KSL_MUL(fine_b_across_padded_2, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_padded_1 + fine_b_across_size_3,
       fine_b_across_error_1 = fabs(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MUL(4.039627892677097e-29, fine_b_across_padded_2),
+      fine_b_across_rest_2 = KSL_MUL(8.22769887741643e-28, fine_b_across_padded_2),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MUL(4.0, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :
@@ -33369,7 +33565,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_pitch_cross_1 = fine_pitch_cross1_1 + fine_pitch_cross2_1,
       fine_pitch_size_1 = fabs(fine_wt), fine_pitch_error_1 = fabs(fine_b_lo),
       fine_pitch_padded_1 = 1.8051943758648296e-276 + fine_b_size_11,
-      fine_pitch_rest_1 = KSL_MUL(7.082497936662003e-29, fine_pitch_padded_1),
+      fine_pitch_rest_1 = KSL_MUL(8.53198907163639e-28, fine_pitch_padded_1),
       fine_pitch_bound_1 = fine_pitch_error_1 + fine_pitch_rest_1,
       fine_pitch_error_2 = fabs(fine_wt_lo),
       fine_pitch_padded_2 = 1.8051943758648296e-276 + fine_wt_size_1,
@@ -33580,15 +33776,15 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
   const double so_apart_1 = fine_so_0 - so_0, so_apart_2 = fine_so_lo_1 + so_apart_1,
       so_error_1 = fabs(so_apart_2), so_error_2 = KSL_MUL(1.0000000000000009, so_error_1),
       so_padded_1 = 1.8051943758648296e-276 + fine_so_size_1,
-      so_rest_1 = KSL_MUL(5.478890414657239e-29, so_padded_1), so_bound_1 = so_error_2 + so_rest_1,
+      so_rest_1 = KSL_MUL(8.371627476841563e-28, so_padded_1), so_bound_1 = so_error_2 + so_rest_1,
       so_apart_3 = fine_so_1 - so_1, so_apart_4 = fine_so_lo_2 + so_apart_3,
       so_error_3 = fabs(so_apart_4), so_error_4 = KSL_MUL(1.0000000000000009, so_error_3),
       so_padded_2 = 1.8051943758648296e-276 + fine_so_size_2,
-      so_rest_2 = KSL_MUL(5.478890414657239e-29, so_padded_2), so_bound_2 = so_error_4 + so_rest_2,
+      so_rest_2 = KSL_MUL(8.371627476841563e-28, so_padded_2), so_bound_2 = so_error_4 + so_rest_2,
       so_apart_5 = fine_so_2 - so_2, so_apart_6 = fine_so_lo_3 + so_apart_5,
       so_error_5 = fabs(so_apart_6), so_error_6 = KSL_MUL(1.0000000000000009, so_error_5),
       so_padded_3 = 1.8051943758648296e-276 + fine_so_size_3,
-      so_rest_3 = KSL_MUL(5.478890414657239e-29, so_padded_3), so_bound_3 = so_error_6 + so_rest_3,
+      so_rest_3 = KSL_MUL(8.371627476841563e-28, so_padded_3), so_bound_3 = so_error_6 + so_rest_3,
       vector_apart_1 = fine_vector_0 - vector_0, vector_apart_2 = fine_vector_lo_1 + vector_apart_1,
       vector_error_1 = fabs(vector_apart_2),
       vector_error_2 = KSL_MUL(1.0000000000000009, vector_error_1),
@@ -33618,10 +33814,8 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|; |error of R| <= R_bound unless
      inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   343 mul, 476 add, 13 product error, 21 product rest, 12 div, 3 sqrt, 58 abs, 13 less, 2 equal,
-     29 select.
-   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   357 mul, 495 add, 14 product error, 22 product rest, 12 div, 3 sqrt, 61 abs, 14 less, 1 equal,
+     29 select. */
 static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
   const float size_0 = fabsf(v->x);
@@ -33807,6 +34001,26 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_half_angle_lo = KSL_MULF(fine_half_angle_rest_1, fine_up),
       fine_half_angle_padded_1 = 3.3087225e-24f + fine_reduced_length_size_12,
       fine_half_angle_size_1 = KSL_MULF(fine_half_angle_padded_1, fine_up_size_1);
+  const float fine_y = KSL_MULF(fine_half_angle, fine_half_angle),
+      fine_y_cross1_1 = KSL_MULF(fine_half_angle_lo, fine_half_angle),
+      fine_y_cross2_1 = KSL_MULF(fine_half_angle, fine_half_angle_lo),
+      fine_y_cross_1 = fine_y_cross1_1 + fine_y_cross2_1, fine_y_size_1 = fabsf(fine_half_angle),
+      fine_y_error_1 = fabsf(fine_half_angle_lo),
+      fine_y_padded_1 = 3.3087225e-24f + fine_half_angle_size_1,
+      fine_y_rest_1 = KSL_MULF(1.6484983e-12f, fine_y_padded_1),
+      fine_y_bound_1 = fine_y_error_1 + fine_y_rest_1,
+      fine_y_size_2 = KSL_MULF(fine_y_bound_1, fine_y_size_1),
+      fine_y_size_3 = fine_y_size_2 + fine_y_size_2,
+      fine_y_size_4 = KSL_MULF(fine_y_rest_1, fine_y_size_1),
+      fine_y_size_5 = fine_y_size_4 + fine_y_size_4,
+      fine_y_size_6 = KSL_MULF(fine_y_bound_1, fine_y_bound_1),
+      fine_y_size_7 = fine_y_size_5 + fine_y_size_6,
+      fine_y_size_8 = KSL_MULF(2.3841858e-07f, fine_y_size_3),
+      fine_y_size_9 = fine_y_size_7 + fine_y_size_8,
+      fine_y_size_10 = KSL_MULF(4.194312e+06f, fine_y_size_3),
+      fine_y_size_11 = KSL_MULF(2.7487843e+11f, fine_y_size_9),
+      fine_y_size_12 = fine_y_size_10 + fine_y_size_11, fine_y_size_13 = fabsf(fine_y),
+      fine_y_size_14 = fine_y_size_12 + fine_y_size_13;
   float fine_c; const float fine_sine = ksl_sincosf(fine_half_angle, &fine_c);
   float fine_c_own_error_1; const float fine_sine_own_error_1 = ksl_sincos_errorf(fine_half_angle,
       fine_sine, fine_c, &fine_c_own_error_1);
@@ -33819,26 +34033,24 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_sine_slope_1 = fine_sine_slope1_1 - fine_sine_slope2_1,
       fine_sine_more_1 = KSL_MULF(fine_sine_slope_1, fine_sine_twice_1),
       fine_sine_lo = fine_sine_own_error_1 + fine_sine_more_1,
-      fine_sine_padded_1 = 3.3087225e-24f + fine_half_angle_size_1,
-      fine_sine_size_1 = 1.0f + fine_sine_padded_1;
+      fine_sine_size_1 = 1.0f + fine_y_padded_1;
   const float fine_c_slope1_1 = KSL_MULF(fine_sine_half_cos_1, fine_sine),
       fine_c_slope2_1 = KSL_MULF(fine_sine_half_sin_1, fine_c),
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_1,
-      fine_sinc_divisor_error_1 = fabsf(fine_half_angle_lo),
-      fine_sinc_divisor_rest_1 = KSL_MULF(1.6484983e-12f, fine_sine_padded_1),
-      fine_sinc_divisor_bound_1 = fine_sinc_divisor_error_1 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
       fine_sinc_divisor_size_4 = 1e-45f + fine_sinc_divisor_size_3,
-      fine_sinc_divisor_size_6 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_6 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_7 = fabsf(fine_sinc_divisor_size_6),
-      fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_7,
-      fine_sinc_divisor_size_9 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
+      fine_sinc_divisor_size_8 = fine_sinc_divisor_size_7 + fine_y_bound_1,
+      fine_sinc_divisor_size_9 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
           fine_sinc_divisor_size_8,
       fine_sinc_divisor_size_10 = KSL_MULF(1.9990821e+11f, fine_sinc_divisor_size_9),
       fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + fine_sinc_divisor_size_10;
@@ -33870,22 +34082,41 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(7.941701e-12f, fine_sinc_padded_1),
+  const float fine_y_error_2 = ksl_product_errorf(fine_half_angle, fine_half_angle, fine_y),
+      fine_y_lo = fine_y_error_2 + fine_y_cross_1, fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_14), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3706434e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(7.941701e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.2935218e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0f : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.2218243e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_turning_0 = KSL_MULF(v->x, fine_sinc),
       fine_turning_cross2_1 = KSL_MULF(v->x, fine_sinc_lo),
-      fine_turning_padded_1 = 3.3087225e-24f + fine_sinc_size_7,
+      fine_turning_padded_1 = 3.3087225e-24f + fine_sinc_size_8,
       fine_turning_size_1 = KSL_MULF(fine_halved_size_1, fine_turning_padded_1);
   const float fine_turning_1 = KSL_MULF(v->y, fine_sinc),
       fine_turning_cross2_2 = KSL_MULF(v->y, fine_sinc_lo),
@@ -33914,10 +34145,10 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_m_cross_1 = fine_m_cross1_1 + fine_m_cross2_1, fine_m_size_1 = fabsf(fine_turning_0),
       fine_m_size_2 = fabsf(fine_beta_v_0), fine_m_error_1 = fabsf(fine_turning_lo_1),
       fine_m_padded_1 = 3.3087225e-24f + fine_turning_size_1,
-      fine_m_rest_1 = KSL_MULF(8.098611e-12f, fine_m_padded_1),
+      fine_m_rest_1 = KSL_MULF(2.3723412e-10f, fine_m_padded_1),
       fine_m_bound_1 = fine_m_error_1 + fine_m_rest_1, fine_m_error_2 = fabsf(fine_beta_v_cross2_1),
       fine_m_padded_2 = 3.3087225e-24f + fine_beta_v_size_1,
-      fine_m_rest_2 = KSL_MULF(8.235425e-12f, fine_m_padded_2),
+      fine_m_rest_2 = KSL_MULF(2.3737182e-10f, fine_m_padded_2),
       fine_m_bound_2 = fine_m_error_2 + fine_m_rest_2,
       fine_m_size_3 = KSL_MULF(fine_m_bound_2, fine_m_size_1),
       fine_m_size_4 = KSL_MULF(fine_m_bound_1, fine_m_size_2),
@@ -33939,10 +34170,10 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_m_cross_2 = fine_m_cross1_2 + fine_m_cross2_2, fine_m_size_18 = fabsf(fine_turning_1),
       fine_m_size_19 = fabsf(fine_beta_v_1), fine_m_error_3 = fabsf(fine_turning_lo_2),
       fine_m_padded_3 = 3.3087225e-24f + fine_turning_size_2,
-      fine_m_rest_3 = KSL_MULF(8.098611e-12f, fine_m_padded_3),
+      fine_m_rest_3 = KSL_MULF(2.3723412e-10f, fine_m_padded_3),
       fine_m_bound_3 = fine_m_error_3 + fine_m_rest_3, fine_m_error_4 = fabsf(fine_beta_v_cross2_2),
       fine_m_padded_4 = 3.3087225e-24f + fine_beta_v_size_2,
-      fine_m_rest_4 = KSL_MULF(8.235425e-12f, fine_m_padded_4),
+      fine_m_rest_4 = KSL_MULF(2.3737182e-10f, fine_m_padded_4),
       fine_m_bound_4 = fine_m_error_4 + fine_m_rest_4,
       fine_m_size_20 = KSL_MULF(fine_m_bound_4, fine_m_size_18),
       fine_m_size_21 = KSL_MULF(fine_m_bound_3, fine_m_size_19),
@@ -33964,10 +34195,10 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_m_cross_3 = fine_m_cross1_3 + fine_m_cross2_3, fine_m_size_35 = fabsf(fine_turning_2),
       fine_m_size_36 = fabsf(fine_beta_v_2), fine_m_error_5 = fabsf(fine_turning_lo_3),
       fine_m_padded_5 = 3.3087225e-24f + fine_turning_size_3,
-      fine_m_rest_5 = KSL_MULF(8.098611e-12f, fine_m_padded_5),
+      fine_m_rest_5 = KSL_MULF(2.3723412e-10f, fine_m_padded_5),
       fine_m_bound_5 = fine_m_error_5 + fine_m_rest_5, fine_m_error_6 = fabsf(fine_beta_v_cross2_3),
       fine_m_padded_6 = 3.3087225e-24f + fine_beta_v_size_3,
-      fine_m_rest_6 = KSL_MULF(8.235425e-12f, fine_m_padded_6),
+      fine_m_rest_6 = KSL_MULF(2.3737182e-10f, fine_m_padded_6),
       fine_m_bound_6 = fine_m_error_6 + fine_m_rest_6,
       fine_m_size_37 = KSL_MULF(fine_m_bound_6, fine_m_size_35),
       fine_m_size_38 = KSL_MULF(fine_m_bound_5, fine_m_size_36),
@@ -34261,8 +34492,7 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
      |error of vo| <= vo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; vo, vo_bound: vector.
    208 mul, 406 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 71 abs, 4
-     copysign, 34 less, 6 equal, 99 select.
-   Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
+     copysign, 34 less, 6 equal, 99 select. */
 static inline void ksl_SO3_logf_certified(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo,
     ksl_vec3f_t *vo_bound) {
   const float p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -34643,10 +34873,8 @@ static inline void ksl_SO3_logf_certified(const ksl_mat3x3f_t *R, ksl_vec3f_t *v
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
      unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   407 mul, 703 add, 18 product error, 42 product rest, 16 div, 3 sqrt, 91 abs, 19 less, 2 equal,
-     45 select.
-   Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   412 mul, 714 add, 18 product error, 43 product rest, 16 div, 3 sqrt, 92 abs, 20 less, 1 equal,
+     45 select. */
 static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
   const float size_0 = fabsf(v->x);
@@ -34823,14 +35051,16 @@ static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_12,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -34865,19 +35095,38 @@ static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(5.43103e-12f, fine_sinc_padded_1),
+  const float fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_1), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3406937e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(5.43103e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.6915353e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.276409e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_g1 = KSL_MULF(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MULF(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MULF(fine_c, fine_sinc_lo),
@@ -34885,8 +35134,8 @@ static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat
       fine_g1_size_2 = fabsf(fine_sinc), fine_g1_error_1 = fabsf(fine_c_lo),
       fine_g1_rest_1 = KSL_MULF(2.5011469e-12f, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1, fine_g1_error_2 = fabsf(fine_sinc_lo),
-      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_7,
-      fine_g1_rest_2 = KSL_MULF(6.0965586e-12f, fine_g1_padded_1),
+      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_8,
+      fine_g1_rest_2 = KSL_MULF(2.3406946e-10f, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_size_3 = KSL_MULF(fine_g1_bound_2, fine_g1_size_1),
       fine_g1_size_4 = KSL_MULF(fine_g1_bound_1, fine_g1_size_2),
@@ -35632,10 +35881,8 @@ static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
      unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   407 mul, 703 add, 18 product error, 42 product rest, 16 div, 3 sqrt, 12 neg, 91 abs, 19 less,
-     2 equal, 45 select.
-   Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   412 mul, 714 add, 18 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 92 abs, 20 less,
+     1 equal, 45 select. */
 static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
   const float size_0 = fabsf(v->x);
@@ -35812,14 +36059,16 @@ static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_ma
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_12,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -35854,19 +36103,38 @@ static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_ma
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(5.43103e-12f, fine_sinc_padded_1),
+  const float fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_1), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3406937e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(5.43103e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.6915353e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.276409e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_g1 = KSL_MULF(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MULF(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MULF(fine_c, fine_sinc_lo),
@@ -35874,8 +36142,8 @@ static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_ma
       fine_g1_size_2 = fabsf(fine_sinc), fine_g1_error_1 = fabsf(fine_c_lo),
       fine_g1_rest_1 = KSL_MULF(2.5011469e-12f, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1, fine_g1_error_2 = fabsf(fine_sinc_lo),
-      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_7,
-      fine_g1_rest_2 = KSL_MULF(6.0965586e-12f, fine_g1_padded_1),
+      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_8,
+      fine_g1_rest_2 = KSL_MULF(2.3406946e-10f, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_size_3 = KSL_MULF(fine_g1_bound_2, fine_g1_size_1),
       fine_g1_size_4 = KSL_MULF(fine_g1_bound_1, fine_g1_size_2),
@@ -36633,9 +36901,8 @@ static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_ma
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0; |error of R| <= R_bound unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   385 mul, 694 add, 20 product error, 33 product rest, 23 div, 3 sqrt, 6 neg, 92 abs, 22 less, 2
-     equal, 47 select.
-   Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
+   390 mul, 705 add, 20 product error, 34 product rest, 23 div, 3 sqrt, 6 neg, 93 abs, 23 less, 1
+     equal, 47 select. */
 static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
   const float size_0 = fabsf(v->x);
@@ -36799,14 +37066,16 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_12,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -36841,19 +37110,38 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(5.43103e-12f, fine_sinc_padded_1),
+  const float fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_1), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3406937e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(5.43103e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.6915353e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.276409e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_series_phi_a = KSL_MULF(5.107725e-32f, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MULF(3.51736e-40f, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MULF(5.107725e-32f, fine_y_lo),
@@ -37184,7 +37472,7 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_near_f_a_cross1_1 = KSL_MULF(-9.934108e-09f, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MULF(0.33333334f, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_errorf(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MULF(0.33333334f, fine_f_more),
@@ -37210,7 +37498,7 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_sinc_size_7 + fine_sine_size_1;
+      fine_f_rest_size_1 = fine_sinc_size_8 + fine_sine_size_1;
   const float fine_x = KSL_MULF(4.0f, fine_y), fine_x_cross2_1 = KSL_MULF(4.0f, fine_y_lo),
       fine_x_size_1 = KSL_MULF(4.0f, fine_y_size_1);
   const float fine_far_y = fine_x < 4.0f ? 1.0f : fine_y,
@@ -37261,7 +37549,7 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_f_rest_1 = KSL_MULF(2.6163277e-10f, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabsf(fine_closed_f_lo),
       fine_f_padded_2 = 3.3087225e-24f + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MULF(9.181639e-12f, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MULF(2.3766553e-10f, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
@@ -37270,7 +37558,7 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const float fine_four_k = KSL_MULF(4.0f, fine_sinc),
       fine_four_k_cross2_1 = KSL_MULF(4.0f, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_8);
   const float fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MULF(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_errorf(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -37282,7 +37570,7 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_b_padded_2 = 3.3087225e-24f + fine_four_k_size_1, fine_b_size_1 = fabsf(fine_b),
       fine_b_size_2 = fabsf(fine_four_k), fine_b_size_3 = KSL_MULF(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabsf(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MULF(6.2013892e-12f, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MULF(2.3419117e-10f, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2,
       fine_b_size_5 = KSL_MULF(4.0f, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0f,
@@ -37302,12 +37590,12 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_b_across_cross_1 = KSL_MULF(fine_b_across, fine_sinc_lo),
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
-      fine_b_across_padded_1 = 3.3087225e-24f + fine_sinc_size_7,
+      fine_b_across_padded_1 = 3.3087225e-24f + fine_sinc_size_8,
       fine_b_across_size_1 = fabsf(fine_b_across), fine_b_across_size_2 = fabsf(fine_sinc),
       fine_b_across_size_3 = KSL_MULF(fine_b_across_padded_1, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1,
       fine_b_across_error_1 = fabsf(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MULF(6.0965586e-12f, fine_b_across_padded_1),
+      fine_b_across_rest_2 = KSL_MULF(2.3406946e-10f, fine_b_across_padded_1),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MULF(4.0f, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :
@@ -37638,9 +37926,8 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0; |error of R| <= R_bound unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   385 mul, 694 add, 20 product error, 33 product rest, 23 div, 3 sqrt, 92 abs, 22 less, 2 equal,
-     47 select.
-   Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
+   390 mul, 705 add, 20 product error, 34 product rest, 23 div, 3 sqrt, 93 abs, 23 less, 1 equal,
+     47 select. */
 static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
   const float size_0 = fabsf(v->x);
@@ -37804,14 +38091,16 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_12,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -37846,19 +38135,38 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(5.43103e-12f, fine_sinc_padded_1),
+  const float fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_1), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3406937e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(5.43103e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.6915353e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.276409e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_series_phi_a = KSL_MULF(5.107725e-32f, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MULF(3.51736e-40f, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MULF(5.107725e-32f, fine_y_lo),
@@ -38189,7 +38497,7 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_near_f_a_cross1_1 = KSL_MULF(-9.934108e-09f, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MULF(0.33333334f, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_errorf(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MULF(0.33333334f, fine_f_more),
@@ -38215,7 +38523,7 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_sinc_size_7 + fine_sine_size_1;
+      fine_f_rest_size_1 = fine_sinc_size_8 + fine_sine_size_1;
   const float fine_x = KSL_MULF(4.0f, fine_y), fine_x_cross2_1 = KSL_MULF(4.0f, fine_y_lo),
       fine_x_size_1 = KSL_MULF(4.0f, fine_y_size_1);
   const float fine_far_y = fine_x < 4.0f ? 1.0f : fine_y,
@@ -38266,7 +38574,7 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_f_rest_1 = KSL_MULF(2.6163277e-10f, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabsf(fine_closed_f_lo),
       fine_f_padded_2 = 3.3087225e-24f + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MULF(9.181639e-12f, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MULF(2.3766553e-10f, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
@@ -38275,7 +38583,7 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const float fine_four_k = KSL_MULF(4.0f, fine_sinc),
       fine_four_k_cross2_1 = KSL_MULF(4.0f, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_8);
   const float fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MULF(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_errorf(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -38287,7 +38595,7 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_b_padded_2 = 3.3087225e-24f + fine_four_k_size_1, fine_b_size_1 = fabsf(fine_b),
       fine_b_size_2 = fabsf(fine_four_k), fine_b_size_3 = KSL_MULF(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabsf(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MULF(6.2013892e-12f, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MULF(2.3419117e-10f, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2,
       fine_b_size_5 = KSL_MULF(4.0f, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0f,
@@ -38307,12 +38615,12 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_b_across_cross_1 = KSL_MULF(fine_b_across, fine_sinc_lo),
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
-      fine_b_across_padded_1 = 3.3087225e-24f + fine_sinc_size_7,
+      fine_b_across_padded_1 = 3.3087225e-24f + fine_sinc_size_8,
       fine_b_across_size_1 = fabsf(fine_b_across), fine_b_across_size_2 = fabsf(fine_sinc),
       fine_b_across_size_3 = KSL_MULF(fine_b_across_padded_1, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1,
       fine_b_across_error_1 = fabsf(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MULF(6.0965586e-12f, fine_b_across_padded_1),
+      fine_b_across_rest_2 = KSL_MULF(2.3406946e-10f, fine_b_across_padded_1),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MULF(4.0f, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :
@@ -39028,11 +39336,8 @@ static inline void ksl_mat3x3f_orthonormalized_certified(const ksl_mat3x3f_t *R,
 
 /* D = exp s = [exp ω~ | J_l(ω) v]; |error of D| <= D_bound unless inf or NaN.
    s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R rotation, t in m.
-   527 mul, 857 add, 21 product error, 57 product rest, 16 div, 3 sqrt, 115 abs, 19 less, 2
-     equal, 46 select.
-   Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is
-     larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate
-     sums may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
+   532 mul, 868 add, 21 product error, 58 product rest, 16 div, 3 sqrt, 116 abs, 20 less, 1
+     equal, 46 select. */
 static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
     ksl_SE3f_t *D_bound) {
   const float size_0 = fabsf(s->m3);
@@ -39228,14 +39533,16 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_12,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -39270,19 +39577,38 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(5.43103e-12f, fine_sinc_padded_1),
+  const float fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_1), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3406937e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(5.43103e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.6915353e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.276409e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_g1 = KSL_MULF(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MULF(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MULF(fine_c, fine_sinc_lo),
@@ -39290,8 +39616,8 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
       fine_g1_size_2 = fabsf(fine_sinc), fine_g1_error_1 = fabsf(fine_c_lo),
       fine_g1_rest_1 = KSL_MULF(2.5011469e-12f, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1, fine_g1_error_2 = fabsf(fine_sinc_lo),
-      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_7,
-      fine_g1_rest_2 = KSL_MULF(6.0965586e-12f, fine_g1_padded_1),
+      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_8,
+      fine_g1_rest_2 = KSL_MULF(2.3406946e-10f, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_size_3 = KSL_MULF(fine_g1_bound_2, fine_g1_size_1),
       fine_g1_size_4 = KSL_MULF(fine_g1_bound_1, fine_g1_size_2),
@@ -40297,10 +40623,8 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
      inf or NaN.
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
-   653 mul, 1019 add, 29 product error, 35 product rest, 47 div, 5 sqrt, 14 neg, 181 abs, 6
-     copysign, 65 less, 10 equal, 167 select.
-   Error <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not
-     proved.  Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36. */
+   658 mul, 1030 add, 29 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 182 abs, 6
+     copysign, 66 less, 9 equal, 167 select. */
 static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
   const float p_0 = D->m21 - D->m12;
@@ -41042,12 +41366,14 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_y_size_11 = KSL_MULF(2.7487843e+11f, fine_y_size_9),
       fine_y_size_12 = fine_y_size_10 + fine_y_size_11, fine_y_size_13 = fabsf(fine_y),
       fine_y_size_14 = fine_y_size_12 + fine_y_size_13;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_cross2_1,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_cross2_1,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_size_6 + fine_y_bound_1,
       fine_sinc_divisor_size_8 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -41082,21 +41408,39 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(1.1643788e-11f, fine_sinc_padded_1),
-      fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
-      fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0f : fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(8.80319e+10f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
   const float fine_y_error_2 = ksl_product_errorf(fine_half_angle, fine_half_angle, fine_y),
-      fine_y_lo = fine_y_error_2 + fine_y_cross_1,
-      fine_series_phi_a = KSL_MULF(5.107725e-32f, fine_y),
+      fine_y_lo = fine_y_error_2 + fine_y_cross_1, fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_14), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3706434e-10f, fine_sinc_padded_1),
+      fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(1.1643788e-11f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
+      fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0f : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.2218243e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
+  const float fine_series_phi_a = KSL_MULF(5.107725e-32f, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MULF(3.51736e-40f, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MULF(5.107725e-32f, fine_y_lo),
       fine_series_phi_a_cross_1 = fine_series_phi_a_cross1_1 + fine_series_phi_a_cross2_1,
@@ -41558,7 +41902,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_near_f_a_cross1_1 = KSL_MULF(-9.934108e-09f, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MULF(0.33333334f, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_errorf(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MULF(0.33333334f, fine_f_more),
@@ -41584,7 +41928,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_c_size_7 + fine_sinc_size_7;
+      fine_f_rest_size_1 = fine_c_size_7 + fine_sinc_size_8;
   const float fine_x = KSL_MULF(4.0f, fine_y), fine_x_cross2_1 = KSL_MULF(4.0f, fine_y_lo),
       fine_x_size_1 = KSL_MULF(4.0f, fine_y_size_14);
   const float fine_far_y = fine_x < 4.0f ? 1.0f : fine_y,
@@ -41632,19 +41976,19 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_f_size_1 = fine_x < 4.0f ? fine_near_f_size_1 : fine_closed_f_size_11,
       fine_f_size_2 = fine_near_f - fine_closed_f, fine_f_size_3 = fabsf(fine_f_size_2),
       fine_f_error_1 = fabsf(fine_near_f_lo), fine_f_padded_1 = 3.3087225e-24f + fine_near_f_size_1,
-      fine_f_rest_1 = KSL_MULF(1.2340228e-11f, fine_f_padded_1),
+      fine_f_rest_1 = KSL_MULF(2.3784788e-10f, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabsf(fine_closed_f_lo),
       fine_f_padded_2 = 3.3087225e-24f + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MULF(1.5914428e-11f, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MULF(2.4142321e-10f, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
       fine_f_size_6 = fine_far_y_bound_1 < fine_far_y_size_3 ? 0.0f : fine_f_size_5,
-      fine_f_size_7 = KSL_MULF(6.4212492e+10f, fine_f_size_6),
+      fine_f_size_7 = KSL_MULF(4.1479803e+09f, fine_f_size_6),
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const float fine_four_k = KSL_MULF(4.0f, fine_sinc),
       fine_four_k_cross2_1 = KSL_MULF(4.0f, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_8);
   const float fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MULF(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_errorf(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -41656,7 +42000,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_b_padded_2 = 3.3087225e-24f + fine_four_k_size_1, fine_b_size_1 = fabsf(fine_b),
       fine_b_size_2 = fabsf(fine_four_k), fine_b_size_3 = KSL_MULF(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabsf(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MULF(1.1785948e-11f, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MULF(2.372927e-10f, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2,
       fine_b_size_5 = KSL_MULF(4.0f, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0f,
@@ -41677,12 +42021,12 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
       fine_b_across_padded_1 = 3.3087225e-24f + fine_c_size_7,
-      fine_b_across_padded_2 = 3.3087225e-24f + fine_sinc_size_7,
+      fine_b_across_padded_2 = 3.3087225e-24f + fine_sinc_size_8,
       fine_b_across_size_1 = fabsf(fine_b_across), fine_b_across_size_2 = fabsf(fine_sinc),
       fine_b_across_size_3 = KSL_MULF(fine_b_across_padded_2, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_padded_1 + fine_b_across_size_3,
       fine_b_across_error_1 = fabsf(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MULF(1.1643792e-11f, fine_b_across_padded_2),
+      fine_b_across_rest_2 = KSL_MULF(2.371497e-10f, fine_b_across_padded_2),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MULF(4.0f, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :
@@ -41732,7 +42076,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_pitch_cross_1 = fine_pitch_cross1_1 + fine_pitch_cross2_1,
       fine_pitch_size_1 = fabsf(fine_wt), fine_pitch_error_1 = fabsf(fine_b_lo),
       fine_pitch_padded_1 = 3.3087225e-24f + fine_b_size_11,
-      fine_pitch_rest_1 = KSL_MULF(2.0414816e-11f, fine_pitch_padded_1),
+      fine_pitch_rest_1 = KSL_MULF(2.4592575e-10f, fine_pitch_padded_1),
       fine_pitch_bound_1 = fine_pitch_error_1 + fine_pitch_rest_1,
       fine_pitch_error_2 = fabsf(fine_wt_lo), fine_pitch_padded_2 = 3.3087225e-24f + fine_wt_size_1,
       fine_pitch_rest_2 = KSL_MULF(4.504915e-12f, fine_pitch_padded_2),
@@ -41942,15 +42286,15 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
   const float so_apart_1 = fine_so_0 - so_0, so_apart_2 = fine_so_lo_1 + so_apart_1,
       so_error_1 = fabsf(so_apart_2), so_error_2 = KSL_MULF(1.0000005f, so_error_1),
       so_padded_1 = 3.3087225e-24f + fine_so_size_1,
-      so_rest_1 = KSL_MULF(1.5792513e-11f, so_padded_1), so_bound_1 = so_error_2 + so_rest_1,
+      so_rest_1 = KSL_MULF(2.4130226e-10f, so_padded_1), so_bound_1 = so_error_2 + so_rest_1,
       so_apart_3 = fine_so_1 - so_1, so_apart_4 = fine_so_lo_2 + so_apart_3,
       so_error_3 = fabsf(so_apart_4), so_error_4 = KSL_MULF(1.0000005f, so_error_3),
       so_padded_2 = 3.3087225e-24f + fine_so_size_2,
-      so_rest_2 = KSL_MULF(1.5792513e-11f, so_padded_2), so_bound_2 = so_error_4 + so_rest_2,
+      so_rest_2 = KSL_MULF(2.4130226e-10f, so_padded_2), so_bound_2 = so_error_4 + so_rest_2,
       so_apart_5 = fine_so_2 - so_2, so_apart_6 = fine_so_lo_3 + so_apart_5,
       so_error_5 = fabsf(so_apart_6), so_error_6 = KSL_MULF(1.0000005f, so_error_5),
       so_padded_3 = 3.3087225e-24f + fine_so_size_3,
-      so_rest_3 = KSL_MULF(1.5792513e-11f, so_padded_3), so_bound_3 = so_error_6 + so_rest_3,
+      so_rest_3 = KSL_MULF(2.4130226e-10f, so_padded_3), so_bound_3 = so_error_6 + so_rest_3,
       vector_apart_1 = fine_vector_0 - vector_0, vector_apart_2 = fine_vector_lo_1 + vector_apart_1,
       vector_error_1 = fabsf(vector_apart_2), vector_error_2 = KSL_MULF(1.0000005f, vector_error_1),
       vector_bound_1 = fine_along_rest_1 + vector_error_2,

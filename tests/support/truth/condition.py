@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from coscrew_codegen.program import Constant, Input, Instruction, Op, Program, Ref
+from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.differentiate import adjoint
 from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly
 from tests.support.scenes.generated_scenes import argument
@@ -36,8 +36,8 @@ def perturbed(program: Program) -> Program:
                               if isinstance(x, Constant) and float(x.double) != x.double)
     place = len(program.inputs)
     numbers = {name: k for k, name in enumerate(rounding)}
-    near = {x: Ref(f"constant{k}__") for k, x in enumerate(constants)}
-    steps = [Instruction(near[x].name, Op.MUL, (x, Input(place, len(rounding) + k)), "")
+    near: dict[Operand, Operand] = {x: Ref(f"constant{k}__") for k, x in enumerate(constants)}
+    steps = [Instruction(f"constant{k}__", Op.MUL, (x, Input(place, len(rounding) + k)), "")
              for k, x in enumerate(constants)]
     for step in program.instructions:
         step = replace(step, operands=tuple(near.get(x, x) for x in step.operands))

@@ -15,10 +15,8 @@
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|; |error of R| <= R_bound unless
      inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   373 mul, 517 add, 16 product error, 21 product rest, 12 div, 3 sqrt, 58 abs, 13 less, 2 equal,
-     29 select.
-   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   387 mul, 536 add, 17 product error, 22 product rest, 12 div, 3 sqrt, 61 abs, 14 less, 1 equal,
+     29 select. */
 static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
   const double size_0 = fabs(v->x);
@@ -203,6 +201,26 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_half_angle_lo = KSL_MUL(fine_half_angle_rest_1, fine_up),
       fine_half_angle_padded_1 = 1.8051943758648296e-276 + fine_reduced_length_size_12,
       fine_half_angle_size_1 = KSL_MUL(fine_half_angle_padded_1, fine_up_size_1);
+  const double fine_y = KSL_MUL(fine_half_angle, fine_half_angle),
+      fine_y_cross1_1 = KSL_MUL(fine_half_angle_lo, fine_half_angle),
+      fine_y_cross2_1 = KSL_MUL(fine_half_angle, fine_half_angle_lo),
+      fine_y_cross_1 = fine_y_cross1_1 + fine_y_cross2_1, fine_y_size_1 = fabs(fine_half_angle),
+      fine_y_error_1 = fabs(fine_half_angle_lo),
+      fine_y_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1,
+      fine_y_rest_1 = KSL_MUL(5.7192432555642225e-30, fine_y_padded_1),
+      fine_y_bound_1 = fine_y_error_1 + fine_y_rest_1,
+      fine_y_size_2 = KSL_MUL(fine_y_bound_1, fine_y_size_1),
+      fine_y_size_3 = fine_y_size_2 + fine_y_size_2,
+      fine_y_size_4 = KSL_MUL(fine_y_rest_1, fine_y_size_1),
+      fine_y_size_5 = fine_y_size_4 + fine_y_size_4,
+      fine_y_size_6 = KSL_MUL(fine_y_bound_1, fine_y_bound_1),
+      fine_y_size_7 = fine_y_size_5 + fine_y_size_6,
+      fine_y_size_8 = KSL_MUL(4.440892098500626e-16, fine_y_size_3),
+      fine_y_size_9 = fine_y_size_7 + fine_y_size_8,
+      fine_y_size_10 = KSL_MUL(2251799813685256.0, fine_y_size_3),
+      fine_y_size_11 = KSL_MUL(7.922816251426462e+28, fine_y_size_9),
+      fine_y_size_12 = fine_y_size_10 + fine_y_size_11, fine_y_size_13 = fabs(fine_y),
+      fine_y_size_14 = fine_y_size_12 + fine_y_size_13;
   double fine_c; const double fine_sine = ksl_sincos(fine_half_angle, &fine_c);
   double fine_c_own_error_1; const double fine_sine_own_error_1 = ksl_sincos_error(fine_half_angle,
       fine_sine, fine_c, &fine_c_own_error_1);
@@ -215,26 +233,24 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_sine_slope_1 = fine_sine_slope1_1 - fine_sine_slope2_1,
       fine_sine_more_1 = KSL_MUL(fine_sine_slope_1, fine_sine_twice_1),
       fine_sine_lo = fine_sine_own_error_1 + fine_sine_more_1,
-      fine_sine_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1,
-      fine_sine_size_1 = 1.0 + fine_sine_padded_1;
+      fine_sine_size_1 = 1.0 + fine_y_padded_1;
   const double fine_c_slope1_1 = KSL_MUL(fine_sine_half_cos_1, fine_sine),
       fine_c_slope2_1 = KSL_MUL(fine_sine_half_sin_1, fine_c),
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_1,
-      fine_sinc_divisor_error_1 = fabs(fine_half_angle_lo),
-      fine_sinc_divisor_rest_1 = KSL_MUL(5.7192432555642225e-30, fine_sine_padded_1),
-      fine_sinc_divisor_bound_1 = fine_sinc_divisor_error_1 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
       fine_sinc_divisor_size_4 = 5e-324 + fine_sinc_divisor_size_3,
-      fine_sinc_divisor_size_6 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_6 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_7 = fabs(fine_sinc_divisor_size_6),
-      fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_7,
-      fine_sinc_divisor_size_9 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
+      fine_sinc_divisor_size_8 = fine_sinc_divisor_size_7 + fine_y_bound_1,
+      fine_sinc_divisor_size_9 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
           fine_sinc_divisor_size_8,
       fine_sinc_divisor_size_10 = KSL_MUL(5.762046184631807e+28, fine_sinc_divisor_size_9),
       fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + fine_sinc_divisor_size_10;
@@ -266,22 +282,43 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(2.755262189115544e-29, fine_sinc_padded_1),
+  const double fine_y_error_2 = ksl_product_error(fine_half_angle, fine_half_angle, fine_y),
+      fine_y_lo = fine_y_error_2 + fine_y_cross_1,
+      fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_14),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.224739680884703e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(2.755262189115544e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(3.7283828633784605e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0 : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.216865194778664e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_turning_0 = KSL_MUL(v->x, fine_sinc),
       fine_turning_cross2_1 = KSL_MUL(v->x, fine_sinc_lo),
-      fine_turning_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
+      fine_turning_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
       fine_turning_size_1 = KSL_MUL(fine_halved_size_1, fine_turning_padded_1);
   const double fine_turning_1 = KSL_MUL(v->y, fine_sinc),
       fine_turning_cross2_2 = KSL_MUL(v->y, fine_sinc_lo),
@@ -310,10 +347,10 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_m_cross_1 = fine_m_cross1_1 + fine_m_cross2_1, fine_m_size_1 = fabs(fine_turning_0),
       fine_m_size_2 = fabs(fine_beta_v_0), fine_m_error_1 = fabs(fine_turning_lo_1),
       fine_m_padded_1 = 1.8051943758648296e-276 + fine_turning_size_1,
-      fine_m_rest_1 = KSL_MUL(2.8097022289202044e-29, fine_m_padded_1),
+      fine_m_rest_1 = KSL_MUL(8.23059643713697e-28, fine_m_padded_1),
       fine_m_bound_1 = fine_m_error_1 + fine_m_rest_1, fine_m_error_2 = fabs(fine_beta_v_cross2_1),
       fine_m_padded_2 = 1.8051943758648296e-276 + fine_beta_v_size_1,
-      fine_m_rest_2 = KSL_MUL(2.857157453080415e-29, fine_m_padded_2),
+      fine_m_rest_2 = KSL_MUL(8.235342892425307e-28, fine_m_padded_2),
       fine_m_bound_2 = fine_m_error_2 + fine_m_rest_2,
       fine_m_size_3 = KSL_MUL(fine_m_bound_2, fine_m_size_1),
       fine_m_size_4 = KSL_MUL(fine_m_bound_1, fine_m_size_2),
@@ -335,10 +372,10 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_m_cross_2 = fine_m_cross1_2 + fine_m_cross2_2, fine_m_size_18 = fabs(fine_turning_1),
       fine_m_size_19 = fabs(fine_beta_v_1), fine_m_error_3 = fabs(fine_turning_lo_2),
       fine_m_padded_3 = 1.8051943758648296e-276 + fine_turning_size_2,
-      fine_m_rest_3 = KSL_MUL(2.8097022289202044e-29, fine_m_padded_3),
+      fine_m_rest_3 = KSL_MUL(8.23059643713697e-28, fine_m_padded_3),
       fine_m_bound_3 = fine_m_error_3 + fine_m_rest_3, fine_m_error_4 = fabs(fine_beta_v_cross2_2),
       fine_m_padded_4 = 1.8051943758648296e-276 + fine_beta_v_size_2,
-      fine_m_rest_4 = KSL_MUL(2.857157453080415e-29, fine_m_padded_4),
+      fine_m_rest_4 = KSL_MUL(8.235342892425307e-28, fine_m_padded_4),
       fine_m_bound_4 = fine_m_error_4 + fine_m_rest_4,
       fine_m_size_20 = KSL_MUL(fine_m_bound_4, fine_m_size_18),
       fine_m_size_21 = KSL_MUL(fine_m_bound_3, fine_m_size_19),
@@ -360,10 +397,10 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
       fine_m_cross_3 = fine_m_cross1_3 + fine_m_cross2_3, fine_m_size_35 = fabs(fine_turning_2),
       fine_m_size_36 = fabs(fine_beta_v_2), fine_m_error_5 = fabs(fine_turning_lo_3),
       fine_m_padded_5 = 1.8051943758648296e-276 + fine_turning_size_3,
-      fine_m_rest_5 = KSL_MUL(2.8097022289202044e-29, fine_m_padded_5),
+      fine_m_rest_5 = KSL_MUL(8.23059643713697e-28, fine_m_padded_5),
       fine_m_bound_5 = fine_m_error_5 + fine_m_rest_5, fine_m_error_6 = fabs(fine_beta_v_cross2_3),
       fine_m_padded_6 = 1.8051943758648296e-276 + fine_beta_v_size_3,
-      fine_m_rest_6 = KSL_MUL(2.857157453080415e-29, fine_m_padded_6),
+      fine_m_rest_6 = KSL_MUL(8.235342892425307e-28, fine_m_padded_6),
       fine_m_bound_6 = fine_m_error_6 + fine_m_rest_6,
       fine_m_size_37 = KSL_MUL(fine_m_bound_6, fine_m_size_35),
       fine_m_size_38 = KSL_MUL(fine_m_bound_5, fine_m_size_36),
@@ -653,8 +690,7 @@ static inline void ksl_SO3_exp_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
      |error of vo| <= vo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; vo, vo_bound: vector.
    242 mul, 465 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 71 abs, 4
-     copysign, 34 less, 6 equal, 99 select.
-   Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
+     copysign, 34 less, 6 equal, 99 select. */
 static inline void ksl_SO3_log_certified(const ksl_mat3x3_t *R, ksl_vec3_t *vo,
     ksl_vec3_t *vo_bound) {
   const double p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -1042,10 +1078,8 @@ static inline void ksl_SO3_log_certified(const ksl_mat3x3_t *R, ksl_vec3_t *vo,
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
      unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   437 mul, 744 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 91 abs, 19 less, 2 equal,
-     45 select.
-   Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   442 mul, 755 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 92 abs, 20 less, 1 equal,
+     45 select. */
 static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
   const double size_0 = fabs(v->x);
@@ -1222,14 +1256,16 @@ static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_12,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -1264,19 +1300,39 @@ static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_1),
+  const double fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_1),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.120831909935717e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(4.87557780096603e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2325982855554354e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_g1 = KSL_MUL(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MUL(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MUL(fine_c, fine_sinc_lo),
@@ -1284,8 +1340,8 @@ static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x
       fine_g1_size_2 = fabs(fine_sinc), fine_g1_error_1 = fabs(fine_c_lo),
       fine_g1_rest_1 = KSL_MUL(8.677471603123253e-30, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1, fine_g1_error_2 = fabs(fine_sinc_lo),
-      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
-      fine_g1_rest_2 = KSL_MUL(2.1151340779501176e-29, fine_g1_padded_1),
+      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
+      fine_g1_rest_2 = KSL_MUL(8.120832873841084e-28, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_size_3 = KSL_MUL(fine_g1_bound_2, fine_g1_size_1),
       fine_g1_size_4 = KSL_MUL(fine_g1_bound_1, fine_g1_size_2),
@@ -2030,10 +2086,8 @@ static inline void ksl_SO3_leftJacobian_certified(const ksl_vec3_t *v, ksl_mat3x
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
      unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   437 mul, 744 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 12 neg, 91 abs, 19 less,
-     2 equal, 45 select.
-   Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   442 mul, 755 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 92 abs, 20 less,
+     1 equal, 45 select. */
 static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
   const double size_0 = fabs(v->x);
@@ -2210,14 +2264,16 @@ static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_12,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -2252,19 +2308,39 @@ static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_1),
+  const double fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_1),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.120831909935717e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(4.87557780096603e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2325982855554354e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_g1 = KSL_MUL(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MUL(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MUL(fine_c, fine_sinc_lo),
@@ -2272,8 +2348,8 @@ static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3
       fine_g1_size_2 = fabs(fine_sinc), fine_g1_error_1 = fabs(fine_c_lo),
       fine_g1_rest_1 = KSL_MUL(8.677471603123253e-30, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1, fine_g1_error_2 = fabs(fine_sinc_lo),
-      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
-      fine_g1_rest_2 = KSL_MUL(2.1151340779501176e-29, fine_g1_padded_1),
+      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
+      fine_g1_rest_2 = KSL_MUL(8.120832873841084e-28, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_size_3 = KSL_MUL(fine_g1_bound_2, fine_g1_size_1),
       fine_g1_size_4 = KSL_MUL(fine_g1_bound_1, fine_g1_size_2),
@@ -3030,9 +3106,8 @@ static inline void ksl_SO3_rightJacobian_certified(const ksl_vec3_t *v, ksl_mat3
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0; |error of R| <= R_bound unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   415 mul, 735 add, 23 product error, 33 product rest, 23 div, 3 sqrt, 6 neg, 92 abs, 22 less, 2
-     equal, 47 select.
-   Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
+   420 mul, 746 add, 23 product error, 34 product rest, 23 div, 3 sqrt, 6 neg, 93 abs, 23 less, 1
+     equal, 47 select. */
 static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
   const double size_0 = fabs(v->x);
@@ -3197,14 +3272,16 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_12,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -3239,19 +3316,39 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_1),
+  const double fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_1),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.120831909935717e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(4.87557780096603e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2325982855554354e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_series_phi_a = KSL_MUL(5.107725174524775e-32, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MUL(4.7410392187559056e-48, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MUL(5.107725174524775e-32, fine_y_lo),
@@ -3581,7 +3678,7 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_near_f_a_cross1_1 = KSL_MUL(1.850371707708594e-17, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MUL(0.3333333333333333, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_error(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MUL(0.3333333333333333, fine_f_more),
@@ -3607,7 +3704,7 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_sinc_size_7 + fine_sine_size_1;
+      fine_f_rest_size_1 = fine_sinc_size_8 + fine_sine_size_1;
   const double fine_x = KSL_MUL(4.0, fine_y), fine_x_cross2_1 = KSL_MUL(4.0, fine_y_lo),
       fine_x_size_1 = KSL_MUL(4.0, fine_y_size_1);
   const double fine_far_y = fine_x < 4.0 ? 1.0 : fine_y,
@@ -3659,7 +3756,7 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_f_rest_1 = KSL_MUL(9.075379655148354e-28, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabs(fine_closed_f_lo),
       fine_f_padded_2 = 1.8051943758648296e-276 + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MUL(3.185438211824387e-29, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MUL(8.245490617302283e-28, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
@@ -3668,7 +3765,7 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const double fine_four_k = KSL_MUL(4.0, fine_sinc),
       fine_four_k_cross2_1 = KSL_MUL(4.0, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_8);
   const double fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MUL(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_error(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -3681,7 +3778,7 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_b_padded_2 = 1.8051943758648296e-276 + fine_four_k_size_1, fine_b_size_1 = fabs(fine_b),
       fine_b_size_2 = fabs(fine_four_k), fine_b_size_3 = KSL_MUL(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabs(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MUL(2.151495790465403e-29, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MUL(8.125024661305438e-28, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2, fine_b_size_5 = KSL_MUL(4.0, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0,
       fine_b_size_8 = fine_b_size_4 / fine_b_size_7,
@@ -3700,12 +3797,12 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
       fine_b_across_cross_1 = KSL_MUL(fine_b_across, fine_sinc_lo),
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
-      fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
+      fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
       fine_b_across_size_1 = fabs(fine_b_across), fine_b_across_size_2 = fabs(fine_sinc),
       fine_b_across_size_3 = KSL_MUL(fine_b_across_padded_1, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1,
       fine_b_across_error_1 = fabs(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MUL(2.1151340779501176e-29, fine_b_across_padded_1),
+      fine_b_across_rest_2 = KSL_MUL(8.120832873841084e-28, fine_b_across_padded_1),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MUL(4.0, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :
@@ -4032,9 +4129,8 @@ static inline void ksl_SO3_leftJacobianInverse_certified(const ksl_vec3_t *v, ks
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0; |error of R| <= R_bound unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   415 mul, 735 add, 23 product error, 33 product rest, 23 div, 3 sqrt, 92 abs, 22 less, 2 equal,
-     47 select.
-   Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
+   420 mul, 746 add, 23 product error, 34 product rest, 23 div, 3 sqrt, 93 abs, 23 less, 1 equal,
+     47 select. */
 static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, ksl_mat3x3_t *R,
     ksl_mat3x3_t *R_bound) {
   const double size_0 = fabs(v->x);
@@ -4199,14 +4295,16 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_12,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -4241,19 +4339,39 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_1),
+  const double fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_1),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.120831909935717e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(4.87557780096603e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2325982855554354e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_series_phi_a = KSL_MUL(5.107725174524775e-32, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MUL(4.7410392187559056e-48, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MUL(5.107725174524775e-32, fine_y_lo),
@@ -4583,7 +4701,7 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_near_f_a_cross1_1 = KSL_MUL(1.850371707708594e-17, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MUL(0.3333333333333333, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_error(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MUL(0.3333333333333333, fine_f_more),
@@ -4609,7 +4727,7 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_sinc_size_7 + fine_sine_size_1;
+      fine_f_rest_size_1 = fine_sinc_size_8 + fine_sine_size_1;
   const double fine_x = KSL_MUL(4.0, fine_y), fine_x_cross2_1 = KSL_MUL(4.0, fine_y_lo),
       fine_x_size_1 = KSL_MUL(4.0, fine_y_size_1);
   const double fine_far_y = fine_x < 4.0 ? 1.0 : fine_y,
@@ -4661,7 +4779,7 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_f_rest_1 = KSL_MUL(9.075379655148354e-28, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabs(fine_closed_f_lo),
       fine_f_padded_2 = 1.8051943758648296e-276 + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MUL(3.185438211824387e-29, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MUL(8.245490617302283e-28, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
@@ -4670,7 +4788,7 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const double fine_four_k = KSL_MUL(4.0, fine_sinc),
       fine_four_k_cross2_1 = KSL_MUL(4.0, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_8);
   const double fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MUL(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_error(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -4683,7 +4801,7 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_b_padded_2 = 1.8051943758648296e-276 + fine_four_k_size_1, fine_b_size_1 = fabs(fine_b),
       fine_b_size_2 = fabs(fine_four_k), fine_b_size_3 = KSL_MUL(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabs(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MUL(2.151495790465403e-29, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MUL(8.125024661305438e-28, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2, fine_b_size_5 = KSL_MUL(4.0, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0,
       fine_b_size_8 = fine_b_size_4 / fine_b_size_7,
@@ -4702,12 +4820,12 @@ static inline void ksl_SO3_rightJacobianInverse_certified(const ksl_vec3_t *v, k
       fine_b_across_cross_1 = KSL_MUL(fine_b_across, fine_sinc_lo),
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
-      fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
+      fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
       fine_b_across_size_1 = fabs(fine_b_across), fine_b_across_size_2 = fabs(fine_sinc),
       fine_b_across_size_3 = KSL_MUL(fine_b_across_padded_1, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1,
       fine_b_across_error_1 = fabs(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MUL(2.1151340779501176e-29, fine_b_across_padded_1),
+      fine_b_across_rest_2 = KSL_MUL(8.120832873841084e-28, fine_b_across_padded_1),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MUL(4.0, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :
@@ -5409,11 +5527,8 @@ static inline void ksl_mat3x3_orthonormalized_certified(const ksl_mat3x3_t *R, k
 
 /* D = exp s = [exp ω~ | J_l(ω) v]; |error of D| <= D_bound unless inf or NaN.
    s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R rotation, t in m.
-   557 mul, 898 add, 24 product error, 57 product rest, 16 div, 3 sqrt, 115 abs, 19 less, 2
-     equal, 46 select.
-   Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is
-     larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate
-     sums may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
+   562 mul, 909 add, 24 product error, 58 product rest, 16 div, 3 sqrt, 116 abs, 20 less, 1
+     equal, 46 select. */
 static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl_SE3_t *D_bound) {
   const double size_0 = fabs(s->m3);
   const double size_1 = fabs(s->m4);
@@ -5608,14 +5723,16 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MUL(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_12,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MUL(4.240128211918887e-30, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -5650,19 +5767,39 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_1),
+  const double fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_1),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.120831909935717e-28, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(1.8842277118313698e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(4.87557780096603e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.2325982855554354e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const double fine_g1 = KSL_MUL(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MUL(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MUL(fine_c, fine_sinc_lo),
@@ -5670,8 +5807,8 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
       fine_g1_size_2 = fabs(fine_sinc), fine_g1_error_1 = fabs(fine_c_lo),
       fine_g1_rest_1 = KSL_MUL(8.677471603123253e-30, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1, fine_g1_error_2 = fabs(fine_sinc_lo),
-      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7,
-      fine_g1_rest_2 = KSL_MUL(2.1151340779501176e-29, fine_g1_padded_1),
+      fine_g1_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8,
+      fine_g1_rest_2 = KSL_MUL(8.120832873841084e-28, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_size_3 = KSL_MUL(fine_g1_bound_2, fine_g1_size_1),
       fine_g1_size_4 = KSL_MUL(fine_g1_bound_1, fine_g1_size_2),
@@ -6680,10 +6817,8 @@ static inline void ksl_SE3_exp_certified(const ksl_screw_t *s, ksl_SE3_t *D, ksl
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
      inf or NaN.
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
-   694 mul, 1084 add, 36 product error, 35 product rest, 47 div, 5 sqrt, 14 neg, 181 abs, 6
-     copysign, 65 less, 10 equal, 167 select.
-   Error <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not
-     proved.  Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36. */
+   699 mul, 1095 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 182 abs, 6
+     copysign, 66 less, 9 equal, 167 select. */
 static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
   const double p_0 = D->m21 - D->m12;
@@ -7434,12 +7569,15 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_y_size_11 = KSL_MUL(7.922816251426462e+28, fine_y_size_9),
       fine_y_size_12 = fine_y_size_10 + fine_y_size_11, fine_y_size_13 = fabs(fine_y),
       fine_y_size_14 = fine_y_size_12 + fine_y_size_13;
-  const double fine_sinc_divisor = fine_half_angle == 0.0 ? 1.0 : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0 ? 0.0 : fine_half_angle_cross2_1,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_half_angle_size_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0,
+  const double fine_sinc_divisor = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08
+      : fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161193847656e-08 ? 0.0 :
+          fine_half_angle_cross2_1,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161193847656e-08 ? 1.4901161193847656e-08 :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161193847656e-08,
       fine_sinc_divisor_size_3 = fabs(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0 - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161193847656e-08 - fine_half_angle,
       fine_sinc_divisor_size_6 = fabs(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_size_6 + fine_y_bound_1,
       fine_sinc_divisor_size_8 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0 :
@@ -7474,21 +7612,41 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_sinc_quotient_size_9 = KSL_MUL(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const double fine_sinc = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0 ? 0.0 : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0 ? 1.0 : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0 - fine_sinc_quotient, fine_sinc_size_3 = fabs(fine_sinc_size_2),
-      fine_sinc_error_1 = fabs(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MUL(4.0396275823465884e-29, fine_sinc_padded_1),
-      fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
-      fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0 : fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MUL(2.5374142281282834e+28, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
   const double fine_y_error_2 = ksl_product_error(fine_half_angle, fine_half_angle, fine_y),
       fine_y_lo = fine_y_error_2 + fine_y_cross_1,
-      fine_series_phi_a = KSL_MUL(5.107725174524775e-32, fine_y),
+      fine_sinc_a = KSL_MUL(0.16666666666666666, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MUL(9.25185853854297e-18, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MUL(0.16666666666666666, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MUL(2290649224.7000003, fine_y_size_14),
+      fine_sinc_b = 1.0 - fine_sinc_a, fine_sinc_b_right_1 = 1.0 - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0 - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_rest(0.16666666666666666, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0 + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_lo :
+          fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161193847656e-08 ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabs(fine_sinc_size_2), fine_sinc_error_1 = fabs(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MUL(8.224739680884703e-28, fine_sinc_padded_1),
+      fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabs(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MUL(4.0396275823465884e-29, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
+      fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0 : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MUL(1.216865194778664e+27, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
+  const double fine_series_phi_a = KSL_MUL(5.107725174524775e-32, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MUL(4.7410392187559056e-48, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MUL(5.107725174524775e-32, fine_y_lo),
       fine_series_phi_a_cross_1 = fine_series_phi_a_cross1_1 + fine_series_phi_a_cross2_1,
@@ -7950,7 +8108,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_near_f_a_cross1_1 = KSL_MUL(1.850371707708594e-17, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MUL(0.3333333333333333, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MUL(0.3333333333333333, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_error(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MUL(0.3333333333333333, fine_f_more),
@@ -7976,7 +8134,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_c_size_7 + fine_sinc_size_7;
+      fine_f_rest_size_1 = fine_c_size_7 + fine_sinc_size_8;
   const double fine_x = KSL_MUL(4.0, fine_y), fine_x_cross2_1 = KSL_MUL(4.0, fine_y_lo),
       fine_x_size_1 = KSL_MUL(4.0, fine_y_size_14);
   const double fine_far_y = fine_x < 4.0 ? 1.0 : fine_y,
@@ -8025,19 +8183,19 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_f_size_2 = fine_near_f - fine_closed_f, fine_f_size_3 = fabs(fine_f_size_2),
       fine_f_error_1 = fabs(fine_near_f_lo),
       fine_f_padded_1 = 1.8051943758648296e-276 + fine_near_f_size_1,
-      fine_f_rest_1 = KSL_MUL(4.2812171655620496e-29, fine_f_padded_1),
+      fine_f_rest_1 = KSL_MUL(8.251859670449558e-28, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabs(fine_closed_f_lo),
       fine_f_padded_2 = 1.8051943758648296e-276 + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MUL(5.52120850280944e-29, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MUL(8.375858743988986e-28, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
       fine_f_size_6 = fine_far_y_bound_1 < fine_far_y_size_3 ? 0.0 : fine_f_size_5,
-      fine_f_size_7 = KSL_MUL(1.8508649698305347e+28, fine_f_size_6),
+      fine_f_size_7 = KSL_MUL(1.1955965001638547e+27, fine_f_size_6),
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const double fine_four_k = KSL_MUL(4.0, fine_sinc),
       fine_four_k_cross2_1 = KSL_MUL(4.0, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MUL(4.0, fine_sinc_size_8);
   const double fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MUL(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_error(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -8050,7 +8208,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_b_padded_2 = 1.8051943758648296e-276 + fine_four_k_size_1, fine_b_size_1 = fabs(fine_b),
       fine_b_size_2 = fabs(fine_four_k), fine_b_size_3 = KSL_MUL(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabs(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MUL(4.088932009583919e-29, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MUL(8.232630221979429e-28, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2, fine_b_size_5 = KSL_MUL(4.0, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0,
       fine_b_size_8 = fine_b_size_4 / fine_b_size_7,
@@ -8070,12 +8228,12 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
       fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_c_size_7,
-      fine_b_across_padded_2 = 1.8051943758648296e-276 + fine_sinc_size_7,
+      fine_b_across_padded_2 = 1.8051943758648296e-276 + fine_sinc_size_8,
       fine_b_across_size_1 = fabs(fine_b_across), fine_b_across_size_2 = fabs(fine_sinc),
       fine_b_across_size_3 = KSL_MUL(fine_b_across_padded_2, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_padded_1 + fine_b_across_size_3,
       fine_b_across_error_1 = fabs(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MUL(4.039627892677097e-29, fine_b_across_padded_2),
+      fine_b_across_rest_2 = KSL_MUL(8.22769887741643e-28, fine_b_across_padded_2),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MUL(4.0, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :
@@ -8125,7 +8283,7 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       fine_pitch_cross_1 = fine_pitch_cross1_1 + fine_pitch_cross2_1,
       fine_pitch_size_1 = fabs(fine_wt), fine_pitch_error_1 = fabs(fine_b_lo),
       fine_pitch_padded_1 = 1.8051943758648296e-276 + fine_b_size_11,
-      fine_pitch_rest_1 = KSL_MUL(7.082497936662003e-29, fine_pitch_padded_1),
+      fine_pitch_rest_1 = KSL_MUL(8.53198907163639e-28, fine_pitch_padded_1),
       fine_pitch_bound_1 = fine_pitch_error_1 + fine_pitch_rest_1,
       fine_pitch_error_2 = fabs(fine_wt_lo),
       fine_pitch_padded_2 = 1.8051943758648296e-276 + fine_wt_size_1,
@@ -8336,15 +8494,15 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
   const double so_apart_1 = fine_so_0 - so_0, so_apart_2 = fine_so_lo_1 + so_apart_1,
       so_error_1 = fabs(so_apart_2), so_error_2 = KSL_MUL(1.0000000000000009, so_error_1),
       so_padded_1 = 1.8051943758648296e-276 + fine_so_size_1,
-      so_rest_1 = KSL_MUL(5.478890414657239e-29, so_padded_1), so_bound_1 = so_error_2 + so_rest_1,
+      so_rest_1 = KSL_MUL(8.371627476841563e-28, so_padded_1), so_bound_1 = so_error_2 + so_rest_1,
       so_apart_3 = fine_so_1 - so_1, so_apart_4 = fine_so_lo_2 + so_apart_3,
       so_error_3 = fabs(so_apart_4), so_error_4 = KSL_MUL(1.0000000000000009, so_error_3),
       so_padded_2 = 1.8051943758648296e-276 + fine_so_size_2,
-      so_rest_2 = KSL_MUL(5.478890414657239e-29, so_padded_2), so_bound_2 = so_error_4 + so_rest_2,
+      so_rest_2 = KSL_MUL(8.371627476841563e-28, so_padded_2), so_bound_2 = so_error_4 + so_rest_2,
       so_apart_5 = fine_so_2 - so_2, so_apart_6 = fine_so_lo_3 + so_apart_5,
       so_error_5 = fabs(so_apart_6), so_error_6 = KSL_MUL(1.0000000000000009, so_error_5),
       so_padded_3 = 1.8051943758648296e-276 + fine_so_size_3,
-      so_rest_3 = KSL_MUL(5.478890414657239e-29, so_padded_3), so_bound_3 = so_error_6 + so_rest_3,
+      so_rest_3 = KSL_MUL(8.371627476841563e-28, so_padded_3), so_bound_3 = so_error_6 + so_rest_3,
       vector_apart_1 = fine_vector_0 - vector_0, vector_apart_2 = fine_vector_lo_1 + vector_apart_1,
       vector_error_1 = fabs(vector_apart_2),
       vector_error_2 = KSL_MUL(1.0000000000000009, vector_error_1),
@@ -8374,10 +8532,8 @@ static inline void ksl_SE3_log_certified(const ksl_SE3_t *D, ksl_screw_t *so,
 /* R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|; |error of R| <= R_bound unless
      inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   343 mul, 476 add, 13 product error, 21 product rest, 12 div, 3 sqrt, 58 abs, 13 less, 2 equal,
-     29 select.
-   Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   357 mul, 495 add, 14 product error, 22 product rest, 12 div, 3 sqrt, 61 abs, 14 less, 1 equal,
+     29 select. */
 static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
   const float size_0 = fabsf(v->x);
@@ -8563,6 +8719,26 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_half_angle_lo = KSL_MULF(fine_half_angle_rest_1, fine_up),
       fine_half_angle_padded_1 = 3.3087225e-24f + fine_reduced_length_size_12,
       fine_half_angle_size_1 = KSL_MULF(fine_half_angle_padded_1, fine_up_size_1);
+  const float fine_y = KSL_MULF(fine_half_angle, fine_half_angle),
+      fine_y_cross1_1 = KSL_MULF(fine_half_angle_lo, fine_half_angle),
+      fine_y_cross2_1 = KSL_MULF(fine_half_angle, fine_half_angle_lo),
+      fine_y_cross_1 = fine_y_cross1_1 + fine_y_cross2_1, fine_y_size_1 = fabsf(fine_half_angle),
+      fine_y_error_1 = fabsf(fine_half_angle_lo),
+      fine_y_padded_1 = 3.3087225e-24f + fine_half_angle_size_1,
+      fine_y_rest_1 = KSL_MULF(1.6484983e-12f, fine_y_padded_1),
+      fine_y_bound_1 = fine_y_error_1 + fine_y_rest_1,
+      fine_y_size_2 = KSL_MULF(fine_y_bound_1, fine_y_size_1),
+      fine_y_size_3 = fine_y_size_2 + fine_y_size_2,
+      fine_y_size_4 = KSL_MULF(fine_y_rest_1, fine_y_size_1),
+      fine_y_size_5 = fine_y_size_4 + fine_y_size_4,
+      fine_y_size_6 = KSL_MULF(fine_y_bound_1, fine_y_bound_1),
+      fine_y_size_7 = fine_y_size_5 + fine_y_size_6,
+      fine_y_size_8 = KSL_MULF(2.3841858e-07f, fine_y_size_3),
+      fine_y_size_9 = fine_y_size_7 + fine_y_size_8,
+      fine_y_size_10 = KSL_MULF(4.194312e+06f, fine_y_size_3),
+      fine_y_size_11 = KSL_MULF(2.7487843e+11f, fine_y_size_9),
+      fine_y_size_12 = fine_y_size_10 + fine_y_size_11, fine_y_size_13 = fabsf(fine_y),
+      fine_y_size_14 = fine_y_size_12 + fine_y_size_13;
   float fine_c; const float fine_sine = ksl_sincosf(fine_half_angle, &fine_c);
   float fine_c_own_error_1; const float fine_sine_own_error_1 = ksl_sincos_errorf(fine_half_angle,
       fine_sine, fine_c, &fine_c_own_error_1);
@@ -8575,26 +8751,24 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_sine_slope_1 = fine_sine_slope1_1 - fine_sine_slope2_1,
       fine_sine_more_1 = KSL_MULF(fine_sine_slope_1, fine_sine_twice_1),
       fine_sine_lo = fine_sine_own_error_1 + fine_sine_more_1,
-      fine_sine_padded_1 = 3.3087225e-24f + fine_half_angle_size_1,
-      fine_sine_size_1 = 1.0f + fine_sine_padded_1;
+      fine_sine_size_1 = 1.0f + fine_y_padded_1;
   const float fine_c_slope1_1 = KSL_MULF(fine_sine_half_cos_1, fine_sine),
       fine_c_slope2_1 = KSL_MULF(fine_sine_half_sin_1, fine_c),
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_1,
-      fine_sinc_divisor_error_1 = fabsf(fine_half_angle_lo),
-      fine_sinc_divisor_rest_1 = KSL_MULF(1.6484983e-12f, fine_sine_padded_1),
-      fine_sinc_divisor_bound_1 = fine_sinc_divisor_error_1 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
       fine_sinc_divisor_size_4 = 1e-45f + fine_sinc_divisor_size_3,
-      fine_sinc_divisor_size_6 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_6 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_7 = fabsf(fine_sinc_divisor_size_6),
-      fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_7,
-      fine_sinc_divisor_size_9 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
+      fine_sinc_divisor_size_8 = fine_sinc_divisor_size_7 + fine_y_bound_1,
+      fine_sinc_divisor_size_9 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
           fine_sinc_divisor_size_8,
       fine_sinc_divisor_size_10 = KSL_MULF(1.9990821e+11f, fine_sinc_divisor_size_9),
       fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + fine_sinc_divisor_size_10;
@@ -8626,22 +8800,41 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(7.941701e-12f, fine_sinc_padded_1),
+  const float fine_y_error_2 = ksl_product_errorf(fine_half_angle, fine_half_angle, fine_y),
+      fine_y_lo = fine_y_error_2 + fine_y_cross_1, fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_14), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3706434e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(7.941701e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.2935218e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_4 ? 0.0f : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.2218243e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_turning_0 = KSL_MULF(v->x, fine_sinc),
       fine_turning_cross2_1 = KSL_MULF(v->x, fine_sinc_lo),
-      fine_turning_padded_1 = 3.3087225e-24f + fine_sinc_size_7,
+      fine_turning_padded_1 = 3.3087225e-24f + fine_sinc_size_8,
       fine_turning_size_1 = KSL_MULF(fine_halved_size_1, fine_turning_padded_1);
   const float fine_turning_1 = KSL_MULF(v->y, fine_sinc),
       fine_turning_cross2_2 = KSL_MULF(v->y, fine_sinc_lo),
@@ -8670,10 +8863,10 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_m_cross_1 = fine_m_cross1_1 + fine_m_cross2_1, fine_m_size_1 = fabsf(fine_turning_0),
       fine_m_size_2 = fabsf(fine_beta_v_0), fine_m_error_1 = fabsf(fine_turning_lo_1),
       fine_m_padded_1 = 3.3087225e-24f + fine_turning_size_1,
-      fine_m_rest_1 = KSL_MULF(8.098611e-12f, fine_m_padded_1),
+      fine_m_rest_1 = KSL_MULF(2.3723412e-10f, fine_m_padded_1),
       fine_m_bound_1 = fine_m_error_1 + fine_m_rest_1, fine_m_error_2 = fabsf(fine_beta_v_cross2_1),
       fine_m_padded_2 = 3.3087225e-24f + fine_beta_v_size_1,
-      fine_m_rest_2 = KSL_MULF(8.235425e-12f, fine_m_padded_2),
+      fine_m_rest_2 = KSL_MULF(2.3737182e-10f, fine_m_padded_2),
       fine_m_bound_2 = fine_m_error_2 + fine_m_rest_2,
       fine_m_size_3 = KSL_MULF(fine_m_bound_2, fine_m_size_1),
       fine_m_size_4 = KSL_MULF(fine_m_bound_1, fine_m_size_2),
@@ -8695,10 +8888,10 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_m_cross_2 = fine_m_cross1_2 + fine_m_cross2_2, fine_m_size_18 = fabsf(fine_turning_1),
       fine_m_size_19 = fabsf(fine_beta_v_1), fine_m_error_3 = fabsf(fine_turning_lo_2),
       fine_m_padded_3 = 3.3087225e-24f + fine_turning_size_2,
-      fine_m_rest_3 = KSL_MULF(8.098611e-12f, fine_m_padded_3),
+      fine_m_rest_3 = KSL_MULF(2.3723412e-10f, fine_m_padded_3),
       fine_m_bound_3 = fine_m_error_3 + fine_m_rest_3, fine_m_error_4 = fabsf(fine_beta_v_cross2_2),
       fine_m_padded_4 = 3.3087225e-24f + fine_beta_v_size_2,
-      fine_m_rest_4 = KSL_MULF(8.235425e-12f, fine_m_padded_4),
+      fine_m_rest_4 = KSL_MULF(2.3737182e-10f, fine_m_padded_4),
       fine_m_bound_4 = fine_m_error_4 + fine_m_rest_4,
       fine_m_size_20 = KSL_MULF(fine_m_bound_4, fine_m_size_18),
       fine_m_size_21 = KSL_MULF(fine_m_bound_3, fine_m_size_19),
@@ -8720,10 +8913,10 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
       fine_m_cross_3 = fine_m_cross1_3 + fine_m_cross2_3, fine_m_size_35 = fabsf(fine_turning_2),
       fine_m_size_36 = fabsf(fine_beta_v_2), fine_m_error_5 = fabsf(fine_turning_lo_3),
       fine_m_padded_5 = 3.3087225e-24f + fine_turning_size_3,
-      fine_m_rest_5 = KSL_MULF(8.098611e-12f, fine_m_padded_5),
+      fine_m_rest_5 = KSL_MULF(2.3723412e-10f, fine_m_padded_5),
       fine_m_bound_5 = fine_m_error_5 + fine_m_rest_5, fine_m_error_6 = fabsf(fine_beta_v_cross2_3),
       fine_m_padded_6 = 3.3087225e-24f + fine_beta_v_size_3,
-      fine_m_rest_6 = KSL_MULF(8.235425e-12f, fine_m_padded_6),
+      fine_m_rest_6 = KSL_MULF(2.3737182e-10f, fine_m_padded_6),
       fine_m_bound_6 = fine_m_error_6 + fine_m_rest_6,
       fine_m_size_37 = KSL_MULF(fine_m_bound_6, fine_m_size_35),
       fine_m_size_38 = KSL_MULF(fine_m_bound_5, fine_m_size_36),
@@ -9017,8 +9210,7 @@ static inline void ksl_SO3_expf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
      |error of vo| <= vo_bound unless inf or NaN.
    R: rotation or other 3×3 matrix; vo, vo_bound: vector.
    208 mul, 406 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 71 abs, 4
-     copysign, 34 less, 6 equal, 99 select.
-   Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
+     copysign, 34 less, 6 equal, 99 select. */
 static inline void ksl_SO3_logf_certified(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo,
     ksl_vec3f_t *vo_bound) {
   const float p_0 = R->m21 - R->m12, p_right_1 = R->m21 - p_0, p_left_1 = p_0 + p_right_1,
@@ -9399,10 +9591,8 @@ static inline void ksl_SO3_logf_certified(const ksl_mat3x3f_t *R, ksl_vec3f_t *v
 /* R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
      unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   407 mul, 703 add, 18 product error, 42 product rest, 16 div, 3 sqrt, 91 abs, 19 less, 2 equal,
-     45 select.
-   Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   412 mul, 714 add, 18 product error, 43 product rest, 16 div, 3 sqrt, 92 abs, 20 less, 1 equal,
+     45 select. */
 static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
   const float size_0 = fabsf(v->x);
@@ -9579,14 +9769,16 @@ static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_12,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -9621,19 +9813,38 @@ static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(5.43103e-12f, fine_sinc_padded_1),
+  const float fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_1), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3406937e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(5.43103e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.6915353e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.276409e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_g1 = KSL_MULF(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MULF(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MULF(fine_c, fine_sinc_lo),
@@ -9641,8 +9852,8 @@ static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat
       fine_g1_size_2 = fabsf(fine_sinc), fine_g1_error_1 = fabsf(fine_c_lo),
       fine_g1_rest_1 = KSL_MULF(2.5011469e-12f, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1, fine_g1_error_2 = fabsf(fine_sinc_lo),
-      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_7,
-      fine_g1_rest_2 = KSL_MULF(6.0965586e-12f, fine_g1_padded_1),
+      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_8,
+      fine_g1_rest_2 = KSL_MULF(2.3406946e-10f, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_size_3 = KSL_MULF(fine_g1_bound_2, fine_g1_size_1),
       fine_g1_size_4 = KSL_MULF(fine_g1_bound_1, fine_g1_size_2),
@@ -10388,10 +10599,8 @@ static inline void ksl_SO3_leftJacobianf_certified(const ksl_vec3f_t *v, ksl_mat
 /* R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
      unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   407 mul, 703 add, 18 product error, 42 product rest, 16 div, 3 sqrt, 12 neg, 91 abs, 19 less,
-     2 equal, 45 select.
-   Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
-     searched, not proved. */
+   412 mul, 714 add, 18 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 92 abs, 20 less,
+     1 equal, 45 select. */
 static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
   const float size_0 = fabsf(v->x);
@@ -10568,14 +10777,16 @@ static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_ma
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_12,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -10610,19 +10821,38 @@ static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_ma
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(5.43103e-12f, fine_sinc_padded_1),
+  const float fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_1), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3406937e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(5.43103e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.6915353e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.276409e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_g1 = KSL_MULF(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MULF(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MULF(fine_c, fine_sinc_lo),
@@ -10630,8 +10860,8 @@ static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_ma
       fine_g1_size_2 = fabsf(fine_sinc), fine_g1_error_1 = fabsf(fine_c_lo),
       fine_g1_rest_1 = KSL_MULF(2.5011469e-12f, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1, fine_g1_error_2 = fabsf(fine_sinc_lo),
-      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_7,
-      fine_g1_rest_2 = KSL_MULF(6.0965586e-12f, fine_g1_padded_1),
+      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_8,
+      fine_g1_rest_2 = KSL_MULF(2.3406946e-10f, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_size_3 = KSL_MULF(fine_g1_bound_2, fine_g1_size_1),
       fine_g1_size_4 = KSL_MULF(fine_g1_bound_1, fine_g1_size_2),
@@ -11389,9 +11619,8 @@ static inline void ksl_SO3_rightJacobianf_certified(const ksl_vec3f_t *v, ksl_ma
 /* R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0; |error of R| <= R_bound unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   385 mul, 694 add, 20 product error, 33 product rest, 23 div, 3 sqrt, 6 neg, 92 abs, 22 less, 2
-     equal, 47 select.
-   Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
+   390 mul, 705 add, 20 product error, 34 product rest, 23 div, 3 sqrt, 6 neg, 93 abs, 23 less, 1
+     equal, 47 select. */
 static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
   const float size_0 = fabsf(v->x);
@@ -11555,14 +11784,16 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_12,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -11597,19 +11828,38 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(5.43103e-12f, fine_sinc_padded_1),
+  const float fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_1), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3406937e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(5.43103e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.6915353e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.276409e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_series_phi_a = KSL_MULF(5.107725e-32f, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MULF(3.51736e-40f, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MULF(5.107725e-32f, fine_y_lo),
@@ -11940,7 +12190,7 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_near_f_a_cross1_1 = KSL_MULF(-9.934108e-09f, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MULF(0.33333334f, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_errorf(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MULF(0.33333334f, fine_f_more),
@@ -11966,7 +12216,7 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_sinc_size_7 + fine_sine_size_1;
+      fine_f_rest_size_1 = fine_sinc_size_8 + fine_sine_size_1;
   const float fine_x = KSL_MULF(4.0f, fine_y), fine_x_cross2_1 = KSL_MULF(4.0f, fine_y_lo),
       fine_x_size_1 = KSL_MULF(4.0f, fine_y_size_1);
   const float fine_far_y = fine_x < 4.0f ? 1.0f : fine_y,
@@ -12017,7 +12267,7 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_f_rest_1 = KSL_MULF(2.6163277e-10f, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabsf(fine_closed_f_lo),
       fine_f_padded_2 = 3.3087225e-24f + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MULF(9.181639e-12f, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MULF(2.3766553e-10f, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
@@ -12026,7 +12276,7 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const float fine_four_k = KSL_MULF(4.0f, fine_sinc),
       fine_four_k_cross2_1 = KSL_MULF(4.0f, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_8);
   const float fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MULF(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_errorf(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -12038,7 +12288,7 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_b_padded_2 = 3.3087225e-24f + fine_four_k_size_1, fine_b_size_1 = fabsf(fine_b),
       fine_b_size_2 = fabsf(fine_four_k), fine_b_size_3 = KSL_MULF(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabsf(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MULF(6.2013892e-12f, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MULF(2.3419117e-10f, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2,
       fine_b_size_5 = KSL_MULF(4.0f, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0f,
@@ -12058,12 +12308,12 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
       fine_b_across_cross_1 = KSL_MULF(fine_b_across, fine_sinc_lo),
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
-      fine_b_across_padded_1 = 3.3087225e-24f + fine_sinc_size_7,
+      fine_b_across_padded_1 = 3.3087225e-24f + fine_sinc_size_8,
       fine_b_across_size_1 = fabsf(fine_b_across), fine_b_across_size_2 = fabsf(fine_sinc),
       fine_b_across_size_3 = KSL_MULF(fine_b_across_padded_1, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1,
       fine_b_across_error_1 = fabsf(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MULF(6.0965586e-12f, fine_b_across_padded_1),
+      fine_b_across_rest_2 = KSL_MULF(2.3406946e-10f, fine_b_across_padded_1),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MULF(4.0f, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :
@@ -12394,9 +12644,8 @@ static inline void ksl_SO3_leftJacobianInversef_certified(const ksl_vec3f_t *v, 
 /* R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
      except 0; |error of R| <= R_bound unless inf or NaN.
    v: vector; R, R_bound: rotation or other 3×3 matrix.
-   385 mul, 694 add, 20 product error, 33 product rest, 23 div, 3 sqrt, 92 abs, 22 less, 2 equal,
-     47 select.
-   Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
+   390 mul, 705 add, 20 product error, 34 product rest, 23 div, 3 sqrt, 93 abs, 23 less, 1 equal,
+     47 select. */
 static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v, ksl_mat3x3f_t *R,
     ksl_mat3x3f_t *R_bound) {
   const float size_0 = fabsf(v->x);
@@ -12560,14 +12809,16 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_12,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -12602,19 +12853,38 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(5.43103e-12f, fine_sinc_padded_1),
+  const float fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_1), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3406937e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(5.43103e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.6915353e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.276409e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_series_phi_a = KSL_MULF(5.107725e-32f, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MULF(3.51736e-40f, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MULF(5.107725e-32f, fine_y_lo),
@@ -12945,7 +13215,7 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_near_f_a_cross1_1 = KSL_MULF(-9.934108e-09f, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MULF(0.33333334f, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_errorf(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MULF(0.33333334f, fine_f_more),
@@ -12971,7 +13241,7 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_sinc_size_7 + fine_sine_size_1;
+      fine_f_rest_size_1 = fine_sinc_size_8 + fine_sine_size_1;
   const float fine_x = KSL_MULF(4.0f, fine_y), fine_x_cross2_1 = KSL_MULF(4.0f, fine_y_lo),
       fine_x_size_1 = KSL_MULF(4.0f, fine_y_size_1);
   const float fine_far_y = fine_x < 4.0f ? 1.0f : fine_y,
@@ -13022,7 +13292,7 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_f_rest_1 = KSL_MULF(2.6163277e-10f, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabsf(fine_closed_f_lo),
       fine_f_padded_2 = 3.3087225e-24f + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MULF(9.181639e-12f, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MULF(2.3766553e-10f, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
@@ -13031,7 +13301,7 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const float fine_four_k = KSL_MULF(4.0f, fine_sinc),
       fine_four_k_cross2_1 = KSL_MULF(4.0f, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_8);
   const float fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MULF(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_errorf(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -13043,7 +13313,7 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_b_padded_2 = 3.3087225e-24f + fine_four_k_size_1, fine_b_size_1 = fabsf(fine_b),
       fine_b_size_2 = fabsf(fine_four_k), fine_b_size_3 = KSL_MULF(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabsf(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MULF(6.2013892e-12f, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MULF(2.3419117e-10f, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2,
       fine_b_size_5 = KSL_MULF(4.0f, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0f,
@@ -13063,12 +13333,12 @@ static inline void ksl_SO3_rightJacobianInversef_certified(const ksl_vec3f_t *v,
       fine_b_across_cross_1 = KSL_MULF(fine_b_across, fine_sinc_lo),
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
-      fine_b_across_padded_1 = 3.3087225e-24f + fine_sinc_size_7,
+      fine_b_across_padded_1 = 3.3087225e-24f + fine_sinc_size_8,
       fine_b_across_size_1 = fabsf(fine_b_across), fine_b_across_size_2 = fabsf(fine_sinc),
       fine_b_across_size_3 = KSL_MULF(fine_b_across_padded_1, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1,
       fine_b_across_error_1 = fabsf(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MULF(6.0965586e-12f, fine_b_across_padded_1),
+      fine_b_across_rest_2 = KSL_MULF(2.3406946e-10f, fine_b_across_padded_1),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MULF(4.0f, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :
@@ -13784,11 +14054,8 @@ static inline void ksl_mat3x3f_orthonormalized_certified(const ksl_mat3x3f_t *R,
 
 /* D = exp s = [exp ω~ | J_l(ω) v]; |error of D| <= D_bound unless inf or NaN.
    s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R rotation, t in m.
-   527 mul, 857 add, 21 product error, 57 product rest, 16 div, 3 sqrt, 115 abs, 19 less, 2
-     equal, 46 select.
-   Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or of s.lin if that is
-     larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate
-     sums may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
+   532 mul, 868 add, 21 product error, 58 product rest, 16 div, 3 sqrt, 116 abs, 20 less, 1
+     equal, 46 select. */
 static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
     ksl_SE3f_t *D_bound) {
   const float size_0 = fabsf(s->m3);
@@ -13984,14 +14251,16 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
       fine_c_slope_1 = fine_c_slope1_1 + fine_c_slope2_1,
       fine_c_more_1 = KSL_MULF(fine_c_slope_1, fine_sine_twice_1),
       fine_c_lo = fine_c_own_error_1 - fine_c_more_1;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_lo,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_12,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_lo,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_12,
       fine_sinc_divisor_rest_1 = KSL_MULF(1.2221551e-12f, fine_sine_padded_1),
       fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + fine_sinc_divisor_rest_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6,
       fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -14026,19 +14295,38 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(5.43103e-12f, fine_sinc_padded_1),
+  const float fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_1), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3406937e-10f, fine_sinc_padded_1),
       fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(5.43103e-12f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
       fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
-          fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(1.6915353e+11f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
+          fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.276409e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
   const float fine_g1 = KSL_MULF(fine_c, fine_sinc),
       fine_g1_cross1_1 = KSL_MULF(fine_c_lo, fine_sinc),
       fine_g1_cross2_1 = KSL_MULF(fine_c, fine_sinc_lo),
@@ -14046,8 +14334,8 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
       fine_g1_size_2 = fabsf(fine_sinc), fine_g1_error_1 = fabsf(fine_c_lo),
       fine_g1_rest_1 = KSL_MULF(2.5011469e-12f, fine_sine_size_1),
       fine_g1_bound_1 = fine_g1_error_1 + fine_g1_rest_1, fine_g1_error_2 = fabsf(fine_sinc_lo),
-      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_7,
-      fine_g1_rest_2 = KSL_MULF(6.0965586e-12f, fine_g1_padded_1),
+      fine_g1_padded_1 = 3.3087225e-24f + fine_sinc_size_8,
+      fine_g1_rest_2 = KSL_MULF(2.3406946e-10f, fine_g1_padded_1),
       fine_g1_bound_2 = fine_g1_error_2 + fine_g1_rest_2,
       fine_g1_size_3 = KSL_MULF(fine_g1_bound_2, fine_g1_size_1),
       fine_g1_size_4 = KSL_MULF(fine_g1_bound_1, fine_g1_size_2),
@@ -15053,10 +15341,8 @@ static inline void ksl_SE3f_exp_certified(const ksl_screwf_t *s, ksl_SE3f_t *D,
 /* so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
      inf or NaN.
    D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s; ω in rad/s).
-   653 mul, 1019 add, 29 product error, 35 product rest, 47 div, 5 sqrt, 14 neg, 181 abs, 6
-     copysign, 65 less, 10 equal, 167 select.
-   Error <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not
-     proved.  Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36. */
+   658 mul, 1030 add, 29 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 182 abs, 6
+     copysign, 66 less, 9 equal, 167 select. */
 static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
     ksl_screwf_t *so_bound) {
   const float p_0 = D->m21 - D->m12;
@@ -15798,12 +16084,14 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_y_size_11 = KSL_MULF(2.7487843e+11f, fine_y_size_9),
       fine_y_size_12 = fine_y_size_10 + fine_y_size_11, fine_y_size_13 = fabsf(fine_y),
       fine_y_size_14 = fine_y_size_12 + fine_y_size_13;
-  const float fine_sinc_divisor = fine_half_angle == 0.0f ? 1.0f : fine_half_angle,
-      fine_sinc_divisor_lo = fine_half_angle == 0.0f ? 0.0f : fine_half_angle_cross2_1,
-      fine_sinc_divisor_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_half_angle_size_1,
-      fine_sinc_divisor_size_2 = fine_half_angle - 0.0f,
+  const float fine_sinc_divisor = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+      fine_half_angle,
+      fine_sinc_divisor_lo = fine_half_angle < 1.4901161e-08f ? 0.0f : fine_half_angle_cross2_1,
+      fine_sinc_divisor_size_1 = fine_half_angle < 1.4901161e-08f ? 1.4901161e-08f :
+          fine_half_angle_size_1,
+      fine_sinc_divisor_size_2 = fine_half_angle - 1.4901161e-08f,
       fine_sinc_divisor_size_3 = fabsf(fine_sinc_divisor_size_2),
-      fine_sinc_divisor_size_5 = 1.0f - fine_half_angle,
+      fine_sinc_divisor_size_5 = 1.4901161e-08f - fine_half_angle,
       fine_sinc_divisor_size_6 = fabsf(fine_sinc_divisor_size_5),
       fine_sinc_divisor_size_7 = fine_sinc_divisor_size_6 + fine_y_bound_1,
       fine_sinc_divisor_size_8 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0f :
@@ -15838,21 +16126,39 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_sinc_quotient_size_9 = KSL_MULF(fine_sinc_quotient_reach_1, fine_sinc_quotient_size_8),
       fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2,
       fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10;
-  const float fine_sinc = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient,
-      fine_sinc_lo = fine_half_angle == 0.0f ? 0.0f : fine_sinc_quotient_lo,
-      fine_sinc_size_1 = fine_half_angle == 0.0f ? 1.0f : fine_sinc_quotient_size_11,
-      fine_sinc_size_2 = 1.0f - fine_sinc_quotient, fine_sinc_size_3 = fabsf(fine_sinc_size_2),
-      fine_sinc_error_1 = fabsf(fine_sinc_quotient_lo),
-      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_quotient_size_11,
-      fine_sinc_rest_1 = KSL_MULF(1.1643788e-11f, fine_sinc_padded_1),
-      fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
-      fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
-      fine_sinc_size_5 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0f : fine_sinc_size_4,
-      fine_sinc_size_6 = KSL_MULF(8.80319e+10f, fine_sinc_size_5),
-      fine_sinc_size_7 = fine_sinc_size_1 + fine_sinc_size_6;
   const float fine_y_error_2 = ksl_product_errorf(fine_half_angle, fine_half_angle, fine_y),
-      fine_y_lo = fine_y_error_2 + fine_y_cross_1,
-      fine_series_phi_a = KSL_MULF(5.107725e-32f, fine_y),
+      fine_y_lo = fine_y_error_2 + fine_y_cross_1, fine_sinc_a = KSL_MULF(0.16666667f, fine_y),
+      fine_sinc_a_cross1_1 = KSL_MULF(-4.967054e-09f, fine_y),
+      fine_sinc_a_cross2_1 = KSL_MULF(0.16666667f, fine_y_lo),
+      fine_sinc_a_cross_1 = fine_sinc_a_cross1_1 + fine_sinc_a_cross2_1,
+      fine_sinc_a_size_1 = KSL_MULF(0.16666669f, fine_y_size_14), fine_sinc_b = 1.0f - fine_sinc_a,
+      fine_sinc_b_right_1 = 1.0f - fine_sinc_b,
+      fine_sinc_b_left_1 = fine_sinc_b + fine_sinc_b_right_1,
+      fine_sinc_b_left_rest_1 = 1.0f - fine_sinc_b_left_1,
+      fine_sinc_b_right_rest_1 = ksl_product_restf(0.16666667f, fine_y, fine_sinc_a,
+          fine_sinc_b_right_1),
+      fine_sinc_b_lo1_1 = fine_sinc_b_left_rest_1 - fine_sinc_b_right_rest_1,
+      fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1,
+      fine_sinc_b_size_1 = 1.0f + fine_sinc_a_size_1,
+      fine_sinc = fine_half_angle < 1.4901161e-08f ? fine_sinc_b : fine_sinc_quotient,
+      fine_sinc_lo = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_lo : fine_sinc_quotient_lo,
+      fine_sinc_size_1 = fine_half_angle < 1.4901161e-08f ? fine_sinc_b_size_1 :
+          fine_sinc_quotient_size_11,
+      fine_sinc_size_2 = fine_sinc_b - fine_sinc_quotient,
+      fine_sinc_size_3 = fabsf(fine_sinc_size_2), fine_sinc_error_1 = fabsf(fine_sinc_b_lo),
+      fine_sinc_padded_1 = 3.3087225e-24f + fine_sinc_b_size_1,
+      fine_sinc_rest_1 = KSL_MULF(2.3706434e-10f, fine_sinc_padded_1),
+      fine_sinc_bound_1 = fine_sinc_error_1 + fine_sinc_rest_1,
+      fine_sinc_error_2 = fabsf(fine_sinc_quotient_lo),
+      fine_sinc_padded_2 = 3.3087225e-24f + fine_sinc_quotient_size_11,
+      fine_sinc_rest_2 = KSL_MULF(1.1643788e-11f, fine_sinc_padded_2),
+      fine_sinc_bound_2 = fine_sinc_error_2 + fine_sinc_rest_2,
+      fine_sinc_size_4 = fine_sinc_bound_1 + fine_sinc_size_3,
+      fine_sinc_size_5 = fine_sinc_bound_2 + fine_sinc_size_4,
+      fine_sinc_size_6 = fine_y_bound_1 < fine_sinc_divisor_size_3 ? 0.0f : fine_sinc_size_5,
+      fine_sinc_size_7 = KSL_MULF(4.2218243e+09f, fine_sinc_size_6),
+      fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7;
+  const float fine_series_phi_a = KSL_MULF(5.107725e-32f, fine_y),
       fine_series_phi_a_cross1_1 = KSL_MULF(3.51736e-40f, fine_y),
       fine_series_phi_a_cross2_1 = KSL_MULF(5.107725e-32f, fine_y_lo),
       fine_series_phi_a_cross_1 = fine_series_phi_a_cross1_1 + fine_series_phi_a_cross2_1,
@@ -16314,7 +16620,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_near_f_a_cross1_1 = KSL_MULF(-9.934108e-09f, fine_sinc),
       fine_near_f_a_cross2_1 = KSL_MULF(0.33333334f, fine_sinc_lo),
       fine_near_f_a_cross_1 = fine_near_f_a_cross1_1 + fine_near_f_a_cross2_1,
-      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_7),
+      fine_near_f_a_size_1 = KSL_MULF(0.33333334f, fine_sinc_size_8),
       fine_f_more_error_3 = ksl_product_errorf(fine_f_more_a, fine_series_phi, fine_f_more),
       fine_f_more_lo = fine_f_more_error_3 + fine_f_more_cross_1,
       fine_near_f_b = KSL_MULF(0.33333334f, fine_f_more),
@@ -16340,7 +16646,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_f_rest_lo1_1 = fine_f_rest_left_rest_1 - fine_f_rest_right_rest_1,
       fine_f_rest_lo2_1 = fine_f_rest_lo1_1 - fine_c_lo,
       fine_f_rest_lo = fine_f_rest_lo2_1 + fine_sinc_lo,
-      fine_f_rest_size_1 = fine_c_size_7 + fine_sinc_size_7;
+      fine_f_rest_size_1 = fine_c_size_7 + fine_sinc_size_8;
   const float fine_x = KSL_MULF(4.0f, fine_y), fine_x_cross2_1 = KSL_MULF(4.0f, fine_y_lo),
       fine_x_size_1 = KSL_MULF(4.0f, fine_y_size_14);
   const float fine_far_y = fine_x < 4.0f ? 1.0f : fine_y,
@@ -16388,19 +16694,19 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_f_size_1 = fine_x < 4.0f ? fine_near_f_size_1 : fine_closed_f_size_11,
       fine_f_size_2 = fine_near_f - fine_closed_f, fine_f_size_3 = fabsf(fine_f_size_2),
       fine_f_error_1 = fabsf(fine_near_f_lo), fine_f_padded_1 = 3.3087225e-24f + fine_near_f_size_1,
-      fine_f_rest_1 = KSL_MULF(1.2340228e-11f, fine_f_padded_1),
+      fine_f_rest_1 = KSL_MULF(2.3784788e-10f, fine_f_padded_1),
       fine_f_bound_1 = fine_f_error_1 + fine_f_rest_1, fine_f_error_2 = fabsf(fine_closed_f_lo),
       fine_f_padded_2 = 3.3087225e-24f + fine_closed_f_size_11,
-      fine_f_rest_2 = KSL_MULF(1.5914428e-11f, fine_f_padded_2),
+      fine_f_rest_2 = KSL_MULF(2.4142321e-10f, fine_f_padded_2),
       fine_f_bound_2 = fine_f_error_2 + fine_f_rest_2,
       fine_f_size_4 = fine_f_bound_1 + fine_f_size_3,
       fine_f_size_5 = fine_f_bound_2 + fine_f_size_4,
       fine_f_size_6 = fine_far_y_bound_1 < fine_far_y_size_3 ? 0.0f : fine_f_size_5,
-      fine_f_size_7 = KSL_MULF(6.4212492e+10f, fine_f_size_6),
+      fine_f_size_7 = KSL_MULF(4.1479803e+09f, fine_f_size_6),
       fine_f_size_8 = fine_f_size_1 + fine_f_size_7;
   const float fine_four_k = KSL_MULF(4.0f, fine_sinc),
       fine_four_k_cross2_1 = KSL_MULF(4.0f, fine_sinc_lo),
-      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_7);
+      fine_four_k_size_1 = KSL_MULF(4.0f, fine_sinc_size_8);
   const float fine_b = fine_f / fine_four_k, fine_b_product_1 = KSL_MULF(fine_b, fine_four_k),
       fine_b_product_error_1 = ksl_product_errorf(fine_b, fine_four_k, fine_b_product_1),
       fine_b_rest_1 = fine_f - fine_b_product_1,
@@ -16412,7 +16718,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_b_padded_2 = 3.3087225e-24f + fine_four_k_size_1, fine_b_size_1 = fabsf(fine_b),
       fine_b_size_2 = fabsf(fine_four_k), fine_b_size_3 = KSL_MULF(fine_b_padded_2, fine_b_size_1),
       fine_b_size_4 = fine_b_padded_1 + fine_b_size_3, fine_b_error_1 = fabsf(fine_four_k_cross2_1),
-      fine_b_rest_2 = KSL_MULF(1.1785948e-11f, fine_b_padded_2),
+      fine_b_rest_2 = KSL_MULF(2.372927e-10f, fine_b_padded_2),
       fine_b_bound_1 = fine_b_error_1 + fine_b_rest_2,
       fine_b_size_5 = KSL_MULF(4.0f, fine_b_bound_1),
       fine_b_size_7 = fine_b_size_5 < fine_b_size_2 ? fine_b_size_2 : 0.0f,
@@ -16433,12 +16739,12 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_b_across_residual_1 = fine_b_across_numerator_1 - fine_b_across_cross_1,
       fine_b_across_lo = fine_b_across_residual_1 / fine_sinc,
       fine_b_across_padded_1 = 3.3087225e-24f + fine_c_size_7,
-      fine_b_across_padded_2 = 3.3087225e-24f + fine_sinc_size_7,
+      fine_b_across_padded_2 = 3.3087225e-24f + fine_sinc_size_8,
       fine_b_across_size_1 = fabsf(fine_b_across), fine_b_across_size_2 = fabsf(fine_sinc),
       fine_b_across_size_3 = KSL_MULF(fine_b_across_padded_2, fine_b_across_size_1),
       fine_b_across_size_4 = fine_b_across_padded_1 + fine_b_across_size_3,
       fine_b_across_error_1 = fabsf(fine_sinc_lo),
-      fine_b_across_rest_2 = KSL_MULF(1.1643792e-11f, fine_b_across_padded_2),
+      fine_b_across_rest_2 = KSL_MULF(2.371497e-10f, fine_b_across_padded_2),
       fine_b_across_bound_1 = fine_b_across_error_1 + fine_b_across_rest_2,
       fine_b_across_size_5 = KSL_MULF(4.0f, fine_b_across_bound_1),
       fine_b_across_size_7 = fine_b_across_size_5 < fine_b_across_size_2 ? fine_b_across_size_2 :
@@ -16488,7 +16794,7 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       fine_pitch_cross_1 = fine_pitch_cross1_1 + fine_pitch_cross2_1,
       fine_pitch_size_1 = fabsf(fine_wt), fine_pitch_error_1 = fabsf(fine_b_lo),
       fine_pitch_padded_1 = 3.3087225e-24f + fine_b_size_11,
-      fine_pitch_rest_1 = KSL_MULF(2.0414816e-11f, fine_pitch_padded_1),
+      fine_pitch_rest_1 = KSL_MULF(2.4592575e-10f, fine_pitch_padded_1),
       fine_pitch_bound_1 = fine_pitch_error_1 + fine_pitch_rest_1,
       fine_pitch_error_2 = fabsf(fine_wt_lo), fine_pitch_padded_2 = 3.3087225e-24f + fine_wt_size_1,
       fine_pitch_rest_2 = KSL_MULF(4.504915e-12f, fine_pitch_padded_2),
@@ -16698,15 +17004,15 @@ static inline void ksl_SE3f_log_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
   const float so_apart_1 = fine_so_0 - so_0, so_apart_2 = fine_so_lo_1 + so_apart_1,
       so_error_1 = fabsf(so_apart_2), so_error_2 = KSL_MULF(1.0000005f, so_error_1),
       so_padded_1 = 3.3087225e-24f + fine_so_size_1,
-      so_rest_1 = KSL_MULF(1.5792513e-11f, so_padded_1), so_bound_1 = so_error_2 + so_rest_1,
+      so_rest_1 = KSL_MULF(2.4130226e-10f, so_padded_1), so_bound_1 = so_error_2 + so_rest_1,
       so_apart_3 = fine_so_1 - so_1, so_apart_4 = fine_so_lo_2 + so_apart_3,
       so_error_3 = fabsf(so_apart_4), so_error_4 = KSL_MULF(1.0000005f, so_error_3),
       so_padded_2 = 3.3087225e-24f + fine_so_size_2,
-      so_rest_2 = KSL_MULF(1.5792513e-11f, so_padded_2), so_bound_2 = so_error_4 + so_rest_2,
+      so_rest_2 = KSL_MULF(2.4130226e-10f, so_padded_2), so_bound_2 = so_error_4 + so_rest_2,
       so_apart_5 = fine_so_2 - so_2, so_apart_6 = fine_so_lo_3 + so_apart_5,
       so_error_5 = fabsf(so_apart_6), so_error_6 = KSL_MULF(1.0000005f, so_error_5),
       so_padded_3 = 3.3087225e-24f + fine_so_size_3,
-      so_rest_3 = KSL_MULF(1.5792513e-11f, so_padded_3), so_bound_3 = so_error_6 + so_rest_3,
+      so_rest_3 = KSL_MULF(2.4130226e-10f, so_padded_3), so_bound_3 = so_error_6 + so_rest_3,
       vector_apart_1 = fine_vector_0 - vector_0, vector_apart_2 = fine_vector_lo_1 + vector_apart_1,
       vector_error_1 = fabsf(vector_apart_2), vector_error_2 = KSL_MULF(1.0000005f, vector_error_1),
       vector_bound_1 = fine_along_rest_1 + vector_error_2,

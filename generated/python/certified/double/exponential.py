@@ -10,17 +10,18 @@ from coscrew import _elementary_double as elementary
 from numpy import absolute, float64, sqrt, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_exp(v):
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|; |error of R| <= R_bound unless
     inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    373 mul, 517 add, 16 product error, 21 product rest, 12 div, 3 sqrt, 58 abs, 13 less, 2
-    equal, 29 select.  Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in
-    single precision 1e5; searched, not proved.
+    387 mul, 536 add, 17 product error, 22 product rest, 12 div, 3 sqrt, 61 abs, 14 less, 1
+    equal, 29 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -173,25 +174,33 @@ def SO3_exp(v):
     fine_up_size_1 = where(fine_up_a, float64(2.6815615859885194e+154), float64(1))
     fine_half_angle_padded_1 = 1.8051943758648296e-276 + fine_reduced_length_size_12
     fine_half_angle_size_1 = fine_half_angle_padded_1 * fine_up_size_1
+    fine_y = fine_half_angle * fine_half_angle
+    fine_y_size_1 = absolute(fine_half_angle)
+    fine_y_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1
+    fine_y_rest_1 = 5.7192432555642225e-30 * fine_y_padded_1
+    fine_y_bound_1 = absolute(fine_half_angle_lo) + fine_y_rest_1
+    fine_y_size_2 = fine_y_bound_1 * fine_y_size_1
+    fine_y_size_3 = fine_y_size_2 + fine_y_size_2
+    fine_y_size_4 = fine_y_rest_1 * fine_y_size_1
+    fine_y_size_7 = fine_y_size_4 + fine_y_size_4 + fine_y_bound_1 * fine_y_bound_1
+    fine_y_size_11 = 7.922816251426462e+28 * (fine_y_size_7 + 4.440892098500626e-16 * fine_y_size_3)
     fine_sine, fine_c = elementary.sincos(fine_half_angle)
     fine_sine_own_error_1, fine_c_own_error_1 = elementary.sincos_error(fine_half_angle, fine_sine, fine_c)
     fine_sine_half_1 = fine_half_angle_lo * 0.5
     fine_sine_half_sin_1, fine_sine_half_cos_1 = elementary.sincos(fine_sine_half_1)
     fine_sine_twice_1 = fine_sine_half_sin_1 + fine_sine_half_sin_1
     fine_sine_slope_1 = fine_sine_half_cos_1 * fine_c - fine_sine_half_sin_1 * fine_sine
-    fine_sine_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1
-    fine_sine_size_1 = 1 + fine_sine_padded_1
+    fine_sine_size_1 = 1 + fine_y_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
-    fine_sinc_divisor_rest_1 = 5.7192432555642225e-30 * fine_sine_padded_1
-    fine_sinc_divisor_bound_1 = absolute(fine_half_angle_lo) + fine_sinc_divisor_rest_1
-    fine_sinc_divisor_size_5 = fine_sinc_divisor_bound_1 < 5e-324 + absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_4 = 5e-324 + absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_5 = fine_y_bound_1 < fine_sinc_divisor_size_4
+    fine_sinc_divisor_size_8 = absolute(1.4901161193847656e-08 - fine_half_angle) + fine_y_bound_1
     fine_sinc_divisor_size_9 = where(fine_sinc_divisor_size_5, 0, fine_sinc_divisor_size_8)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_1)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_1)
     fine_sinc_divisor_size_10 = 5.762046184631807e+28 * fine_sinc_divisor_size_9
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
@@ -220,15 +229,29 @@ def SO3_exp(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + 2.755262189115544e-29 * fine_sinc_padded_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 3.7283828633784605e+28 * where(fine_sinc_divisor_size_5, 0, fine_sinc_size_4)
+    fine_y_cross_1 = fine_half_angle_lo * fine_half_angle + fine_half_angle * fine_half_angle_lo
+    fine_sinc_a = 0.16666666666666666 * fine_y
+    fine_y_lo = product_error(fine_half_angle, fine_half_angle, fine_y) + fine_y_cross_1
+    fine_y_size_14 = 2251799813685256 * fine_y_size_3 + fine_y_size_11 + absolute(fine_y)
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666666666666666, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_a_cross_1 = 9.25185853854297e-18 * fine_y + 0.16666666666666666 * fine_y_lo
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1
+    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * fine_y_size_14
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 8.224739680884703e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
+    fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_bound_2 = absolute(fine_sinc_quotient_lo) + 2.755262189115544e-29 * fine_sinc_padded_2
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_6 = where(fine_sinc_divisor_size_5, 0, fine_sinc_bound_2 + fine_sinc_size_4)
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
     fine_turning_0 = v_0 * fine_sinc
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_turning_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7
+    fine_sinc_size_8 = fine_sinc_size_1 + 1.216865194778664e+27 * fine_sinc_size_6
+    fine_turning_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8
     fine_turning_size_1 = fine_halved_size_1 * fine_turning_padded_1
     fine_turning_1 = v_1 * fine_sinc
     fine_turning_size_2 = fine_halved_size_3 * fine_turning_padded_1
@@ -247,9 +270,9 @@ def SO3_exp(v):
     fine_m_cross_1 = fine_turning_lo_1 * fine_beta_v_0 + fine_turning_0 * fine_beta_v_cross2_1
     fine_m_size_1 = absolute(fine_turning_0)
     fine_m_size_2 = absolute(fine_beta_v_0)
-    fine_m_rest_1 = 2.8097022289202044e-29 * (1.8051943758648296e-276 + fine_turning_size_1)
+    fine_m_rest_1 = 8.23059643713697e-28 * (1.8051943758648296e-276 + fine_turning_size_1)
     fine_m_bound_1 = absolute(fine_turning_lo_1) + fine_m_rest_1
-    fine_m_rest_2 = 2.857157453080415e-29 * (1.8051943758648296e-276 + 0.5 * fine_turning_size_1)
+    fine_m_rest_2 = 8.235342892425307e-28 * (1.8051943758648296e-276 + 0.5 * fine_turning_size_1)
     fine_m_bound_2 = absolute(fine_beta_v_cross2_1) + fine_m_rest_2
     fine_m_size_5 = fine_m_bound_2 * fine_m_size_1 + fine_m_bound_1 * fine_m_size_2
     fine_m_size_8 = fine_m_rest_2 * fine_m_size_1 + fine_m_rest_1 * fine_m_size_2
@@ -261,9 +284,9 @@ def SO3_exp(v):
     fine_m_cross_2 = fine_turning_lo_2 * fine_beta_v_1 + fine_turning_1 * fine_beta_v_cross2_2
     fine_m_size_18 = absolute(fine_turning_1)
     fine_m_size_19 = absolute(fine_beta_v_1)
-    fine_m_rest_3 = 2.8097022289202044e-29 * (1.8051943758648296e-276 + fine_turning_size_2)
+    fine_m_rest_3 = 8.23059643713697e-28 * (1.8051943758648296e-276 + fine_turning_size_2)
     fine_m_bound_3 = absolute(fine_turning_lo_2) + fine_m_rest_3
-    fine_m_rest_4 = 2.857157453080415e-29 * (1.8051943758648296e-276 + 0.5 * fine_turning_size_2)
+    fine_m_rest_4 = 8.235342892425307e-28 * (1.8051943758648296e-276 + 0.5 * fine_turning_size_2)
     fine_m_bound_4 = absolute(fine_beta_v_cross2_2) + fine_m_rest_4
     fine_m_size_22 = fine_m_bound_4 * fine_m_size_18 + fine_m_bound_3 * fine_m_size_19
     fine_m_size_25 = fine_m_rest_4 * fine_m_size_18 + fine_m_rest_3 * fine_m_size_19
@@ -275,9 +298,9 @@ def SO3_exp(v):
     fine_m_cross_3 = fine_turning_lo_3 * fine_beta_v_2 + fine_turning_2 * fine_beta_v_cross2_3
     fine_m_size_35 = absolute(fine_turning_2)
     fine_m_size_36 = absolute(fine_beta_v_2)
-    fine_m_rest_5 = 2.8097022289202044e-29 * (1.8051943758648296e-276 + fine_turning_size_3)
+    fine_m_rest_5 = 8.23059643713697e-28 * (1.8051943758648296e-276 + fine_turning_size_3)
     fine_m_bound_5 = absolute(fine_turning_lo_3) + fine_m_rest_5
-    fine_m_rest_6 = 2.857157453080415e-29 * (1.8051943758648296e-276 + 0.5 * fine_turning_size_3)
+    fine_m_rest_6 = 8.235342892425307e-28 * (1.8051943758648296e-276 + 0.5 * fine_turning_size_3)
     fine_m_bound_6 = absolute(fine_beta_v_cross2_3) + fine_m_rest_6
     fine_m_size_39 = fine_m_bound_6 * fine_m_size_35 + fine_m_bound_5 * fine_m_size_36
     fine_m_size_42 = fine_m_rest_6 * fine_m_size_35 + fine_m_rest_5 * fine_m_size_36
@@ -434,14 +457,14 @@ def SO3_exp(v):
 
 
 @kernel("(3,3)->(3),(3)")
+@errstate(all="ignore")
 def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo;
     |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; vo, vo_bound: vector.
     242 mul, 465 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 71 abs, 4
-    copysign, 34 less, 6 equal, 99 select.  Error <= vo: 7 u of its largest component for R a
-    rotation; searched, not proved.
+    copysign, 34 less, 6 equal, 99 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -722,14 +745,14 @@ def SO3_log(R):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_leftJacobian(v):
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
     unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    437 mul, 744 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 91 abs, 19 less, 2
-    equal, 45 select.  Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in
-    single precision 1e5; searched, not proved.
+    442 mul, 755 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 92 abs, 20 less, 1
+    equal, 45 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -867,14 +890,16 @@ def SO3_leftJacobian(v):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 4.240128211918887e-30 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_divisor_size_9 = 9.054644677292507e+28 * fine_sinc_divisor_size_8
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
@@ -903,21 +928,32 @@ def SO3_leftJacobian(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
-    fine_sinc_rest_1 = 1.8842277118313698e-29 * fine_sinc_padded_1
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 4.87557780096603e+28 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
+    fine_sinc_a = 0.16666666666666666 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666666666666666, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_a_cross_1 = 9.25185853854297e-18 * fine_y + 0.16666666666666666 * fine_y_lo
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1
+    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 8.120831909935717e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
+    fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
+    fine_sinc_rest_2 = 1.8842277118313698e-29 * fine_sinc_padded_2
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_7 = 1.2325982855554354e+27 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
     fine_g1 = fine_c * fine_sinc
     fine_g1_cross_1 = fine_c_lo * fine_sinc + fine_c * fine_sinc_lo
     fine_g1_size_1 = absolute(fine_c)
     fine_g1_size_2 = absolute(fine_sinc)
     fine_g1_rest_1 = 8.677471603123253e-30 * fine_sine_size_1
     fine_g1_bound_1 = absolute(fine_c_lo) + fine_g1_rest_1
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_g1_rest_2 = 2.1151340779501176e-29 * (1.8051943758648296e-276 + fine_sinc_size_7)
+    fine_g1_padded_1 = 1.8051943758648296e-276 + (fine_sinc_size_1 + fine_sinc_size_7)
+    fine_g1_rest_2 = 8.120832873841084e-28 * fine_g1_padded_1
     fine_g1_bound_2 = absolute(fine_sinc_lo) + fine_g1_rest_2
     fine_g1_size_5 = fine_g1_bound_2 * fine_g1_size_1 + fine_g1_bound_1 * fine_g1_size_2
     fine_g1_size_8 = fine_g1_rest_2 * fine_g1_size_1 + fine_g1_rest_1 * fine_g1_size_2
@@ -1392,14 +1428,14 @@ def SO3_leftJacobian(v):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_rightJacobian(v):
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
     unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    437 mul, 744 add, 21 product error, 42 product rest, 16 div, 3 sqrt, 12 neg, 91 abs, 19
-    less, 2 equal, 45 select.  Error <= R: (7 + θ/200) u of its largest component for |v| <=
-    1e13, in single precision 1e5; searched, not proved.
+    442 mul, 755 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 92 abs, 20
+    less, 1 equal, 45 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -1537,14 +1573,16 @@ def SO3_rightJacobian(v):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 4.240128211918887e-30 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_divisor_size_9 = 9.054644677292507e+28 * fine_sinc_divisor_size_8
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
@@ -1573,21 +1611,32 @@ def SO3_rightJacobian(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
-    fine_sinc_rest_1 = 1.8842277118313698e-29 * fine_sinc_padded_1
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 4.87557780096603e+28 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
+    fine_sinc_a = 0.16666666666666666 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666666666666666, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_a_cross_1 = 9.25185853854297e-18 * fine_y + 0.16666666666666666 * fine_y_lo
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1
+    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 8.120831909935717e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
+    fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
+    fine_sinc_rest_2 = 1.8842277118313698e-29 * fine_sinc_padded_2
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_7 = 1.2325982855554354e+27 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
     fine_g1 = fine_c * fine_sinc
     fine_g1_cross_1 = fine_c_lo * fine_sinc + fine_c * fine_sinc_lo
     fine_g1_size_1 = absolute(fine_c)
     fine_g1_size_2 = absolute(fine_sinc)
     fine_g1_rest_1 = 8.677471603123253e-30 * fine_sine_size_1
     fine_g1_bound_1 = absolute(fine_c_lo) + fine_g1_rest_1
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_g1_rest_2 = 2.1151340779501176e-29 * (1.8051943758648296e-276 + fine_sinc_size_7)
+    fine_g1_padded_1 = 1.8051943758648296e-276 + (fine_sinc_size_1 + fine_sinc_size_7)
+    fine_g1_rest_2 = 8.120832873841084e-28 * fine_g1_padded_1
     fine_g1_bound_2 = absolute(fine_sinc_lo) + fine_g1_rest_2
     fine_g1_size_5 = fine_g1_bound_2 * fine_g1_size_1 + fine_g1_bound_1 * fine_g1_size_2
     fine_g1_size_8 = fine_g1_rest_2 * fine_g1_size_1 + fine_g1_rest_1 * fine_g1_size_2
@@ -2072,14 +2121,14 @@ def SO3_rightJacobian(v):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_leftJacobianInverse(v):
     """R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
     except 0; |error of R| <= R_bound unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    415 mul, 735 add, 23 product error, 33 product rest, 23 div, 3 sqrt, 6 neg, 92 abs, 22 less,
-    2 equal, 47 select.  Error <= R: 6 u of its largest component for |v| <= π; searched, not
-    proved.
+    420 mul, 746 add, 23 product error, 34 product rest, 23 div, 3 sqrt, 6 neg, 93 abs, 23 less,
+    1 equal, 47 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -2214,14 +2263,16 @@ def SO3_leftJacobianInverse(v):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 4.240128211918887e-30 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_divisor_size_9 = 9.054644677292507e+28 * fine_sinc_divisor_size_8
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
@@ -2250,14 +2301,25 @@ def SO3_leftJacobianInverse(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
-    fine_sinc_rest_1 = 1.8842277118313698e-29 * fine_sinc_padded_1
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 4.87557780096603e+28 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
+    fine_sinc_a = 0.16666666666666666 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666666666666666, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_a_cross_1 = 9.25185853854297e-18 * fine_y + 0.16666666666666666 * fine_y_lo
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1
+    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 8.120831909935717e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
+    fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
+    fine_sinc_rest_2 = 1.8842277118313698e-29 * fine_sinc_padded_2
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_7 = 1.2325982855554354e+27 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7
     fine_series_phi_a = 5.107725174524775e-32 * fine_y
     fine_series_phi_b = 4.116826490666969e-29 - fine_series_phi_a
     fine_series_phi_b_right_1 = 4.116826490666969e-29 - fine_series_phi_b
@@ -2523,7 +2585,7 @@ def SO3_leftJacobianInverse(v):
     fine_near_f_lo1_1 = fine_near_f_left_rest_1 + fine_near_f_right_rest_1
     fine_near_f_lo = fine_near_f_lo1_1 + (fine_near_f_a_cross_1 + fine_near_f_b_cross_1)
     fine_near_f_b_size_1 = 0.3333333333333333 * (fine_f_more_size_2 + fine_f_more_size_4)
-    fine_near_f_size_1 = 0.3333333333333333 * fine_sinc_size_7 + fine_near_f_b_size_1
+    fine_near_f_size_1 = 0.3333333333333333 * fine_sinc_size_8 + fine_near_f_b_size_1
     fine_f_rest = fine_sinc - fine_c
     fine_f_rest_right_1 = fine_sinc - fine_f_rest
     fine_f_rest_left_rest_1 = fine_sinc - (fine_f_rest + fine_f_rest_right_1)
@@ -2546,7 +2608,7 @@ def SO3_leftJacobianInverse(v):
     fine_closed_f_padded_2 = 1.8051943758648296e-276 + fine_far_y_size_10
     fine_closed_f_size_1 = absolute(fine_closed_f)
     fine_closed_f_size_2 = absolute(fine_far_y)
-    fine_closed_f_padded_1 = 1.8051943758648296e-276 + (fine_sinc_size_7 + fine_sine_size_1)
+    fine_closed_f_padded_1 = 1.8051943758648296e-276 + (fine_sinc_size_8 + fine_sine_size_1)
     fine_closed_f_rest_2 = 1.6270262376793602e-29 * fine_closed_f_padded_2
     fine_closed_f_bound_1 = absolute(fine_far_y_lo) + fine_closed_f_rest_2
     fine_closed_f_size_6 = 4 * fine_closed_f_bound_1 < fine_closed_f_size_2
@@ -2557,7 +2619,7 @@ def SO3_leftJacobianInverse(v):
     fine_closed_f_size_11 = fine_closed_f_size_1 + fine_closed_f_size_9 / fine_closed_f_size_2
     fine_f = where(fine_far_y_a, fine_near_f, fine_closed_f)
     fine_f_rest_1 = 9.075379655148354e-28 * (1.8051943758648296e-276 + fine_near_f_size_1)
-    fine_f_rest_2 = 3.185438211824387e-29 * (1.8051943758648296e-276 + fine_closed_f_size_11)
+    fine_f_rest_2 = 8.245490617302283e-28 * (1.8051943758648296e-276 + fine_closed_f_size_11)
     fine_f_size_4 = absolute(fine_near_f_lo) + fine_f_rest_1 + absolute(fine_near_f - fine_closed_f)
     fine_f_size_5 = absolute(fine_closed_f_lo) + fine_f_rest_2 + fine_f_size_4
     fine_f_size_7 = 1.1062092690083102e+27 * where(fine_far_y_size_4, 0, fine_f_size_5)
@@ -2570,10 +2632,10 @@ def SO3_leftJacobianInverse(v):
     fine_b_numerator_1 = fine_f - fine_b_product_1 - fine_b_product_error_1 + fine_f_lo
     fine_b_lo = (fine_b_numerator_1 - fine_b * fine_four_k_cross2_1) / fine_four_k
     fine_f_size_8 = where(fine_far_y_a, fine_near_f_size_1, fine_closed_f_size_11) + fine_f_size_7
-    fine_b_padded_2 = 1.8051943758648296e-276 + 4 * fine_sinc_size_7
+    fine_b_padded_2 = 1.8051943758648296e-276 + 4 * fine_sinc_size_8
     fine_b_size_1 = absolute(fine_b)
     fine_b_size_2 = absolute(fine_four_k)
-    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 2.151495790465403e-29 * fine_b_padded_2
+    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 8.125024661305438e-28 * fine_b_padded_2
     fine_b_size_4 = 1.8051943758648296e-276 + fine_f_size_8 + fine_b_padded_2 * fine_b_size_1
     fine_b_size_8 = fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)
     fine_b_size_9 = (fine_b_size_2 + 140737488355328 * fine_b_bound_1) * fine_b_size_8
@@ -2583,11 +2645,11 @@ def SO3_leftJacobianInverse(v):
     fine_b_across_exact_1 = fine_c - fine_b_across_product_1 - fine_b_across_product_error_1
     fine_b_across_residual_1 = fine_b_across_exact_1 + fine_c_lo - fine_b_across * fine_sinc_lo
     fine_b_across_lo = fine_b_across_residual_1 / fine_sinc
-    fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7
+    fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8
     fine_b_across_size_1 = absolute(fine_b_across)
     fine_b_across_size_2 = absolute(fine_sinc)
     fine_b_across_size_3 = fine_b_across_padded_1 * fine_b_across_size_1
-    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 2.1151340779501176e-29 * fine_b_across_padded_1
+    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 8.120832873841084e-28 * fine_b_across_padded_1
     fine_b_across_size_6 = 4 * fine_b_across_bound_1 < fine_b_across_size_2
     fine_b_across_size_7 = where(fine_b_across_size_6, fine_b_across_size_2, 0)
     fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1
@@ -2795,14 +2857,14 @@ def SO3_leftJacobianInverse(v):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_rightJacobianInverse(v):
     """R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
     except 0; |error of R| <= R_bound unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    415 mul, 735 add, 23 product error, 33 product rest, 23 div, 3 sqrt, 92 abs, 22 less, 2
-    equal, 47 select.  Error <= R: 6 u of its largest component for |v| <= π; searched, not
-    proved.
+    420 mul, 746 add, 23 product error, 34 product rest, 23 div, 3 sqrt, 93 abs, 23 less, 1
+    equal, 47 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -2937,14 +2999,16 @@ def SO3_rightJacobianInverse(v):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 4.240128211918887e-30 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_divisor_size_9 = 9.054644677292507e+28 * fine_sinc_divisor_size_8
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
@@ -2973,14 +3037,25 @@ def SO3_rightJacobianInverse(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
-    fine_sinc_rest_1 = 1.8842277118313698e-29 * fine_sinc_padded_1
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 4.87557780096603e+28 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
+    fine_sinc_a = 0.16666666666666666 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666666666666666, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_a_cross_1 = 9.25185853854297e-18 * fine_y + 0.16666666666666666 * fine_y_lo
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1
+    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 8.120831909935717e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
+    fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
+    fine_sinc_rest_2 = 1.8842277118313698e-29 * fine_sinc_padded_2
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_7 = 1.2325982855554354e+27 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7
     fine_series_phi_a = 5.107725174524775e-32 * fine_y
     fine_series_phi_b = 4.116826490666969e-29 - fine_series_phi_a
     fine_series_phi_b_right_1 = 4.116826490666969e-29 - fine_series_phi_b
@@ -3246,7 +3321,7 @@ def SO3_rightJacobianInverse(v):
     fine_near_f_lo1_1 = fine_near_f_left_rest_1 + fine_near_f_right_rest_1
     fine_near_f_lo = fine_near_f_lo1_1 + (fine_near_f_a_cross_1 + fine_near_f_b_cross_1)
     fine_near_f_b_size_1 = 0.3333333333333333 * (fine_f_more_size_2 + fine_f_more_size_4)
-    fine_near_f_size_1 = 0.3333333333333333 * fine_sinc_size_7 + fine_near_f_b_size_1
+    fine_near_f_size_1 = 0.3333333333333333 * fine_sinc_size_8 + fine_near_f_b_size_1
     fine_f_rest = fine_sinc - fine_c
     fine_f_rest_right_1 = fine_sinc - fine_f_rest
     fine_f_rest_left_rest_1 = fine_sinc - (fine_f_rest + fine_f_rest_right_1)
@@ -3269,7 +3344,7 @@ def SO3_rightJacobianInverse(v):
     fine_closed_f_padded_2 = 1.8051943758648296e-276 + fine_far_y_size_10
     fine_closed_f_size_1 = absolute(fine_closed_f)
     fine_closed_f_size_2 = absolute(fine_far_y)
-    fine_closed_f_padded_1 = 1.8051943758648296e-276 + (fine_sinc_size_7 + fine_sine_size_1)
+    fine_closed_f_padded_1 = 1.8051943758648296e-276 + (fine_sinc_size_8 + fine_sine_size_1)
     fine_closed_f_rest_2 = 1.6270262376793602e-29 * fine_closed_f_padded_2
     fine_closed_f_bound_1 = absolute(fine_far_y_lo) + fine_closed_f_rest_2
     fine_closed_f_size_6 = 4 * fine_closed_f_bound_1 < fine_closed_f_size_2
@@ -3280,7 +3355,7 @@ def SO3_rightJacobianInverse(v):
     fine_closed_f_size_11 = fine_closed_f_size_1 + fine_closed_f_size_9 / fine_closed_f_size_2
     fine_f = where(fine_far_y_a, fine_near_f, fine_closed_f)
     fine_f_rest_1 = 9.075379655148354e-28 * (1.8051943758648296e-276 + fine_near_f_size_1)
-    fine_f_rest_2 = 3.185438211824387e-29 * (1.8051943758648296e-276 + fine_closed_f_size_11)
+    fine_f_rest_2 = 8.245490617302283e-28 * (1.8051943758648296e-276 + fine_closed_f_size_11)
     fine_f_size_4 = absolute(fine_near_f_lo) + fine_f_rest_1 + absolute(fine_near_f - fine_closed_f)
     fine_f_size_5 = absolute(fine_closed_f_lo) + fine_f_rest_2 + fine_f_size_4
     fine_f_size_7 = 1.1062092690083102e+27 * where(fine_far_y_size_4, 0, fine_f_size_5)
@@ -3293,10 +3368,10 @@ def SO3_rightJacobianInverse(v):
     fine_b_numerator_1 = fine_f - fine_b_product_1 - fine_b_product_error_1 + fine_f_lo
     fine_b_lo = (fine_b_numerator_1 - fine_b * fine_four_k_cross2_1) / fine_four_k
     fine_f_size_8 = where(fine_far_y_a, fine_near_f_size_1, fine_closed_f_size_11) + fine_f_size_7
-    fine_b_padded_2 = 1.8051943758648296e-276 + 4 * fine_sinc_size_7
+    fine_b_padded_2 = 1.8051943758648296e-276 + 4 * fine_sinc_size_8
     fine_b_size_1 = absolute(fine_b)
     fine_b_size_2 = absolute(fine_four_k)
-    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 2.151495790465403e-29 * fine_b_padded_2
+    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 8.125024661305438e-28 * fine_b_padded_2
     fine_b_size_4 = 1.8051943758648296e-276 + fine_f_size_8 + fine_b_padded_2 * fine_b_size_1
     fine_b_size_8 = fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)
     fine_b_size_9 = (fine_b_size_2 + 140737488355328 * fine_b_bound_1) * fine_b_size_8
@@ -3306,11 +3381,11 @@ def SO3_rightJacobianInverse(v):
     fine_b_across_exact_1 = fine_c - fine_b_across_product_1 - fine_b_across_product_error_1
     fine_b_across_residual_1 = fine_b_across_exact_1 + fine_c_lo - fine_b_across * fine_sinc_lo
     fine_b_across_lo = fine_b_across_residual_1 / fine_sinc
-    fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_7
+    fine_b_across_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8
     fine_b_across_size_1 = absolute(fine_b_across)
     fine_b_across_size_2 = absolute(fine_sinc)
     fine_b_across_size_3 = fine_b_across_padded_1 * fine_b_across_size_1
-    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 2.1151340779501176e-29 * fine_b_across_padded_1
+    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 8.120832873841084e-28 * fine_b_across_padded_1
     fine_b_across_size_6 = 4 * fine_b_across_bound_1 < fine_b_across_size_2
     fine_b_across_size_7 = where(fine_b_across_size_6, fine_b_across_size_2, 0)
     fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1
@@ -3518,6 +3593,7 @@ def SO3_rightJacobianInverse(v):
 
 
 @kernel("(3,3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def mat3x3_orthonormalize(self):
     """self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
     self| <= self_bound unless inf or NaN.
@@ -3630,6 +3706,7 @@ def mat3x3_orthonormalize(self):
 
 
 @kernel("(3,3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def mat3x3_orthonormalized(R):
     """Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
     Ro| <= Ro_bound unless inf or NaN.
@@ -3737,16 +3814,14 @@ def mat3x3_orthonormalized(R):
 
 
 @kernel("(6)->(3,4),(3,4)")
+@errstate(all="ignore")
 def SE3_exp(s):
     """D = exp s = [exp ω~ | J_l(ω) v]; |error of D| <= D_bound unless inf or NaN.
 
     (6)->(3,4),(3,4).  s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R
     rotation, t in m.
-    557 mul, 898 add, 24 product error, 57 product rest, 16 div, 3 sqrt, 115 abs, 19 less, 2
-    equal, 46 select.  Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or
-    of s.lin if that is larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not
-    proved.  Intermediate sums may overflow where |v|, or |ω| |v|, is above 2e306, in single
-    precision 5e36.
+    562 mul, 909 add, 24 product error, 58 product rest, 16 div, 3 sqrt, 116 abs, 20 less, 1
+    equal, 46 select.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -3903,14 +3978,16 @@ def SE3_exp(s):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 4.240128211918887e-30 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_divisor_size_9 = 9.054644677292507e+28 * fine_sinc_divisor_size_8
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
@@ -3938,21 +4015,32 @@ def SE3_exp(s):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
-    fine_sinc_rest_1 = 1.8842277118313698e-29 * fine_sinc_padded_1
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 4.87557780096603e+28 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
+    fine_sinc_a = 0.16666666666666666 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666666666666666, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_a_cross_1 = 9.25185853854297e-18 * fine_y + 0.16666666666666666 * fine_y_lo
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1
+    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 8.120831909935717e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
+    fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
+    fine_sinc_rest_2 = 1.8842277118313698e-29 * fine_sinc_padded_2
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_7 = 1.2325982855554354e+27 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
     fine_g1 = fine_c * fine_sinc
     fine_g1_cross_1 = fine_c_lo * fine_sinc + fine_c * fine_sinc_lo
     fine_g1_size_1 = absolute(fine_c)
     fine_g1_size_2 = absolute(fine_sinc)
     fine_g1_rest_1 = 8.677471603123253e-30 * fine_sine_size_1
     fine_g1_bound_1 = absolute(fine_c_lo) + fine_g1_rest_1
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_g1_rest_2 = 2.1151340779501176e-29 * (1.8051943758648296e-276 + fine_sinc_size_7)
+    fine_g1_padded_1 = 1.8051943758648296e-276 + (fine_sinc_size_1 + fine_sinc_size_7)
+    fine_g1_rest_2 = 8.120832873841084e-28 * fine_g1_padded_1
     fine_g1_bound_2 = absolute(fine_sinc_lo) + fine_g1_rest_2
     fine_g1_size_5 = fine_g1_bound_2 * fine_g1_size_1 + fine_g1_bound_1 * fine_g1_size_2
     fine_g1_size_8 = fine_g1_rest_2 * fine_g1_size_1 + fine_g1_rest_1 * fine_g1_size_2
@@ -4590,16 +4678,15 @@ def SE3_exp(s):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def SE3_log(D):
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
     inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
     ω in rad/s).
-    694 mul, 1084 add, 36 product error, 35 product rest, 47 div, 5 sqrt, 14 neg, 181 abs, 6
-    copysign, 65 less, 10 equal, 167 select.  Error <= lin: 18 u, ang: 8 u of its largest
-    component for R of D a rotation; searched, not proved.  Intermediate sums may overflow where
-    |t| is above 2e306, in single precision 5e36.
+    699 mul, 1095 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 182 abs, 6
+    copysign, 66 less, 9 equal, 167 select.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     p_0 = D_21 - D_12
@@ -5123,13 +5210,13 @@ def SE3_log(D):
     fine_y_size_11 = 7.922816251426462e+28 * (fine_y_size_7 + 4.440892098500626e-16 * fine_y_size_3)
     fine_y_size_13 = absolute(fine_y)
     fine_y_size_14 = 2251799813685256 * fine_y_size_3 + fine_y_size_11 + fine_y_size_13
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_cross2_1)
-    fine_sinc_divisor_size_4 = fine_y_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = absolute(1 - fine_half_angle) + fine_y_bound_1
+    fine_sinc_divisor_size_4 = fine_y_bound_1 < absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_7 = absolute(1.4901161193847656e-08 - fine_half_angle) + fine_y_bound_1
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_1)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_1)
     fine_sinc_divisor_size_9 = 3.5212501748002707e+28 * fine_sinc_divisor_size_8
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
@@ -5158,16 +5245,27 @@ def SE3_log(D):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_padded_1 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
-    fine_sinc_rest_1 = 4.0396275823465884e-29 * fine_sinc_padded_1
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 2.5374142281282834e+28 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
     fine_y_cross_1 = fine_y_cross1_1 + fine_half_angle * fine_half_angle_cross2_1
     fine_y_lo = product_error(fine_half_angle, fine_half_angle, fine_y) + fine_y_cross_1
+    fine_sinc_a = 0.16666666666666666 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666666666666666, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_a_cross_1 = 9.25185853854297e-18 * fine_y + 0.16666666666666666 * fine_y_lo
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1
+    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * fine_y_size_14
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 8.224739680884703e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
+    fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
+    fine_sinc_rest_2 = 4.0396275823465884e-29 * fine_sinc_padded_2
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_7 = 1.216865194778664e+27 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7
     fine_series_phi_a = 5.107725174524775e-32 * fine_y
     fine_series_phi_b = 4.116826490666969e-29 - fine_series_phi_a
     fine_series_phi_b_right_1 = 4.116826490666969e-29 - fine_series_phi_b
@@ -5537,7 +5635,7 @@ def SE3_log(D):
     fine_near_f_lo1_1 = fine_near_f_left_rest_1 + fine_near_f_right_rest_1
     fine_near_f_lo = fine_near_f_lo1_1 + (fine_near_f_a_cross_1 + fine_near_f_b_cross_1)
     fine_near_f_b_size_1 = 0.3333333333333333 * (fine_f_more_size_15 + absolute(fine_f_more))
-    fine_near_f_size_1 = 0.3333333333333333 * fine_sinc_size_7 + fine_near_f_b_size_1
+    fine_near_f_size_1 = 0.3333333333333333 * fine_sinc_size_8 + fine_near_f_b_size_1
     fine_f_rest = fine_sinc - fine_c
     fine_f_rest_right_1 = fine_sinc - fine_f_rest
     fine_f_rest_left_rest_1 = fine_sinc - (fine_f_rest + fine_f_rest_right_1)
@@ -5560,7 +5658,7 @@ def SE3_log(D):
     fine_closed_f_padded_2 = 1.8051943758648296e-276 + fine_far_y_size_10
     fine_closed_f_size_1 = absolute(fine_closed_f)
     fine_closed_f_size_2 = absolute(fine_far_y)
-    fine_closed_f_padded_1 = 1.8051943758648296e-276 + (fine_c_size_7 + fine_sinc_size_7)
+    fine_closed_f_padded_1 = 1.8051943758648296e-276 + (fine_c_size_7 + fine_sinc_size_8)
     fine_closed_f_rest_2 = 1.3016208039451831e-29 * fine_closed_f_padded_2
     fine_closed_f_bound_1 = absolute(fine_far_y_lo) + fine_closed_f_rest_2
     fine_closed_f_size_6 = 4 * fine_closed_f_bound_1 < fine_closed_f_size_2
@@ -5570,11 +5668,11 @@ def SE3_log(D):
     fine_closed_f_size_9 = fine_closed_f_reach_1 * (fine_closed_f_size_4 / fine_closed_f_size_7)
     fine_closed_f_size_11 = fine_closed_f_size_1 + fine_closed_f_size_9 / fine_closed_f_size_2
     fine_f = where(fine_far_y_a, fine_near_f, fine_closed_f)
-    fine_f_rest_1 = 4.2812171655620496e-29 * (1.8051943758648296e-276 + fine_near_f_size_1)
-    fine_f_rest_2 = 5.52120850280944e-29 * (1.8051943758648296e-276 + fine_closed_f_size_11)
+    fine_f_rest_1 = 8.251859670449558e-28 * (1.8051943758648296e-276 + fine_near_f_size_1)
+    fine_f_rest_2 = 8.375858743988986e-28 * (1.8051943758648296e-276 + fine_closed_f_size_11)
     fine_f_size_4 = absolute(fine_near_f_lo) + fine_f_rest_1 + absolute(fine_near_f - fine_closed_f)
     fine_f_size_5 = absolute(fine_closed_f_lo) + fine_f_rest_2 + fine_f_size_4
-    fine_f_size_7 = 1.8508649698305347e+28 * where(fine_far_y_size_4, 0, fine_f_size_5)
+    fine_f_size_7 = 1.1955965001638547e+27 * where(fine_far_y_size_4, 0, fine_f_size_5)
     fine_four_k = 4 * fine_sinc
     fine_four_k_cross2_1 = 4 * fine_sinc_lo
     fine_b = fine_f / fine_four_k
@@ -5584,10 +5682,10 @@ def SE3_log(D):
     fine_b_numerator_1 = fine_f - fine_b_product_1 - fine_b_product_error_1 + fine_f_lo
     fine_b_lo = (fine_b_numerator_1 - fine_b * fine_four_k_cross2_1) / fine_four_k
     fine_f_size_8 = where(fine_far_y_a, fine_near_f_size_1, fine_closed_f_size_11) + fine_f_size_7
-    fine_b_padded_2 = 1.8051943758648296e-276 + 4 * fine_sinc_size_7
+    fine_b_padded_2 = 1.8051943758648296e-276 + 4 * fine_sinc_size_8
     fine_b_size_1 = absolute(fine_b)
     fine_b_size_2 = absolute(fine_four_k)
-    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 4.088932009583919e-29 * fine_b_padded_2
+    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 8.232630221979429e-28 * fine_b_padded_2
     fine_b_size_4 = 1.8051943758648296e-276 + fine_f_size_8 + fine_b_padded_2 * fine_b_size_1
     fine_b_size_8 = fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)
     fine_b_size_9 = (fine_b_size_2 + 140737488355328 * fine_b_bound_1) * fine_b_size_8
@@ -5597,11 +5695,11 @@ def SE3_log(D):
     fine_b_across_exact_1 = fine_c - fine_b_across_product_1 - fine_b_across_product_error_1
     fine_b_across_residual_1 = fine_b_across_exact_1 + fine_c_lo - fine_b_across * fine_sinc_lo
     fine_b_across_lo = fine_b_across_residual_1 / fine_sinc
-    fine_b_across_padded_2 = 1.8051943758648296e-276 + fine_sinc_size_7
+    fine_b_across_padded_2 = 1.8051943758648296e-276 + fine_sinc_size_8
     fine_b_across_size_1 = absolute(fine_b_across)
     fine_b_across_size_2 = absolute(fine_sinc)
     fine_b_across_size_3 = fine_b_across_padded_2 * fine_b_across_size_1
-    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 4.039627892677097e-29 * fine_b_across_padded_2
+    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 8.22769887741643e-28 * fine_b_across_padded_2
     fine_b_across_size_6 = 4 * fine_b_across_bound_1 < fine_b_across_size_2
     fine_b_across_size_4 = 1.8051943758648296e-276 + fine_c_size_7 + fine_b_across_size_3
     fine_b_across_size_7 = where(fine_b_across_size_6, fine_b_across_size_2, 0)
@@ -5638,7 +5736,7 @@ def SE3_log(D):
     fine_pitch = fine_b * fine_wt
     fine_pitch_size_1 = absolute(fine_wt)
     fine_pitch_padded_1 = 1.8051943758648296e-276 + (fine_b_size_1 + fine_b_size_9 / fine_b_size_2)
-    fine_pitch_rest_1 = 7.082497936662003e-29 * fine_pitch_padded_1
+    fine_pitch_rest_1 = 8.53198907163639e-28 * fine_pitch_padded_1
     fine_pitch_bound_1 = absolute(fine_b_lo) + fine_pitch_rest_1
     fine_wt_size_1 = fine_wt_c_size_1 + fine_wt_d_padded_1 * fine_wt_d_size_1
     fine_pitch_rest_2 = 1.562931289130153e-29 * (1.8051943758648296e-276 + fine_wt_size_1)
@@ -5761,13 +5859,13 @@ def SE3_log(D):
     fine_across_axis_size_3 = fine_along_size_43 + absolute(fine_along_2) + 0.5 * fine_u_size_3
     fine_so_lo_1 = fine_so_lo1_1 + fine_across_axis_lo_1 + D_03 * fine_b_across_lo
     fine_so_size_1 = fine_across_axis_size_1 + fine_so_0a_padded_1 * fine_wt_a_size_1
-    so_rest_1 = 5.478890414657239e-29 * (1.8051943758648296e-276 + fine_so_size_1)
+    so_rest_1 = 8.371627476841563e-28 * (1.8051943758648296e-276 + fine_so_size_1)
     fine_so_lo_2 = fine_so_lo1_2 + fine_across_axis_lo_2 + D_13 * fine_b_across_lo
     fine_so_size_2 = fine_across_axis_size_2 + fine_so_0a_padded_1 * fine_wt_b_size_1
-    so_rest_2 = 5.478890414657239e-29 * (1.8051943758648296e-276 + fine_so_size_2)
+    so_rest_2 = 8.371627476841563e-28 * (1.8051943758648296e-276 + fine_so_size_2)
     fine_so_lo_3 = fine_so_lo1_3 + fine_across_axis_lo_3 + D_23 * fine_b_across_lo
     fine_so_size_3 = fine_across_axis_size_3 + fine_so_0a_padded_1 * fine_wt_d_size_1
-    so_rest_3 = 5.478890414657239e-29 * (1.8051943758648296e-276 + fine_so_size_3)
+    so_rest_3 = 8.371627476841563e-28 * (1.8051943758648296e-276 + fine_so_size_3)
     vector_error_2 = 1.0000000000000009 * absolute(fine_vector_lo_1 + (fine_vector_0 - vector_0))
     vector_error_4 = 1.0000000000000009 * absolute(fine_vector_lo_2 + (fine_vector_1 - vector_1))
     vector_error_6 = 1.0000000000000009 * absolute(fine_vector_lo_3 + (fine_vector_2 - vector_2))

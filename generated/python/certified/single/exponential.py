@@ -10,17 +10,18 @@ from coscrew import _elementary_single as elementary
 from numpy import absolute, float32, sqrt, where
 from coscrew._exact import product_error_single as product_error, product_rest_single as product_rest
 from coscrew._kernel import single_kernel as kernel
+from numpy import errstate
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_exp(v):
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|; |error of R| <= R_bound unless
     inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    343 mul, 476 add, 13 product error, 21 product rest, 12 div, 3 sqrt, 58 abs, 13 less, 2
-    equal, 29 select.  Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in
-    single precision 1e5; searched, not proved.
+    357 mul, 495 add, 14 product error, 22 product rest, 12 div, 3 sqrt, 61 abs, 14 less, 1
+    equal, 29 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -170,25 +171,33 @@ def SO3_exp(v):
     fine_reduced_length_size_12 = fine_reduced_length + fine_reduced_length_size_11
     fine_up_size_1 = where(fine_up_a, float32(3.6893488147419103e+19), float32(1))
     fine_half_angle_size_1 = (3.308722450212111e-24 + fine_reduced_length_size_12) * fine_up_size_1
+    fine_y = fine_half_angle * fine_half_angle
+    fine_y_size_1 = absolute(fine_half_angle)
+    fine_y_padded_1 = 3.308722450212111e-24 + fine_half_angle_size_1
+    fine_y_rest_1 = 1.6484983e-12 * fine_y_padded_1
+    fine_y_bound_1 = absolute(fine_half_angle_lo) + fine_y_rest_1
+    fine_y_size_2 = fine_y_bound_1 * fine_y_size_1
+    fine_y_size_3 = fine_y_size_2 + fine_y_size_2
+    fine_y_size_4 = fine_y_rest_1 * fine_y_size_1
+    fine_y_size_7 = fine_y_size_4 + fine_y_size_4 + fine_y_bound_1 * fine_y_bound_1
+    fine_y_size_11 = 274878431232 * (fine_y_size_7 + 2.384185791015625e-07 * fine_y_size_3)
     fine_sine, fine_c = elementary.sincos(fine_half_angle)
     fine_sine_own_error_1, fine_c_own_error_1 = elementary.sincos_error(fine_half_angle, fine_sine, fine_c)
     fine_sine_half_1 = fine_half_angle_lo * 0.5
     fine_sine_half_sin_1, fine_sine_half_cos_1 = elementary.sincos(fine_sine_half_1)
     fine_sine_twice_1 = fine_sine_half_sin_1 + fine_sine_half_sin_1
     fine_sine_slope_1 = fine_sine_half_cos_1 * fine_c - fine_sine_half_sin_1 * fine_sine
-    fine_sine_padded_1 = 3.308722450212111e-24 + fine_half_angle_size_1
-    fine_sine_size_1 = 1 + fine_sine_padded_1
+    fine_sine_size_1 = 1 + fine_y_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
-    fine_sinc_divisor_bound_1 = absolute(fine_half_angle_lo) + 1.6484983e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = 1.401298464324817e-45 + absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_5 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_4
-    fine_sinc_divisor_size_8 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_5 = fine_y_bound_1 < 1.401298464324817e-45 + fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_8 = absolute(1.4901161193847656e-08 - fine_half_angle) + fine_y_bound_1
     fine_sinc_divisor_size_9 = where(fine_sinc_divisor_size_5, 0, fine_sinc_divisor_size_8)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_1)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_1)
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
     fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
@@ -214,15 +223,27 @@ def SO3_exp(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 7.941701e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 129352179712 * where(fine_sinc_divisor_size_5, 0, fine_sinc_size_4)
+    fine_y_cross_1 = fine_half_angle_lo * fine_half_angle + fine_half_angle * fine_half_angle_lo
+    fine_sinc_a = 0.16666667 * fine_y
+    fine_y_lo = product_error(fine_half_angle, fine_half_angle, fine_y) + fine_y_cross_1
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
+    fine_sinc_a_size_1 = 0.16666669 * (4194312 * fine_y_size_3 + fine_y_size_11 + absolute(fine_y))
+    fine_sinc_b_size_1 = 1 + fine_sinc_a_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 2.3706434e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
+    fine_sinc_rest_2 = 7.941701e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_7 = 4221824256 * where(fine_sinc_divisor_size_5, 0, fine_sinc_size_5)
     fine_turning_0 = v_0 * fine_sinc
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_turning_padded_1 = 3.308722450212111e-24 + fine_sinc_size_7
+    fine_turning_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_1 + fine_sinc_size_7)
     fine_turning_size_1 = fine_halved_size_1 * fine_turning_padded_1
     fine_turning_1 = v_1 * fine_sinc
     fine_turning_size_2 = fine_halved_size_3 * fine_turning_padded_1
@@ -241,9 +262,9 @@ def SO3_exp(v):
     fine_m_cross_1 = fine_turning_lo_1 * fine_beta_v_0 + fine_turning_0 * fine_beta_v_cross2_1
     fine_m_size_1 = absolute(fine_turning_0)
     fine_m_size_2 = absolute(fine_beta_v_0)
-    fine_m_rest_1 = 8.098611e-12 * (3.308722450212111e-24 + fine_turning_size_1)
+    fine_m_rest_1 = 2.3723412e-10 * (3.308722450212111e-24 + fine_turning_size_1)
     fine_m_bound_1 = absolute(fine_turning_lo_1) + fine_m_rest_1
-    fine_m_rest_2 = 8.235425e-12 * (3.308722450212111e-24 + 0.5 * fine_turning_size_1)
+    fine_m_rest_2 = 2.3737182e-10 * (3.308722450212111e-24 + 0.5 * fine_turning_size_1)
     fine_m_bound_2 = absolute(fine_beta_v_cross2_1) + fine_m_rest_2
     fine_m_size_5 = fine_m_bound_2 * fine_m_size_1 + fine_m_bound_1 * fine_m_size_2
     fine_m_size_8 = fine_m_rest_2 * fine_m_size_1 + fine_m_rest_1 * fine_m_size_2
@@ -254,9 +275,9 @@ def SO3_exp(v):
     fine_m_cross_2 = fine_turning_lo_2 * fine_beta_v_1 + fine_turning_1 * fine_beta_v_cross2_2
     fine_m_size_18 = absolute(fine_turning_1)
     fine_m_size_19 = absolute(fine_beta_v_1)
-    fine_m_rest_3 = 8.098611e-12 * (3.308722450212111e-24 + fine_turning_size_2)
+    fine_m_rest_3 = 2.3723412e-10 * (3.308722450212111e-24 + fine_turning_size_2)
     fine_m_bound_3 = absolute(fine_turning_lo_2) + fine_m_rest_3
-    fine_m_rest_4 = 8.235425e-12 * (3.308722450212111e-24 + 0.5 * fine_turning_size_2)
+    fine_m_rest_4 = 2.3737182e-10 * (3.308722450212111e-24 + 0.5 * fine_turning_size_2)
     fine_m_bound_4 = absolute(fine_beta_v_cross2_2) + fine_m_rest_4
     fine_m_size_22 = fine_m_bound_4 * fine_m_size_18 + fine_m_bound_3 * fine_m_size_19
     fine_m_size_25 = fine_m_rest_4 * fine_m_size_18 + fine_m_rest_3 * fine_m_size_19
@@ -267,9 +288,9 @@ def SO3_exp(v):
     fine_m_cross_3 = fine_turning_lo_3 * fine_beta_v_2 + fine_turning_2 * fine_beta_v_cross2_3
     fine_m_size_35 = absolute(fine_turning_2)
     fine_m_size_36 = absolute(fine_beta_v_2)
-    fine_m_rest_5 = 8.098611e-12 * (3.308722450212111e-24 + fine_turning_size_3)
+    fine_m_rest_5 = 2.3723412e-10 * (3.308722450212111e-24 + fine_turning_size_3)
     fine_m_bound_5 = absolute(fine_turning_lo_3) + fine_m_rest_5
-    fine_m_rest_6 = 8.235425e-12 * (3.308722450212111e-24 + 0.5 * fine_turning_size_3)
+    fine_m_rest_6 = 2.3737182e-10 * (3.308722450212111e-24 + 0.5 * fine_turning_size_3)
     fine_m_bound_6 = absolute(fine_beta_v_cross2_3) + fine_m_rest_6
     fine_m_size_39 = fine_m_bound_6 * fine_m_size_35 + fine_m_bound_5 * fine_m_size_36
     fine_m_size_42 = fine_m_rest_6 * fine_m_size_35 + fine_m_rest_5 * fine_m_size_36
@@ -419,14 +440,14 @@ def SO3_exp(v):
 
 
 @kernel("(3,3)->(3),(3)")
+@errstate(all="ignore")
 def SO3_log(R):
     """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo;
     |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; vo, vo_bound: vector.
     208 mul, 406 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 71 abs, 4
-    copysign, 34 less, 6 equal, 99 select.  Error <= vo: 7 u of its largest component for R a
-    rotation; searched, not proved.
+    copysign, 34 less, 6 equal, 99 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
     p_0 = R_21 - R_12
@@ -700,14 +721,14 @@ def SO3_log(R):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_leftJacobian(v):
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
     unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    407 mul, 703 add, 18 product error, 42 product rest, 16 div, 3 sqrt, 91 abs, 19 less, 2
-    equal, 45 select.  Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in
-    single precision 1e5; searched, not proved.
+    412 mul, 714 add, 18 product error, 43 product rest, 16 div, 3 sqrt, 92 abs, 20 less, 1
+    equal, 45 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -840,14 +861,16 @@ def SO3_leftJacobian(v):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
     fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
@@ -873,20 +896,29 @@ def SO3_leftJacobian(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 169153527808 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
+    fine_sinc_a = 0.16666667 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
+    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 2.3406937e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
+    fine_sinc_rest_2 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_7 = 4276409088 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
     fine_g1 = fine_c * fine_sinc
     fine_g1_cross_1 = fine_c_lo * fine_sinc + fine_c * fine_sinc_lo
     fine_g1_size_1 = absolute(fine_c)
     fine_g1_size_2 = absolute(fine_sinc)
     fine_g1_rest_1 = 2.5011469e-12 * fine_sine_size_1
     fine_g1_bound_1 = absolute(fine_c_lo) + fine_g1_rest_1
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_g1_rest_2 = 6.0965586e-12 * (3.308722450212111e-24 + fine_sinc_size_7)
+    fine_g1_rest_2 = 2.3406946e-10 * (3.308722450212111e-24 + (fine_sinc_size_1 + fine_sinc_size_7))
     fine_g1_bound_2 = absolute(fine_sinc_lo) + fine_g1_rest_2
     fine_g1_size_5 = fine_g1_bound_2 * fine_g1_size_1 + fine_g1_bound_1 * fine_g1_size_2
     fine_g1_size_8 = fine_g1_rest_2 * fine_g1_size_1 + fine_g1_rest_1 * fine_g1_size_2
@@ -1327,14 +1359,14 @@ def SO3_leftJacobian(v):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_rightJacobian(v):
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
     unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    407 mul, 703 add, 18 product error, 42 product rest, 16 div, 3 sqrt, 12 neg, 91 abs, 19
-    less, 2 equal, 45 select.  Error <= R: (7 + θ/200) u of its largest component for |v| <=
-    1e13, in single precision 1e5; searched, not proved.
+    412 mul, 714 add, 18 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 92 abs, 20
+    less, 1 equal, 45 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -1467,14 +1499,16 @@ def SO3_rightJacobian(v):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
     fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
@@ -1500,20 +1534,29 @@ def SO3_rightJacobian(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 169153527808 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
+    fine_sinc_a = 0.16666667 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
+    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 2.3406937e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
+    fine_sinc_rest_2 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_7 = 4276409088 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
     fine_g1 = fine_c * fine_sinc
     fine_g1_cross_1 = fine_c_lo * fine_sinc + fine_c * fine_sinc_lo
     fine_g1_size_1 = absolute(fine_c)
     fine_g1_size_2 = absolute(fine_sinc)
     fine_g1_rest_1 = 2.5011469e-12 * fine_sine_size_1
     fine_g1_bound_1 = absolute(fine_c_lo) + fine_g1_rest_1
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_g1_rest_2 = 6.0965586e-12 * (3.308722450212111e-24 + fine_sinc_size_7)
+    fine_g1_rest_2 = 2.3406946e-10 * (3.308722450212111e-24 + (fine_sinc_size_1 + fine_sinc_size_7))
     fine_g1_bound_2 = absolute(fine_sinc_lo) + fine_g1_rest_2
     fine_g1_size_5 = fine_g1_bound_2 * fine_g1_size_1 + fine_g1_bound_1 * fine_g1_size_2
     fine_g1_size_8 = fine_g1_rest_2 * fine_g1_size_1 + fine_g1_rest_1 * fine_g1_size_2
@@ -1963,14 +2006,14 @@ def SO3_rightJacobian(v):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_leftJacobianInverse(v):
     """R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
     except 0; |error of R| <= R_bound unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    385 mul, 694 add, 20 product error, 33 product rest, 23 div, 3 sqrt, 6 neg, 92 abs, 22 less,
-    2 equal, 47 select.  Error <= R: 6 u of its largest component for |v| <= π; searched, not
-    proved.
+    390 mul, 705 add, 20 product error, 34 product rest, 23 div, 3 sqrt, 6 neg, 93 abs, 23 less,
+    1 equal, 47 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -2101,14 +2144,16 @@ def SO3_leftJacobianInverse(v):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
     fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
@@ -2135,13 +2180,23 @@ def SO3_leftJacobianInverse(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 169153527808 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
+    fine_sinc_a = 0.16666667 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
+    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 2.3406937e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
+    fine_sinc_rest_2 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_7 = 4276409088 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7
     fine_series_phi_a = 5.107725e-32 * fine_y
     fine_series_phi_b = 4.1168266e-29 - fine_series_phi_a
     fine_series_phi_b_right_1 = 4.1168266e-29 - fine_series_phi_b
@@ -2368,7 +2423,7 @@ def SO3_leftJacobianInverse(v):
     fine_near_f_left_rest_1 = product_rest(0.33333334, fine_sinc, fine_near_f_a, fine_near_f_left_1)
     fine_near_f_lo1_1 = fine_near_f_left_rest_1 + fine_near_f_right_rest_1
     fine_near_f_lo = fine_near_f_lo1_1 + (fine_near_f_a_cross_1 + fine_near_f_b_cross_1)
-    fine_near_f_size_1 = 0.33333334 * fine_sinc_size_7 + 0.33333334 * fine_f_more_size_5
+    fine_near_f_size_1 = 0.33333334 * fine_sinc_size_8 + 0.33333334 * fine_f_more_size_5
     fine_f_rest = fine_sinc - fine_c
     fine_f_rest_right_1 = fine_sinc - fine_f_rest
     fine_f_rest_left_rest_1 = fine_sinc - (fine_f_rest + fine_f_rest_right_1)
@@ -2390,7 +2445,7 @@ def SO3_leftJacobianInverse(v):
     fine_closed_f_padded_2 = 3.308722450212111e-24 + fine_far_y_size_10
     fine_closed_f_size_1 = absolute(fine_closed_f)
     fine_closed_f_size_2 = absolute(fine_far_y)
-    fine_closed_f_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_7 + fine_sine_size_1)
+    fine_closed_f_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_8 + fine_sine_size_1)
     fine_closed_f_bound_1 = absolute(fine_far_y_lo) + 4.6896445e-12 * fine_closed_f_padded_2
     fine_closed_f_size_6 = 4 * fine_closed_f_bound_1 < fine_closed_f_size_2
     fine_closed_f_size_4 = fine_closed_f_padded_1 + fine_closed_f_padded_2 * fine_closed_f_size_1
@@ -2400,7 +2455,7 @@ def SO3_leftJacobianInverse(v):
     fine_closed_f_size_11 = fine_closed_f_size_1 + fine_closed_f_size_9 / fine_closed_f_size_2
     fine_f = where(fine_far_y_a, fine_near_f, fine_closed_f)
     fine_f_rest_1 = 2.6163277e-10 * (3.308722450212111e-24 + fine_near_f_size_1)
-    fine_f_rest_2 = 9.181639e-12 * (3.308722450212111e-24 + fine_closed_f_size_11)
+    fine_f_rest_2 = 2.3766553e-10 * (3.308722450212111e-24 + fine_closed_f_size_11)
     fine_f_size_4 = absolute(fine_near_f_lo) + fine_f_rest_1 + absolute(fine_near_f - fine_closed_f)
     fine_f_size_5 = absolute(fine_closed_f_lo) + fine_f_rest_2 + fine_f_size_4
     fine_f_size_1 = where(fine_far_y_a, fine_near_f_size_1, fine_closed_f_size_11)
@@ -2413,10 +2468,10 @@ def SO3_leftJacobianInverse(v):
     fine_b_numerator_1 = fine_f - fine_b_product_1 - fine_b_product_error_1 + fine_f_lo
     fine_b_lo = (fine_b_numerator_1 - fine_b * fine_four_k_cross2_1) / fine_four_k
     fine_f_size_8 = fine_f_size_1 + 3837173760 * where(fine_far_y_size_4, 0, fine_f_size_5)
-    fine_b_padded_2 = 3.308722450212111e-24 + 4 * fine_sinc_size_7
+    fine_b_padded_2 = 3.308722450212111e-24 + 4 * fine_sinc_size_8
     fine_b_size_1 = absolute(fine_b)
     fine_b_size_2 = absolute(fine_four_k)
-    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 6.2013892e-12 * fine_b_padded_2
+    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 2.3419117e-10 * fine_b_padded_2
     fine_b_size_4 = 3.308722450212111e-24 + fine_f_size_8 + fine_b_padded_2 * fine_b_size_1
     fine_b_size_8 = fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)
     fine_b_size_10 = (fine_b_size_2 + 262144 * fine_b_bound_1) * fine_b_size_8 / fine_b_size_2
@@ -2426,11 +2481,11 @@ def SO3_leftJacobianInverse(v):
     fine_b_across_exact_1 = fine_c - fine_b_across_product_1 - fine_b_across_product_error_1
     fine_b_across_residual_1 = fine_b_across_exact_1 + fine_c_lo - fine_b_across * fine_sinc_lo
     fine_b_across_lo = fine_b_across_residual_1 / fine_sinc
-    fine_b_across_padded_1 = 3.308722450212111e-24 + fine_sinc_size_7
+    fine_b_across_padded_1 = 3.308722450212111e-24 + fine_sinc_size_8
     fine_b_across_size_1 = absolute(fine_b_across)
     fine_b_across_size_2 = absolute(fine_sinc)
     fine_b_across_size_3 = fine_b_across_padded_1 * fine_b_across_size_1
-    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 6.0965586e-12 * fine_b_across_padded_1
+    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 2.3406946e-10 * fine_b_across_padded_1
     fine_b_across_size_6 = 4 * fine_b_across_bound_1 < fine_b_across_size_2
     fine_b_across_size_7 = where(fine_b_across_size_6, fine_b_across_size_2, 0)
     fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1
@@ -2629,14 +2684,14 @@ def SO3_leftJacobianInverse(v):
 
 
 @kernel("(3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def SO3_rightJacobianInverse(v):
     """R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
     except 0; |error of R| <= R_bound unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    385 mul, 694 add, 20 product error, 33 product rest, 23 div, 3 sqrt, 92 abs, 22 less, 2
-    equal, 47 select.  Error <= R: 6 u of its largest component for |v| <= π; searched, not
-    proved.
+    390 mul, 705 add, 20 product error, 34 product rest, 23 div, 3 sqrt, 93 abs, 23 less, 1
+    equal, 47 select.
     """
     v_0, v_1, v_2 = v
     size_0 = absolute(v_0)
@@ -2767,14 +2822,16 @@ def SO3_rightJacobianInverse(v):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
     fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
@@ -2801,13 +2858,23 @@ def SO3_rightJacobianInverse(v):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 169153527808 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
+    fine_sinc_a = 0.16666667 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
+    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 2.3406937e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
+    fine_sinc_rest_2 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_7 = 4276409088 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7
     fine_series_phi_a = 5.107725e-32 * fine_y
     fine_series_phi_b = 4.1168266e-29 - fine_series_phi_a
     fine_series_phi_b_right_1 = 4.1168266e-29 - fine_series_phi_b
@@ -3034,7 +3101,7 @@ def SO3_rightJacobianInverse(v):
     fine_near_f_left_rest_1 = product_rest(0.33333334, fine_sinc, fine_near_f_a, fine_near_f_left_1)
     fine_near_f_lo1_1 = fine_near_f_left_rest_1 + fine_near_f_right_rest_1
     fine_near_f_lo = fine_near_f_lo1_1 + (fine_near_f_a_cross_1 + fine_near_f_b_cross_1)
-    fine_near_f_size_1 = 0.33333334 * fine_sinc_size_7 + 0.33333334 * fine_f_more_size_5
+    fine_near_f_size_1 = 0.33333334 * fine_sinc_size_8 + 0.33333334 * fine_f_more_size_5
     fine_f_rest = fine_sinc - fine_c
     fine_f_rest_right_1 = fine_sinc - fine_f_rest
     fine_f_rest_left_rest_1 = fine_sinc - (fine_f_rest + fine_f_rest_right_1)
@@ -3056,7 +3123,7 @@ def SO3_rightJacobianInverse(v):
     fine_closed_f_padded_2 = 3.308722450212111e-24 + fine_far_y_size_10
     fine_closed_f_size_1 = absolute(fine_closed_f)
     fine_closed_f_size_2 = absolute(fine_far_y)
-    fine_closed_f_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_7 + fine_sine_size_1)
+    fine_closed_f_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_8 + fine_sine_size_1)
     fine_closed_f_bound_1 = absolute(fine_far_y_lo) + 4.6896445e-12 * fine_closed_f_padded_2
     fine_closed_f_size_6 = 4 * fine_closed_f_bound_1 < fine_closed_f_size_2
     fine_closed_f_size_4 = fine_closed_f_padded_1 + fine_closed_f_padded_2 * fine_closed_f_size_1
@@ -3066,7 +3133,7 @@ def SO3_rightJacobianInverse(v):
     fine_closed_f_size_11 = fine_closed_f_size_1 + fine_closed_f_size_9 / fine_closed_f_size_2
     fine_f = where(fine_far_y_a, fine_near_f, fine_closed_f)
     fine_f_rest_1 = 2.6163277e-10 * (3.308722450212111e-24 + fine_near_f_size_1)
-    fine_f_rest_2 = 9.181639e-12 * (3.308722450212111e-24 + fine_closed_f_size_11)
+    fine_f_rest_2 = 2.3766553e-10 * (3.308722450212111e-24 + fine_closed_f_size_11)
     fine_f_size_4 = absolute(fine_near_f_lo) + fine_f_rest_1 + absolute(fine_near_f - fine_closed_f)
     fine_f_size_5 = absolute(fine_closed_f_lo) + fine_f_rest_2 + fine_f_size_4
     fine_f_size_1 = where(fine_far_y_a, fine_near_f_size_1, fine_closed_f_size_11)
@@ -3079,10 +3146,10 @@ def SO3_rightJacobianInverse(v):
     fine_b_numerator_1 = fine_f - fine_b_product_1 - fine_b_product_error_1 + fine_f_lo
     fine_b_lo = (fine_b_numerator_1 - fine_b * fine_four_k_cross2_1) / fine_four_k
     fine_f_size_8 = fine_f_size_1 + 3837173760 * where(fine_far_y_size_4, 0, fine_f_size_5)
-    fine_b_padded_2 = 3.308722450212111e-24 + 4 * fine_sinc_size_7
+    fine_b_padded_2 = 3.308722450212111e-24 + 4 * fine_sinc_size_8
     fine_b_size_1 = absolute(fine_b)
     fine_b_size_2 = absolute(fine_four_k)
-    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 6.2013892e-12 * fine_b_padded_2
+    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 2.3419117e-10 * fine_b_padded_2
     fine_b_size_4 = 3.308722450212111e-24 + fine_f_size_8 + fine_b_padded_2 * fine_b_size_1
     fine_b_size_8 = fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)
     fine_b_size_10 = (fine_b_size_2 + 262144 * fine_b_bound_1) * fine_b_size_8 / fine_b_size_2
@@ -3092,11 +3159,11 @@ def SO3_rightJacobianInverse(v):
     fine_b_across_exact_1 = fine_c - fine_b_across_product_1 - fine_b_across_product_error_1
     fine_b_across_residual_1 = fine_b_across_exact_1 + fine_c_lo - fine_b_across * fine_sinc_lo
     fine_b_across_lo = fine_b_across_residual_1 / fine_sinc
-    fine_b_across_padded_1 = 3.308722450212111e-24 + fine_sinc_size_7
+    fine_b_across_padded_1 = 3.308722450212111e-24 + fine_sinc_size_8
     fine_b_across_size_1 = absolute(fine_b_across)
     fine_b_across_size_2 = absolute(fine_sinc)
     fine_b_across_size_3 = fine_b_across_padded_1 * fine_b_across_size_1
-    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 6.0965586e-12 * fine_b_across_padded_1
+    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 2.3406946e-10 * fine_b_across_padded_1
     fine_b_across_size_6 = 4 * fine_b_across_bound_1 < fine_b_across_size_2
     fine_b_across_size_7 = where(fine_b_across_size_6, fine_b_across_size_2, 0)
     fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1
@@ -3292,6 +3359,7 @@ def SO3_rightJacobianInverse(v):
 
 
 @kernel("(3,3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def mat3x3_orthonormalize(self):
     """self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
     self| <= self_bound unless inf or NaN.
@@ -3404,6 +3472,7 @@ def mat3x3_orthonormalize(self):
 
 
 @kernel("(3,3)->(3,3),(3,3)")
+@errstate(all="ignore")
 def mat3x3_orthonormalized(R):
     """Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
     Ro| <= Ro_bound unless inf or NaN.
@@ -3511,16 +3580,14 @@ def mat3x3_orthonormalized(R):
 
 
 @kernel("(6)->(3,4),(3,4)")
+@errstate(all="ignore")
 def SE3_exp(s):
     """D = exp s = [exp ω~ | J_l(ω) v]; |error of D| <= D_bound unless inf or NaN.
 
     (6)->(3,4),(3,4).  s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R
     rotation, t in m.
-    527 mul, 857 add, 21 product error, 57 product rest, 16 div, 3 sqrt, 115 abs, 19 less, 2
-    equal, 46 select.  Error <= R: (6 + θ/200) u, t: (14 + θ/200) u of its largest component, or
-    of s.lin if that is larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not
-    proved.  Intermediate sums may overflow where |v|, or |ω| |v|, is above 2e306, in single
-    precision 5e36.
+    532 mul, 868 add, 21 product error, 58 product rest, 16 div, 3 sqrt, 116 abs, 20 less, 1
+    equal, 46 select.
     """
     s_0, s_1, s_2, s_3, s_4, s_5 = s
     size_0 = absolute(s_3)
@@ -3672,14 +3739,16 @@ def SE3_exp(s):
     fine_sine_size_1 = 1 + fine_sine_padded_1
     fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
     fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
     fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + absolute(1 - fine_half_angle)
+    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
+    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
+    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_12)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
     fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
@@ -3704,20 +3773,29 @@ def SE3_exp(s):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 169153527808 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
+    fine_sinc_a = 0.16666667 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
+    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_1
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 2.3406937e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
+    fine_sinc_rest_2 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_7 = 4276409088 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
     fine_g1 = fine_c * fine_sinc
     fine_g1_cross_1 = fine_c_lo * fine_sinc + fine_c * fine_sinc_lo
     fine_g1_size_1 = absolute(fine_c)
     fine_g1_size_2 = absolute(fine_sinc)
     fine_g1_rest_1 = 2.5011469e-12 * fine_sine_size_1
     fine_g1_bound_1 = absolute(fine_c_lo) + fine_g1_rest_1
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
-    fine_g1_rest_2 = 6.0965586e-12 * (3.308722450212111e-24 + fine_sinc_size_7)
+    fine_g1_rest_2 = 2.3406946e-10 * (3.308722450212111e-24 + (fine_sinc_size_1 + fine_sinc_size_7))
     fine_g1_bound_2 = absolute(fine_sinc_lo) + fine_g1_rest_2
     fine_g1_size_5 = fine_g1_bound_2 * fine_g1_size_1 + fine_g1_bound_1 * fine_g1_size_2
     fine_g1_size_8 = fine_g1_rest_2 * fine_g1_size_1 + fine_g1_rest_1 * fine_g1_size_2
@@ -4317,16 +4395,15 @@ def SE3_exp(s):
 
 
 @kernel("(3,4)->(6),(6)")
+@errstate(all="ignore")
 def SE3_log(D):
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
     inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
     ω in rad/s).
-    653 mul, 1019 add, 29 product error, 35 product rest, 47 div, 5 sqrt, 14 neg, 181 abs, 6
-    copysign, 65 less, 10 equal, 167 select.  Error <= lin: 18 u, ang: 8 u of its largest
-    component for R of D a rotation; searched, not proved.  Intermediate sums may overflow where
-    |t| is above 2e306, in single precision 5e36.
+    658 mul, 1030 add, 29 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 182 abs, 6
+    copysign, 66 less, 9 equal, 167 select.
     """
     D_00, D_01, D_02, D_03, D_10, D_11, D_12, D_13, D_20, D_21, D_22, D_23 = D
     p_0 = D_21 - D_12
@@ -4837,13 +4914,13 @@ def SE3_log(D):
     fine_y_size_11 = 274878431232 * (fine_y_size_7 + 2.384185791015625e-07 * fine_y_size_3)
     fine_y_size_13 = absolute(fine_y)
     fine_y_size_14 = 4194312 * fine_y_size_3 + fine_y_size_11 + fine_y_size_13
-    fine_sinc_divisor_a = fine_half_angle == 0
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1, fine_half_angle)
+    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
+    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
     fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_cross2_1)
-    fine_sinc_divisor_size_4 = fine_y_bound_1 < absolute(fine_half_angle - 0)
-    fine_sinc_divisor_size_7 = absolute(1 - fine_half_angle) + fine_y_bound_1
+    fine_sinc_divisor_size_4 = fine_y_bound_1 < absolute(fine_half_angle - 1.4901161193847656e-08)
+    fine_sinc_divisor_size_7 = absolute(1.4901161193847656e-08 - fine_half_angle) + fine_y_bound_1
     fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1, fine_half_angle_size_1)
+    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_1)
     fine_sinc_quotient = fine_sine / fine_sinc_divisor
     fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
     fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
@@ -4870,15 +4947,25 @@ def SE3_log(D):
     fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
     fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
     fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc = where(fine_sinc_divisor_a, 1, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, 0, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 1.1643788e-11 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(1 - fine_sinc_quotient)
-    fine_sinc_size_6 = 88031903744 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_4)
-    fine_sinc_size_7 = where(fine_sinc_divisor_a, 1, fine_sinc_quotient_size_11) + fine_sinc_size_6
     fine_y_cross_1 = fine_y_cross1_1 + fine_half_angle * fine_half_angle_cross2_1
     fine_y_lo = product_error(fine_half_angle, fine_half_angle, fine_y) + fine_y_cross_1
+    fine_sinc_a = 0.16666667 * fine_y
+    fine_sinc_b = 1 - fine_sinc_a
+    fine_sinc_b_right_1 = 1 - fine_sinc_b
+    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
+    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
+    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
+    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_14
+    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
+    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
+    fine_sinc_rest_1 = 2.3706434e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
+    fine_sinc_rest_2 = 1.1643788e-11 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
+    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
+    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
+    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
+    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
+    fine_sinc_size_7 = 4221824256 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
+    fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7
     fine_series_phi_a = 5.107725e-32 * fine_y
     fine_series_phi_b = 4.1168266e-29 - fine_series_phi_a
     fine_series_phi_b_right_1 = 4.1168266e-29 - fine_series_phi_b
@@ -5208,7 +5295,7 @@ def SE3_log(D):
     fine_near_f_lo1_1 = fine_near_f_left_rest_1 + fine_near_f_right_rest_1
     fine_near_f_lo = fine_near_f_lo1_1 + (fine_near_f_a_cross_1 + fine_near_f_b_cross_1)
     fine_near_f_b_size_1 = 0.33333334 * (fine_f_more_size_15 + absolute(fine_f_more))
-    fine_near_f_size_1 = 0.33333334 * fine_sinc_size_7 + fine_near_f_b_size_1
+    fine_near_f_size_1 = 0.33333334 * fine_sinc_size_8 + fine_near_f_b_size_1
     fine_f_rest = fine_sinc - fine_c
     fine_f_rest_right_1 = fine_sinc - fine_f_rest
     fine_f_rest_left_rest_1 = fine_sinc - (fine_f_rest + fine_f_rest_right_1)
@@ -5231,7 +5318,7 @@ def SE3_log(D):
     fine_closed_f_padded_2 = 3.308722450212111e-24 + fine_far_y_size_10
     fine_closed_f_size_1 = absolute(fine_closed_f)
     fine_closed_f_size_2 = absolute(fine_far_y)
-    fine_closed_f_padded_1 = 3.308722450212111e-24 + (fine_c_size_7 + fine_sinc_size_7)
+    fine_closed_f_padded_1 = 3.308722450212111e-24 + (fine_c_size_7 + fine_sinc_size_8)
     fine_closed_f_bound_1 = absolute(fine_far_y_lo) + 3.751689e-12 * fine_closed_f_padded_2
     fine_closed_f_size_6 = 4 * fine_closed_f_bound_1 < fine_closed_f_size_2
     fine_closed_f_size_4 = fine_closed_f_padded_1 + fine_closed_f_padded_2 * fine_closed_f_size_1
@@ -5240,8 +5327,8 @@ def SE3_log(D):
     fine_closed_f_size_9 = fine_closed_f_reach_1 * (fine_closed_f_size_4 / fine_closed_f_size_7)
     fine_closed_f_size_11 = fine_closed_f_size_1 + fine_closed_f_size_9 / fine_closed_f_size_2
     fine_f = where(fine_far_y_a, fine_near_f, fine_closed_f)
-    fine_f_rest_1 = 1.2340228e-11 * (3.308722450212111e-24 + fine_near_f_size_1)
-    fine_f_rest_2 = 1.5914428e-11 * (3.308722450212111e-24 + fine_closed_f_size_11)
+    fine_f_rest_1 = 2.3784788e-10 * (3.308722450212111e-24 + fine_near_f_size_1)
+    fine_f_rest_2 = 2.4142321e-10 * (3.308722450212111e-24 + fine_closed_f_size_11)
     fine_f_size_4 = absolute(fine_near_f_lo) + fine_f_rest_1 + absolute(fine_near_f - fine_closed_f)
     fine_f_size_5 = absolute(fine_closed_f_lo) + fine_f_rest_2 + fine_f_size_4
     fine_f_size_1 = where(fine_far_y_a, fine_near_f_size_1, fine_closed_f_size_11)
@@ -5253,11 +5340,11 @@ def SE3_log(D):
     fine_f_lo = where(fine_far_y_a, fine_near_f_lo, fine_closed_f_lo)
     fine_b_numerator_1 = fine_f - fine_b_product_1 - fine_b_product_error_1 + fine_f_lo
     fine_b_lo = (fine_b_numerator_1 - fine_b * fine_four_k_cross2_1) / fine_four_k
-    fine_f_size_8 = fine_f_size_1 + 64212492288 * where(fine_far_y_size_4, 0, fine_f_size_5)
-    fine_b_padded_2 = 3.308722450212111e-24 + 4 * fine_sinc_size_7
+    fine_f_size_8 = fine_f_size_1 + 4147980288 * where(fine_far_y_size_4, 0, fine_f_size_5)
+    fine_b_padded_2 = 3.308722450212111e-24 + 4 * fine_sinc_size_8
     fine_b_size_1 = absolute(fine_b)
     fine_b_size_2 = absolute(fine_four_k)
-    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 1.1785948e-11 * fine_b_padded_2
+    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 2.372927e-10 * fine_b_padded_2
     fine_b_size_4 = 3.308722450212111e-24 + fine_f_size_8 + fine_b_padded_2 * fine_b_size_1
     fine_b_size_8 = fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)
     fine_b_size_10 = (fine_b_size_2 + 262144 * fine_b_bound_1) * fine_b_size_8 / fine_b_size_2
@@ -5267,11 +5354,11 @@ def SE3_log(D):
     fine_b_across_exact_1 = fine_c - fine_b_across_product_1 - fine_b_across_product_error_1
     fine_b_across_residual_1 = fine_b_across_exact_1 + fine_c_lo - fine_b_across * fine_sinc_lo
     fine_b_across_lo = fine_b_across_residual_1 / fine_sinc
-    fine_b_across_padded_2 = 3.308722450212111e-24 + fine_sinc_size_7
+    fine_b_across_padded_2 = 3.308722450212111e-24 + fine_sinc_size_8
     fine_b_across_size_1 = absolute(fine_b_across)
     fine_b_across_size_2 = absolute(fine_sinc)
     fine_b_across_size_3 = fine_b_across_padded_2 * fine_b_across_size_1
-    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 1.1643792e-11 * fine_b_across_padded_2
+    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 2.371497e-10 * fine_b_across_padded_2
     fine_b_across_size_6 = 4 * fine_b_across_bound_1 < fine_b_across_size_2
     fine_b_across_size_4 = 3.308722450212111e-24 + fine_c_size_7 + fine_b_across_size_3
     fine_b_across_size_7 = where(fine_b_across_size_6, fine_b_across_size_2, 0)
@@ -5307,7 +5394,7 @@ def SE3_log(D):
     fine_wt_c_size_1 = fine_wt_a_padded_1 * fine_wt_a_size_1 + fine_wt_b_padded_1 * fine_wt_b_size_1
     fine_pitch = fine_b * fine_wt
     fine_pitch_size_1 = absolute(fine_wt)
-    fine_pitch_rest_1 = 2.0414816e-11 * (3.308722450212111e-24 + (fine_b_size_1 + fine_b_size_10))
+    fine_pitch_rest_1 = 2.4592575e-10 * (3.308722450212111e-24 + (fine_b_size_1 + fine_b_size_10))
     fine_pitch_bound_1 = absolute(fine_b_lo) + fine_pitch_rest_1
     fine_wt_size_1 = fine_wt_c_size_1 + fine_wt_d_padded_1 * fine_wt_d_size_1
     fine_pitch_rest_2 = 4.504915e-12 * (3.308722450212111e-24 + fine_wt_size_1)
@@ -5426,13 +5513,13 @@ def SE3_log(D):
     fine_across_axis_size_3 = fine_along_size_43 + absolute(fine_along_2) + 0.5 * fine_u_size_3
     fine_so_lo_1 = fine_so_lo1_1 + fine_across_axis_lo_1 + D_03 * fine_b_across_lo
     fine_so_size_1 = fine_across_axis_size_1 + fine_so_0a_padded_1 * fine_wt_a_size_1
-    so_rest_1 = 1.5792513e-11 * (3.308722450212111e-24 + fine_so_size_1)
+    so_rest_1 = 2.4130226e-10 * (3.308722450212111e-24 + fine_so_size_1)
     fine_so_lo_2 = fine_so_lo1_2 + fine_across_axis_lo_2 + D_13 * fine_b_across_lo
     fine_so_size_2 = fine_across_axis_size_2 + fine_so_0a_padded_1 * fine_wt_b_size_1
-    so_rest_2 = 1.5792513e-11 * (3.308722450212111e-24 + fine_so_size_2)
+    so_rest_2 = 2.4130226e-10 * (3.308722450212111e-24 + fine_so_size_2)
     fine_so_lo_3 = fine_so_lo1_3 + fine_across_axis_lo_3 + D_23 * fine_b_across_lo
     fine_so_size_3 = fine_across_axis_size_3 + fine_so_0a_padded_1 * fine_wt_d_size_1
-    so_rest_3 = 1.5792513e-11 * (3.308722450212111e-24 + fine_so_size_3)
+    so_rest_3 = 2.4130226e-10 * (3.308722450212111e-24 + fine_so_size_3)
     vector_error_2 = 1.0000005 * absolute(fine_vector_lo_1 + (fine_vector_0 - vector_0))
     vector_error_4 = 1.0000005 * absolute(fine_vector_lo_2 + (fine_vector_1 - vector_1))
     vector_error_6 = 1.0000005 * absolute(fine_vector_lo_3 + (fine_vector_2 - vector_2))
