@@ -63,7 +63,8 @@ def _made(program: Program, precision: Precision) -> Program:
     """The tier's program of an operation."""
     if is_polynomial(program):
         return certified(program, precision)
-    return certified_scene.of_scene(program, precision)
+    # an operation chooses between formulas for the same
+    return certified_scene.of_scene(program, precision, kinks=False)
 
 
 def _has(program: Program) -> bool:

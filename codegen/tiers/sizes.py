@@ -33,7 +33,7 @@ Factors 1 + 64 u cover terms of higher order.  The first rule for products multi
 too large by; so it is used if one factor has k <= CLOSE, which is a number as it is, a constant, or
 the sine or cosine of one.  For the second rule A is fl(|x̂| + B / κ u), B the bound of |x - x̂|; up
 to κ = SPREAD units of relative error it is hardly more than |x̂|.  The third is used where an s
-contains an error, which may be most of it, as after choices and roots.
+contains an error, which may be most of it, as after choices and roots of scenes.
 
 Underflow.  Every operation adds h_0 = 16 η / u² to h: m u² h_0 is more than what its own underflows
 and those of d, in which products' errors are computed to 8 η, can lose.  A product would multiply h
@@ -87,6 +87,7 @@ class Sizes(Errors):
     """Issues sizes and bounds beside values and errors, each once."""
 
     spread = SPREAD  # κ
+    kinks = True  # whether choices may be between values that differ by much more than u
 
     def __init__(self, program: Program, precision: Precision) -> None:
         super().__init__(program, precision)
@@ -147,9 +148,9 @@ class Sizes(Errors):
         a, b = map(self.size, step.operands)
         widened = a.widened or b.widened
         plain = a.exact or b.exact or any(isinstance(x, Constant) for x in step.operands)
-        if widened and not plain:
+        if widened and not plain and self.kinks:
             return self._of_wide_product(step)
-        if min(a.k, b.k) > CLOSE:
+        if min(a.k, b.k) > CLOSE or widened and not plain:
             return self._of_far_product(*step.operands)
         h, u = self._slack_of_product(a, b), self.u
         if h is None:

@@ -880,7 +880,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "inf or NaN.\n"
     "\n"
     "(3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.\n"
-    "387 mul, 536 add, 17 product error, 22 product rest, 12 div, 3 sqrt, 61 abs, 14 less, 1\n"
+    "336 mul, 494 add, 17 product error, 22 product rest, 12 div, 3 sqrt, 51 abs, 14 less, 1\n"
     "equal, 29 select.\n",
    1, 2, SO3_exp_loops},
   {"SO3_log", "(3,3)->(3),(3)",
@@ -888,7 +888,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "|error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(3,3)->(3),(3).  R: rotation or other 3×3 matrix; vo, vo_bound: vector.\n"
-    "242 mul, 465 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 71 abs, 4\n"
+    "216 mul, 442 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 65 abs, 4\n"
     "copysign, 34 less, 6 equal, 99 select.\n",
    1, 2, SO3_log_loops},
   {"SO3_leftJacobian", "(3)->(3,3),(3,3)",
@@ -896,7 +896,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "unless inf or NaN.\n"
     "\n"
     "(3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.\n"
-    "442 mul, 755 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 92 abs, 20 less, 1\n"
+    "433 mul, 747 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 90 abs, 20 less, 1\n"
     "equal, 45 select.\n",
    1, 2, SO3_leftJacobian_loops},
   {"SO3_rightJacobian", "(3)->(3,3),(3,3)",
@@ -904,7 +904,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "unless inf or NaN.\n"
     "\n"
     "(3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.\n"
-    "442 mul, 755 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 92 abs, 20\n"
+    "433 mul, 747 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 90 abs, 20\n"
     "less, 1 equal, 45 select.\n",
    1, 2, SO3_rightJacobian_loops},
   {"SO3_leftJacobianInverse", "(3)->(3,3),(3,3)",
@@ -942,7 +942,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "\n"
     "(6)->(3,4),(3,4).  s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R\n"
     "rotation, t in m.\n"
-    "562 mul, 909 add, 24 product error, 58 product rest, 16 div, 3 sqrt, 116 abs, 20 less, 1\n"
+    "524 mul, 876 add, 24 product error, 58 product rest, 16 div, 3 sqrt, 102 abs, 20 less, 1\n"
     "equal, 46 select.\n",
    1, 2, SE3_exp_loops},
   {"SE3_log", "(3,4)->(6),(6)",
@@ -951,7 +951,7 @@ const coscrew_gufunc TABLE(exponential)[] = {
     "\n"
     "(3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;\n"
     "ω in rad/s).\n"
-    "699 mul, 1095 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 182 abs, 6\n"
+    "580 mul, 996 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 161 abs, 6\n"
     "copysign, 66 less, 9 equal, 167 select.\n",
    1, 2, SE3_log_loops},
   {NULL, NULL, NULL, 0, 0, NULL},

@@ -905,7 +905,7 @@ const coscrew_gufunc TABLE(mat3x3)[] = {
     "\n"
     "(3,3)->(),(3),(),(3).  R: rotation or other 3×3 matrix; angle, angle_bound: number; axis,\n"
     "axis_bound: vector.\n"
-    "217 mul, 454 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 66 abs, 4\n"
+    "205 mul, 442 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 63 abs, 4\n"
     "copysign, 34 less, 6 equal, 103 select.\n",
    1, 4, axis_angle_from_mat3x3_loops},
   {NULL, NULL, NULL, 0, 0, NULL},

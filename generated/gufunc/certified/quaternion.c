@@ -4466,7 +4466,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "\n"
     "(4)->(),(3),(),(3).  q: quaternion (x, y, z, w), the scalar last; angle, angle_bound:\n"
     "number; axis, axis_bound: vector.\n"
-    "210 mul, 327 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 53 abs, 4\n"
+    "201 mul, 318 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4\n"
     "copysign, 35 less, 10 equal, 69 select.\n",
    1, 4, axis_angle_from_quaternion_loops},
   {"quaternion_exp", "(3)->(4),(4)",
@@ -4474,7 +4474,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "of qo| <= qo_bound unless inf or NaN.\n"
     "\n"
     "(3)->(4),(4).  v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.\n"
-    "281 mul, 361 add, 17 product error, 4 product rest, 11 div, 3 sqrt, 41 abs, 11 less, 1\n"
+    "266 mul, 346 add, 17 product error, 4 product rest, 11 div, 3 sqrt, 37 abs, 11 less, 1\n"
     "equal, 24 select.\n",
    1, 2, quaternion_exp_loops},
   {"quaternion_log", "(4)->(3),(3)",
@@ -4482,7 +4482,7 @@ const coscrew_gufunc TABLE(quaternion)[] = {
     "it; |error of vo| <= vo_bound unless inf or NaN.\n"
     "\n"
     "(4)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.\n"
-    "229 mul, 335 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 55 abs, 4\n"
+    "209 mul, 315 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4\n"
     "copysign, 35 less, 10 equal, 65 select.\n",
    1, 2, quaternion_log_loops},
   {NULL, NULL, NULL, 0, 0, NULL},

@@ -1502,7 +1502,7 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.floating] | N
 
     (4)->(),(3),(),(3).  q: quaternion (x, y, z, w), the scalar last; angle, angle_bound:
     number; axis, axis_bound: vector.
-    210 mul, 327 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 53 abs, 4
+    201 mul, 318 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4
     copysign, 35 less, 10 equal, 69 select.
     """
 
@@ -1511,7 +1511,7 @@ def quaternion_exp(v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray
     of qo| <= qo_bound unless inf or NaN.
 
     (3)->(4),(4).  v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-    281 mul, 361 add, 17 product error, 4 product rest, 11 div, 3 sqrt, 41 abs, 11 less, 1
+    266 mul, 346 add, 17 product error, 4 product rest, 11 div, 3 sqrt, 37 abs, 11 less, 1
     equal, 24 select.
     """
 
@@ -1520,7 +1520,7 @@ def quaternion_log(q: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray
     it; |error of vo| <= vo_bound unless inf or NaN.
 
     (4)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
-    229 mul, 335 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 55 abs, 4
+    209 mul, 315 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4
     copysign, 35 less, 10 equal, 65 select.
     """
 
@@ -1529,7 +1529,7 @@ def SO3_exp(v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.flo
     inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    387 mul, 536 add, 17 product error, 22 product rest, 12 div, 3 sqrt, 61 abs, 14 less, 1
+    336 mul, 494 add, 17 product error, 22 product rest, 12 div, 3 sqrt, 51 abs, 14 less, 1
     equal, 29 select.
     """
 
@@ -1538,7 +1538,7 @@ def SO3_log(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.flo
     |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; vo, vo_bound: vector.
-    242 mul, 465 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 71 abs, 4
+    216 mul, 442 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 65 abs, 4
     copysign, 34 less, 6 equal, 99 select.
     """
 
@@ -1547,7 +1547,7 @@ def SO3_leftJacobian(v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArr
     unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    442 mul, 755 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 92 abs, 20 less, 1
+    433 mul, 747 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 90 abs, 20 less, 1
     equal, 45 select.
     """
 
@@ -1556,7 +1556,7 @@ def SO3_rightJacobian(v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDAr
     unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    442 mul, 755 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 92 abs, 20
+    433 mul, 747 add, 21 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 90 abs, 20
     less, 1 equal, 45 select.
     """
 
@@ -1592,7 +1592,7 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None,
 
     (3,3)->(),(3),(),(3).  R: rotation or other 3×3 matrix; angle, angle_bound: number; axis,
     axis_bound: vector.
-    217 mul, 454 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 66 abs, 4
+    205 mul, 442 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 63 abs, 4
     copysign, 34 less, 6 equal, 103 select.
     """
 
@@ -1617,7 +1617,7 @@ def SE3_exp(s: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.flo
 
     (6)->(3,4),(3,4).  s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R
     rotation, t in m.
-    562 mul, 909 add, 24 product error, 58 product rest, 16 div, 3 sqrt, 116 abs, 20 less, 1
+    524 mul, 876 add, 24 product error, 58 product rest, 16 div, 3 sqrt, 102 abs, 20 less, 1
     equal, 46 select.
     """
 
@@ -1627,7 +1627,7 @@ def SE3_log(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.flo
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
     ω in rad/s).
-    699 mul, 1095 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 182 abs, 6
+    580 mul, 996 add, 36 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 161 abs, 6
     copysign, 66 less, 9 equal, 167 select.
     """
 

@@ -757,7 +757,7 @@ def axis_angle_from_mat3x3(R):
 
     (3,3)->(),(3),(),(3).  R: rotation or other 3×3 matrix; angle, angle_bound: number; axis,
     axis_bound: vector.
-    217 mul, 454 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 66 abs, 4
+    205 mul, 442 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 63 abs, 4
     copysign, 34 less, 6 equal, 103 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -886,59 +886,39 @@ def axis_angle_from_mat3x3(R):
     v_y_2 = upper_2 * v_s
     v_y_lo_3 = (upper_2 - v_y_2 * v_y_inverse_1 + where(upper_0b, upper_2a_lo, column_lo_3)) * v_s
     v_n_a = v_y_0 * v_y_0
-    v_n_a_size_1 = absolute(v_y_0)
     v_y_size_1 = v_s_size_3 * (1.8051943758648296e-276 + upper_size_10)
     v_n_a_padded_1 = 1.8051943758648296e-276 + v_y_size_1
-    v_n_a_rest_1 = 6.705320021857442e-30 * v_n_a_padded_1
-    v_n_a_bound_1 = absolute(v_y_lo_1) + v_n_a_rest_1
-    v_n_a_size_2 = v_n_a_bound_1 * v_n_a_size_1
-    v_n_a_size_3 = v_n_a_size_2 + v_n_a_size_2
-    v_n_a_size_4 = v_n_a_rest_1 * v_n_a_size_1
-    v_n_a_size_7 = v_n_a_size_4 + v_n_a_size_4 + v_n_a_bound_1 * v_n_a_bound_1
-    v_n_a_size_11 = 7.922816251426462e+28 * (v_n_a_size_7 + 4.440892098500626e-16 * v_n_a_size_3)
+    v_n_a_units_1 = 140737488355328 * (absolute(v_y_lo_1) + 6.705320021857442e-30 * v_n_a_padded_1)
+    v_n_a_size_2 = v_n_a_padded_1 * (absolute(v_y_0) + v_n_a_units_1)
     v_n_b = v_y_1 * v_y_1
-    v_n_b_size_1 = absolute(v_y_1)
     v_y_size_2 = v_s_size_3 * (1.8051943758648296e-276 + upper_size_17)
     v_n_b_padded_1 = 1.8051943758648296e-276 + v_y_size_2
-    v_n_b_rest_1 = 6.705320021857442e-30 * v_n_b_padded_1
-    v_n_b_bound_1 = absolute(v_y_lo_2) + v_n_b_rest_1
-    v_n_b_size_2 = v_n_b_bound_1 * v_n_b_size_1
-    v_n_b_size_3 = v_n_b_size_2 + v_n_b_size_2
-    v_n_b_size_4 = v_n_b_rest_1 * v_n_b_size_1
-    v_n_b_size_7 = v_n_b_size_4 + v_n_b_size_4 + v_n_b_bound_1 * v_n_b_bound_1
-    v_n_b_size_11 = 7.922816251426462e+28 * (v_n_b_size_7 + 4.440892098500626e-16 * v_n_b_size_3)
+    v_n_b_units_1 = 140737488355328 * (absolute(v_y_lo_2) + 6.705320021857442e-30 * v_n_b_padded_1)
+    v_n_b_size_2 = v_n_b_padded_1 * (absolute(v_y_1) + v_n_b_units_1)
     v_n_c = v_n_a + v_n_b
     v_n_c_right_1 = v_n_c - v_n_a
     v_n_c_left_rest_1 = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
     v_n_c_cross_1 = v_y_lo_1 * v_y_0 + v_y_0 * v_y_lo_1 + (v_y_lo_2 * v_y_1 + v_y_1 * v_y_lo_2)
-    v_n_a_size_14 = 2251799813685256 * v_n_a_size_3 + v_n_a_size_11 + absolute(v_n_a)
-    v_n_b_size_14 = 2251799813685256 * v_n_b_size_3 + v_n_b_size_11 + absolute(v_n_b)
     v_n_d = v_y_2 * v_y_2
-    v_n_d_size_1 = absolute(v_y_2)
     v_y_size_3 = v_s_size_3 * (1.8051943758648296e-276 + upper_size_24)
     v_n_d_padded_1 = 1.8051943758648296e-276 + v_y_size_3
-    v_n_d_rest_1 = 6.705320021857442e-30 * v_n_d_padded_1
-    v_n_d_bound_1 = absolute(v_y_lo_3) + v_n_d_rest_1
-    v_n_d_size_2 = v_n_d_bound_1 * v_n_d_size_1
-    v_n_d_size_3 = v_n_d_size_2 + v_n_d_size_2
-    v_n_d_size_4 = v_n_d_rest_1 * v_n_d_size_1
-    v_n_d_size_7 = v_n_d_size_4 + v_n_d_size_4 + v_n_d_bound_1 * v_n_d_bound_1
-    v_n_d_size_11 = 7.922816251426462e+28 * (v_n_d_size_7 + 4.440892098500626e-16 * v_n_d_size_3)
+    v_n_d_units_1 = 140737488355328 * (absolute(v_y_lo_3) + 6.705320021857442e-30 * v_n_d_padded_1)
+    v_n_d_size_2 = v_n_d_padded_1 * (absolute(v_y_2) + v_n_d_units_1)
     v_n_e = v_n_c + v_n_d
     v_n_e_right_1 = v_n_e - v_n_c
     v_n_e_lo1_1 = v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
     v_n_c_lo = v_n_c_left_rest_1 + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1) + v_n_c_cross_1
     v_n_e_lo = v_n_e_lo1_1 + (v_y_lo_3 * v_y_2 + v_y_2 * v_y_lo_3) + v_n_c_lo
-    v_n_d_size_14 = 2251799813685256 * v_n_d_size_3 + v_n_d_size_11 + absolute(v_n_d)
+    v_n_c_size_1 = v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
     v_n = sqrt(v_n_e)
     v_n_product_1 = v_n * v_n
     v_n_residual_1 = v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo
     v_n_lo = v_n_residual_1 / where(v_n == 0, 1, v_n + v_n)
-    v_n_padded_1 = 1.8051943758648296e-276 + (v_n_a_size_14 + v_n_b_size_14 + v_n_d_size_14)
-    v_n_bound_1 = absolute(v_n_e_lo) + 1.5210228983750322e-29 * v_n_padded_1
+    v_n_padded_1 = 1.8051943758648296e-276 + (v_n_c_size_1 + (v_n_d_size_2 + v_n_d_size_2))
+    v_n_bound_1 = absolute(v_n_e_lo) + 1.150011758590251e-29 * v_n_padded_1
     v_n_size_6 = absolute(v_n_lo)
     v_n_size_4 = (absolute(v_n_e) + 140737488355328 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
-    v_n_size_8 = 9.422719703312696e+28 * (sqrt(v_n_bound_1) + v_n_size_6)
+    v_n_size_8 = 1.1418664350501995e+29 * (sqrt(v_n_bound_1) + v_n_size_6)
     v_n_size_12 = v_n + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, v_n_size_8)
     v_r_a = v_s < 1
     v_r_c = 1 < v_s
@@ -968,29 +948,29 @@ def axis_angle_from_mat3x3(R):
     half_size_2 = absolute(n)
     half_size_3 = absolute(upper_3)
     half_size_5 = where(half_size_2 < half_size_3, half_size_3, half_size_2)
-    half_bound_1 = absolute(n_lo) + 1.1278249656972941e-29 * half_padded_1
+    half_bound_1 = absolute(n_lo) + 9.423194733875307e-30 * half_padded_1
     half_bound_2 = absolute(upper_lo_4) + 6.508104019725916e-30 * half_padded_2
     half_size_11 = (half_bound_2 + (1.8051943758648296e-276 + half_bound_1)) / half_size_5
     half_size_13 = half_size_11 * half_size_11
     half_size_15 = 7 + absolute(half_lo)
     half_size_18 = where(half_bound_2 < upper_3, half_size_13, half_size_15)
     half_size_19 = where(half_bound_1 < half_size_2, half_size_13, half_size_18)
-    half_size_21 = 4.527322647045518e+28 * where(half_size_11 < 0.25, half_size_19, half_size_15)
+    half_size_21 = 4.527322338646221e+28 * where(half_size_11 < 0.25, half_size_19, half_size_15)
     divisor_a = v_n == 0
     divisor = where(divisor_a, 1, v_n)
     divisor_lo = where(divisor_a, 0, v_n_lo)
-    divisor_bound_1 = 1.1007077921467059e-29 * n_padded_1 + v_n_size_6
+    divisor_bound_1 = 9.152022998369425e-30 * n_padded_1 + v_n_size_6
     divisor_size_4 = divisor_bound_1 < absolute(v_n - 0)
     divisor_size_8 = where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - v_n))
     unit_0 = v_y_0 / divisor
     unit_product_1 = unit_0 * divisor
     unit_exact_1 = v_y_0 - unit_product_1 - product_error(unit_0, divisor, unit_product_1)
     unit_lo_1 = (unit_exact_1 + v_y_lo_1 - unit_0 * divisor_lo) / divisor
-    divisor_size_10 = where(divisor_a, 1, v_n_size_12) + 7.922814362480319e+28 * divisor_size_8
+    divisor_size_10 = where(divisor_a, 1, v_n_size_12) + 7.9228134180075855e+28 * divisor_size_8
     unit_padded_1 = 1.8051943758648296e-276 + divisor_size_10
     unit_size_1 = absolute(unit_0)
     unit_size_2 = absolute(divisor)
-    unit_bound_1 = absolute(divisor_lo) + 1.3016209591104374e-29 * unit_padded_1
+    unit_bound_1 = absolute(divisor_lo) + 1.3016211142756918e-29 * unit_padded_1
     unit_size_7 = where(4 * unit_bound_1 < unit_size_2, unit_size_2, 0)
     unit_reach_1 = unit_size_2 + 140737488355328 * unit_bound_1
     unit_size_9 = unit_reach_1 * ((unit_padded_1 * unit_size_1 + v_n_a_padded_1) / unit_size_7)
@@ -1008,17 +988,17 @@ def axis_angle_from_mat3x3(R):
     angle = 2 * half
     half_size_22 = absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21
     axis_0 = where(divisor_a, 1, unit_0)
-    axis_rest_1 = 1.8620411493353057e-29 * (1.8051943758648296e-276 + unit_size_11)
+    axis_rest_1 = 1.86204130450056e-29 * (1.8051943758648296e-276 + unit_size_11)
     axis_size_5 = where(divisor_size_4, 0, absolute(unit_lo_1) + axis_rest_1 + absolute(1 - unit_0))
-    angle_rest_1 = 2.3160470944505723e-29 * (1.8051943758648296e-276 + 2 * half_size_22)
-    axis_size_7 = where(divisor_a, 1, unit_size_11) + 5.51651906091052e+28 * axis_size_5
-    axis_rest_2 = 1.86204130450056e-29 * (1.8051943758648296e-276 + axis_size_7)
+    angle_rest_1 = 2.3160472449138492e-29 * (1.8051943758648296e-276 + 2 * half_size_22)
+    axis_size_7 = where(divisor_a, 1, unit_size_11) + 5.516518603020976e+28 * axis_size_5
+    axis_rest_2 = 1.8620414596658144e-29 * (1.8051943758648296e-276 + axis_size_7)
     unit_padded_2 = 1.8051943758648296e-276 + (unit_size_12 + unit_size_16 / unit_size_2)
     unit_error_2 = absolute((unit_exact_2 + v_y_lo_2 - unit_1 * divisor_lo) / divisor)
     unit_padded_3 = 1.8051943758648296e-276 + (unit_size_19 + unit_size_23 / unit_size_2)
     unit_error_3 = absolute((unit_exact_3 + v_y_lo_3 - unit_2 * divisor_lo) / divisor)
     angle_bound_1 = absolute(2 * half_lo) + angle_rest_1
     axis_bound_2 = absolute(where(divisor_a, 0, unit_lo_1)) + axis_rest_2
-    unit_bound_2 = unit_error_2 + 1.8620411493353057e-29 * unit_padded_2
-    unit_bound_3 = unit_error_3 + 1.8620411493353057e-29 * unit_padded_3
+    unit_bound_2 = unit_error_2 + 1.86204130450056e-29 * unit_padded_2
+    unit_bound_3 = unit_error_3 + 1.86204130450056e-29 * unit_padded_3
     return (angle, axis_0, unit_1, unit_2, angle_bound_1, axis_bound_2, unit_bound_2, unit_bound_3)

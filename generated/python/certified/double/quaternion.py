@@ -1546,7 +1546,7 @@ def axis_angle_from_quaternion(q):
 
     (4)->(),(3),(),(3).  q: quaternion (x, y, z, w), the scalar last; angle, angle_bound:
     number; axis, axis_bound: vector.
-    210 mul, 327 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 53 abs, 4
+    201 mul, 318 add, 25 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4
     copysign, 35 less, 10 equal, 69 select.
     """
     q_0, q_1, q_2, q_3 = q
@@ -1611,44 +1611,35 @@ def axis_angle_from_quaternion(q):
     v_n_a = v_y_0 * v_y_0
     v_y_size_1 = v_s_size_3 * (1.8051943758648296e-276 + upper_size_11)
     v_n_a_padded_1 = 1.8051943758648296e-276 + v_y_size_1
-    v_n_a_rest_1 = 3.4142893812359766e-30 * v_n_a_padded_1
-    v_n_a_size_2 = v_n_a_rest_1 * absolute(v_y_0)
-    v_n_a_size_3 = v_n_a_size_2 + v_n_a_size_2
-    v_n_a_size_7 = v_n_a_size_3 + v_n_a_rest_1 * v_n_a_rest_1 + 4.440892098500626e-16 * v_n_a_size_3
-    v_n_a_size_10 = 2251799813685256 * v_n_a_size_3 + 7.922816251426462e+28 * v_n_a_size_7
+    v_n_a_reach_1 = absolute(v_y_0) + 140737488355328 * (3.4142893812359766e-30 * v_n_a_padded_1)
+    v_n_a_size_2 = v_n_a_padded_1 * v_n_a_reach_1
     v_n_b = v_y_1 * v_y_1
     v_y_size_2 = v_s_size_3 * (1.8051943758648296e-276 + upper_size_18)
     v_n_b_padded_1 = 1.8051943758648296e-276 + v_y_size_2
-    v_n_b_rest_1 = 3.4142893812359766e-30 * v_n_b_padded_1
-    v_n_b_size_2 = v_n_b_rest_1 * absolute(v_y_1)
-    v_n_b_size_3 = v_n_b_size_2 + v_n_b_size_2
-    v_n_b_size_7 = v_n_b_size_3 + v_n_b_rest_1 * v_n_b_rest_1 + 4.440892098500626e-16 * v_n_b_size_3
-    v_n_b_size_10 = 2251799813685256 * v_n_b_size_3 + 7.922816251426462e+28 * v_n_b_size_7
+    v_n_b_reach_1 = absolute(v_y_1) + 140737488355328 * (3.4142893812359766e-30 * v_n_b_padded_1)
+    v_n_b_size_2 = v_n_b_padded_1 * v_n_b_reach_1
     v_n_c = v_n_a + v_n_b
     v_n_c_right_1 = v_n_c - v_n_a
     v_n_c_left_rest_1 = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
     v_n_d = v_y_2 * v_y_2
     v_y_size_3 = v_s_size_3 * (1.8051943758648296e-276 + upper_size_25)
     v_n_d_padded_1 = 1.8051943758648296e-276 + v_y_size_3
-    v_n_d_rest_1 = 3.4142893812359766e-30 * v_n_d_padded_1
-    v_n_d_size_2 = v_n_d_rest_1 * absolute(v_y_2)
-    v_n_d_size_3 = v_n_d_size_2 + v_n_d_size_2
-    v_n_d_size_7 = v_n_d_size_3 + v_n_d_rest_1 * v_n_d_rest_1 + 4.440892098500626e-16 * v_n_d_size_3
-    v_n_d_size_10 = 2251799813685256 * v_n_d_size_3 + 7.922816251426462e+28 * v_n_d_size_7
+    v_n_d_reach_1 = absolute(v_y_2) + 140737488355328 * (3.4142893812359766e-30 * v_n_d_padded_1)
+    v_n_d_size_2 = v_n_d_padded_1 * v_n_d_reach_1
     v_n_e = v_n_c + v_n_d
     v_n_e_right_1 = v_n_e - v_n_c
     v_n_e_lo1_1 = v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
     v_n_e_lo = v_n_e_lo1_1 + (v_n_c_left_rest_1 + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1))
-    v_n_c_size_1 = v_n_a_size_10 + absolute(v_n_a) + (v_n_b_size_10 + absolute(v_n_b))
+    v_n_c_size_1 = v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
     v_n = sqrt(v_n_e)
     v_n_product_1 = v_n * v_n
     v_n_residual_1 = v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo
     v_n_lo = v_n_residual_1 / where(v_n == 0, 1, v_n + v_n)
-    v_n_padded_1 = 1.8051943758648296e-276 + (v_n_c_size_1 + (v_n_d_size_10 + absolute(v_n_d)))
-    v_n_bound_1 = absolute(v_n_e_lo) + 1.5210228983750322e-29 * v_n_padded_1
+    v_n_padded_1 = 1.8051943758648296e-276 + (v_n_c_size_1 + (v_n_d_size_2 + v_n_d_size_2))
+    v_n_bound_1 = absolute(v_n_e_lo) + 7.235336013082471e-30 * v_n_padded_1
     v_n_size_6 = absolute(v_n_lo)
     v_n_size_4 = (absolute(v_n_e) + 140737488355328 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
-    v_n_size_8 = 9.422719703312696e+28 * (sqrt(v_n_bound_1) + v_n_size_6)
+    v_n_size_8 = 1.5970396877936164e+29 * (sqrt(v_n_bound_1) + v_n_size_6)
     v_n_size_12 = v_n + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, v_n_size_8)
     v_r_a = 1 < v_s
     v_r_c = 1.3093562431584567e+151 < v_s
@@ -1676,29 +1667,29 @@ def axis_angle_from_quaternion(q):
     half_size_2 = absolute(n)
     half_size_3 = absolute(upper_3)
     half_size_5 = where(half_size_2 < half_size_3, half_size_3, half_size_2)
-    half_bound_1 = absolute(n_lo) + 1.1278249656972941e-29 * half_padded_1
+    half_bound_1 = absolute(n_lo) + 6.859394487938082e-30 * half_padded_1
     half_rest_2 = 3.254051621949822e-30 * half_padded_2
     half_size_11 = (half_rest_2 + (1.8051943758648296e-276 + half_bound_1)) / half_size_5
     half_size_13 = half_size_11 * half_size_11
     half_size_15 = 7 + absolute(half_lo)
     half_size_18 = where(half_rest_2 < upper_3, half_size_13, half_size_15)
     half_size_19 = where(half_bound_1 < half_size_2, half_size_13, half_size_18)
-    half_size_21 = 4.527322647045518e+28 * where(half_size_11 < 0.25, half_size_19, half_size_15)
+    half_size_21 = 4.875578158636172e+28 * where(half_size_11 < 0.25, half_size_19, half_size_15)
     divisor_a = v_n == 0
     divisor = where(divisor_a, 1, v_n)
     divisor_lo = where(divisor_a, 0, v_n_lo)
-    divisor_bound_1 = 1.1007077921467059e-29 * n_padded_1 + v_n_size_6
+    divisor_bound_1 = 6.606712056056508e-30 * n_padded_1 + v_n_size_6
     divisor_size_4 = divisor_bound_1 < absolute(v_n - 0)
     divisor_size_8 = where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - v_n))
     unit_0 = v_y_0 / divisor
     unit_product_1 = unit_0 * divisor
     unit_exact_1 = v_y_0 - unit_product_1 - product_error(unit_0, divisor, unit_product_1)
     unit_lo_1 = (unit_exact_1 - unit_0 * divisor_lo) / divisor
-    divisor_size_10 = where(divisor_a, 1, v_n_size_12) + 7.922814362480319e+28 * divisor_size_8
+    divisor_size_10 = where(divisor_a, 1, v_n_size_12) + 9.054644677292507e+28 * divisor_size_8
     unit_padded_1 = 1.8051943758648296e-276 + divisor_size_10
     unit_size_1 = absolute(unit_0)
     unit_size_2 = absolute(divisor)
-    unit_bound_1 = absolute(divisor_lo) + 1.3016209591104374e-29 * unit_padded_1
+    unit_bound_1 = absolute(divisor_lo) + 1.1389183198259759e-29 * unit_padded_1
     unit_size_7 = where(4 * unit_bound_1 < unit_size_2, unit_size_2, 0)
     unit_reach_1 = unit_size_2 + 140737488355328 * unit_bound_1
     unit_size_9 = unit_reach_1 * ((unit_padded_1 * unit_size_1 + v_n_a_padded_1) / unit_size_7)
@@ -1716,19 +1707,19 @@ def axis_angle_from_quaternion(q):
     angle = 2 * half
     half_size_22 = absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21
     axis_0 = where(divisor_a, 1, unit_0)
-    axis_rest_1 = 1.8620411493353057e-29 * (1.8051943758648296e-276 + unit_size_11)
+    axis_rest_1 = 1.6442825652790928e-29 * (1.8051943758648296e-276 + unit_size_11)
     axis_size_5 = where(divisor_size_4, 0, absolute(unit_lo_1) + axis_rest_1 + absolute(1 - unit_0))
-    angle_rest_1 = 2.3160470944505723e-29 * (1.8051943758648296e-276 + 2 * half_size_22)
-    axis_size_7 = where(divisor_a, 1, unit_size_11) + 5.51651906091052e+28 * axis_size_5
-    axis_rest_2 = 1.86204130450056e-29 * (1.8051943758648296e-276 + axis_size_7)
+    angle_rest_1 = 2.1514956353001486e-29 * (1.8051943758648296e-276 + 2 * half_size_22)
+    axis_size_7 = where(divisor_a, 1, unit_size_11) + 6.250354999637554e+28 * axis_size_5
+    axis_rest_2 = 1.644282720444347e-29 * (1.8051943758648296e-276 + axis_size_7)
     unit_padded_2 = 1.8051943758648296e-276 + (unit_size_12 + unit_size_16 / unit_size_2)
     unit_error_2 = absolute((unit_exact_2 - unit_1 * divisor_lo) / divisor)
     unit_padded_3 = 1.8051943758648296e-276 + (unit_size_19 + unit_size_23 / unit_size_2)
     unit_error_3 = absolute((unit_exact_3 - unit_2 * divisor_lo) / divisor)
     angle_bound_1 = absolute(2 * half_lo) + angle_rest_1
     axis_bound_2 = absolute(where(divisor_a, 0, unit_lo_1)) + axis_rest_2
-    unit_bound_2 = unit_error_2 + 1.8620411493353057e-29 * unit_padded_2
-    unit_bound_3 = unit_error_3 + 1.8620411493353057e-29 * unit_padded_3
+    unit_bound_2 = unit_error_2 + 1.6442825652790928e-29 * unit_padded_2
+    unit_bound_3 = unit_error_3 + 1.6442825652790928e-29 * unit_padded_3
     return (angle, axis_0, unit_1, unit_2, angle_bound_1, axis_bound_2, unit_bound_2, unit_bound_3)
 
 
@@ -1739,7 +1730,7 @@ def quaternion_exp(v):
     of qo| <= qo_bound unless inf or NaN.
 
     (3)->(4),(4).  v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-    281 mul, 361 add, 17 product error, 4 product rest, 11 div, 3 sqrt, 41 abs, 11 less, 1
+    266 mul, 346 add, 17 product error, 4 product rest, 11 div, 3 sqrt, 37 abs, 11 less, 1
     equal, 24 select.
     """
     v_0, v_1, v_2 = v
@@ -1803,13 +1794,10 @@ def quaternion_exp(v):
     fine_h_2 = 0.5 * v_2
     fine_h_size_0 = absolute(fine_h_0)
     fine_h_size_padded_1 = 1.8051943758648296e-276 + 0.5 * absolute(v_0)
-    fine_h_size_rest_1 = 1.2325953113446296e-31 * fine_h_size_padded_1
     fine_h_size_1 = absolute(fine_h_1)
     fine_h_size_padded_2 = 1.8051943758648296e-276 + 0.5 * absolute(v_1)
-    fine_h_size_rest_2 = 1.2325953113446296e-31 * fine_h_size_padded_2
     fine_h_size_2 = absolute(fine_h_2)
     fine_h_size_padded_3 = 1.8051943758648296e-276 + 0.5 * absolute(v_2)
-    fine_h_size_rest_3 = 1.2325953113446296e-31 * fine_h_size_padded_3
     fine_h_largest1 = where(fine_h_size_0 < fine_h_size_1, fine_h_size_1, fine_h_size_0)
     fine_h_largest2 = where(fine_h_largest1 < fine_h_size_2, fine_h_size_2, fine_h_largest1)
     fine_s_a = 6.703903964971299e+153 < fine_h_largest2
@@ -1874,15 +1862,9 @@ def quaternion_exp(v):
     fine_half_angle_padded_1 = 1.8051943758648296e-276 + fine_reduced_length_size_12
     fine_half_angle_size_1 = fine_half_angle_padded_1 * fine_up_size_1
     fine_y = fine_half_angle * fine_half_angle
-    fine_y_size_1 = absolute(fine_half_angle)
     fine_y_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1
-    fine_y_rest_1 = 5.7192432555642225e-30 * fine_y_padded_1
-    fine_y_bound_1 = absolute(fine_half_angle_lo) + fine_y_rest_1
-    fine_y_size_2 = fine_y_bound_1 * fine_y_size_1
-    fine_y_size_3 = fine_y_size_2 + fine_y_size_2
-    fine_y_size_4 = fine_y_rest_1 * fine_y_size_1
-    fine_y_size_7 = fine_y_size_4 + fine_y_size_4 + fine_y_bound_1 * fine_y_bound_1
-    fine_y_size_11 = 7.922816251426462e+28 * (fine_y_size_7 + 4.440892098500626e-16 * fine_y_size_3)
+    fine_y_bound_1 = absolute(fine_half_angle_lo) + 5.7192432555642225e-30 * fine_y_padded_1
+    fine_y_size_2 = fine_y_padded_1 * (absolute(fine_half_angle) + 140737488355328 * fine_y_bound_1)
     fine_sine, fine_c = elementary.sincos(fine_half_angle)
     fine_sine_own_error_1, fine_c_own_error_1 = elementary.sincos_error(fine_half_angle, fine_sine, fine_c)
     fine_sine_half_1 = fine_half_angle_lo * 0.5
@@ -1929,17 +1911,16 @@ def quaternion_exp(v):
     fine_y_cross_1 = fine_half_angle_lo * fine_half_angle + fine_half_angle * fine_half_angle_lo
     fine_sinc_a = 0.16666666666666666 * fine_y
     fine_y_lo = product_error(fine_half_angle, fine_half_angle, fine_y) + fine_y_cross_1
-    fine_y_size_14 = 2251799813685256 * fine_y_size_3 + fine_y_size_11 + absolute(fine_y)
     fine_sinc_b = 1 - fine_sinc_a
     fine_sinc_b_right_1 = 1 - fine_sinc_b
     fine_sinc_b_right_rest_1 = product_rest(0.16666666666666666, fine_y, fine_sinc_a, fine_sinc_b_right_1)
     fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
     fine_sinc_a_cross_1 = 9.25185853854297e-18 * fine_y + 0.16666666666666666 * fine_y_lo
     fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1
-    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * fine_y_size_14
+    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * (fine_y_size_2 + fine_y_size_2)
     fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
     fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 8.224739680884703e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
+    fine_sinc_rest_1 = 8.201505264386605e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
     fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
     fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
     fine_sinc_bound_2 = absolute(fine_sinc_quotient_lo) + 2.755262189115544e-29 * fine_sinc_padded_2
@@ -1947,47 +1928,32 @@ def quaternion_exp(v):
     fine_sinc_size_6 = where(fine_sinc_divisor_size_5, 0, fine_sinc_bound_2 + fine_sinc_size_4)
     fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
     fine_qo_0 = fine_h_0 * fine_sinc
-    fine_qo_size_1 = absolute(fine_h_0)
-    fine_qo_size_2 = absolute(fine_sinc)
-    fine_sinc_size_8 = fine_sinc_size_1 + 1.216865194778664e+27 * fine_sinc_size_6
-    fine_qo_rest_1 = 8.226219760397954e-28 * (1.8051943758648296e-276 + fine_sinc_size_8)
-    fine_qo_bound_1 = absolute(fine_sinc_lo) + fine_qo_rest_1
-    fine_qo_size_4 = fine_h_size_rest_1 * fine_qo_size_2
-    fine_qo_size_5 = fine_qo_bound_1 * fine_qo_size_1 + fine_qo_size_4
-    fine_qo_size_7 = fine_qo_size_4 + fine_qo_rest_1 * fine_qo_size_1
-    fine_qo_size_9 = fine_qo_size_7 + fine_h_size_rest_1 * fine_qo_bound_1
-    fine_qo_size_11 = 4.440892098500626e-16 * fine_qo_size_5 + fine_qo_size_9
-    fine_qo_size_14 = 2251799813685256 * fine_qo_size_5 + 7.922816251426462e+28 * fine_qo_size_11
+    fine_sinc_size_8 = fine_sinc_size_1 + 1.2206826306780646e+27 * fine_sinc_size_6
+    fine_qo_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8
+    fine_qo_units_1 = 140737488355328 * (1.2325953113446296e-31 * fine_h_size_padded_1)
+    fine_qo_bound_1 = absolute(fine_sinc_lo) + 8.201506228291972e-28 * fine_qo_padded_1
+    fine_qo_reach_2 = absolute(fine_sinc) + 140737488355328 * fine_qo_bound_1
+    fine_qo_size_2 = fine_qo_padded_1 * (absolute(fine_h_0) + fine_qo_units_1)
     fine_qo_1 = fine_h_1 * fine_sinc
-    fine_qo_size_17 = absolute(fine_h_1)
-    fine_qo_size_19 = fine_h_size_rest_2 * fine_qo_size_2
-    fine_qo_size_20 = fine_qo_bound_1 * fine_qo_size_17 + fine_qo_size_19
-    fine_qo_size_22 = fine_qo_size_19 + fine_qo_rest_1 * fine_qo_size_17
-    fine_qo_size_24 = fine_qo_size_22 + fine_h_size_rest_2 * fine_qo_bound_1
-    fine_qo_size_26 = fine_qo_size_24 + 4.440892098500626e-16 * fine_qo_size_20
-    fine_qo_size_29 = 2251799813685256 * fine_qo_size_20 + 7.922816251426462e+28 * fine_qo_size_26
+    fine_qo_units_3 = 140737488355328 * (1.2325953113446296e-31 * fine_h_size_padded_2)
+    fine_qo_size_7 = fine_qo_padded_1 * (absolute(fine_h_1) + fine_qo_units_3)
     fine_qo_2 = fine_h_2 * fine_sinc
-    fine_qo_size_32 = absolute(fine_h_2)
-    fine_qo_size_34 = fine_h_size_rest_3 * fine_qo_size_2
-    fine_qo_size_35 = fine_qo_bound_1 * fine_qo_size_32 + fine_qo_size_34
-    fine_qo_size_37 = fine_qo_size_34 + fine_qo_rest_1 * fine_qo_size_32
-    fine_qo_size_39 = fine_qo_size_37 + fine_h_size_rest_3 * fine_qo_bound_1
-    fine_qo_size_41 = fine_qo_size_39 + 4.440892098500626e-16 * fine_qo_size_35
-    fine_qo_size_44 = 2251799813685256 * fine_qo_size_35 + 7.922816251426462e+28 * fine_qo_size_41
+    fine_qo_units_4 = 140737488355328 * (1.2325953113446296e-31 * fine_h_size_padded_3)
+    fine_qo_size_11 = fine_qo_padded_1 * (absolute(fine_h_2) + fine_qo_units_4)
     fine_qo_lo_1 = product_error(fine_h_0, fine_sinc, fine_qo_0) + fine_h_0 * fine_sinc_lo
-    qo_padded_1 = 1.8051943758648296e-276 + (fine_qo_size_14 + absolute(fine_qo_0))
-    qo_error_2 = 1.0000000000000009 * absolute(fine_qo_lo_1 + (fine_qo_0 - qo_0))
+    fine_qo_size_5 = fine_qo_size_2 + fine_h_size_padded_1 * fine_qo_reach_2
+    qo_rest_1 = 8.21414129263252e-28 * (1.8051943758648296e-276 + fine_qo_size_5)
     fine_qo_lo_2 = product_error(fine_h_1, fine_sinc, fine_qo_1) + fine_h_1 * fine_sinc_lo
-    qo_padded_2 = 1.8051943758648296e-276 + (fine_qo_size_29 + absolute(fine_qo_1))
-    qo_error_4 = 1.0000000000000009 * absolute(fine_qo_lo_2 + (fine_qo_1 - qo_1))
+    fine_qo_size_9 = fine_qo_size_7 + fine_h_size_padded_2 * fine_qo_reach_2
+    qo_rest_2 = 8.21414129263252e-28 * (1.8051943758648296e-276 + fine_qo_size_9)
     fine_qo_lo_3 = product_error(fine_h_2, fine_sinc, fine_qo_2) + fine_h_2 * fine_sinc_lo
-    qo_padded_3 = 1.8051943758648296e-276 + (fine_qo_size_44 + absolute(fine_qo_2))
-    qo_error_6 = 1.0000000000000009 * absolute(fine_qo_lo_3 + (fine_qo_2 - qo_2))
+    fine_qo_size_13 = fine_qo_size_11 + fine_h_size_padded_3 * fine_qo_reach_2
+    qo_rest_3 = 8.21414129263252e-28 * (1.8051943758648296e-276 + fine_qo_size_13)
     qo_error_7 = absolute(fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1 + (fine_c - qo_3))
     qo_rest_4 = 1.0551017099379097e-29 * fine_sinc_quotient_padded_1
-    qo_bound_1 = qo_error_2 + 1.3016206487799288e-29 * qo_padded_1
-    qo_bound_2 = qo_error_4 + 1.3016206487799288e-29 * qo_padded_2
-    qo_bound_3 = qo_error_6 + 1.3016206487799288e-29 * qo_padded_3
+    qo_bound_1 = 1.0000000000000009 * absolute(fine_qo_lo_1 + (fine_qo_0 - qo_0)) + qo_rest_1
+    qo_bound_2 = 1.0000000000000009 * absolute(fine_qo_lo_2 + (fine_qo_1 - qo_1)) + qo_rest_2
+    qo_bound_3 = 1.0000000000000009 * absolute(fine_qo_lo_3 + (fine_qo_2 - qo_2)) + qo_rest_3
     qo_bound_4 = 1.0000000000000009 * qo_error_7 + qo_rest_4
     return (qo_0, qo_1, qo_2, qo_3, qo_bound_1, qo_bound_2, qo_bound_3, qo_bound_4)
 
@@ -1999,7 +1965,7 @@ def quaternion_log(q):
     it; |error of vo| <= vo_bound unless inf or NaN.
 
     (4)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
-    229 mul, 335 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 55 abs, 4
+    209 mul, 315 add, 26 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4
     copysign, 35 less, 10 equal, 65 select.
     """
     q_0, q_1, q_2, q_3 = q
@@ -2047,15 +2013,12 @@ def quaternion_log(q):
     v_s_size_0 = absolute(upper_0)
     upper_size_11 = scaled_s_size_4 + 3.169126500570585e+29 * where(upper_size_4, 0, upper_size_8)
     v_s_size_padded_1 = 1.8051943758648296e-276 + upper_size_11
-    v_s_size_rest_1 = 3.254051621949822e-30 * v_s_size_padded_1
     v_s_size_1 = absolute(upper_1)
     upper_size_18 = scaled_s_size_8 + 3.169126500570585e+29 * where(upper_size_4, 0, upper_size_15)
     v_s_size_padded_2 = 1.8051943758648296e-276 + upper_size_18
-    v_s_size_rest_2 = 3.254051621949822e-30 * v_s_size_padded_2
     v_s_size_2 = absolute(upper_2)
     upper_size_25 = scaled_s_size_12 + 3.169126500570585e+29 * where(upper_size_4, 0, upper_size_22)
     v_s_size_padded_3 = 1.8051943758648296e-276 + upper_size_25
-    v_s_size_rest_3 = 3.254051621949822e-30 * v_s_size_padded_3
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_a = v_s_largest2 < 256
@@ -2069,41 +2032,32 @@ def quaternion_log(q):
     v_y_2 = upper_2 * v_s
     v_n_a = v_y_0 * v_y_0
     v_n_a_padded_1 = 1.8051943758648296e-276 + v_s_size_3 * v_s_size_padded_1
-    v_n_a_rest_1 = 3.4142893812359766e-30 * v_n_a_padded_1
-    v_n_a_size_2 = v_n_a_rest_1 * absolute(v_y_0)
-    v_n_a_size_3 = v_n_a_size_2 + v_n_a_size_2
-    v_n_a_size_7 = v_n_a_size_3 + v_n_a_rest_1 * v_n_a_rest_1 + 4.440892098500626e-16 * v_n_a_size_3
-    v_n_a_size_10 = 2251799813685256 * v_n_a_size_3 + 7.922816251426462e+28 * v_n_a_size_7
+    v_n_a_reach_1 = absolute(v_y_0) + 140737488355328 * (3.4142893812359766e-30 * v_n_a_padded_1)
+    v_n_a_size_2 = v_n_a_padded_1 * v_n_a_reach_1
     v_n_b = v_y_1 * v_y_1
     v_n_b_padded_1 = 1.8051943758648296e-276 + v_s_size_3 * v_s_size_padded_2
-    v_n_b_rest_1 = 3.4142893812359766e-30 * v_n_b_padded_1
-    v_n_b_size_2 = v_n_b_rest_1 * absolute(v_y_1)
-    v_n_b_size_3 = v_n_b_size_2 + v_n_b_size_2
-    v_n_b_size_7 = v_n_b_size_3 + v_n_b_rest_1 * v_n_b_rest_1 + 4.440892098500626e-16 * v_n_b_size_3
-    v_n_b_size_10 = 2251799813685256 * v_n_b_size_3 + 7.922816251426462e+28 * v_n_b_size_7
+    v_n_b_reach_1 = absolute(v_y_1) + 140737488355328 * (3.4142893812359766e-30 * v_n_b_padded_1)
+    v_n_b_size_2 = v_n_b_padded_1 * v_n_b_reach_1
     v_n_c = v_n_a + v_n_b
     v_n_c_right_1 = v_n_c - v_n_a
     v_n_c_left_rest_1 = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
     v_n_d = v_y_2 * v_y_2
     v_n_d_padded_1 = 1.8051943758648296e-276 + v_s_size_3 * v_s_size_padded_3
-    v_n_d_rest_1 = 3.4142893812359766e-30 * v_n_d_padded_1
-    v_n_d_size_2 = v_n_d_rest_1 * absolute(v_y_2)
-    v_n_d_size_3 = v_n_d_size_2 + v_n_d_size_2
-    v_n_d_size_7 = v_n_d_size_3 + v_n_d_rest_1 * v_n_d_rest_1 + 4.440892098500626e-16 * v_n_d_size_3
-    v_n_d_size_10 = 2251799813685256 * v_n_d_size_3 + 7.922816251426462e+28 * v_n_d_size_7
+    v_n_d_reach_1 = absolute(v_y_2) + 140737488355328 * (3.4142893812359766e-30 * v_n_d_padded_1)
+    v_n_d_size_2 = v_n_d_padded_1 * v_n_d_reach_1
     v_n_e = v_n_c + v_n_d
     v_n_e_right_1 = v_n_e - v_n_c
     v_n_e_lo1_1 = v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
     v_n_e_lo = v_n_e_lo1_1 + (v_n_c_left_rest_1 + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1))
-    v_n_c_size_1 = v_n_a_size_10 + absolute(v_n_a) + (v_n_b_size_10 + absolute(v_n_b))
+    v_n_c_size_1 = v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
     v_n = sqrt(v_n_e)
     v_n_product_1 = v_n * v_n
     v_n_residual_1 = v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo
     v_n_lo = v_n_residual_1 / where(v_n == 0, 1, v_n + v_n)
-    v_n_padded_1 = 1.8051943758648296e-276 + (v_n_c_size_1 + (v_n_d_size_10 + absolute(v_n_d)))
-    v_n_bound_1 = absolute(v_n_e_lo) + 1.5210228983750322e-29 * v_n_padded_1
+    v_n_padded_1 = 1.8051943758648296e-276 + (v_n_c_size_1 + (v_n_d_size_2 + v_n_d_size_2))
+    v_n_bound_1 = absolute(v_n_e_lo) + 7.235336013082471e-30 * v_n_padded_1
     v_n_size_4 = (absolute(v_n_e) + 140737488355328 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
-    v_n_size_8 = 9.422719703312696e+28 * (sqrt(v_n_bound_1) + absolute(v_n_lo))
+    v_n_size_8 = 1.5970396877936164e+29 * (sqrt(v_n_bound_1) + absolute(v_n_lo))
     v_r_a = 1 < v_s
     v_r_c = 1.3093562431584567e+151 < v_s
     v_r_b = where(v_r_a, float64(7.637340908749012e-152), float64(1))
@@ -2131,14 +2085,14 @@ def quaternion_log(q):
     half_size_2 = absolute(n)
     half_size_3 = absolute(upper_3)
     half_size_5 = where(half_size_2 < half_size_3, half_size_3, half_size_2)
-    half_bound_1 = absolute(n_lo) + 1.1278249656972941e-29 * half_padded_1
+    half_bound_1 = absolute(n_lo) + 6.859394487938082e-30 * half_padded_1
     half_rest_2 = 3.254051621949822e-30 * half_padded_2
     half_size_11 = (half_rest_2 + (1.8051943758648296e-276 + half_bound_1)) / half_size_5
     half_size_13 = half_size_11 * half_size_11
     half_size_15 = 7 + absolute(half_lo)
     half_size_18 = where(half_rest_2 < upper_3, half_size_13, half_size_15)
     half_size_19 = where(half_bound_1 < half_size_2, half_size_13, half_size_18)
-    half_size_21 = 4.527322647045518e+28 * where(half_size_11 < 0.25, half_size_19, half_size_15)
+    half_size_21 = 4.875578158636172e+28 * where(half_size_11 < 0.25, half_size_19, half_size_15)
     divisor_a = n == 0
     divisor = where(divisor_a, 1, n)
     divisor_lo = where(divisor_a, 0, n_lo)
@@ -2150,45 +2104,33 @@ def quaternion_log(q):
     k_product_1 = k * divisor
     k_numerator_1 = theta - k_product_1 - product_error(k, divisor, k_product_1) + 2 * half_lo
     k_lo = (k_numerator_1 - k * divisor_lo) / divisor
-    divisor_size_11 = where(divisor_a, 1, n_size_1) + 6.338251187752959e+28 * divisor_size_9
+    divisor_size_11 = where(divisor_a, 1, n_size_1) + 7.042501095850493e+28 * divisor_size_9
     k_padded_2 = 1.8051943758648296e-276 + divisor_size_11
     k_size_1 = absolute(k)
     k_size_2 = absolute(divisor)
-    k_bound_1 = absolute(divisor_lo) + 1.6270262376793602e-29 * k_padded_2
+    k_bound_1 = absolute(divisor_lo) + 1.464323675977526e-29 * k_padded_2
     k_size_4 = 1.8051943758648296e-276 + 2 * half_size_22 + k_padded_2 * k_size_1
     k_size_8 = k_size_4 / where(4 * k_bound_1 < k_size_2, k_size_2, 0)
     vector_0 = upper_0 * k
-    vector_size_1 = absolute(upper_0)
     k_size_11 = k_size_1 + (k_size_2 + 140737488355328 * k_bound_1) * k_size_8 / k_size_2
-    vector_rest_1 = 3.3169148287435204e-29 * (1.8051943758648296e-276 + k_size_11)
-    vector_bound_1 = absolute(k_lo) + vector_rest_1
-    vector_size_3 = k_size_1 * v_s_size_rest_1
-    vector_size_4 = vector_bound_1 * vector_size_1 + vector_size_3
-    vector_size_8 = vector_size_3 + vector_rest_1 * vector_size_1 + v_s_size_rest_1 * vector_bound_1
-    vector_size_12 = 7.922816251426462e+28 * (vector_size_8 + 4.440892098500626e-16 * vector_size_4)
+    vector_padded_1 = 1.8051943758648296e-276 + k_size_11
+    vector_units_1 = 140737488355328 * (3.254051621949822e-30 * v_s_size_padded_1)
+    vector_units_2 = 140737488355328 * (absolute(k_lo) + 3.097307347238718e-29 * vector_padded_1)
+    vector_reach_2 = k_size_1 + vector_units_2
+    vector_size_2 = vector_padded_1 * (absolute(upper_0) + vector_units_1)
     vector_1 = upper_1 * k
-    vector_size_16 = absolute(upper_1)
-    vector_size_18 = k_size_1 * v_s_size_rest_2
-    vector_size_19 = vector_bound_1 * vector_size_16 + vector_size_18
-    vector_size_21 = vector_size_18 + vector_rest_1 * vector_size_16
-    vector_size_23 = vector_size_21 + v_s_size_rest_2 * vector_bound_1
-    vector_size_25 = vector_size_23 + 4.440892098500626e-16 * vector_size_19
-    vector_size_28 = 2251799813685256 * vector_size_19 + 7.922816251426462e+28 * vector_size_25
+    vector_units_3 = 140737488355328 * (3.254051621949822e-30 * v_s_size_padded_2)
+    vector_size_6 = vector_padded_1 * (absolute(upper_1) + vector_units_3)
     vector_2 = upper_2 * k
-    vector_size_31 = absolute(upper_2)
-    vector_size_33 = k_size_1 * v_s_size_rest_3
-    vector_size_34 = vector_bound_1 * vector_size_31 + vector_size_33
-    vector_size_36 = vector_size_33 + vector_rest_1 * vector_size_31
-    vector_size_38 = vector_size_36 + v_s_size_rest_3 * vector_bound_1
-    vector_size_40 = vector_size_38 + 4.440892098500626e-16 * vector_size_34
-    vector_size_43 = 2251799813685256 * vector_size_34 + 7.922816251426462e+28 * vector_size_40
-    vector_size_15 = 2251799813685256 * vector_size_4 + vector_size_12 + absolute(vector_0)
-    vector_rest_2 = 1.3016206487799288e-29 * (1.8051943758648296e-276 + vector_size_15)
-    vector_padded_3 = 1.8051943758648296e-276 + (vector_size_28 + absolute(vector_1))
+    vector_units_4 = 140737488355328 * (3.254051621949822e-30 * v_s_size_padded_3)
+    vector_size_10 = vector_padded_1 * (absolute(upper_2) + vector_units_4)
+    vector_padded_2 = 1.8051943758648296e-276 + (vector_size_2 + v_s_size_padded_1 * vector_reach_2)
+    vector_error_3 = absolute(product_error(upper_0, k, vector_0) + upper_0 * k_lo)
+    vector_padded_3 = 1.8051943758648296e-276 + (vector_size_6 + v_s_size_padded_2 * vector_reach_2)
     vector_error_5 = absolute(product_error(upper_1, k, vector_1) + upper_1 * k_lo)
-    vector_padded_4 = 1.8051943758648296e-276 + (vector_size_43 + absolute(vector_2))
-    vector_error_7 = absolute(product_error(upper_2, k, vector_2) + upper_2 * k_lo)
-    vector_bound_2 = absolute(product_error(upper_0, k, vector_0) + upper_0 * k_lo) + vector_rest_2
-    vector_bound_3 = vector_error_5 + 1.3016206487799288e-29 * vector_padded_3
-    vector_bound_4 = vector_error_7 + 1.3016206487799288e-29 * vector_padded_4
+    vector_size_12 = vector_size_10 + v_s_size_padded_3 * vector_reach_2
+    vector_rest_4 = 3.2199508764278064e-29 * (1.8051943758648296e-276 + vector_size_12)
+    vector_bound_2 = vector_error_3 + 3.2199508764278064e-29 * vector_padded_2
+    vector_bound_3 = vector_error_5 + 3.2199508764278064e-29 * vector_padded_3
+    vector_bound_4 = absolute(product_error(upper_2, k, vector_2) + upper_2 * k_lo) + vector_rest_4
     return (vector_0, vector_1, vector_2, vector_bound_2, vector_bound_3, vector_bound_4)

@@ -1498,7 +1498,7 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.float32] | No
 
     (4)->(),(3),(),(3).  q: quaternion (x, y, z, w), the scalar last; angle, angle_bound:
     number; axis, axis_bound: vector.
-    176 mul, 268 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 53 abs, 4
+    167 mul, 259 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4
     copysign, 35 less, 10 equal, 69 select.
     """
 
@@ -1507,7 +1507,7 @@ def quaternion_exp(v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[
     of qo| <= qo_bound unless inf or NaN.
 
     (3)->(4),(4).  v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-    251 mul, 320 add, 14 product error, 4 product rest, 11 div, 3 sqrt, 41 abs, 11 less, 1
+    236 mul, 305 add, 14 product error, 4 product rest, 11 div, 3 sqrt, 37 abs, 11 less, 1
     equal, 24 select.
     """
 
@@ -1516,7 +1516,7 @@ def quaternion_log(q: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[
     it; |error of vo| <= vo_bound unless inf or NaN.
 
     (4)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
-    195 mul, 276 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 55 abs, 4
+    175 mul, 256 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4
     copysign, 35 less, 10 equal, 65 select.
     """
 
@@ -1525,7 +1525,7 @@ def SO3_exp(v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.floa
     inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    357 mul, 495 add, 14 product error, 22 product rest, 12 div, 3 sqrt, 61 abs, 14 less, 1
+    306 mul, 453 add, 14 product error, 22 product rest, 12 div, 3 sqrt, 51 abs, 14 less, 1
     equal, 29 select.
     """
 
@@ -1534,7 +1534,7 @@ def SO3_log(R: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.floa
     |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3)->(3),(3).  R: rotation or other 3×3 matrix; vo, vo_bound: vector.
-    208 mul, 406 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 71 abs, 4
+    182 mul, 383 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 10 neg, 65 abs, 4
     copysign, 34 less, 6 equal, 99 select.
     """
 
@@ -1543,7 +1543,7 @@ def SO3_leftJacobian(v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArra
     unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    412 mul, 714 add, 18 product error, 43 product rest, 16 div, 3 sqrt, 92 abs, 20 less, 1
+    403 mul, 706 add, 18 product error, 43 product rest, 16 div, 3 sqrt, 90 abs, 20 less, 1
     equal, 45 select.
     """
 
@@ -1552,7 +1552,7 @@ def SO3_rightJacobian(v: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArr
     unless inf or NaN.
 
     (3)->(3,3),(3,3).  v: vector; R, R_bound: rotation or other 3×3 matrix.
-    412 mul, 714 add, 18 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 92 abs, 20
+    403 mul, 706 add, 18 product error, 43 product rest, 16 div, 3 sqrt, 12 neg, 90 abs, 20
     less, 1 equal, 45 select.
     """
 
@@ -1588,7 +1588,7 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.float32] | None, 
 
     (3,3)->(),(3),(),(3).  R: rotation or other 3×3 matrix; angle, angle_bound: number; axis,
     axis_bound: vector.
-    183 mul, 395 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 66 abs, 4
+    171 mul, 383 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 63 abs, 4
     copysign, 34 less, 6 equal, 103 select.
     """
 
@@ -1613,7 +1613,7 @@ def SE3_exp(s: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.floa
 
     (6)->(3,4),(3,4).  s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R
     rotation, t in m.
-    532 mul, 868 add, 21 product error, 58 product rest, 16 div, 3 sqrt, 116 abs, 20 less, 1
+    494 mul, 835 add, 21 product error, 58 product rest, 16 div, 3 sqrt, 102 abs, 20 less, 1
     equal, 46 select.
     """
 
@@ -1623,7 +1623,7 @@ def SE3_log(D: ArrayLike, out: tuple[NDArray[np.float32] | None, NDArray[np.floa
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
     ω in rad/s).
-    658 mul, 1030 add, 29 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 182 abs, 6
+    539 mul, 931 add, 29 product error, 36 product rest, 47 div, 5 sqrt, 14 neg, 161 abs, 6
     copysign, 66 less, 9 equal, 167 select.
     """
 

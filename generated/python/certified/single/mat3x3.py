@@ -747,7 +747,7 @@ def axis_angle_from_mat3x3(R):
 
     (3,3)->(),(3),(),(3).  R: rotation or other 3×3 matrix; angle, angle_bound: number; axis,
     axis_bound: vector.
-    183 mul, 395 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 66 abs, 4
+    171 mul, 383 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 10 neg, 63 abs, 4
     copysign, 34 less, 6 equal, 103 select.
     """
     R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
@@ -876,56 +876,36 @@ def axis_angle_from_mat3x3(R):
     v_y_lo_3 = (upper_2 - v_y_2 * v_y_inverse_1 + where(upper_0b, upper_2a_lo, column_lo_3)) * v_s
     v_s_size_padded_3 = 3.308722450212111e-24 + (column_size_3 + 549753683968 * upper_size_22)
     v_n_a = v_y_0 * v_y_0
-    v_n_a_size_1 = absolute(v_y_0)
     v_n_a_padded_1 = 3.308722450212111e-24 + v_s_size_3 * v_s_size_padded_1
-    v_n_a_rest_1 = 1.9326999e-12 * v_n_a_padded_1
-    v_n_a_bound_1 = absolute(v_y_lo_1) + v_n_a_rest_1
-    v_n_a_size_2 = v_n_a_bound_1 * v_n_a_size_1
-    v_n_a_size_3 = v_n_a_size_2 + v_n_a_size_2
-    v_n_a_size_4 = v_n_a_rest_1 * v_n_a_size_1
-    v_n_a_size_7 = v_n_a_size_4 + v_n_a_size_4 + v_n_a_bound_1 * v_n_a_bound_1
-    v_n_a_size_11 = 274878431232 * (v_n_a_size_7 + 2.384185791015625e-07 * v_n_a_size_3)
+    v_n_a_reach_1 = absolute(v_y_0) + 262144 * (absolute(v_y_lo_1) + 1.9326999e-12 * v_n_a_padded_1)
+    v_n_a_size_2 = v_n_a_padded_1 * v_n_a_reach_1
     v_n_b = v_y_1 * v_y_1
-    v_n_b_size_1 = absolute(v_y_1)
     v_n_b_padded_1 = 3.308722450212111e-24 + v_s_size_3 * v_s_size_padded_2
-    v_n_b_rest_1 = 1.9326999e-12 * v_n_b_padded_1
-    v_n_b_bound_1 = absolute(v_y_lo_2) + v_n_b_rest_1
-    v_n_b_size_2 = v_n_b_bound_1 * v_n_b_size_1
-    v_n_b_size_3 = v_n_b_size_2 + v_n_b_size_2
-    v_n_b_size_4 = v_n_b_rest_1 * v_n_b_size_1
-    v_n_b_size_7 = v_n_b_size_4 + v_n_b_size_4 + v_n_b_bound_1 * v_n_b_bound_1
-    v_n_b_size_11 = 274878431232 * (v_n_b_size_7 + 2.384185791015625e-07 * v_n_b_size_3)
+    v_n_b_reach_1 = absolute(v_y_1) + 262144 * (absolute(v_y_lo_2) + 1.9326999e-12 * v_n_b_padded_1)
+    v_n_b_size_2 = v_n_b_padded_1 * v_n_b_reach_1
     v_n_c = v_n_a + v_n_b
     v_n_c_right_1 = v_n_c - v_n_a
     v_n_c_left_rest_1 = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
     v_n_c_cross_1 = v_y_lo_1 * v_y_0 + v_y_0 * v_y_lo_1 + (v_y_lo_2 * v_y_1 + v_y_1 * v_y_lo_2)
-    v_n_a_size_14 = 4194312 * v_n_a_size_3 + v_n_a_size_11 + absolute(v_n_a)
     v_n_d = v_y_2 * v_y_2
-    v_n_d_size_1 = absolute(v_y_2)
     v_n_d_padded_1 = 3.308722450212111e-24 + v_s_size_3 * v_s_size_padded_3
-    v_n_d_rest_1 = 1.9326999e-12 * v_n_d_padded_1
-    v_n_d_bound_1 = absolute(v_y_lo_3) + v_n_d_rest_1
-    v_n_d_size_2 = v_n_d_bound_1 * v_n_d_size_1
-    v_n_d_size_3 = v_n_d_size_2 + v_n_d_size_2
-    v_n_d_size_4 = v_n_d_rest_1 * v_n_d_size_1
-    v_n_d_size_7 = v_n_d_size_4 + v_n_d_size_4 + v_n_d_bound_1 * v_n_d_bound_1
-    v_n_d_size_11 = 274878431232 * (v_n_d_size_7 + 2.384185791015625e-07 * v_n_d_size_3)
+    v_n_d_reach_1 = absolute(v_y_2) + 262144 * (absolute(v_y_lo_3) + 1.9326999e-12 * v_n_d_padded_1)
+    v_n_d_size_2 = v_n_d_padded_1 * v_n_d_reach_1
     v_n_e = v_n_c + v_n_d
     v_n_e_right_1 = v_n_e - v_n_c
     v_n_e_lo1_1 = v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
     v_n_c_lo = v_n_c_left_rest_1 + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1) + v_n_c_cross_1
     v_n_e_lo = v_n_e_lo1_1 + (v_y_lo_3 * v_y_2 + v_y_2 * v_y_lo_3) + v_n_c_lo
-    v_n_c_size_1 = v_n_a_size_14 + (4194312 * v_n_b_size_3 + v_n_b_size_11 + absolute(v_n_b))
+    v_n_c_size_1 = v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
     v_n = sqrt(v_n_e)
     v_n_product_1 = v_n * v_n
     v_n_residual_1 = v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo
     v_n_lo = v_n_residual_1 / where(v_n == 0, 1, v_n + v_n)
-    v_n_e_size_1 = v_n_c_size_1 + (4194312 * v_n_d_size_3 + v_n_d_size_11 + absolute(v_n_d))
-    v_n_padded_1 = 3.308722450212111e-24 + v_n_e_size_1
-    v_n_bound_1 = absolute(v_n_e_lo) + 4.384106e-12 * v_n_padded_1
+    v_n_padded_1 = 3.308722450212111e-24 + (v_n_c_size_1 + (v_n_d_size_2 + v_n_d_size_2))
+    v_n_bound_1 = absolute(v_n_e_lo) + 3.3147653e-12 * v_n_padded_1
     v_n_size_6 = absolute(v_n_lo)
     v_n_size_4 = (absolute(v_n_e) + 262144 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
-    v_n_size_8 = 326911197184 * (sqrt(v_n_bound_1) + v_n_size_6)
+    v_n_size_8 = 396154929152 * (sqrt(v_n_bound_1) + v_n_size_6)
     v_n_size_12 = v_n + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, v_n_size_8)
     v_r_a = v_s < 1
     v_r_c = 1 < v_s
@@ -955,20 +935,20 @@ def axis_angle_from_mat3x3(R):
     half_size_2 = absolute(n)
     half_size_3 = absolute(upper_3)
     half_size_5 = where(half_size_2 < half_size_3, half_size_3, half_size_2)
-    half_bound_1 = absolute(n_lo) + 3.25081e-12 * half_padded_1
+    half_bound_1 = absolute(n_lo) + 2.7161363e-12 * half_padded_1
     half_bound_2 = absolute(upper_lo_4) + 1.8758484e-12 * half_padded_2
     half_size_11 = (half_bound_2 + (3.308722450212111e-24 + half_bound_1)) / half_size_5
     half_size_13 = half_size_11 * half_size_11
     half_size_15 = 7 + absolute(half_lo)
     half_size_18 = where(half_bound_2 < upper_3, half_size_13, half_size_15)
     half_size_19 = where(half_bound_1 < half_size_2, half_size_13, half_size_18)
-    half_size_21 = 157070540800 * where(half_size_11 < 0.25, half_size_19, half_size_15)
+    half_size_21 = 157070458880 * where(half_size_11 < 0.25, half_size_19, half_size_15)
     divisor_a = v_n == 0
     divisor = where(divisor_a, 1, v_n)
     divisor_lo = where(divisor_a, 0, v_n_lo)
-    divisor_bound_1 = 3.1726364e-12 * n_padded_1 + v_n_size_6
+    divisor_bound_1 = 2.6379647e-12 * n_padded_1 + v_n_size_6
     divisor_size_4 = divisor_bound_1 < absolute(v_n - 0)
-    divisor_size_9 = 274872942592 * where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - v_n))
+    divisor_size_9 = 274872680448 * where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - v_n))
     unit_0 = v_y_0 / divisor
     unit_product_1 = unit_0 * divisor
     unit_exact_1 = v_y_0 - unit_product_1 - product_error(unit_0, divisor, unit_product_1)
@@ -976,7 +956,7 @@ def axis_angle_from_mat3x3(R):
     unit_padded_1 = 3.308722450212111e-24 + (where(divisor_a, 1, v_n_size_12) + divisor_size_9)
     unit_size_1 = absolute(unit_0)
     unit_size_2 = absolute(divisor)
-    unit_bound_1 = absolute(divisor_lo) + 3.7517498e-12 * unit_padded_1
+    unit_bound_1 = absolute(divisor_lo) + 3.7517537e-12 * unit_padded_1
     unit_size_7 = where(4 * unit_bound_1 < unit_size_2, unit_size_2, 0)
     unit_reach_1 = unit_size_2 + 262144 * unit_bound_1
     unit_size_9 = unit_reach_1 * ((unit_padded_1 * unit_size_1 + v_n_a_padded_1) / unit_size_7)
@@ -994,16 +974,16 @@ def axis_angle_from_mat3x3(R):
     angle = 2 * half
     half_size_22 = absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21
     axis_0 = where(divisor_a, 1, unit_0)
-    axis_bound_1 = absolute(unit_lo_1) + 5.367119e-12 * (3.308722450212111e-24 + unit_size_11)
-    axis_size_6 = 191388057600 * where(divisor_size_4, 0, axis_bound_1 + absolute(1 - unit_0))
-    angle_rest_1 = 6.6757108e-12 * (3.308722450212111e-24 + 2 * half_size_22)
+    axis_bound_1 = absolute(unit_lo_1) + 5.367124e-12 * (3.308722450212111e-24 + unit_size_11)
+    axis_size_6 = 191387877376 * where(divisor_size_4, 0, axis_bound_1 + absolute(1 - unit_0))
+    angle_rest_1 = 6.6757142e-12 * (3.308722450212111e-24 + 2 * half_size_22)
     axis_padded_2 = 3.308722450212111e-24 + (where(divisor_a, 1, unit_size_11) + axis_size_6)
     unit_padded_2 = 3.308722450212111e-24 + (unit_size_12 + unit_size_16 / unit_size_2)
     unit_error_2 = absolute((unit_exact_2 + v_y_lo_2 - unit_1 * divisor_lo) / divisor)
     unit_padded_3 = 3.308722450212111e-24 + (unit_size_19 + unit_size_23 / unit_size_2)
     unit_error_3 = absolute((unit_exact_3 + v_y_lo_3 - unit_2 * divisor_lo) / divisor)
     angle_bound_1 = absolute(2 * half_lo) + angle_rest_1
-    axis_bound_2 = absolute(where(divisor_a, 0, unit_lo_1)) + 5.3671204e-12 * axis_padded_2
-    unit_bound_2 = unit_error_2 + 5.367119e-12 * unit_padded_2
-    unit_bound_3 = unit_error_3 + 5.367119e-12 * unit_padded_3
+    axis_bound_2 = absolute(where(divisor_a, 0, unit_lo_1)) + 5.3671256e-12 * axis_padded_2
+    unit_bound_2 = unit_error_2 + 5.367124e-12 * unit_padded_2
+    unit_bound_3 = unit_error_3 + 5.367124e-12 * unit_padded_3
     return (angle, axis_0, unit_1, unit_2, angle_bound_1, axis_bound_2, unit_bound_2, unit_bound_3)

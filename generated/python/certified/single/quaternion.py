@@ -1524,7 +1524,7 @@ def axis_angle_from_quaternion(q):
 
     (4)->(),(3),(),(3).  q: quaternion (x, y, z, w), the scalar last; angle, angle_bound:
     number; axis, axis_bound: vector.
-    176 mul, 268 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 53 abs, 4
+    167 mul, 259 add, 18 product error, 3 product rest, 24 div, 2 sqrt, 5 neg, 50 abs, 4
     copysign, 35 less, 10 equal, 69 select.
     """
     q_0, q_1, q_2, q_3 = q
@@ -1592,41 +1592,30 @@ def axis_angle_from_quaternion(q):
     v_y_2 = upper_2 * v_s
     v_n_a = v_y_0 * v_y_0
     v_n_a_padded_1 = 3.308722450212111e-24 + v_s_size_3 * (3.308722450212111e-24 + upper_size_11)
-    v_n_a_rest_1 = 9.841079e-13 * v_n_a_padded_1
-    v_n_a_size_2 = v_n_a_rest_1 * absolute(v_y_0)
-    v_n_a_size_3 = v_n_a_size_2 + v_n_a_size_2
-    v_n_a_size_7 = v_n_a_size_3 + v_n_a_rest_1 * v_n_a_rest_1 + 2.384185791015625e-07 * v_n_a_size_3
+    v_n_a_size_2 = v_n_a_padded_1 * (absolute(v_y_0) + 262144 * (9.841079e-13 * v_n_a_padded_1))
     v_n_b = v_y_1 * v_y_1
     v_n_b_padded_1 = 3.308722450212111e-24 + v_s_size_3 * (3.308722450212111e-24 + upper_size_18)
-    v_n_b_rest_1 = 9.841079e-13 * v_n_b_padded_1
-    v_n_b_size_2 = v_n_b_rest_1 * absolute(v_y_1)
-    v_n_b_size_3 = v_n_b_size_2 + v_n_b_size_2
-    v_n_b_size_7 = v_n_b_size_3 + v_n_b_rest_1 * v_n_b_rest_1 + 2.384185791015625e-07 * v_n_b_size_3
+    v_n_b_size_2 = v_n_b_padded_1 * (absolute(v_y_1) + 262144 * (9.841079e-13 * v_n_b_padded_1))
     v_n_c = v_n_a + v_n_b
     v_n_c_right_1 = v_n_c - v_n_a
     v_n_c_left_rest_1 = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
-    v_n_a_size_12 = 4194312 * v_n_a_size_3 + 274878431232 * v_n_a_size_7 + absolute(v_n_a)
-    v_n_b_size_12 = 4194312 * v_n_b_size_3 + 274878431232 * v_n_b_size_7 + absolute(v_n_b)
     v_n_d = v_y_2 * v_y_2
     v_n_d_padded_1 = 3.308722450212111e-24 + v_s_size_3 * (3.308722450212111e-24 + upper_size_25)
-    v_n_d_rest_1 = 9.841079e-13 * v_n_d_padded_1
-    v_n_d_size_2 = v_n_d_rest_1 * absolute(v_y_2)
-    v_n_d_size_3 = v_n_d_size_2 + v_n_d_size_2
-    v_n_d_size_7 = v_n_d_size_3 + v_n_d_rest_1 * v_n_d_rest_1 + 2.384185791015625e-07 * v_n_d_size_3
+    v_n_d_size_2 = v_n_d_padded_1 * (absolute(v_y_2) + 262144 * (9.841079e-13 * v_n_d_padded_1))
     v_n_e = v_n_c + v_n_d
     v_n_e_right_1 = v_n_e - v_n_c
     v_n_e_lo1_1 = v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
     v_n_e_lo = v_n_e_lo1_1 + (v_n_c_left_rest_1 + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1))
-    v_n_d_size_12 = 4194312 * v_n_d_size_3 + 274878431232 * v_n_d_size_7 + absolute(v_n_d)
+    v_n_c_size_1 = v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
     v_n = sqrt(v_n_e)
     v_n_product_1 = v_n * v_n
     v_n_residual_1 = v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo
     v_n_lo = v_n_residual_1 / where(v_n == 0, 1, v_n + v_n)
-    v_n_padded_1 = 3.308722450212111e-24 + (v_n_a_size_12 + v_n_b_size_12 + v_n_d_size_12)
-    v_n_bound_1 = absolute(v_n_e_lo) + 4.384106e-12 * v_n_padded_1
+    v_n_padded_1 = 3.308722450212111e-24 + (v_n_c_size_1 + (v_n_d_size_2 + v_n_d_size_2))
+    v_n_bound_1 = absolute(v_n_e_lo) + 2.0854824e-12 * v_n_padded_1
     v_n_size_6 = absolute(v_n_lo)
     v_n_size_4 = (absolute(v_n_e) + 262144 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
-    v_n_size_8 = 326911197184 * (sqrt(v_n_bound_1) + v_n_size_6)
+    v_n_size_8 = 554074177536 * (sqrt(v_n_bound_1) + v_n_size_6)
     v_n_size_12 = v_n + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, v_n_size_8)
     v_r_a = 1 < v_s
     v_r_c = 1.8014398509481984e+16 < v_s
@@ -1654,20 +1643,20 @@ def axis_angle_from_quaternion(q):
     half_size_2 = absolute(n)
     half_size_3 = absolute(upper_3)
     half_size_5 = where(half_size_2 < half_size_3, half_size_3, half_size_2)
-    half_bound_1 = absolute(n_lo) + 3.25081e-12 * half_padded_1
+    half_bound_1 = absolute(n_lo) + 1.977137e-12 * half_padded_1
     half_rest_2 = 9.379186e-13 * half_padded_2
     half_size_11 = (half_rest_2 + (3.308722450212111e-24 + half_bound_1)) / half_size_5
     half_size_13 = half_size_11 * half_size_11
     half_size_15 = 7 + absolute(half_lo)
     half_size_18 = where(half_rest_2 < upper_3, half_size_13, half_size_15)
     half_size_19 = where(half_bound_1 < half_size_2, half_size_13, half_size_18)
-    half_size_21 = 157070540800 * where(half_size_11 < 0.25, half_size_19, half_size_15)
+    half_size_21 = 169153347584 * where(half_size_11 < 0.25, half_size_19, half_size_15)
     divisor_a = v_n == 0
     divisor = where(divisor_a, 1, v_n)
     divisor_lo = where(divisor_a, 0, v_n_lo)
-    divisor_bound_1 = 3.1726364e-12 * n_padded_1 + v_n_size_6
+    divisor_bound_1 = 1.9042977e-12 * n_padded_1 + v_n_size_6
     divisor_size_4 = divisor_bound_1 < absolute(v_n - 0)
-    divisor_size_9 = 274872942592 * where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - v_n))
+    divisor_size_9 = 314141605888 * where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - v_n))
     unit_0 = v_y_0 / divisor
     unit_product_1 = unit_0 * divisor
     unit_exact_1 = v_y_0 - unit_product_1 - product_error(unit_0, divisor, unit_product_1)
@@ -1675,7 +1664,7 @@ def axis_angle_from_quaternion(q):
     unit_padded_1 = 3.308722450212111e-24 + (where(divisor_a, 1, v_n_size_12) + divisor_size_9)
     unit_size_1 = absolute(unit_0)
     unit_size_2 = absolute(divisor)
-    unit_bound_1 = absolute(divisor_lo) + 3.7517498e-12 * unit_padded_1
+    unit_bound_1 = absolute(divisor_lo) + 3.2827692e-12 * unit_padded_1
     unit_size_7 = where(4 * unit_bound_1 < unit_size_2, unit_size_2, 0)
     unit_reach_1 = unit_size_2 + 262144 * unit_bound_1
     unit_size_9 = unit_reach_1 * ((unit_padded_1 * unit_size_1 + v_n_a_padded_1) / unit_size_7)
@@ -1693,18 +1682,18 @@ def axis_angle_from_quaternion(q):
     angle = 2 * half
     half_size_22 = absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21
     axis_0 = where(divisor_a, 1, unit_0)
-    axis_bound_1 = absolute(unit_lo_1) + 5.367119e-12 * (3.308722450212111e-24 + unit_size_11)
-    axis_size_6 = 191388057600 * where(divisor_size_4, 0, axis_bound_1 + absolute(1 - unit_0))
-    angle_rest_1 = 6.6757108e-12 * (3.308722450212111e-24 + 2 * half_size_22)
+    axis_bound_1 = absolute(unit_lo_1) + 4.7394384e-12 * (3.308722450212111e-24 + unit_size_11)
+    axis_size_6 = 216848252928 * where(divisor_size_4, 0, axis_bound_1 + absolute(1 - unit_0))
+    angle_rest_1 = 6.2013957e-12 * (3.308722450212111e-24 + 2 * half_size_22)
     axis_padded_2 = 3.308722450212111e-24 + (where(divisor_a, 1, unit_size_11) + axis_size_6)
     unit_padded_2 = 3.308722450212111e-24 + (unit_size_12 + unit_size_16 / unit_size_2)
     unit_error_2 = absolute((unit_exact_2 - unit_1 * divisor_lo) / divisor)
     unit_padded_3 = 3.308722450212111e-24 + (unit_size_19 + unit_size_23 / unit_size_2)
     unit_error_3 = absolute((unit_exact_3 - unit_2 * divisor_lo) / divisor)
     angle_bound_1 = absolute(2 * half_lo) + angle_rest_1
-    axis_bound_2 = absolute(where(divisor_a, 0, unit_lo_1)) + 5.3671204e-12 * axis_padded_2
-    unit_bound_2 = unit_error_2 + 5.367119e-12 * unit_padded_2
-    unit_bound_3 = unit_error_3 + 5.367119e-12 * unit_padded_3
+    axis_bound_2 = absolute(where(divisor_a, 0, unit_lo_1)) + 4.7394397e-12 * axis_padded_2
+    unit_bound_2 = unit_error_2 + 4.7394384e-12 * unit_padded_2
+    unit_bound_3 = unit_error_3 + 4.7394384e-12 * unit_padded_3
     return (angle, axis_0, unit_1, unit_2, angle_bound_1, axis_bound_2, unit_bound_2, unit_bound_3)
 
 
@@ -1715,7 +1704,7 @@ def quaternion_exp(v):
     of qo| <= qo_bound unless inf or NaN.
 
     (3)->(4),(4).  v: vector; qo, qo_bound: quaternion (x, y, z, w), the scalar last.
-    251 mul, 320 add, 14 product error, 4 product rest, 11 div, 3 sqrt, 41 abs, 11 less, 1
+    236 mul, 305 add, 14 product error, 4 product rest, 11 div, 3 sqrt, 37 abs, 11 less, 1
     equal, 24 select.
     """
     v_0, v_1, v_2 = v
@@ -1777,13 +1766,10 @@ def quaternion_exp(v):
     fine_h_2 = 0.5 * v_2
     fine_h_size_0 = absolute(fine_h_0)
     fine_h_size_padded_1 = 3.308722450212111e-24 + 0.5 * absolute(v_0)
-    fine_h_size_rest_1 = 3.5527347e-14 * fine_h_size_padded_1
     fine_h_size_1 = absolute(fine_h_1)
     fine_h_size_padded_2 = 3.308722450212111e-24 + 0.5 * absolute(v_1)
-    fine_h_size_rest_2 = 3.5527347e-14 * fine_h_size_padded_2
     fine_h_size_2 = absolute(fine_h_2)
     fine_h_size_padded_3 = 3.308722450212111e-24 + 0.5 * absolute(v_2)
-    fine_h_size_rest_3 = 3.5527347e-14 * fine_h_size_padded_3
     fine_h_largest1 = where(fine_h_size_0 < fine_h_size_1, fine_h_size_1, fine_h_size_0)
     fine_h_largest2 = where(fine_h_largest1 < fine_h_size_2, fine_h_size_2, fine_h_largest1)
     fine_s_a = 4.611686018427388e+18 < fine_h_largest2
@@ -1847,15 +1833,9 @@ def quaternion_exp(v):
     fine_up_size_1 = where(fine_up_a, float32(3.6893488147419103e+19), float32(1))
     fine_half_angle_size_1 = (3.308722450212111e-24 + fine_reduced_length_size_12) * fine_up_size_1
     fine_y = fine_half_angle * fine_half_angle
-    fine_y_size_1 = absolute(fine_half_angle)
     fine_y_padded_1 = 3.308722450212111e-24 + fine_half_angle_size_1
-    fine_y_rest_1 = 1.6484983e-12 * fine_y_padded_1
-    fine_y_bound_1 = absolute(fine_half_angle_lo) + fine_y_rest_1
-    fine_y_size_2 = fine_y_bound_1 * fine_y_size_1
-    fine_y_size_3 = fine_y_size_2 + fine_y_size_2
-    fine_y_size_4 = fine_y_rest_1 * fine_y_size_1
-    fine_y_size_7 = fine_y_size_4 + fine_y_size_4 + fine_y_bound_1 * fine_y_bound_1
-    fine_y_size_11 = 274878431232 * (fine_y_size_7 + 2.384185791015625e-07 * fine_y_size_3)
+    fine_y_bound_1 = absolute(fine_half_angle_lo) + 1.6484983e-12 * fine_y_padded_1
+    fine_y_size_2 = fine_y_padded_1 * (absolute(fine_half_angle) + 262144 * fine_y_bound_1)
     fine_sine, fine_c = elementary.sincos(fine_half_angle)
     fine_sine_own_error_1, fine_c_own_error_1 = elementary.sincos_error(fine_half_angle, fine_sine, fine_c)
     fine_sine_half_1 = fine_half_angle_lo * 0.5
@@ -1905,50 +1885,34 @@ def quaternion_exp(v):
     fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
     fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
     fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
-    fine_sinc_a_size_1 = 0.16666669 * (4194312 * fine_y_size_3 + fine_y_size_11 + absolute(fine_y))
-    fine_sinc_b_size_1 = 1 + fine_sinc_a_size_1
+    fine_sinc_b_size_1 = 1 + 0.16666669 * (fine_y_size_2 + fine_y_size_2)
     fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
     fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 2.3706434e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
+    fine_sinc_rest_1 = 2.3639474e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
     fine_sinc_rest_2 = 7.941701e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
     fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
     fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
     fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
     fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
-    fine_sinc_size_7 = 4221824256 * where(fine_sinc_divisor_size_5, 0, fine_sinc_size_5)
+    fine_sinc_size_7 = 4235066880 * where(fine_sinc_divisor_size_5, 0, fine_sinc_size_5)
     fine_qo_0 = fine_h_0 * fine_sinc
-    fine_qo_size_1 = absolute(fine_h_0)
-    fine_qo_size_2 = absolute(fine_sinc)
-    fine_qo_rest_1 = 2.3710706e-10 * (3.308722450212111e-24 + (fine_sinc_size_1 + fine_sinc_size_7))
-    fine_qo_bound_1 = absolute(fine_sinc_lo) + fine_qo_rest_1
-    fine_qo_size_4 = fine_h_size_rest_1 * fine_qo_size_2
-    fine_qo_size_5 = fine_qo_bound_1 * fine_qo_size_1 + fine_qo_size_4
-    fine_qo_size_7 = fine_qo_size_4 + fine_qo_rest_1 * fine_qo_size_1
-    fine_qo_size_9 = fine_qo_size_7 + fine_h_size_rest_1 * fine_qo_bound_1
-    fine_qo_size_13 = 274878431232 * (2.384185791015625e-07 * fine_qo_size_5 + fine_qo_size_9)
+    fine_qo_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_1 + fine_sinc_size_7)
+    fine_qo_reach_1 = absolute(fine_h_0) + 262144 * (3.5527347e-14 * fine_h_size_padded_1)
+    fine_qo_units_2 = 262144 * (absolute(fine_sinc_lo) + 2.3639482e-10 * fine_qo_padded_1)
+    fine_qo_reach_2 = absolute(fine_sinc) + fine_qo_units_2
     fine_qo_1 = fine_h_1 * fine_sinc
-    fine_qo_size_17 = absolute(fine_h_1)
-    fine_qo_size_19 = fine_h_size_rest_2 * fine_qo_size_2
-    fine_qo_size_20 = fine_qo_bound_1 * fine_qo_size_17 + fine_qo_size_19
-    fine_qo_size_22 = fine_qo_size_19 + fine_qo_rest_1 * fine_qo_size_17
-    fine_qo_size_24 = fine_qo_size_22 + fine_h_size_rest_2 * fine_qo_bound_1
-    fine_qo_size_28 = 274878431232 * (fine_qo_size_24 + 2.384185791015625e-07 * fine_qo_size_20)
+    fine_qo_reach_3 = absolute(fine_h_1) + 262144 * (3.5527347e-14 * fine_h_size_padded_2)
     fine_qo_2 = fine_h_2 * fine_sinc
-    fine_qo_size_32 = absolute(fine_h_2)
-    fine_qo_size_34 = fine_h_size_rest_3 * fine_qo_size_2
-    fine_qo_size_35 = fine_qo_bound_1 * fine_qo_size_32 + fine_qo_size_34
-    fine_qo_size_37 = fine_qo_size_34 + fine_qo_rest_1 * fine_qo_size_32
-    fine_qo_size_39 = fine_qo_size_37 + fine_h_size_rest_3 * fine_qo_bound_1
-    fine_qo_size_43 = 274878431232 * (fine_qo_size_39 + 2.384185791015625e-07 * fine_qo_size_35)
+    fine_qo_reach_4 = absolute(fine_h_2) + 262144 * (3.5527347e-14 * fine_h_size_padded_3)
     fine_qo_lo_1 = product_error(fine_h_0, fine_sinc, fine_qo_0) + fine_h_0 * fine_sinc_lo
-    fine_qo_size_16 = 4194312 * fine_qo_size_5 + fine_qo_size_13 + absolute(fine_qo_0)
-    qo_rest_1 = 3.7516878e-12 * (3.308722450212111e-24 + fine_qo_size_16)
+    fine_qo_size_5 = fine_qo_padded_1 * fine_qo_reach_1 + fine_h_size_padded_1 * fine_qo_reach_2
+    qo_rest_1 = 2.3676172e-10 * (3.308722450212111e-24 + fine_qo_size_5)
     fine_qo_lo_2 = product_error(fine_h_1, fine_sinc, fine_qo_1) + fine_h_1 * fine_sinc_lo
-    fine_qo_size_31 = 4194312 * fine_qo_size_20 + fine_qo_size_28 + absolute(fine_qo_1)
-    qo_rest_2 = 3.7516878e-12 * (3.308722450212111e-24 + fine_qo_size_31)
+    fine_qo_size_9 = fine_qo_padded_1 * fine_qo_reach_3 + fine_h_size_padded_2 * fine_qo_reach_2
+    qo_rest_2 = 2.3676172e-10 * (3.308722450212111e-24 + fine_qo_size_9)
     fine_qo_lo_3 = product_error(fine_h_2, fine_sinc, fine_qo_2) + fine_h_2 * fine_sinc_lo
-    fine_qo_size_46 = 4194312 * fine_qo_size_35 + fine_qo_size_43 + absolute(fine_qo_2)
-    qo_rest_3 = 3.7516878e-12 * (3.308722450212111e-24 + fine_qo_size_46)
+    fine_qo_size_13 = fine_qo_padded_1 * fine_qo_reach_4 + fine_h_size_padded_3 * fine_qo_reach_2
+    qo_rest_3 = 2.3676172e-10 * (3.308722450212111e-24 + fine_qo_size_13)
     qo_error_7 = absolute(fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1 + (fine_c - qo_3))
     qo_bound_1 = 1.0000005 * absolute(fine_qo_lo_1 + (fine_qo_0 - qo_0)) + qo_rest_1
     qo_bound_2 = 1.0000005 * absolute(fine_qo_lo_2 + (fine_qo_1 - qo_1)) + qo_rest_2
@@ -1964,7 +1928,7 @@ def quaternion_log(q):
     it; |error of vo| <= vo_bound unless inf or NaN.
 
     (4)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; vo, vo_bound: vector.
-    195 mul, 276 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 55 abs, 4
+    175 mul, 256 add, 19 product error, 3 product rest, 16 div, 2 sqrt, 5 neg, 49 abs, 4
     copysign, 35 less, 10 equal, 65 select.
     """
     q_0, q_1, q_2, q_3 = q
@@ -2016,15 +1980,12 @@ def quaternion_log(q):
     v_s_size_0 = absolute(upper_0)
     upper_size_11 = scaled_s_size_4 + 1099513724928 * where(upper_size_4, 0, upper_size_8)
     v_s_size_padded_1 = 3.308722450212111e-24 + upper_size_11
-    v_s_size_rest_1 = 9.379186e-13 * v_s_size_padded_1
     v_s_size_1 = absolute(upper_1)
     upper_size_18 = scaled_s_size_8 + 1099513724928 * where(upper_size_4, 0, upper_size_15)
     v_s_size_padded_2 = 3.308722450212111e-24 + upper_size_18
-    v_s_size_rest_2 = 9.379186e-13 * v_s_size_padded_2
     v_s_size_2 = absolute(upper_2)
     upper_size_25 = scaled_s_size_12 + 1099513724928 * where(upper_size_4, 0, upper_size_22)
     v_s_size_padded_3 = 3.308722450212111e-24 + upper_size_25
-    v_s_size_rest_3 = 9.379186e-13 * v_s_size_padded_3
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_a = v_s_largest2 < 256
@@ -2037,38 +1998,30 @@ def quaternion_log(q):
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n_a = v_y_0 * v_y_0
-    v_n_a_rest_1 = 9.841079e-13 * (3.308722450212111e-24 + v_s_size_3 * v_s_size_padded_1)
-    v_n_a_size_2 = v_n_a_rest_1 * absolute(v_y_0)
-    v_n_a_size_3 = v_n_a_size_2 + v_n_a_size_2
-    v_n_a_size_7 = v_n_a_size_3 + v_n_a_rest_1 * v_n_a_rest_1 + 2.384185791015625e-07 * v_n_a_size_3
+    v_n_a_padded_1 = 3.308722450212111e-24 + v_s_size_3 * v_s_size_padded_1
+    v_n_a_size_2 = v_n_a_padded_1 * (absolute(v_y_0) + 262144 * (9.841079e-13 * v_n_a_padded_1))
     v_n_b = v_y_1 * v_y_1
-    v_n_b_rest_1 = 9.841079e-13 * (3.308722450212111e-24 + v_s_size_3 * v_s_size_padded_2)
-    v_n_b_size_2 = v_n_b_rest_1 * absolute(v_y_1)
-    v_n_b_size_3 = v_n_b_size_2 + v_n_b_size_2
-    v_n_b_size_7 = v_n_b_size_3 + v_n_b_rest_1 * v_n_b_rest_1 + 2.384185791015625e-07 * v_n_b_size_3
+    v_n_b_padded_1 = 3.308722450212111e-24 + v_s_size_3 * v_s_size_padded_2
+    v_n_b_size_2 = v_n_b_padded_1 * (absolute(v_y_1) + 262144 * (9.841079e-13 * v_n_b_padded_1))
     v_n_c = v_n_a + v_n_b
     v_n_c_right_1 = v_n_c - v_n_a
     v_n_c_left_rest_1 = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
-    v_n_a_size_12 = 4194312 * v_n_a_size_3 + 274878431232 * v_n_a_size_7 + absolute(v_n_a)
-    v_n_b_size_12 = 4194312 * v_n_b_size_3 + 274878431232 * v_n_b_size_7 + absolute(v_n_b)
     v_n_d = v_y_2 * v_y_2
-    v_n_d_rest_1 = 9.841079e-13 * (3.308722450212111e-24 + v_s_size_3 * v_s_size_padded_3)
-    v_n_d_size_2 = v_n_d_rest_1 * absolute(v_y_2)
-    v_n_d_size_3 = v_n_d_size_2 + v_n_d_size_2
-    v_n_d_size_7 = v_n_d_size_3 + v_n_d_rest_1 * v_n_d_rest_1 + 2.384185791015625e-07 * v_n_d_size_3
+    v_n_d_padded_1 = 3.308722450212111e-24 + v_s_size_3 * v_s_size_padded_3
+    v_n_d_size_2 = v_n_d_padded_1 * (absolute(v_y_2) + 262144 * (9.841079e-13 * v_n_d_padded_1))
     v_n_e = v_n_c + v_n_d
     v_n_e_right_1 = v_n_e - v_n_c
     v_n_e_lo1_1 = v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
     v_n_e_lo = v_n_e_lo1_1 + (v_n_c_left_rest_1 + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1))
-    v_n_d_size_12 = 4194312 * v_n_d_size_3 + 274878431232 * v_n_d_size_7 + absolute(v_n_d)
+    v_n_c_size_1 = v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
     v_n = sqrt(v_n_e)
     v_n_product_1 = v_n * v_n
     v_n_residual_1 = v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo
     v_n_lo = v_n_residual_1 / where(v_n == 0, 1, v_n + v_n)
-    v_n_padded_1 = 3.308722450212111e-24 + (v_n_a_size_12 + v_n_b_size_12 + v_n_d_size_12)
-    v_n_bound_1 = absolute(v_n_e_lo) + 4.384106e-12 * v_n_padded_1
+    v_n_padded_1 = 3.308722450212111e-24 + (v_n_c_size_1 + (v_n_d_size_2 + v_n_d_size_2))
+    v_n_bound_1 = absolute(v_n_e_lo) + 2.0854824e-12 * v_n_padded_1
     v_n_size_4 = (absolute(v_n_e) + 262144 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
-    v_n_size_8 = 326911197184 * (sqrt(v_n_bound_1) + absolute(v_n_lo))
+    v_n_size_8 = 554074177536 * (sqrt(v_n_bound_1) + absolute(v_n_lo))
     v_r_a = 1 < v_s
     v_r_c = 1.8014398509481984e+16 < v_s
     v_r_b = where(v_r_a, float32(5.551115123125783e-17), float32(1))
@@ -2096,19 +2049,19 @@ def quaternion_log(q):
     half_size_2 = absolute(n)
     half_size_3 = absolute(upper_3)
     half_size_5 = where(half_size_2 < half_size_3, half_size_3, half_size_2)
-    half_bound_1 = absolute(n_lo) + 3.25081e-12 * half_padded_1
+    half_bound_1 = absolute(n_lo) + 1.977137e-12 * half_padded_1
     half_rest_2 = 9.379186e-13 * half_padded_2
     half_size_11 = (half_rest_2 + (3.308722450212111e-24 + half_bound_1)) / half_size_5
     half_size_13 = half_size_11 * half_size_11
     half_size_15 = 7 + absolute(half_lo)
     half_size_18 = where(half_rest_2 < upper_3, half_size_13, half_size_15)
     half_size_19 = where(half_bound_1 < half_size_2, half_size_13, half_size_18)
-    half_size_21 = 157070540800 * where(half_size_11 < 0.25, half_size_19, half_size_15)
+    half_size_21 = 169153347584 * where(half_size_11 < 0.25, half_size_19, half_size_15)
     divisor_a = n == 0
     divisor = where(divisor_a, 1, n)
     divisor_lo = where(divisor_a, 0, n_lo)
     divisor_size_5 = half_bound_1 < 1.401298464324817e-45 + absolute(n - 0)
-    divisor_size_10 = 219898347520 * where(divisor_size_5, 0, absolute(1 - n) + half_bound_1)
+    divisor_size_10 = 244332298240 * where(divisor_size_5, 0, absolute(1 - n) + half_bound_1)
     theta = 2 * half
     half_size_22 = absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21
     k = theta / divisor
@@ -2118,39 +2071,25 @@ def quaternion_log(q):
     k_padded_2 = 3.308722450212111e-24 + (where(divisor_a, 1, n_size_1) + divisor_size_10)
     k_size_1 = absolute(k)
     k_size_2 = absolute(divisor)
-    k_bound_1 = absolute(divisor_lo) + 4.689687e-12 * k_padded_2
+    k_bound_1 = absolute(divisor_lo) + 4.2207045e-12 * k_padded_2
     k_size_4 = 3.308722450212111e-24 + 2 * half_size_22 + k_padded_2 * k_size_1
     k_size_8 = k_size_4 / where(4 * k_bound_1 < k_size_2, k_size_2, 0)
     vector_0 = upper_0 * k
-    vector_size_1 = absolute(upper_0)
     k_size_11 = k_size_1 + (k_size_2 + 262144 * k_bound_1) * k_size_8 / k_size_2
-    vector_rest_1 = 9.560642e-12 * (3.308722450212111e-24 + k_size_11)
-    vector_bound_1 = absolute(k_lo) + vector_rest_1
-    vector_size_3 = k_size_1 * v_s_size_rest_1
-    vector_size_4 = vector_bound_1 * vector_size_1 + vector_size_3
-    vector_size_8 = vector_size_3 + vector_rest_1 * vector_size_1 + v_s_size_rest_1 * vector_bound_1
-    vector_size_12 = 274878431232 * (vector_size_8 + 2.384185791015625e-07 * vector_size_4)
+    vector_padded_1 = 3.308722450212111e-24 + k_size_11
+    vector_reach_1 = absolute(upper_0) + 262144 * (9.379186e-13 * v_s_size_padded_1)
+    vector_reach_2 = k_size_1 + 262144 * (absolute(k_lo) + 8.927625e-12 * vector_padded_1)
     vector_1 = upper_1 * k
-    vector_size_16 = absolute(upper_1)
-    vector_size_18 = k_size_1 * v_s_size_rest_2
-    vector_size_19 = vector_bound_1 * vector_size_16 + vector_size_18
-    vector_size_21 = vector_size_18 + vector_rest_1 * vector_size_16
-    vector_size_23 = vector_size_21 + v_s_size_rest_2 * vector_bound_1
-    vector_size_27 = 274878431232 * (vector_size_23 + 2.384185791015625e-07 * vector_size_19)
+    vector_reach_3 = absolute(upper_1) + 262144 * (9.379186e-13 * v_s_size_padded_2)
     vector_2 = upper_2 * k
-    vector_size_31 = absolute(upper_2)
-    vector_size_33 = k_size_1 * v_s_size_rest_3
-    vector_size_34 = vector_bound_1 * vector_size_31 + vector_size_33
-    vector_size_36 = vector_size_33 + vector_rest_1 * vector_size_31
-    vector_size_38 = vector_size_36 + v_s_size_rest_3 * vector_bound_1
-    vector_size_42 = 274878431232 * (vector_size_38 + 2.384185791015625e-07 * vector_size_34)
-    vector_size_15 = 4194312 * vector_size_4 + vector_size_12 + absolute(vector_0)
+    vector_reach_4 = absolute(upper_2) + 262144 * (9.379186e-13 * v_s_size_padded_3)
+    vector_size_4 = vector_padded_1 * vector_reach_1 + v_s_size_padded_1 * vector_reach_2
     vector_error_3 = absolute(product_error(upper_0, k, vector_0) + upper_0 * k_lo)
-    vector_size_30 = 4194312 * vector_size_19 + vector_size_27 + absolute(vector_1)
+    vector_size_8 = vector_padded_1 * vector_reach_3 + v_s_size_padded_2 * vector_reach_2
     vector_error_5 = absolute(product_error(upper_1, k, vector_1) + upper_1 * k_lo)
-    vector_size_45 = 4194312 * vector_size_34 + vector_size_42 + absolute(vector_2)
+    vector_size_12 = vector_padded_1 * vector_reach_4 + v_s_size_padded_3 * vector_reach_2
     vector_error_7 = absolute(product_error(upper_2, k, vector_2) + upper_2 * k_lo)
-    vector_bound_2 = vector_error_3 + 3.7516878e-12 * (3.308722450212111e-24 + vector_size_15)
-    vector_bound_3 = vector_error_5 + 3.7516878e-12 * (3.308722450212111e-24 + vector_size_30)
-    vector_bound_4 = vector_error_7 + 3.7516878e-12 * (3.308722450212111e-24 + vector_size_45)
+    vector_bound_2 = vector_error_3 + 9.281226e-12 * (3.308722450212111e-24 + vector_size_4)
+    vector_bound_3 = vector_error_5 + 9.281226e-12 * (3.308722450212111e-24 + vector_size_8)
+    vector_bound_4 = vector_error_7 + 9.281226e-12 * (3.308722450212111e-24 + vector_size_12)
     return (vector_0, vector_1, vector_2, vector_bound_2, vector_bound_3, vector_bound_4)
